@@ -1,0 +1,7 @@
+//! The science of free-standing objects in an earthquake.
+
+pub mod math;
+pub mod motion;
+
+/// Standard acceleration of gravity, the unit "g" \[m/s²\].
+pub const G0_M_S2: f64 = 9.80665;

@@ -1,0 +1,1 @@
+//! Small numerical pieces that several models share.

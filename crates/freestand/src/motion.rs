@@ -1,0 +1,101 @@
+//! An acceleration history: equally spaced samples, linear between them.
+
+use thiserror::Error;
+
+/// Base acceleration against time: equally spaced samples, linear between them; the first sample is at t = 0.
+///
+/// **Units**: seconds and m/s². A `Motion` always holds at least two samples, all of them finite.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    dt_s: f64,
+    accel_m_s2: Vec<f64>,
+}
+
+/// Why samples are not a [`Motion`].
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MotionError {
+    /// The time step is not a positive finite number.
+    #[error("the time step must be positive and finite, not {dt_s} s")]
+    TimeStep {
+        /// The step that was given.
+        dt_s: f64,
+    },
+    /// One sample spans no time.
+    #[error("a motion needs at least 2 samples, not {samples}")]
+    TooShort {
+        /// Samples that were given.
+        samples: usize,
+    },
+    /// A sample is NaN or infinite.
+    #[error("sample {index} (counted from 0) is {value}, not a finite acceleration")]
+    NotFinite {
+        /// Index of the first such sample, from 0.
+        index: usize,
+        /// What stands there.
+        value: f64,
+    },
+}
+
+impl Motion {
+    /// A motion of samples `accel_m_s2` every `dt_s` seconds.
+    ///
+    /// # Errors
+    /// A step that is not positive and finite, fewer than two samples, or a sample that is not finite.
+    ///
+    /// # Example
+    /// ```
+    /// let motion = freestand::motion::Motion::new(0.5, vec![0.0, -2.0, 1.0])?;
+    /// assert_eq!(motion.duration_s(), 1.0);
+    /// assert_eq!(motion.peak_m_s2(), 2.0);
+    /// # Ok::<(), freestand::motion::MotionError>(())
+    /// ```
+    pub fn new(dt_s: f64, accel_m_s2: Vec<f64>) -> Result<Self, MotionError> {
+        if !(dt_s > 0.0 && dt_s.is_finite()) {
+            return Err(MotionError::TimeStep { dt_s });
+        }
+        if accel_m_s2.len() < 2 {
+            return Err(MotionError::TooShort { samples: accel_m_s2.len() });
+        }
+        if let Some(index) = accel_m_s2.iter().position(|a| !a.is_finite()) {
+            return Err(MotionError::NotFinite { index, value: accel_m_s2[index] });
+        }
+        Ok(Self { dt_s, accel_m_s2 })
+    }
+
+    /// Time between samples \[s\].
+    pub fn dt_s(&self) -> f64 {
+        self.dt_s
+    }
+
+    /// The samples \[m/s²\].
+    pub fn accel_m_s2(&self) -> &[f64] {
+        &self.accel_m_s2
+    }
+
+    /// Time of the last sample \[s\].
+    pub fn duration_s(&self) -> f64 {
+        (self.accel_m_s2.len() - 1) as f64 * self.dt_s
+    }
+
+    /// Largest absolute sample (PGA of a ground motion, PFA of a floor motion) \[m/s²\].
+    pub fn peak_m_s2(&self) -> f64 {
+        self.accel_m_s2.iter().fold(0.0, |peak: f64, a| peak.max(a.abs()))
+    }
+
+    /// The same motion times `factor`.
+    ///
+    /// # Errors
+    /// A factor that makes a sample infinite or NaN.
+    pub fn scaled(&self, factor: f64) -> Result<Self, MotionError> {
+        Self::new(self.dt_s, self.accel_m_s2.iter().map(|a| a * factor).collect())
+    }
+
+    /// The same motion followed by zeros for at least `tail_s` seconds (nothing is added for `tail_s` ≤ 0).
+    pub fn with_zero_tail(&self, tail_s: f64) -> Self {
+        let extra = (tail_s / self.dt_s).ceil().max(0.0) as usize;
+        let mut accel_m_s2 = Vec::with_capacity(self.accel_m_s2.len() + extra);
+        accel_m_s2.extend_from_slice(&self.accel_m_s2);
+        accel_m_s2.resize(self.accel_m_s2.len() + extra, 0.0);
+        Self { dt_s: self.dt_s, accel_m_s2 }
+    }
+}
