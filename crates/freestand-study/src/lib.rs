@@ -1,1 +1,5 @@
-//! Files in, results out.
+//! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
+
+pub mod error;
+
+pub use error::{Problem, ProblemKind, StudyError};
