@@ -1,6 +1,7 @@
 //! The science of free-standing objects in an earthquake.
 
-pub mod math;
+pub mod block;
+pub mod impact;
 pub mod motion;
 
 /// Standard acceleration of gravity, the unit "g" \[m/s²\].

@@ -1,0 +1,348 @@
+//! The free-standing object as a rigid block on two edges.
+
+use thiserror::Error;
+
+/// Slenderness h/t below which a uniform block cannot rock through an impact: Housner's r = 1 − 1.5 sin²α is
+/// negative for h/t < 1/√2.
+pub const SQUAT_SLENDERNESS: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// A rigid object seen in the plane of its motion. All lengths in metres.
+///
+/// A uniform rectangle by default; feet that are set in, a centre of gravity that is not in the middle and a measured
+/// inertia are the general block. Nothing here depends on the mass: the inertia is held as a gyration radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    height_m: f64,
+    thickness_m: f64,
+    base_width_m: f64,
+    cg_height_m: f64,
+    cg_offset_m: f64,
+    gyration_radius_m: f64,
+}
+
+/// One pivot edge and the block as seen from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pivot {
+    /// R: from the pivot edge to the centre of gravity \[m\].
+    pub half_diagonal_m: f64,
+    /// α: angle between R and the vertical at rest \[rad\]; at θ = α the block balances on the edge.
+    pub slenderness_angle_rad: f64,
+    /// I/m about this edge \[m²\]: (4/3)R² for a uniform block.
+    pub inertia_per_mass_m2: f64,
+}
+
+impl Pivot {
+    /// p = √(m g R / I) \[rad/s\]: √(3g/4R) for a uniform block (Housner 1963).
+    pub fn frequency_parameter_rad_s(&self, gravity_m_s2: f64) -> f64 {
+        (gravity_m_s2 * self.half_diagonal_m / self.inertia_per_mass_m2).sqrt()
+    }
+
+    /// Rise of the centre of gravity at rotation |θ|: R\[cos(α−|θ|) − cos α\] \[m\].
+    ///
+    /// Written as a product of sines, which keeps its digits at small rotations.
+    pub fn cg_rise_m(&self, rotation_rad: f64) -> f64 {
+        let theta = rotation_rad.abs();
+        2.0 * self.half_diagonal_m * (self.slenderness_angle_rad - 0.5 * theta).sin() * (0.5 * theta).sin()
+    }
+
+    /// The largest rise that a block reaches before it falls: R(1 − cos α) at θ = α \[m\].
+    pub fn balance_rise_m(&self) -> f64 {
+        self.cg_rise_m(self.slenderness_angle_rad)
+    }
+
+    /// Rotation at which the centre of gravity has risen by `cg_rise_m` \[rad\], the inverse of [`Pivot::cg_rise_m`]
+    /// up to the balance point; `None` beyond it.
+    pub fn rotation_at_rise_rad(&self, cg_rise_m: f64) -> Option<f64> {
+        let tilt = (self.slenderness_angle_rad.cos() + cg_rise_m / self.half_diagonal_m).min(1.0);
+        let balance = self.balance_rise_m();
+        if !(0.0..=balance).contains(&cg_rise_m) {
+            return None;
+        }
+        let mut theta = self.slenderness_angle_rad - tilt.acos();
+        // acos loses half of the digits near the upright position: two Newton steps give them back.
+        for _ in 0..2 {
+            let slope = self.half_diagonal_m * (self.slenderness_angle_rad - theta).sin();
+            if slope > 1e-6 * self.half_diagonal_m {
+                theta -= (self.cg_rise_m(theta) - cg_rise_m) / slope;
+            }
+        }
+        Some(theta.clamp(0.0, self.slenderness_angle_rad))
+    }
+}
+
+/// Why dimensions are not a [`Block`].
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum BlockError {
+    /// A length that is not positive and finite.
+    #[error("the {name} must be positive and finite, not {value_m} m")]
+    Length {
+        /// Which length.
+        name: &'static str,
+        /// What was given.
+        value_m: f64,
+    },
+    /// Feet wider than the object, a centre of gravity above it or outside its base.
+    #[error("the {name} is {value_m} m, outside what the object allows ({limit_m} m)")]
+    OutOfObject {
+        /// Which length.
+        name: &'static str,
+        /// What was given.
+        value_m: f64,
+        /// The limit that it breaks.
+        limit_m: f64,
+    },
+    /// An inertia about the edge that is smaller than that of all the mass at the centre of gravity.
+    #[error(
+        "the inertia about the pivot edge is {given} m² per unit mass; a body with its centre of gravity there has more than {least} m²"
+    )]
+    Inertia {
+        /// I/m that was given.
+        given: f64,
+        /// R², the least there can be.
+        least: f64,
+    },
+}
+
+fn length(name: &'static str, value_m: f64) -> Result<f64, BlockError> {
+    if value_m > 0.0 && value_m.is_finite() { Ok(value_m) } else { Err(BlockError::Length { name, value_m }) }
+}
+
+impl Block {
+    /// A uniform rectangular block of height h and thickness t (its width in the plane of motion).
+    ///
+    /// # Errors
+    /// A dimension that is not positive and finite.
+    ///
+    /// # Example
+    /// The cabinet of Al Abadi et al., 2.3 m × 0.6 m:
+    /// ```
+    /// let cabinet = freestand::block::Block::uniform(2.3, 0.6)?;
+    /// let edge = cabinet.pivot();
+    /// assert!((edge.half_diagonal_m - 1.188486).abs() < 1e-6);
+    /// assert!((edge.balance_rise_m() - 0.03849).abs() < 1e-5); // 38.5 mm
+    /// # Ok::<(), freestand::block::BlockError>(())
+    /// ```
+    pub fn uniform(height_m: f64, thickness_m: f64) -> Result<Self, BlockError> {
+        let (h, t) = (length("height", height_m)?, length("thickness", thickness_m)?);
+        Ok(Self {
+            height_m: h,
+            thickness_m: t,
+            base_width_m: t,
+            cg_height_m: 0.5 * h,
+            cg_offset_m: 0.0,
+            gyration_radius_m: h.hypot(t) / 12f64.sqrt(),
+        })
+    }
+
+    /// The block standing on edges `base_width_m` apart (feet that are set in).
+    ///
+    /// # Errors
+    /// Not positive, or wider than the object.
+    pub fn with_base_width(mut self, base_width_m: f64) -> Result<Self, BlockError> {
+        self.base_width_m = length("base width", base_width_m)?;
+        if base_width_m > self.thickness_m {
+            return Err(BlockError::OutOfObject {
+                name: "base width",
+                value_m: base_width_m,
+                limit_m: self.thickness_m,
+            });
+        }
+        self.check_offset()
+    }
+
+    /// The block with its centre of gravity `cg_height_m` above the base; the inertia about the centre of gravity stays.
+    ///
+    /// # Errors
+    /// Not positive, or above the top.
+    pub fn with_cg_height(mut self, cg_height_m: f64) -> Result<Self, BlockError> {
+        self.cg_height_m = length("height of the centre of gravity", cg_height_m)?;
+        if cg_height_m > self.height_m {
+            return Err(BlockError::OutOfObject {
+                name: "height of the centre of gravity",
+                value_m: cg_height_m,
+                limit_m: self.height_m,
+            });
+        }
+        Ok(self)
+    }
+
+    /// The block with its centre of gravity off the middle of the base, positive towards the right edge.
+    ///
+    /// # Errors
+    /// At or outside an edge.
+    pub fn with_cg_offset(mut self, cg_offset_m: f64) -> Result<Self, BlockError> {
+        self.cg_offset_m = cg_offset_m;
+        self.check_offset()
+    }
+
+    fn check_offset(self) -> Result<Self, BlockError> {
+        let limit_m = 0.5 * self.base_width_m;
+        if self.cg_offset_m.abs() < limit_m {
+            Ok(self)
+        } else {
+            Err(BlockError::OutOfObject { name: "offset of the centre of gravity", value_m: self.cg_offset_m, limit_m })
+        }
+    }
+
+    /// The block with a measured inertia: `inertia_per_mass_m2` = I₀/m about the left edge, which is the pivot when
+    /// the object tilts to the left (both edges are alike without an offset).
+    ///
+    /// # Errors
+    /// Not more than R², the least that any body has.
+    pub fn with_inertia_per_mass(mut self, inertia_per_mass_m2: f64) -> Result<Self, BlockError> {
+        let least = self.pivot().half_diagonal_m.powi(2);
+        if !(inertia_per_mass_m2 > least && inertia_per_mass_m2.is_finite()) {
+            return Err(BlockError::Inertia { given: inertia_per_mass_m2, least });
+        }
+        self.gyration_radius_m = (inertia_per_mass_m2 - least).sqrt();
+        Ok(self)
+    }
+
+    /// h \[m\].
+    pub fn height_m(&self) -> f64 {
+        self.height_m
+    }
+
+    /// t: width of the object in the plane of motion \[m\].
+    pub fn thickness_m(&self) -> f64 {
+        self.thickness_m
+    }
+
+    /// B: distance between the pivot edges \[m\]; t unless the feet are set in.
+    pub fn base_width_m(&self) -> f64 {
+        self.base_width_m
+    }
+
+    /// Height of the centre of gravity above the base \[m\].
+    pub fn cg_height_m(&self) -> f64 {
+        self.cg_height_m
+    }
+
+    /// Gyration radius about the centre of gravity, √(I_cg/m) \[m\].
+    pub fn gyration_radius_m(&self) -> f64 {
+        self.gyration_radius_m
+    }
+
+    /// Horizontal distance from the left edge to the centre of gravity \[m\].
+    pub fn cg_from_left_m(&self) -> f64 {
+        0.5 * self.base_width_m + self.cg_offset_m
+    }
+
+    /// Horizontal distance from the right edge to the centre of gravity \[m\].
+    pub fn cg_from_right_m(&self) -> f64 {
+        0.5 * self.base_width_m - self.cg_offset_m
+    }
+
+    /// The block as seen from its left edge, the pivot of everything that knows only one edge.
+    pub fn pivot(&self) -> Pivot {
+        self.pivot_at(self.cg_from_left_m())
+    }
+
+    /// The block as seen from its right edge, about which a positive rotation turns.
+    pub fn right_pivot(&self) -> Pivot {
+        self.pivot_at(self.cg_from_right_m())
+    }
+
+    fn pivot_at(&self, cg_from_edge_m: f64) -> Pivot {
+        let half_diagonal_m = cg_from_edge_m.hypot(self.cg_height_m);
+        Pivot {
+            half_diagonal_m,
+            slenderness_angle_rad: cg_from_edge_m.atan2(self.cg_height_m),
+            inertia_per_mass_m2: self.gyration_radius_m.powi(2) + half_diagonal_m.powi(2),
+        }
+    }
+
+    /// R_D = θ̇₂/θ̇₁, Eq. (6): the share of the angular velocity that is left when the pivot changes from the left edge
+    /// to the right one without slip or bounce. Negative for squat blocks, which cannot rock through.
+    ///
+    /// Angular momentum about the landing edge: R_D = (k² + z² − x₁x₂)/(k² + z² + x₂²) with the gyration radius k,
+    /// the c.g. at height z and at x₁, x₂ from the two edges; 1 − ⅜(d/R)² = 1 − (3/2)sin²α for a uniform block.
+    ///
+    /// # Reference
+    /// Housner (1963); Al Abadi et al., Eq. (6).
+    pub fn landing_ratio(&self) -> f64 {
+        self.landing_ratio_on(self.cg_from_right_m())
+    }
+
+    /// The same for a landing on the left edge.
+    pub fn left_landing_ratio(&self) -> f64 {
+        self.landing_ratio_on(self.cg_from_left_m())
+    }
+
+    fn landing_ratio_on(&self, cg_from_landing_m: f64) -> f64 {
+        1.0 - cg_from_landing_m * self.base_width_m / self.pivot_at(cg_from_landing_m).inertia_per_mass_m2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Closed forms of the uniform rectangle; 1e-14 is a few roundings of numbers of order 1.
+    #[test]
+    fn uniform_block_has_the_textbook_constants() {
+        let block = Block::uniform(2.3, 0.6).unwrap();
+        let edge = block.pivot();
+        let r = 0.5 * (2.3f64 * 2.3 + 0.6 * 0.6).sqrt();
+        assert!((edge.half_diagonal_m - r).abs() < 1e-14);
+        assert!((edge.inertia_per_mass_m2 - 4.0 / 3.0 * r * r).abs() < 1e-14);
+        assert!((edge.frequency_parameter_rad_s(9.81) - (0.75 * 9.81 / r).sqrt()).abs() < 1e-14);
+        assert!((block.landing_ratio() - (1.0 - 1.5 * edge.slenderness_angle_rad.sin().powi(2))).abs() < 1e-14);
+        assert_eq!(block.pivot(), block.right_pivot());
+    }
+
+    #[test]
+    fn landing_ratio_changes_sign_at_the_squat_slenderness() {
+        assert!(Block::uniform(SQUAT_SLENDERNESS * 1.000001, 1.0).unwrap().landing_ratio() > 0.0);
+        assert!(Block::uniform(SQUAT_SLENDERNESS * 0.999999, 1.0).unwrap().landing_ratio() < 0.0);
+    }
+
+    /// General block, r = 1 − 2mR² sin²α/I₀: set-in feet, high centre of gravity, doubled central inertia.
+    #[test]
+    fn general_block_without_offset_follows_the_general_formula() {
+        let block = Block::uniform(2.0, 0.8).unwrap().with_base_width(0.6).unwrap().with_cg_height(1.2).unwrap();
+        let least = block.pivot().half_diagonal_m.powi(2);
+        let block = block.with_inertia_per_mass(1.5 * least).unwrap();
+        let edge = block.pivot();
+        assert!((edge.slenderness_angle_rad.tan() - 0.25).abs() < 1e-14);
+        let r = 1.0 - 2.0 * edge.slenderness_angle_rad.sin().powi(2) / 1.5;
+        assert!((block.landing_ratio() - r).abs() < 1e-14);
+    }
+
+    #[test]
+    fn an_offset_makes_the_two_edges_differ_and_mirrors() {
+        let right = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(0.1).unwrap();
+        let left = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(-0.1).unwrap();
+        assert!(right.pivot().slenderness_angle_rad > right.right_pivot().slenderness_angle_rad);
+        assert_eq!(right.pivot(), left.right_pivot());
+        assert_eq!(right.landing_ratio(), left.left_landing_ratio());
+    }
+
+    /// Round trip through the balance point; near it a rise of ε moves θ by √ε, hence the looser bound there.
+    #[test]
+    fn rotation_at_rise_inverts_the_rise() {
+        let edge = Block::uniform(2.3, 0.6).unwrap().pivot();
+        for share in [0.0, 1e-9, 1e-4, 0.1, 0.5, 0.9, 0.99] {
+            let theta = share * edge.slenderness_angle_rad;
+            let back = edge.rotation_at_rise_rad(edge.cg_rise_m(theta)).unwrap();
+            assert!((back - theta).abs() <= 1e-13 + 1e-12 * theta, "{share}: {back} {theta}");
+        }
+        let at_balance = edge.rotation_at_rise_rad(edge.balance_rise_m()).unwrap();
+        assert!((at_balance - edge.slenderness_angle_rad).abs() < 1e-7);
+        assert_eq!(edge.rotation_at_rise_rad(1.001 * edge.balance_rise_m()), None);
+        assert_eq!(edge.rotation_at_rise_rad(-1e-9), None);
+    }
+
+    #[test]
+    fn impossible_dimensions_are_refused() {
+        for (h, t) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)] {
+            assert!(matches!(Block::uniform(h, t), Err(BlockError::Length { .. })));
+        }
+        let block = Block::uniform(2.0, 1.0).unwrap();
+        assert!(block.with_base_width(1.1).is_err());
+        assert!(block.with_cg_height(2.1).is_err());
+        assert!(block.with_cg_offset(0.5).is_err());
+        assert!(block.with_cg_offset(f64::NAN).is_err());
+        assert!(block.with_inertia_per_mass(1.0).is_err());
+    }
+}

@@ -1,1 +1,0 @@
-//! Small numerical pieces that several models share.
