@@ -1,1 +1,3 @@
+//! The binary `freestand`.
+
 fn main() {}

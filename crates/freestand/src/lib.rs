@@ -3,6 +3,9 @@
 pub mod block;
 pub mod impact;
 pub mod motion;
+mod polynomial;
+pub mod rocking;
+pub mod spectra;
 
 /// Standard acceleration of gravity, the unit "g" \[m/s²\].
 pub const G0_M_S2: f64 = 9.80665;
