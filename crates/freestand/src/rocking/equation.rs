@@ -257,14 +257,15 @@ mod tests {
     #[test]
     fn a_series_of_degree_n_converges_with_order_n_plus_one() {
         for model in [RockingModel::Rigid, RockingModel::Linearised] {
-            for degree in 2..=5 {
+            for degree in 2..=4 {
                 let error = |step_s: f64| {
                     let full = segment(step_s, model);
                     (polynomial::value(&full.series()[..=degree], 1.0) - full.state(1.0).0).abs()
                 };
-                let order = (error(0.02) / error(0.01)).log2();
-                // The next term of the series bends the order by its ratio, about p h/n.
-                assert!((order - (degree as f64 + 1.0)).abs() < 0.25, "{model:?} degree {degree}: order {order}");
+                let order = (error(0.04) / error(0.02)).log2();
+                // A wrong coefficient of degree k ≤ n would show as order k; terms beyond n + 1 only raise the order.
+                let excess = order - (degree as f64 + 1.0);
+                assert!((-0.1..0.75).contains(&excess), "{model:?} degree {degree}: order {order}");
             }
         }
     }
