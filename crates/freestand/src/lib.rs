@@ -9,3 +9,4 @@ pub mod building;
 pub mod code_spectrum;
 pub mod measures;
 pub mod oscillator;
+pub mod synthesis;
