@@ -249,7 +249,7 @@ mod tests {
     fn segment(step_s: f64, model: RockingModel) -> Segment {
         let block = Block::uniform(1.5, 0.5).unwrap();
         let edge = Edge::new(1.0, block.right_pivot(), block.cg_from_right_m(), block.cg_height_m(), 9.81, model);
-        let ground = Ground { u: -0.4, u_slope: 3.0, v: 1.1, v_slope: -2.0 };
+        let ground = Ground { u: -0.4, u_slope: 3.0, v: 1.1, v_slope: 1.3 };
         Segment::new(edge, 0.07, 0.3, ground, 9.81, 0.0, step_s, 1e-16, false).unwrap()
     }
 
