@@ -4,3 +4,4 @@ pub mod error;
 pub mod quantity;
 
 pub use error::{Problem, ProblemKind, StudyError};
+mod options;
