@@ -405,7 +405,11 @@ impl<'t, 'i> Section<'t, 'i> {
         if let DeValue::Table(entries) = value {
             return Some(Section::new(key, entries, line));
         }
-        let hint = if self.name.is_empty() { format!("write [{key}] on a line of its own") } else { format!("write {key} = {{ … }}") };
+        let hint = if self.name.is_empty() {
+            format!("write [{key}] on a line of its own")
+        } else {
+            format!("write {key} = {{ … }}")
+        };
         reader.wrong_type(line, key, "a table", value, &hint);
         None
     }
