@@ -57,8 +57,8 @@ pub struct OscillatorState {
 /// the coefficients are theirs, written by h, S₁, S₂ so that they do not cancel.
 ///
 /// # Accuracy
-/// A few units of the last place for every ω dt: a power series where ω dt < 0.5 (there the usual closed form loses
-/// 1/(ω dt)³ in digits), the closed form above.
+/// Better than 10⁻¹³ for every ω dt: a power series where ω dt < 0.5 (there the usual closed form loses 1/(ω dt)³ in
+/// digits), the closed form above. A very stiff oscillator keeps no better phase than ω dt itself has digits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OscillatorStep {
     omega2: f64,
