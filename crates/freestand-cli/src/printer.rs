@@ -2,7 +2,7 @@
 
 use std::io::{self, IsTerminal, Write};
 
-use comfy_table::{Attribute, Cell, CellAlignment, Table, presets};
+use comfy_table::{Cell, CellAlignment, Table, presets};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -103,8 +103,8 @@ fn one_line(text: &str) -> String {
 /// look like numbers.
 pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
-    table.set_header(headings.iter().map(|heading| Cell::new(heading).add_attribute(Attribute::Underlined)));
+    table.load_style(presets::NOTHING);
+    table.set_header(headings.iter().map(Cell::new));
     for row in rows {
         table.add_row(row.iter().map(|text| {
             let number = text.starts_with(|c: char| c.is_ascii_digit() || c == '-');

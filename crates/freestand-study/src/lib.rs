@@ -2,7 +2,10 @@
 
 pub mod error;
 mod options;
+pub mod output;
 pub mod quantity;
+pub mod records;
 pub mod shock;
+pub mod study;
 
 pub use error::{Problem, ProblemKind, StudyError};

@@ -157,7 +157,7 @@ fn canonical(text: &str) -> String {
 }
 
 /// The unit written `text`, whatever it measures.
-fn lookup(text: &str) -> Option<&'static Unit> {
+pub(crate) fn lookup(text: &str) -> Option<&'static Unit> {
     let name = canonical(text);
     UNITS.iter().find(|unit| {
         unit.symbol == name
@@ -345,7 +345,7 @@ fn octave_grid(from_hz: f64, to_hz: f64, per_octave: usize) -> Result<Vec<f64>, 
         return Err(value_problem("a grid in octaves must rise from a positive frequency"));
     }
     let steps = (to_hz / from_hz).log2() * per_octave as f64;
-    if !(steps < MAX_GRID_VALUES as f64) {
+    if steps >= MAX_GRID_VALUES as f64 {
         return Err(too_many());
     }
     // 1e-9 of a step is far above the rounding of the logarithm and far below any difference that matters: it keeps
