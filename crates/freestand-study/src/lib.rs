@@ -1,8 +1,11 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
 pub mod error;
+mod options;
 pub mod output;
 pub mod quantity;
 pub mod records;
+pub mod shock;
+pub mod study;
 
 pub use error::{Problem, ProblemKind, StudyError};

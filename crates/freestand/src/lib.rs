@@ -9,6 +9,7 @@ pub mod motion;
 pub mod oscillator;
 mod polynomial;
 pub mod rocking;
+pub mod shock_response;
 pub mod spectra;
 pub mod synthesis;
 

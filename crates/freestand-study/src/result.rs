@@ -1,0 +1,129 @@
+//! What a study gave: one row for each object and motion, and the statistics over all motions.
+
+use freestand::building::Mode;
+use freestand::motion::Motion;
+use freestand::oscillator::ResponseSpectrum;
+use freestand::spectra::{Outcome, ShockCell, UpliftCell};
+use freestand::synthesis::Misfit;
+
+use crate::study::Level;
+
+/// Everything that the outputs are written from.
+#[derive(Debug, Clone)]
+pub struct StudyResult {
+    /// The ground motions, in the order of the study.
+    pub ground: Vec<GroundMotion>,
+    /// The building's modes, by falling period.
+    pub modes: Vec<Mode>,
+    /// One result for each level of the study.
+    pub levels: Vec<LevelResult>,
+    /// The history that is drawn, if any object uplifted.
+    pub history: Option<ExampleHistory>,
+    /// What the reader must know: assumptions, doubts, validity.
+    pub warnings: Vec<String>,
+}
+
+/// A ground motion as it was used.
+#[derive(Debug, Clone)]
+pub struct GroundMotion {
+    /// Its name in the outputs.
+    pub name: String,
+    /// Its samples.
+    pub motion: Motion,
+    /// Its 5 % spectrum.
+    pub spectrum: ResponseSpectrum,
+    /// How well it meets its target, for synthetic motions.
+    pub misfit: Option<Misfit>,
+}
+
+/// What happened on one floor.
+#[derive(Debug, Clone)]
+pub struct LevelResult {
+    /// The floor.
+    pub level: Level,
+    /// Floor motions, in the order of the ground motions.
+    pub floors: Vec<Motion>,
+    /// Their spectra at the study's damping.
+    pub spectra: Vec<ResponseSpectrum>,
+    /// `responses[motion][object]`, objects in the order of [`crate::study::Objects::blocks`].
+    pub responses: Vec<Vec<ObjectResponse>>,
+    /// One for each object: the same order.
+    pub statistics: Vec<ObjectStatistics>,
+}
+
+/// One object under one motion.
+#[derive(Debug, Clone)]
+pub enum ObjectResponse {
+    /// The history was followed to its end.
+    Done {
+        /// Rocking.
+        uplift: UpliftCell,
+        /// Shock.
+        shock: ShockCell,
+    },
+    /// It could not be followed; why.
+    Failed(String),
+}
+
+/// A quantile over motions in which an overturned object ranks above every number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Ranked {
+    /// A number.
+    Value(f64),
+    /// The quantile falls among the overturned.
+    Overturned,
+    /// No motion could be followed.
+    NoData,
+}
+
+/// One object over all motions: no uplift counts as 0, overturned as +∞.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ObjectStatistics {
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Thickness \[m\].
+    pub thickness_m: f64,
+    /// Motions that were followed.
+    pub motions: usize,
+    /// Share of the motions under which it uplifts (overturned ones included).
+    pub uplift_share: f64,
+    /// Share of the motions under which it overturns.
+    pub overturned_share: f64,
+    /// Uplift \[m\] at 16, 50 and 84 %.
+    pub uplift_m: [Ranked; 3],
+    /// Shock from the uplift \[g\] at 16, 50 and 84 %.
+    pub edge_acceleration_g: [Ranked; 3],
+    /// Shock from the impact velocity \[g\] at 16, 50 and 84 %.
+    pub edge_acceleration_impact_velocity_g: [Ranked; 3],
+    /// Median shock of the motions that the object survives \[g\]; `None` when there are none.
+    pub edge_acceleration_survivors_g: Option<f64>,
+    /// Largest shock of the motions that the object survives \[g\].
+    pub edge_acceleration_max_g: Option<f64>,
+    /// The uplift ceiling \[g\].
+    pub ceiling_g: f64,
+}
+
+/// A rocking history for the figure.
+#[derive(Debug, Clone)]
+pub struct ExampleHistory {
+    /// Name of the level.
+    pub level: String,
+    /// Name of the motion.
+    pub motion: String,
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Thickness \[m\].
+    pub thickness_m: f64,
+    /// α \[rad\].
+    pub slenderness_angle_rad: f64,
+    /// What happened.
+    pub outcome: Outcome,
+    /// Times of the samples \[s\].
+    pub time_s: Vec<f64>,
+    /// Floor acceleration at those times \[m/s²\].
+    pub accel_m_s2: Vec<f64>,
+    /// θ at those times \[rad\].
+    pub theta_rad: Vec<f64>,
+    /// Each impact: time \[s\] and shock from its velocity \[g\].
+    pub impacts: Vec<(f64, f64)>,
+}
