@@ -5,7 +5,10 @@ mod options;
 pub mod output;
 pub mod quantity;
 pub mod records;
+pub mod result;
+pub mod run;
 pub mod shock;
+pub mod statistics;
 pub mod study;
 
 pub use error::{Problem, ProblemKind, StudyError};
