@@ -3,5 +3,6 @@
 pub mod error;
 pub mod output;
 pub mod quantity;
+pub mod records;
 
 pub use error::{Problem, ProblemKind, StudyError};
