@@ -74,7 +74,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let motion = motion(dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
             "" if count == 1 => super::file_stem(path),
-            "" => format!("column {}", i + 1),
+            // Numbered as --component counts them, which is not how the columns are counted.
+            "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),
         };
         let line_of_first_value = table.line_of_first_value;

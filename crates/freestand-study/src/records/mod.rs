@@ -41,7 +41,7 @@ pub struct MotionFile {
 /// One motion of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Component {
-    /// Direction or column name, as the file has it; else the name of the file, or `column 2`.
+    /// Direction or column name, as the file has it; else the name of the file, or `component 2`.
     pub name: String,
     /// Station, where the file names it.
     pub station: Option<String>,
