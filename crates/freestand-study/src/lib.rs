@@ -10,5 +10,6 @@ pub mod run;
 pub mod shock;
 pub mod statistics;
 pub mod study;
+pub mod tables;
 
 pub use error::{Problem, ProblemKind, StudyError};
