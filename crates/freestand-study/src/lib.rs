@@ -4,7 +4,9 @@ pub mod error;
 mod options;
 pub mod output;
 pub mod quantity;
+pub mod recorded;
 pub mod records;
+pub mod resolve;
 pub mod shock;
 pub mod study;
 

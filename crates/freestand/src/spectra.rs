@@ -63,9 +63,8 @@ impl UpliftCell {
     /// The shock on a linear cushion `stiffness_n_m` under the landing edge.
     pub fn shock(&self, mass_kg: f64, stiffness_n_m: f64, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
         let landing = Landing::rocking(&self.block, model);
-        let g_at = |rise_m: f64| {
-            landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2
-        };
+        let g_at =
+            |rise_m: f64| landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2;
         let stands = self.outcome != Outcome::Overturned;
         let impact_rise_m = landing.equivalent_rise_m(self.impact_omega_rad_s, gravity_m_s2);
         ShockCell {
