@@ -5,6 +5,7 @@ use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Files by which we know a folder as ours.
 const MANIFESTS: [&str; 2] = ["manifest.json", "summary.json"];
@@ -28,6 +29,8 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Problem> {
     if fs::metadata(path).is_ok_and(|data| !data.is_file()) {
         return fs::write(path, bytes).map_err(failed);
     }
+    // A link stays a link: the file that it names is the one to replace.
+    let path = &real_path(path);
     let temporary = beside(path, "partial").ok_or_else(|| no_name(path))?;
     let result = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, path));
     if result.is_err() {
@@ -55,12 +58,12 @@ impl OutputFolder {
     /// may not be written. All this is found now, before hours of work, and again on commit.
     pub fn stage(target: &Path, force: bool) -> Result<Self, Problem> {
         // "out/." and "out/.." have no name that a sibling could be made from; absolute paths settle "." too.
-        let target = absolute(target)?;
+        let target = real_path(&absolute(target)?);
         check_replaceable(&target, force)?;
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
         fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot make the folder", &error))?;
         let staging = beside(&target, "partial").ok_or_else(|| no_name(&target))?;
-        // One left over from a killed run with the same process number is ours to clear.
+        // One left over from a killed run that had our process number is ours to clear.
         remove_if_there(&staging).map_err(|error| io_problem(&staging, "cannot clear the folder", &error))?;
         fs::create_dir(&staging).map_err(|error| io_problem(&target, "cannot make the folder", &error))?;
         Ok(Self { target, staging, force, committed: false })
@@ -136,7 +139,7 @@ fn check_replaceable(target: &Path, force: bool) -> Result<(), Problem> {
         Err(error) => return Err(io_problem(target, "cannot look at the output folder", &error)),
     };
     if !data.is_dir() {
-        let what = if data.is_symlink() { "is a link" } else { "is a file" };
+        let what = if data.is_symlink() { "is a link to nothing" } else { "is a file" };
         return Err(Problem::new(ProblemKind::Io, format!("{what}, the output folder is to be there"))
             .in_file(target)
             .hint("name another folder with --out"));
@@ -161,12 +164,20 @@ fn is_our_manifest(path: &Path) -> bool {
     })
 }
 
-/// `.NAME.KIND-PID` in the same folder: on the same file system, so that the renaming is one step.
+/// `.NAME.KIND-PID-N` in the same folder: on the same file system, so that the renaming is one step. N keeps two threads
+/// apart that write to one name.
 fn beside(path: &Path, kind: &str) -> Option<PathBuf> {
+    static COUNT: AtomicU64 = AtomicU64::new(0);
     let mut name = OsString::from(".");
     name.push(path.file_name()?);
-    name.push(OsStr::new(&format!(".{kind}-{}", std::process::id())));
+    name.push(OsStr::new(&format!(".{kind}-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed))));
     Some(path.with_file_name(name))
+}
+
+/// What a link names, where there is one; the path itself otherwise.
+fn real_path(path: &Path) -> PathBuf {
+    let link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
+    link.then(|| fs::canonicalize(path).ok()).flatten().unwrap_or_else(|| path.to_path_buf())
 }
 
 fn absolute(path: &Path) -> Result<PathBuf, Problem> {
@@ -302,6 +313,25 @@ mod tests {
             assert!(OutputFolder::stage(&file.join("out"), force).is_err());
         }
         assert_eq!(fs::read(&file).unwrap(), b"x");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_stay_links() {
+        let parent = tempfile::tempdir().unwrap();
+        let (real, link) = (parent.path().join("real"), parent.path().join("link"));
+        fs::create_dir(&real).unwrap();
+        std::os::unix::fs::symlink(&real, &link).unwrap();
+        let folder = OutputFolder::stage(&link, false).unwrap();
+        folder.write("a", b"1").unwrap();
+        folder.commit().unwrap();
+        assert_eq!((names(&real), fs::read_link(&link).unwrap()), (vec!["a".to_owned()], real.clone()));
+        std::os::unix::fs::symlink(real.join("a"), parent.path().join("file")).unwrap();
+        write_file(&parent.path().join("file"), b"2").unwrap();
+        assert_eq!(fs::read(real.join("a")).unwrap(), b"2");
+        std::os::unix::fs::symlink(parent.path().join("nothing"), parent.path().join("dangling")).unwrap();
+        let problem = OutputFolder::stage(&parent.path().join("dangling"), false).unwrap_err();
+        assert!(problem.message.contains("link to nothing"));
     }
 
     #[test]

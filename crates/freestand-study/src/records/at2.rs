@@ -25,7 +25,11 @@ pub(super) fn is_at2(bytes: &[u8]) -> bool {
 
 /// The number of the line that names NPTS and DT. Where several do (a title may, too), the fourth is the one.
 fn header_end(bytes: &[u8]) -> Option<usize> {
-    let named = |line: &Line<'_>| !line.is_comment() && names_counts(&line.text());
+    // Elsewhere than on the fourth line it must be readable: a table's prose may mention both words.
+    let named = |line: &Line<'_>| {
+        let text = line.text();
+        !line.is_comment() && names_counts(&text) && (line.number == 4 || read_counts(&text).is_ok())
+    };
     let found: Vec<usize> = lines(bytes).take(HEADER_LINES).filter(named).map(|line| line.number).collect();
     if found.contains(&4) { Some(4) } else { found.first().copied() }
 }
@@ -176,12 +180,13 @@ fn read_values(bytes: &[u8], counts: &Counts) -> Result<(Vec<f64>, usize), Probl
     if values.len() == counts.npts {
         return Ok((values, line_of_first_value));
     }
-    Err(Problem::new(
-        ProblemKind::Format,
-        format!("the header declares {} values, the file has {}", counts.npts, values.len()),
-    )
-    .at_line(counts.line)
-    .hint("the file may be cut off: fetch it again, or correct NPTS if the values are complete"))
+    let hint = if values.len() == 2 * counts.npts {
+        "if these are columns of time and acceleration, put # in front of the line with NPTS"
+    } else {
+        "the file may be cut off: fetch it again, or correct NPTS if the values are complete"
+    };
+    let message = format!("the header declares {} values, the file has {}", counts.npts, values.len());
+    Err(Problem::new(ProblemKind::Format, message).at_line(counts.line).hint(hint))
 }
 
 /// A field that is no number, as a problem.

@@ -74,7 +74,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let motion = motion(dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
             "" if count == 1 => super::file_stem(path),
-            "" => format!("column {}", i + 1),
+            // Numbered as --component counts them, which is not how the columns are counted.
+            "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),
         };
         let line_of_first_value = table.line_of_first_value;
@@ -173,8 +174,10 @@ fn heading(cell: &str) -> Heading {
     if let (Some(open), Some(close)) = (cell.rfind(['[', '(']), cell.rfind([']', ')']))
         && open < close
     {
-        let name = cell[..open].trim().to_owned();
-        return Heading { name, unit: record_unit(&cell[open + 1..close]) };
+        // Brackets that hold no unit belong to the name: "a (NS)", "a (EW)".
+        let unit = record_unit(&cell[open + 1..close]);
+        let name = if unit.is_some() { cell[..open].trim() } else { cell };
+        return Heading { name: name.to_owned(), unit };
     }
     let suffixes = [("_m_s2", "m/s2"), ("_m_s", "m/s"), ("_rad_s", "rad/s"), ("_m", "m"), ("_g", "g")];
     let suffix = suffixes.iter().find(|(suffix, _)| cell.ends_with(suffix));
@@ -203,9 +206,11 @@ fn other_quantity(heading: &Heading) -> Option<&'static str> {
     match heading.unit {
         Some(unit) if unit.dimension != Dimension::Acceleration => Some(unit.dimension.with_article()),
         Some(_) => None,
-        None if heading.name.to_ascii_lowercase().starts_with("vel") => Some("a velocity"),
-        None if heading.name.to_ascii_lowercase().starts_with("disp") => Some("a displacement"),
-        None => None,
+        None => {
+            let name = heading.name.to_ascii_lowercase();
+            let others = [("vel", "a velocity"), ("disp", "a displacement"), ("force", "a force"), ("load", "a force")];
+            others.iter().find(|(start, _)| name.starts_with(start)).map(|(_, what)| *what)
+        }
     }
 }
 
@@ -277,7 +282,16 @@ fn dt_of_column(
     let Some(column) = table.columns.first() else {
         return Err(Problem::new(ProblemKind::Format, "there are no columns"));
     };
-    let stated = stating.headings.as_ref().and_then(|headings| headings.first()).and_then(|heading| heading.unit);
+    let heading = stating.headings.as_ref().and_then(|headings| headings.first());
+    if let Some(heading) = heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '('])) {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("\"{}\" states no unit of time", shorten(&heading.name)),
+        )
+        .at_line(stating.line)
+        .hint("the first column is the time; write it in s or ms, or give --dt if there is none"));
+    }
+    let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
         notes.push("the first column is read as time in seconds".to_owned());
     }

@@ -41,7 +41,7 @@ pub struct MotionFile {
 /// One motion of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Component {
-    /// Direction or column name, as the file has it; else the name of the file, or `column 2`.
+    /// Direction or column name, as the file has it; else the name of the file, or `component 2`.
     pub name: String,
     /// Station, where the file names it.
     pub station: Option<String>,
@@ -106,7 +106,15 @@ impl MotionFile {
             (None, [only]) => return Ok(only),
             (None, all) => format!("has {} components: {}", all.len(), self.listing()),
             (Some(wanted), all) => {
-                let named: Vec<&Component> = all.iter().filter(|one| one.is_called(wanted)).collect();
+                // A name may be copied from the header with its unit: "a [g]".
+                let bare = wanted.split(['[', '(']).next().unwrap_or(wanted).trim();
+                let called = |name: &str| -> Vec<&Component> {
+                    all.iter()
+                        .filter(|one| !name.is_empty() && one.name.to_lowercase() == name.to_lowercase())
+                        .collect()
+                };
+                let named =
+                    [called(wanted), called(bare)].into_iter().find(|found| !found.is_empty()).unwrap_or_default();
                 match (named.as_slice(), wanted.parse::<usize>()) {
                     ([one], _) => return Ok(one),
                     ([], Ok(number)) if (1..=all.len()).contains(&number) => return Ok(&all[number - 1]),
@@ -133,14 +141,6 @@ impl MotionFile {
             listed.push(format!("and {} more", self.components.len() - MOST));
         }
         listed.join(", ")
-    }
-}
-
-impl Component {
-    /// `wanted` may be copied from the header with its unit: `a [g]`.
-    fn is_called(&self, wanted: &str) -> bool {
-        let bare = wanted.split(['[', '(']).next().unwrap_or(wanted).trim();
-        [wanted, bare].iter().any(|name| !name.is_empty() && self.name.to_lowercase() == name.to_lowercase())
     }
 }
 

@@ -288,7 +288,7 @@ fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
 }
 
 fn ragged(line: usize, found: usize, expected: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("this row has {found} values, the first has {expected}"))
+    Problem::new(ProblemKind::Format, format!("the first row has {expected} values, this one {found}"))
         .at_line(line)
         .hint("every row must have the same columns; one series with several values a line needs an AT2 header (NPTS, DT)")
 }

@@ -50,10 +50,10 @@ fn what_the_file_leaves_open_the_flags_say() {
     assert_eq!((facts(&file), file.format), (vec![("rec", "m/s2", 0.02, &[0.1, -0.2][..])], "columns"));
     // With a step every column is a component, without it the first is the time.
     let file = parse("0.00,1,2\n0.02,3,4\n", &options("m/s2", 0.5)).unwrap();
-    let names = ["column 1", "column 2", "column 3"];
+    let names = ["component 1", "component 2", "component 3"];
     assert_eq!(file.components.iter().map(|c| c.name.as_str()).collect::<Vec<_>>(), names);
     let file = parse("0.00,1,2\n0.02,3,4\n", &options("m/s2", 0.0)).unwrap();
-    let expected = vec![("column 2", "m/s2", 0.02, &[1.0, 3.0][..]), ("column 3", "m/s2", 0.02, &[2.0, 4.0][..])];
+    let expected = vec![("component 1", "m/s2", 0.02, &[1.0, 3.0][..]), ("component 2", "m/s2", 0.02, &[2.0, 4.0][..])];
     assert_eq!((facts(&file), file.format), (expected, "CSV"));
     assert!(file.notes[0].contains("seconds"));
     // A header that names the time keeps it the time.
@@ -74,8 +74,8 @@ fn what_the_file_leaves_open_the_flags_say() {
     assert_eq!(facts(&file), [("rec", "m/s2", 0.02, &[1.0, 2.0, 3.0, 4.0, 5.0][..])]);
     assert!(file.notes[0].contains("number of values"));
     // A velocity beside the acceleration is left out, and said.
-    let file = parse("t[s],a[g],v[cm/s],disp\n0,1,1,1\n1,2,2,2\n", &ReadOptions::default()).unwrap();
-    assert_eq!((file.components.len(), file.notes.len()), (1, 2));
+    let file = parse("t[s],a[g],v[cm/s],disp,force [kN]\n0,1,1,1,1\n1,2,2,2,2\n", &ReadOptions::default()).unwrap();
+    assert_eq!((file.components.len(), file.notes.len()), (1, 3));
 }
 
 #[test]
@@ -93,8 +93,8 @@ fn what_is_refused() {
         ("# units=cm/s dt=1\n0\n1\n", options("g", 0.0), Some(1), "is a velocity (cm/s)"),
         ("t[s],v[cm/s]\n0,1\n1,2\n", options("g", 0.0), Some(2), "no column holds an acceleration, only a velocity"),
         ("a[g],t[s]\n0,1\n1,2\n", none(), Some(1), "the first column is not the time"),
-        ("0 1\n1 2\n2 3 4\n", options("g", 0.0), Some(3), "this row has 3 values, the first has 2"),
-        ("0,1\n1,2\n2\n", options("g", 0.0), Some(3), "this row has 1 values"),
+        ("0 1\n1 2\n2 3 4\n", options("g", 0.0), Some(3), "the first row has 2 values, this one 3"),
+        ("0,1\n1,2\n2\n", options("g", 0.0), Some(3), "the first row has 2 values, this one 1"),
         ("0,1\n1,\n2,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1,1\n1,,2\n2,1,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1\n1,x\n", options("g", 0.0), Some(2), "\"x\" is not a number"),
@@ -111,7 +111,8 @@ fn what_is_refused() {
         ),
         ("0 1\n1 2\n0 3\n", options("g", 0.0), Some(3), "does not increase"),
         ("0,0123\n0,0222\n-0,0100\n", options("g", 0.01), Some(1), "comma may be a decimal sign"),
-        ("5 0.02\n1 2 3\n4\n", options("g", 0.0), Some(2), "this row has 3 values, the first has 2"),
+        ("5 0.02\n1 2 3\n4\n", options("g", 0.0), Some(2), "the first row has 2 values, this one 3"),
+        ("time [min],a [g]\n0,1\n1,2\n", none(), Some(1), "\"time [min]\" states no unit of time"),
         ("nothing but words\n", none(), None, "no row of numbers"),
         ("# only comments\n", none(), None, "no row of numbers"),
     ] {
@@ -136,7 +137,7 @@ fn header_cells() {
         ("vel_m_s", "vel_m_s", Some("m/s")),
         ("height_m", "height_m", None),
         ("a_g", "a_g", None),
-        ("a (NS)", "a", None),
+        ("a (NS)", "a (NS)", None),
         ("a", "a", None),
         ("a ]g[", "a ]g[", None),
     ] {
