@@ -6,7 +6,7 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::building::floor_motions;
 use freestand::impact::impact_friction_needed_ratio;
-use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, ValidityWarning, bottoming_warning};
+use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, bottoming_warning};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::rocking::{Base, HistoryRecorder, RockingOptions, Until, rock_observed};
@@ -298,11 +298,6 @@ fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
         .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
     if let Some(warning) = worst.and_then(|impact| bottoming_warning(&impact, None)) {
         warnings.push(warning.to_string());
-    }
-    let squat_count = objects.blocks.iter().filter(|b| b.landing_ratio() < 0.0).count();
-    if let Some(block) = objects.blocks.iter().find(|b| b.landing_ratio() < 0.0) {
-        let warning = ValidityWarning::Squat { landing_ratio: block.landing_ratio() };
-        warnings.push(format!("{squat_count} objects: {warning}"));
     }
     warnings
 }

@@ -131,8 +131,7 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
     ];
     let rows = result.levels.iter().flat_map(|level| {
         study.objects.blocks.iter().zip(&level.statistics).map(|(block, statistics)| {
-            let mut row =
-                vec![level.level.name.clone(), block.height_m().to_string(), block.thickness_m().to_string()];
+            let mut row = vec![level.level.name.clone(), block.height_m().to_string(), block.thickness_m().to_string()];
             let Some(s) = statistics else {
                 row.push("0".to_owned());
                 row.resize(header.len(), String::new());
