@@ -4,6 +4,7 @@ mod args;
 mod commands;
 mod failure;
 mod printer;
+mod reading;
 mod values;
 
 use std::process::ExitCode;

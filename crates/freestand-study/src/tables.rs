@@ -19,6 +19,19 @@ fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u
     writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
+/// Records of a serializable type as CSV: field names as the header, `None` as an empty field.
+///
+/// # Errors
+/// None in practice: memory does not fail.
+pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Problem> {
+    let broken = |error: csv::Error| Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"));
+    let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new());
+    for record in records {
+        writer.serialize(record).map_err(broken)?;
+    }
+    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+}
+
 fn optional(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }

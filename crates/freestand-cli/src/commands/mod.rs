@@ -1,6 +1,10 @@
 //! One file for each command.
 
+mod block;
+mod rock;
+mod run;
 mod shock;
+mod spectrum;
 
 use clap::Subcommand;
 
@@ -22,14 +26,19 @@ impl Done {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    Run(Box<run::RunArgs>),
     Shock(Box<shock::ShockArgs>),
+    Rock(Box<rock::RockArgs>),
+    Spectrum(Box<spectrum::SpectrumArgs>),
 }
 
 impl Command {
     pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-        let _ = global;
         match self {
+            Self::Run(args) => run::run(args, global, printer),
             Self::Shock(args) => shock::run(args, printer),
+            Self::Rock(args) => rock::run(args, printer),
+            Self::Spectrum(args) => spectrum::run(args, printer),
         }
     }
 }
