@@ -3,7 +3,9 @@
 mod args;
 mod commands;
 mod failure;
+mod files;
 mod printer;
+mod reading;
 mod values;
 
 use std::process::ExitCode;

@@ -3,6 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
+use freestand_study::ProblemKind;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -57,7 +58,7 @@ impl Printer {
 }
 
 /// One JSON document; a number that is not finite is `null`.
-fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Failure> {
+pub(crate) fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Failure> {
     let not_json = |error: serde_json::Error| Failure::computation(format!("the result is not JSON: {error}"));
     let mut all = Map::new();
     all.insert("schema".to_owned(), Value::from(schema));
@@ -89,9 +90,13 @@ pub(crate) fn print_failure(failure: &Failure) {
     let Failure::Problems(problems) = failure else { return };
     for problem in problems {
         error_line(&format!("error: {}", one_line(&problem.to_string())));
-        if let Some(hint) = &problem.hint {
-            error_line(&format!("hint: {}", one_line(hint)));
-        }
+        let hint = problem.hint.as_deref().unwrap_or(match problem.kind {
+            ProblemKind::Io => "check the path and its permissions",
+            ProblemKind::Format => "check that the file is complete and of a supported format",
+            ProblemKind::Value => "--help shows what is accepted",
+            ProblemKind::Computation => "check that the input is physically possible",
+        });
+        error_line(&format!("hint: {}", one_line(hint)));
     }
 }
 

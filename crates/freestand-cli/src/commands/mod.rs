@@ -1,5 +1,8 @@
 //! One file for each command.
 
+mod check;
+mod floor;
+mod motion;
 mod shock;
 
 use clap::Subcommand;
@@ -23,13 +26,18 @@ impl Done {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Shock(Box<shock::ShockArgs>),
+    Check(check::CheckArgs),
+    Motion(motion::MotionArgs),
+    Floor(floor::FloorArgs),
 }
 
 impl Command {
     pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-        let _ = global;
         match self {
             Self::Shock(args) => shock::run(args, printer),
+            Self::Check(args) => check::run(args, global, printer),
+            Self::Motion(args) => motion::run(args, global, printer),
+            Self::Floor(args) => floor::run(args, global, printer),
         }
     }
 }
