@@ -104,8 +104,7 @@ fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A table for people: a line of headings, then rows; numbers are right-aligned where the heading names a unit or they
-/// look like numbers.
+/// A table for people: a line of headings, then rows; what begins like a number is aligned to the right.
 pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
@@ -116,11 +115,8 @@ pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
             Cell::new(text).set_alignment(if number { CellAlignment::Right } else { CellAlignment::Left })
         }));
     }
-    let mut text: String = table.lines().map(|line| format!("{}\n", line.trim_end())).collect();
-    if rows.is_empty() {
-        text.clear();
-    }
-    text
+    // Cells are padded with a blank on both sides; the first is not wanted.
+    table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(&line).trim_end())).collect()
 }
 
 /// Names and values in two columns.

@@ -9,5 +9,6 @@ pub mod records;
 pub mod resolve;
 pub mod shock;
 pub mod study;
+pub mod validate;
 
 pub use error::{Problem, ProblemKind, StudyError};

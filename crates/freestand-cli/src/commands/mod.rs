@@ -4,6 +4,7 @@ mod check;
 mod floor;
 mod motion;
 mod shock;
+mod validate;
 
 use clap::Subcommand;
 
@@ -29,6 +30,7 @@ pub(crate) enum Command {
     Check(check::CheckArgs),
     Motion(motion::MotionArgs),
     Floor(floor::FloorArgs),
+    Validate(validate::ValidateArgs),
 }
 
 impl Command {
@@ -38,6 +40,7 @@ impl Command {
             Self::Check(args) => check::run(args, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),
+            Self::Validate(_) => validate::run(printer),
         }
     }
 }
