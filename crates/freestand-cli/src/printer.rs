@@ -104,16 +104,21 @@ fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A table for people: a line of headings, then rows; what begins like a number is aligned to the right.
+/// A table for people: a line of headings, then rows; columns of numbers are aligned to the right.
 pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
+    let numeric = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).all(|text| text == "-" || text.parse::<f64>().is_ok())
+    };
+    let right: Vec<bool> = (0..headings.len()).map(|column| !rows.is_empty() && numeric(column)).collect();
+    let cell = |column: usize, text: &str| {
+        let right = right.get(column).copied().unwrap_or(false);
+        Cell::new(text).set_alignment(if right { CellAlignment::Right } else { CellAlignment::Left })
+    };
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
-    table.set_header(headings.iter().map(Cell::new));
+    table.set_header(headings.iter().enumerate().map(|(column, heading)| cell(column, heading)));
     for row in rows {
-        table.add_row(row.iter().map(|text| {
-            let number = text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
-            Cell::new(text).set_alignment(if number { CellAlignment::Right } else { CellAlignment::Left })
-        }));
+        table.add_row(row.iter().enumerate().map(|(column, text)| cell(column, text)));
     }
     // Cells are padded with a blank on both sides; the first is not wanted.
     table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(&line).trim_end())).collect()
