@@ -3,12 +3,19 @@
 pub mod error;
 mod options;
 pub mod output;
+pub mod outputs;
 pub mod quantity;
 pub mod recorded;
 pub mod records;
 pub mod resolve;
+pub mod result;
+pub mod rock;
+pub mod run;
 pub mod shock;
+pub mod statistics;
 pub mod study;
+pub mod summary;
+pub mod tables;
 pub mod validate;
 
 pub use error::{Problem, ProblemKind, StudyError};
