@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod failure;
+mod files;
 mod printer;
 mod reading;
 mod values;
@@ -63,6 +64,7 @@ fn try_main() -> Result<ExitCode, Failure> {
             .build_global()
             .map_err(|error| Failure::computation(format!("cannot start {threads} threads: {error}")))?;
     }
+    printer.detail(&format!("freestand {}, {} threads", env!("CARGO_PKG_VERSION"), rayon::current_num_threads()));
     let done = cli.command.run(&cli.global, &printer)?;
     Ok(if done.criterion_met { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

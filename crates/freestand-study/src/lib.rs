@@ -16,5 +16,6 @@ pub mod statistics;
 pub mod study;
 pub mod summary;
 pub mod tables;
+pub mod validate;
 
 pub use error::{Problem, ProblemKind, StudyError};
