@@ -1,12 +1,7 @@
 //! The scalar solver over a grid of blocks at each accuracy, in one run: time per block-step, and evaluations of the
 //! equation of motion per record.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    missing_docs,
-    reason = "a benchmark may stop, prints its effort, and is no API"
-)]
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop and prints its effort")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use freestand::block::Block;

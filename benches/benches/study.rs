@@ -1,6 +1,6 @@
 //! The built-in study as a whole, without writing its files.
 
-#![expect(clippy::unwrap_used, missing_docs, reason = "a benchmark may stop, and is no API")]
+#![expect(clippy::unwrap_used, reason = "a benchmark may stop")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use freestand_study::resolve::{Overrides, builtin};

@@ -1,5 +1,7 @@
 //! The paper's Table I and every closed form that the models can be held against.
 
+mod rocking;
+
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::Building;
 use freestand::code_spectrum::{CodeSpectrum, Edition, FrameKind, SiteClass, fundamental_period_s};
@@ -97,6 +99,7 @@ pub fn validate() -> Result<Validation, Problem> {
         code_spectrum_checks()?,
         building_checks()?,
         oscillator_checks()?,
+        rocking::checks()?,
     ];
     let checks = groups.into_iter().flatten().collect();
     Ok(Validation { table_one_gravity_m_s2: TABLE_ONE_GRAVITY_M_S2, table_one, checks })
