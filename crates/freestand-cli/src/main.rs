@@ -35,6 +35,9 @@ struct Cli {
     command: Command,
 }
 
+/// More than any machine has cores.
+const MAX_THREADS: usize = 1024;
+
 fn main() -> ExitCode {
     match try_main() {
         Ok(code) => code,
@@ -59,6 +62,12 @@ fn try_main() -> Result<ExitCode, Failure> {
     };
     let printer = Printer::new(&cli.global);
     if let Some(threads) = cli.global.threads {
+        if threads.get() > MAX_THREADS {
+            return Err(Failure::usage(
+                format!("--threads {threads} is more than {MAX_THREADS}"),
+                "results do not depend on it: leave it out",
+            ));
+        }
         rayon::ThreadPoolBuilder::new()
             .num_threads(threads.get())
             .build_global()
