@@ -2,6 +2,8 @@
 //!
 //! After a wanted change: `INSTA_UPDATE=always cargo test -p freestand-cli`, and read the difference.
 
+#![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
+
 use std::path::Path;
 use std::process::Command;
 
