@@ -18,4 +18,9 @@ pub mod summary;
 pub mod tables;
 pub mod validate;
 
+/// The design document: its examples are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../DESIGN.md")]
+pub struct Design;
+
 pub use error::{Problem, ProblemKind, StudyError};
