@@ -6,3 +6,8 @@ pub mod motion;
 
 /// Standard acceleration of gravity, the unit "g" \[m/s²\].
 pub const G0_M_S2: f64 = 9.80665;
+pub mod building;
+pub mod code_spectrum;
+pub mod measures;
+pub mod oscillator;
+pub mod synthesis;
