@@ -1,1 +1,3 @@
+//! `cargo xtask test`: everything that has to hold, with all set-up.
+
 fn main() {}

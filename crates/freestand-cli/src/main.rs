@@ -1,1 +1,68 @@
-fn main() {}
+//! The command `freestand`: arguments in, results out; no physics.
+
+mod args;
+mod commands;
+mod failure;
+mod printer;
+mod reading;
+mod values;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, FromArgMatches, Parser};
+
+use args::GlobalArgs;
+use commands::Command;
+use failure::Failure;
+use printer::Printer;
+
+/// How hard an earthquake knocks a free-standing object, and whether it falls.
+#[derive(Debug, Parser)]
+#[command(name = "freestand", version, propagate_version = false, subcommand_required = true)]
+#[command(after_help = "\
+Quantities carry their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
+Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run.
+
+Examples:
+  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
+  freestand motion info record.AT2
+  freestand validate")]
+struct Cli {
+    #[command(flatten)]
+    global: GlobalArgs,
+    #[command(subcommand)]
+    command: Command,
+}
+
+fn main() -> ExitCode {
+    match try_main() {
+        Ok(code) => code,
+        // The reader of our output has gone (`freestand … | head`): nobody is left to be told.
+        Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
+        Err(failure) => {
+            printer::print_failure(&failure);
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn try_main() -> Result<ExitCode, Failure> {
+    let matches = Cli::command().try_get_matches();
+    let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
+        Ok(cli) => cli,
+        Err(error) if !error.use_stderr() => {
+            printer::print_text(&error.render().to_string())?;
+            return Ok(ExitCode::SUCCESS);
+        }
+        Err(error) => return Err(failure::usage(&error)),
+    };
+    let printer = Printer::new(&cli.global);
+    if let Some(threads) = cli.global.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.get())
+            .build_global()
+            .map_err(|error| Failure::computation(format!("cannot start {threads} threads: {error}")))?;
+    }
+    let done = cli.command.run(&cli.global, &printer)?;
+    Ok(if done.criterion_met { ExitCode::SUCCESS } else { ExitCode::from(1) })
+}

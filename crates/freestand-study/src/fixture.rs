@@ -15,7 +15,8 @@ use freestand::spectra::{Outcome, UpliftCell};
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 
-use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, ObjectStatistics, Ranked, StudyResult};
+use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
+use crate::statistics::object_statistics;
 use crate::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
 };
@@ -163,8 +164,8 @@ fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResul
             study.objects.blocks.iter().enumerate().map(one).collect()
         })
         .collect();
-    let statistics =
-        study.objects.blocks.iter().enumerate().map(|(i, block)| statistics(block, i, &responses)).collect();
+    let objects = study.objects.blocks.len();
+    let statistics = (0..objects).map(|i| object_statistics(responses.iter().map(|row| &row[i]))).collect();
     let spectra = floors.iter().map(spectrum).collect();
     LevelResult { level: level.clone(), floors, spectra, responses, statistics }
 }
@@ -197,48 +198,6 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     }
 }
 
-fn statistics(block: &Block, object: usize, responses: &[Vec<ObjectResponse>]) -> ObjectStatistics {
-    let done: Vec<_> = responses
-        .iter()
-        .filter_map(|row| match &row[object] {
-            ObjectResponse::Done { uplift, shock } => Some((*uplift, *shock)),
-            ObjectResponse::Failed(_) => None,
-        })
-        .collect();
-    let share = |n: usize| n as f64 / done.len() as f64;
-    let fallen = done.iter().filter(|(u, _)| u.outcome == Outcome::Overturned).count();
-    let ranked = |mut values: Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        [0.16, 0.5, 0.84].map(|q| {
-            let place = q * (values.len() - 1) as f64;
-            let (low, high) = (values[place.floor() as usize], values[place.ceil() as usize]);
-            if high.is_finite() { Ranked::Value(low + (high - low) * place.fract()) } else { Ranked::Overturned }
-        })
-    };
-    let survivors: Vec<f64> = done.iter().filter_map(|(_, s)| s.edge_acceleration_g).collect();
-    ObjectStatistics {
-        height_m: block.height_m(),
-        thickness_m: block.thickness_m(),
-        motions: done.len(),
-        uplift_share: share(done.iter().filter(|(u, _)| u.outcome != Outcome::NoUplift).count()),
-        overturned_share: share(fallen),
-        uplift_m: ranked(
-            done.iter()
-                .map(|(u, _)| if u.outcome == Outcome::Overturned { f64::INFINITY } else { u.uplift_m })
-                .collect(),
-        ),
-        edge_acceleration_g: ranked(
-            done.iter().map(|(_, s)| s.edge_acceleration_g.unwrap_or(f64::INFINITY)).collect(),
-        ),
-        edge_acceleration_impact_velocity_g: ranked(
-            done.iter().map(|(_, s)| s.edge_acceleration_impact_velocity_g.unwrap_or(f64::INFINITY)).collect(),
-        ),
-        edge_acceleration_survivors_g: survivors.first().copied(),
-        edge_acceleration_max_g: survivors.iter().copied().reduce(f64::max),
-        ceiling_g: done.first().map_or(0.0, |(_, s)| s.ceiling_g),
-    }
-}
-
 fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
     let floor = &level.floors[0];
     let slenderness_angle_rad = 0.3f64.atan2(1.5);
@@ -262,6 +221,7 @@ fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
         thickness_m: 0.3,
         slenderness_angle_rad,
         outcome: Outcome::Rocked,
+        friction_needed_ratio: 0.31,
         accel_m_s2: floor.accel_m_s2().to_vec(),
         time_s,
         theta_rad,

@@ -47,8 +47,8 @@ pub struct LevelResult {
     pub spectra: Vec<ResponseSpectrum>,
     /// `responses[motion][object]`, objects in the order of [`crate::study::Objects::blocks`].
     pub responses: Vec<Vec<ObjectResponse>>,
-    /// One for each object: the same order.
-    pub statistics: Vec<ObjectStatistics>,
+    /// One for each object, in the same order; `None` where no motion could be followed.
+    pub statistics: Vec<Option<ObjectStatistics>>,
 }
 
 /// One object under one motion.
@@ -118,6 +118,8 @@ pub struct ExampleHistory {
     pub slenderness_angle_rad: f64,
     /// What happened.
     pub outcome: Outcome,
+    /// Largest F_x/N of the contact: the friction that it took not to slide.
+    pub friction_needed_ratio: f64,
     /// Times of the samples \[s\].
     pub time_s: Vec<f64>,
     /// Floor acceleration at those times \[m/s²\].

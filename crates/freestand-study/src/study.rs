@@ -15,7 +15,7 @@ pub struct Study {
     pub toml: String,
     /// The motions at the base of the building.
     pub ground: Ground,
-    /// The building that they pass through; `None`: the objects stand on the ground.
+    /// The building that they pass through.
     pub building: BuildingInput,
     /// The floors that are looked at, in the order given.
     pub levels: Vec<Level>,

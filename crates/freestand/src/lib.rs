@@ -7,7 +7,9 @@ pub mod impact;
 pub mod measures;
 pub mod motion;
 pub mod oscillator;
+mod polynomial;
 pub mod rocking;
+pub mod shock_response;
 pub mod spectra;
 pub mod synthesis;
 

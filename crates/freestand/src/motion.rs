@@ -82,6 +82,17 @@ impl Motion {
         self.accel_m_s2.iter().fold(0.0, |peak: f64, a| peak.max(a.abs()))
     }
 
+    /// Acceleration at any time: linear between samples, zero outside them \[m/s²\].
+    pub fn at_m_s2(&self, time_s: f64) -> f64 {
+        let position = time_s / self.dt_s;
+        if !(0.0..=(self.accel_m_s2.len() - 1) as f64).contains(&position) {
+            return 0.0;
+        }
+        let index = (position as usize).min(self.accel_m_s2.len() - 2);
+        let (from, to) = (self.accel_m_s2[index], self.accel_m_s2[index + 1]);
+        from + (to - from) * (position - index as f64)
+    }
+
     /// The same motion times `factor`.
     ///
     /// # Errors

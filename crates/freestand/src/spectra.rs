@@ -3,9 +3,12 @@
 //! The rocking response of an object depends on its geometry, its restitution and the motion; mass and stiffness enter
 //! afterwards, so one uplift spectrum gives the shock for any of them.
 
+use rayon::prelude::*;
+
 use crate::G0_M_S2;
 use crate::block::Block;
 use crate::impact::{ImpactModel, Landing};
+use crate::rocking::{Base, Rocking, RockingError, RockingOptions, rock};
 
 /// What an object did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,13 +62,40 @@ pub struct ShockCell {
     pub ceiling_g: f64,
 }
 
+/// The uplift response spectrum of `base` over `blocks`: one cell for each, in their order.
+///
+/// Blocks are followed in parallel on the current thread pool; every cell is computed on its own, so the result does not
+/// depend on the number of threads.
+///
+/// # Errors
+/// Each cell has its own: see [`rock`].
+pub fn uplift_spectrum(
+    blocks: &[Block],
+    base: Base,
+    options: &RockingOptions,
+) -> Vec<Result<UpliftCell, RockingError>> {
+    blocks.par_iter().map(|block| Ok(UpliftCell::new(*block, &rock(block, base, options)?))).collect()
+}
+
 impl UpliftCell {
+    /// What a spectrum keeps of a history.
+    pub fn new(block: Block, rocking: &Rocking) -> Self {
+        Self {
+            block,
+            outcome: rocking.outcome,
+            peak_rotation_rad: rocking.peak_rotation_rad,
+            impact_count: rocking.impacts.len(),
+            uplift_m: rocking.uplift_m,
+            cg_rise_m: rocking.cg_rise_m,
+            impact_omega_rad_s: rocking.impact_omega_rad_s(),
+        }
+    }
+
     /// The shock on a linear cushion `stiffness_n_m` under the landing edge.
     pub fn shock(&self, mass_kg: f64, stiffness_n_m: f64, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
         let landing = Landing::rocking(&self.block, model);
-        let g_at = |rise_m: f64| {
-            landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2
-        };
+        let g_at =
+            |rise_m: f64| landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2;
         let stands = self.outcome != Outcome::Overturned;
         let impact_rise_m = landing.equivalent_rise_m(self.impact_omega_rad_s, gravity_m_s2);
         ShockCell {
@@ -73,5 +103,40 @@ impl UpliftCell {
             edge_acceleration_impact_velocity_g: stands.then(|| g_at(impact_rise_m)),
             ceiling_g: g_at(landing.pivot.balance_rise_m()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Motion;
+
+    /// The ceilings that are known: 150 kg on 4380 N/mm.
+    #[test]
+    fn ceiling_is_the_shock_at_the_balance_point() {
+        for (thickness_m, height_m, expected) in [(0.2, 1.5, 1.45), (0.4, 1.5, 5.72), (0.6, 2.0, 8.32)] {
+            let block = Block::uniform(height_m, thickness_m).unwrap();
+            let still = Motion::new(0.01, vec![0.0; 3]).unwrap();
+            let base = Base { horizontal: Some(&still), vertical: None };
+            let cells = uplift_spectrum(&[block], base, &RockingOptions::default());
+            let cell = cells[0].unwrap();
+            assert_eq!(cell.outcome, Outcome::NoUplift);
+            let shock = cell.shock(150.0, 4.38e6, ImpactModel::Paper, G0_M_S2);
+            // Two decimals are known.
+            assert!((shock.ceiling_g - expected).abs() < 5e-3, "{}", shock.ceiling_g);
+            assert_eq!(shock.edge_acceleration_g, Some(0.0));
+        }
+    }
+
+    /// An overturned object has no shock, and its uplift is its whole base.
+    #[test]
+    fn overturned_cells_carry_no_shock() {
+        let block = Block::uniform(2.0, 0.2).unwrap();
+        let push = Motion::new(0.01, vec![0.5 * G0_M_S2; 400]).unwrap();
+        let base = Base { horizontal: Some(&push), vertical: None };
+        let cell = uplift_spectrum(&[block], base, &RockingOptions::default())[0].unwrap();
+        assert_eq!((cell.outcome, cell.uplift_m), (Outcome::Overturned, 0.2));
+        let shock = cell.shock(150.0, 4.38e6, ImpactModel::Paper, G0_M_S2);
+        assert_eq!((shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g), (None, None));
     }
 }

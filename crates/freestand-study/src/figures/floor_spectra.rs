@@ -3,6 +3,7 @@
 use freestand::oscillator::ResponseSpectrum;
 use kuva::plot::BandPlot;
 use kuva::render::annotations::ReferenceLine;
+use kuva::render::layout::TickFormat;
 use kuva::render::plots::Plot;
 
 use crate::result::StudyResult;
@@ -18,7 +19,7 @@ const PANEL_PX: f64 = 310.0;
 const MOST_LINES: usize = 40;
 /// Modes whose periods are marked.
 const MARKED_MODES: usize = 3;
-const TARGET_DASH: &str = "9 4";
+const TARGET_DASH: &str = "8 6";
 
 /// Spectra of the ground, with the target where there is one, and of each level.
 pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
@@ -100,11 +101,20 @@ fn panel(name: &str, spectra: &[&ResponseSpectrum], target: Option<&[(f64, f64)]
         y.to *= 1.08;
     }
     let mut layout = axes(x, y).with_title(plain(name)).with_log_x();
+    layout.x_tick_format = decades();
     for (i, &period_s) in modes.iter().enumerate().filter(|(_, t)| (from..=to).contains(*t)) {
         let mark = ReferenceLine::vertical(period_s).with_color(DARK).with_stroke_width(0.8).with_dasharray("2 3");
         layout = layout.with_reference_line(mark.with_label(["T₁", "T₂", "T₃"][i.min(2)]));
     }
     Panel { plots, layout }
+}
+
+/// Labels at 0.1, 1, 10 only: those of 2 and 5 would touch each other in a narrow panel. Their grid lines stay.
+fn decades() -> TickFormat {
+    TickFormat::Custom(std::sync::Arc::new(|v| {
+        let decade = v.log10();
+        if (decade - decade.round()).abs() < 1e-6 { TickFormat::Auto.format(v) } else { String::new() }
+    }))
 }
 
 fn points(spectrum: &ResponseSpectrum) -> Vec<(f64, f64)> {

@@ -6,8 +6,8 @@ use kuva::render::layout::Layout;
 
 use freestand::spectra::Outcome;
 
-use crate::report::number;
 use crate::result::{ExampleHistory, StudyResult};
+use crate::words::number;
 
 use super::FigureKind;
 use super::legend::{Entry, Sign};

@@ -8,16 +8,17 @@ use kuva::render::plots::Plot;
 
 use crate::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
 use crate::study::Study;
+use crate::words::number;
 
 use super::FigureKind;
 use super::legend::{Entry, Sign};
 use super::page::{Page, Panel, columns};
-use super::style::{Axis, BAND_OPACITY, CurveStyle, DARK, TEXT_PX, axes, curve_style, line, markers, plain};
+use super::style::{Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, curve_style, line, markers, plain};
 
 /// Height of a panel \[px\].
-const PANEL_PX: f64 = 340.0;
-/// About what is left of it inside the axes \[px\].
-const INSIDE_PX: f64 = 240.0;
+const PANEL_PX: f64 = 330.0;
+/// What is left of it inside the axes \[px\].
+const INSIDE_PX: f64 = PANEL_PX - TITLE_PX - LABELS_PX;
 /// Height of the strip's title and of each of its rows \[px\].
 const STRIP_TITLE_PX: f64 = 18.0;
 const STRIP_ROW_PX: f64 = 10.0;
@@ -67,8 +68,8 @@ pub(super) fn srs(study: &Study, result: &StudyResult) -> Page {
             "Shock at the impacting edge by the paper’s Eqs. (5) and (7), from the largest rise of the centre of \
              gravity, for {} kg on {} N/mm: {}. {} Dotted: the uplift ceiling, the shock from the balance point, which \
              no motion can exceed from this source of energy.",
-            study.objects.mass_kg,
-            study.objects.stiffness_n_m * 1e-3,
+            number(study.objects.mass_kg, 6),
+            number(study.objects.stiffness_n_m * 1e-3, 6),
             median_words(result),
             OVERTURNED_WORDS
         ),
@@ -87,7 +88,8 @@ pub(super) fn overturning(study: &Study, result: &StudyResult) -> Page {
                 .map(|s| (s.height_m, s.overturned_share))
                 .collect();
             plots.push(line(&points, style.colour, 2.0, style.dash));
-            plots.push(markers(&some_of(&points, index), style.colour, style.marker, 3.5));
+            let marked: Vec<_> = some_of(&points, index).into_iter().filter(|p| p.1 > 0.0).collect();
+            plots.push(markers(&marked, style.colour, style.marker, 3.5));
         }
         let y = Axis { from: -0.02, to: 1.04, step: Some(0.2), label: "Share of motions".into() };
         let layout = axes(height_axis(study), y).with_title(plain(&level.level.name));
@@ -159,7 +161,7 @@ fn spectra(
     Page { kind, title: title.into(), caption, panels, columns, row_heights_px, legend }
 }
 
-const CEILING_DASH: &str = "1.5 3";
+const CEILING_DASH: &str = "1 4";
 
 fn grid(panels: usize, height_px: f64) -> (usize, Vec<f64>) {
     let columns = columns(panels);
@@ -299,7 +301,8 @@ fn median(curve: &[Point], index: usize) -> Vec<Plot> {
     let style = curve_style(index);
     let mut plots = Vec::new();
     for run in runs(curve, |p| Some((p.height_m, value(p.ranked[1])?))) {
-        let mut marked = some_of(&run, index);
+        // Where an object does not uplift all curves lie on one another: markers would only hide each other there.
+        let mut marked: Vec<_> = some_of(&run, index).into_iter().filter(|p| p.1 > 0.0).collect();
         // The end of a curve is a result of its own, and a lone point has no line.
         if let Some(&end) = run.last()
             && marked.last() != Some(&end)
@@ -326,7 +329,7 @@ fn thicknesses(study: &Study) -> Vec<f64> {
 
 /// The objects of one thickness by rising height.
 fn objects(level: &LevelResult, thickness_m: f64) -> Vec<&ObjectStatistics> {
-    let mut objects: Vec<_> = level.statistics.iter().filter(|s| s.thickness_m == thickness_m).collect();
+    let mut objects: Vec<_> = level.statistics.iter().flatten().filter(|s| s.thickness_m == thickness_m).collect();
     objects.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
     objects
 }
@@ -342,7 +345,7 @@ fn height_axis(study: &Study) -> Axis {
 fn thickness_entries(study: &Study) -> Vec<Entry> {
     let entry = |(index, thickness_m): (usize, &f64)| Entry {
         sign: Sign::Curve(curve_style(index)),
-        words: format!("t = {} mm", crate::report::number(1e3 * thickness_m, 4)),
+        words: format!("t = {} mm", number(1e3 * thickness_m, 4)),
     };
     thicknesses(study).iter().enumerate().map(entry).collect()
 }

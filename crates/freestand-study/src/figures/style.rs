@@ -10,6 +10,10 @@ use kuva::render::plots::Plot;
 pub(super) const WIDTH_PX: f64 = 800.0;
 /// Size of the smallest text \[px\].
 pub(super) const TEXT_PX: u32 = 13;
+/// Room above the axes for a panel's title \[px\].
+pub(super) const TITLE_PX: f64 = 34.0;
+/// Room below the axes for ticks and label \[px\].
+pub(super) const LABELS_PX: f64 = 46.0;
 /// Grey of what stays in the background.
 pub(super) const GREY: &str = "#9a9a9a";
 /// Dark grey of labels inside a panel.
@@ -19,7 +23,8 @@ pub(super) const BAND_OPACITY: f64 = 0.14;
 
 /// Okabe and Ito (2008), without the yellow, which is too light for lines on white paper.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
-const DASHES: [Option<&str>; 5] = [None, Some("9 4"), Some("9 3 2 3"), Some("4 3"), Some("12 3 2 3 2 3")];
+/// With round ends, which the PNG has, a gap is narrower by the width of the line.
+const DASHES: [Option<&str>; 5] = [None, Some("10 6"), Some("10 5 1.5 5"), Some("4 5"), Some("12 5 1.5 5 1.5 5")];
 const MARKERS: [MarkerShape; 6] = [
     MarkerShape::Circle,
     MarkerShape::Square,
@@ -76,7 +81,8 @@ pub(super) fn axes(x: Axis, y: Axis) -> Layout {
         .with_tick_size(TEXT_PX)
         .with_body_size(TEXT_PX)
         .with_grid_line_width(0.5)
-        .with_box_axes();
+        .with_box_axes()
+        .with_force_margins_y(TITLE_PX, LABELS_PX);
     if let Some(step) = x.step {
         layout = layout.with_x_tick_step(step);
     }

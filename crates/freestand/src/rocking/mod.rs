@@ -1,9 +1,45 @@
-//! The rigid block rocking on a rigid base (Housner 1963).
+//! The rigid block rocking on a rigid base (Housner 1963), followed event by event.
+//!
+//! θ̈ = −p²\[(1+ü_v/g) sin(sα−θ) + (ü_h/g) cos(sα−θ)\], s = sgn θ; at θ = 0 an impact, ω⁺ = r ω⁻. θ is positive when the
+//! block tilts to the right, about its right edge; a positive ü_h drives θ negative. The base acceleration is linear
+//! between the samples of the motion.
+//!
+//! Event rules:
+//! * **Uplift** from rest when |ü_h| > (g+ü_v) tan α, at the instant at which the straight line between two samples
+//!   passes the threshold.
+//! * **Impact** when θ returns to 0; every one is reported. The velocity keeps its sign and the pivot changes.
+//! * **Rest** when the velocity after an impact is at most [`REST_OMEGA_RAD_S`] and |ü_h| ≤ (g+ü_v) tan α: exactly
+//!   θ = 0 until the next uplift. Where the threshold is passed the block starts again from zero velocity.
+//! * **Overturned** when |θ| reaches π/2; passing α is reported but is not yet overturning.
+//! * **Free flight** where g + ü_v ≤ 0: the model does not hold, an error.
+//!
+//! Each piece of the motion is a Taylor series of the exact equation whose order follows the accuracy that is asked for
+//! (`equation`), and each event a root of that polynomial (`crate::polynomial`): nothing depends on where samples fall.
+
+mod equation;
+mod history;
+mod solve;
+
+use thiserror::Error;
+
+use crate::block::Block;
+use crate::motion::Motion;
+use crate::spectra::Outcome;
+
+pub use equation::Segment;
+pub use history::{HistoryPoint, HistoryRecorder};
+pub use solve::{rock, rock_observed};
+
+/// Speed after an impact at or below which a block comes to rest, unless the base lifts it again \[rad/s\].
+pub const REST_OMEGA_RAD_S: f64 = 1e-9;
+
+/// Impacts after which a history is given up: only a restitution of (nearly) 1 gets there.
+pub const MAX_IMPACTS: usize = 1_000_000;
 
 /// Equation of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RockingModel {
-    /// θ̈ = −p²[(1+ü_v/g) sin(sα−θ) + (ü_h/g) cos(sα−θ)].
+    /// θ̈ = −p²\[(1+ü_v/g) sin(sα−θ) + (ü_h/g) cos(sα−θ)\].
     #[default]
     Rigid,
     /// sin x → x, cos x → 1, tan α → α: for tests against closed forms.
@@ -13,25 +49,290 @@ pub enum RockingModel {
 /// ω⁺/ω⁻ at an impact, in the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Restitution {
-    /// Housner's ratio of the block ([`crate::block::Block::landing_ratio`]); 0 for a squat block.
+    /// Housner's ratio of the block ([`Block::landing_ratio`]); 0 for a squat block, whose landings are halted.
     #[default]
     Housner,
-    /// A value in (0, 1] for every impact.
+    /// A value in \[0, 1\] for every impact.
     Value(f64),
     /// Housner's ratio times a factor.
     Factor(f64),
 }
 
-/// How accurately a history is followed.
+/// How accurately a history is followed: a relative truncation error of each Taylor step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Accuracy {
-    /// For surveys.
+    /// 1e-9 a step: for surveys.
     Fast,
-    /// The default.
+    /// 1e-13 a step.
     #[default]
     Standard,
-    /// As far as double precision goes.
+    /// Rounding only.
     Tight,
-    /// A relative truncation error per step.
+    /// A relative truncation error of each step, between 2⁻⁵³ and 1e-3.
     Tolerance(f64),
+}
+
+impl Accuracy {
+    /// The relative truncation error of a step.
+    pub fn tolerance(self) -> f64 {
+        match self {
+            Self::Fast => 1e-9,
+            Self::Standard => 1e-13,
+            Self::Tight => 0.5 * f64::EPSILON,
+            Self::Tolerance(tolerance) => tolerance,
+        }
+    }
+
+    /// `fast`, `standard`, `tight`, or `None` for a number.
+    pub fn name(self) -> Option<&'static str> {
+        match self {
+            Self::Fast => Some("fast"),
+            Self::Standard => Some("standard"),
+            Self::Tight => Some("tight"),
+            Self::Tolerance(_) => None,
+        }
+    }
+}
+
+/// When a history ends, unless the block overturns before.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Until {
+    /// At the last sample.
+    #[default]
+    EndOfMotion,
+    /// At this time \[s\]; past the last sample the base comes to rest within one more step, as if zeros followed.
+    Time(f64),
+    /// When the block has come to rest after the last sample, or this much later \[s\].
+    Settled {
+        /// Longest wait after the last sample.
+        at_most_s: f64,
+    },
+}
+
+/// How the base moves.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Base<'a> {
+    /// Horizontal acceleration; `None`: none.
+    pub horizontal: Option<&'a Motion>,
+    /// Vertical acceleration, positive upward, of the same step and length; `None`: none.
+    pub vertical: Option<&'a Motion>,
+}
+
+/// What a history depends on beside the block and the base.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RockingOptions {
+    /// Equation of motion.
+    pub model: RockingModel,
+    /// Restitution.
+    pub restitution: Restitution,
+    /// g \[m/s²\].
+    pub gravity_m_s2: f64,
+    /// Accuracy.
+    pub accuracy: Accuracy,
+    /// θ at t = 0 \[rad\].
+    pub initial_rotation_rad: f64,
+    /// ω at t = 0 \[rad/s\].
+    pub initial_omega_rad_s: f64,
+    /// When to stop.
+    pub until: Until,
+}
+
+impl Default for RockingOptions {
+    fn default() -> Self {
+        Self {
+            model: RockingModel::default(),
+            restitution: Restitution::default(),
+            gravity_m_s2: crate::G0_M_S2,
+            accuracy: Accuracy::default(),
+            initial_rotation_rad: 0.0,
+            initial_omega_rad_s: 0.0,
+            until: Until::default(),
+        }
+    }
+}
+
+/// One impact of the base on the floor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RockingImpact {
+    /// When \[s\].
+    pub time_s: f64,
+    /// ω⁻, signed \[rad/s\].
+    pub omega_before_rad_s: f64,
+    /// ω⁺ = r ω⁻ \[rad/s\].
+    pub omega_after_rad_s: f64,
+}
+
+/// Why a history stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StopReason {
+    /// The motion, or the time that was asked for, is over.
+    EndOfMotion,
+    /// The motion is over and the block at rest ([`Until::Settled`]).
+    Settled,
+    /// |θ| = π/2.
+    Overturned,
+}
+
+impl StopReason {
+    /// `end-of-motion`, `settled`, `overturned`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::EndOfMotion => "end-of-motion",
+            Self::Settled => "settled",
+            Self::Overturned => "overturned",
+        }
+    }
+}
+
+/// Work that a history took.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Effort {
+    /// Taylor steps.
+    pub steps: usize,
+    /// Taylor coefficients over all steps: each is one evaluation of the equation of motion.
+    pub evaluations: usize,
+}
+
+/// What a block did under a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rocking {
+    /// What happened; a block that is given a rotation or a velocity has rocked.
+    pub outcome: Outcome,
+    /// Why the history stopped.
+    pub stop: StopReason,
+    /// When it stopped \[s\].
+    pub end_s: f64,
+    /// Largest |θ| \[rad\]; π/2 when overturned.
+    pub peak_rotation_rad: f64,
+    /// When |θ| was largest \[s\].
+    pub peak_rotation_time_s: Option<f64>,
+    /// B sin(peak rotation): lift of the free base edge \[m\].
+    pub uplift_m: f64,
+    /// Largest rise of the centre of gravity \[m\]: R(1 − cos α) once |θ| has passed α.
+    pub cg_rise_m: f64,
+    /// First uplift from rest \[s\].
+    pub first_uplift_time_s: Option<f64>,
+    /// Uplifts from rest.
+    pub uplift_count: usize,
+    /// When |θ| first passed α \[s\].
+    pub passed_alpha_time_s: Option<f64>,
+    /// When |θ| reached π/2 \[s\].
+    pub overturn_time_s: Option<f64>,
+    /// Every impact.
+    pub impacts: Vec<RockingImpact>,
+    /// When the block last came to rest \[s\].
+    pub rest_time_s: Option<f64>,
+    /// θ at the end \[rad\].
+    pub final_rotation_rad: f64,
+    /// ω at the end \[rad/s\].
+    pub final_omega_rad_s: f64,
+    /// Whether the block is at rest at the end.
+    pub at_rest: bool,
+    /// r that was used for landings on the right edge (the same on the left without an offset of the c.g.).
+    pub restitution_ratio: f64,
+    /// Work that it took.
+    pub effort: Effort,
+}
+
+impl Rocking {
+    /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.
+    pub fn impact_omega_rad_s(&self) -> f64 {
+        self.impacts.iter().fold(0.0, |most: f64, i| most.max(i.omega_before_rad_s.abs()))
+    }
+}
+
+/// Why a history cannot be followed.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum RockingError {
+    /// g + ü_v ≤ 0: the object leaves the floor.
+    #[error(
+        "the base falls away at {time_s} s (g + vertical acceleration ≤ 0): the object is in free flight, which the rocking model leaves out"
+    )]
+    FreeFlight {
+        /// When.
+        time_s: f64,
+    },
+    /// A restitution of (nearly) 1 never comes to rest.
+    #[error("{limit} impacts by {time_s} s without coming to rest")]
+    TooManyImpacts {
+        /// When it was given up.
+        time_s: f64,
+        /// [`MAX_IMPACTS`].
+        limit: usize,
+    },
+    /// The Taylor series does not converge: the input is outside all physical bounds.
+    #[error("the motion cannot be followed at {time_s} s: the step shrank to {step_s} s")]
+    StepTooSmall {
+        /// When.
+        time_s: f64,
+        /// The step.
+        step_s: f64,
+    },
+    /// The restitution is outside \[0, 1\].
+    #[error("the restitution must lie between 0 and 1, not {value}")]
+    Restitution {
+        /// r.
+        value: f64,
+    },
+    /// The initial rotation is not below π/2 or not finite, or the initial velocity is not finite.
+    #[error(
+        "the initial rotation must be within ±π/2 and the velocity finite, not {rotation_rad} rad and {omega_rad_s} rad/s"
+    )]
+    InitialState {
+        /// θ.
+        rotation_rad: f64,
+        /// ω.
+        omega_rad_s: f64,
+    },
+    /// An end that is not positive and finite, or no end at all.
+    #[error("a history needs a motion or a positive finite duration, not {duration_s} s")]
+    Duration {
+        /// What was given.
+        duration_s: f64,
+    },
+    /// Gravity that is not positive and finite.
+    #[error("gravity must be positive and finite, not {gravity_m_s2} m/s²")]
+    Gravity {
+        /// What was given.
+        gravity_m_s2: f64,
+    },
+    /// An accuracy that is no relative error.
+    #[error("the accuracy must lie between 1.1e-16 and 1e-3, not {tolerance}")]
+    Accuracy {
+        /// What was given.
+        tolerance: f64,
+    },
+    /// Horizontal and vertical motions of different sampling.
+    #[error(
+        "the vertical motion has {vertical_samples} samples every {vertical_dt_s} s, the horizontal one {samples} every {dt_s} s"
+    )]
+    VerticalMismatch {
+        /// Horizontal samples.
+        samples: usize,
+        /// Horizontal step.
+        dt_s: f64,
+        /// Vertical samples.
+        vertical_samples: usize,
+        /// Vertical step.
+        vertical_dt_s: f64,
+    },
+}
+
+impl Restitution {
+    /// The ratio for a landing of `block` on its right and left edges.
+    ///
+    /// # Errors
+    /// A value or a product outside \[0, 1\].
+    pub fn ratios(self, block: &Block) -> Result<[f64; 2], RockingError> {
+        let housner = [block.landing_ratio().max(0.0), block.left_landing_ratio().max(0.0)];
+        let ratios = match self {
+            Self::Housner => housner,
+            Self::Value(value) => [value; 2],
+            Self::Factor(factor) => housner.map(|r| factor * r),
+        };
+        match ratios.into_iter().find(|r| !(0.0..=1.0).contains(r)) {
+            Some(value) => Err(RockingError::Restitution { value }),
+            None => Ok(ratios),
+        }
+    }
 }

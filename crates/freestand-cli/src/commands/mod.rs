@@ -1,0 +1,44 @@
+//! One file for each command.
+
+mod block;
+mod rock;
+mod run;
+mod shock;
+mod spectrum;
+
+use clap::Subcommand;
+
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::printer::Printer;
+
+/// What a command reports back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Done {
+    /// `false` (exit status 1): some items failed, or a criterion is exceeded.
+    pub(crate) criterion_met: bool,
+}
+
+impl Done {
+    /// Everything is as it should be.
+    pub(crate) const OK: Self = Self { criterion_met: true };
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Run(Box<run::RunArgs>),
+    Shock(Box<shock::ShockArgs>),
+    Rock(Box<rock::RockArgs>),
+    Spectrum(Box<spectrum::SpectrumArgs>),
+}
+
+impl Command {
+    pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+        match self {
+            Self::Run(args) => run::run(args, global, printer),
+            Self::Shock(args) => shock::run(args, printer),
+            Self::Rock(args) => rock::run(args, printer),
+            Self::Spectrum(args) => spectrum::run(args, printer),
+        }
+    }
+}

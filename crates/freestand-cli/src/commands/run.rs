@@ -1,0 +1,123 @@
+//! `freestand run`: a whole study, from the ground motions to the report.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use freestand_study::output::OutputFolder;
+use freestand_study::outputs::write_outputs;
+use freestand_study::resolve::{Overrides, builtin, builtin_toml, load};
+use freestand_study::run::{Step, run as run_study};
+use freestand_study::summary::{LevelSummary, level_summary};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::Value;
+
+use super::Done;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::printer::{Printer, optional, print_text, significant, table};
+use crate::reading::ReadArgs;
+use crate::values::Values;
+
+/// A whole study: motions, building, uplift and shock spectra of a grid of objects, figures and report
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  The built-in study: a 30-storey building in a 500-year Melbourne earthquake, site class D:
+    freestand run
+  The same as a file to edit, then the edited study:
+    freestand run --dump-study > study.toml
+    freestand run study.toml --out results
+  The built-in study under a record of your own:
+    freestand run --motion record.AT2 --out results")]
+pub(crate) struct RunArgs {
+    /// Study file (TOML) [default: the built-in study]
+    #[arg(value_name = "STUDY.toml")]
+    study: Option<PathBuf>,
+    /// Records in place of the study's ground motions
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    motion: Vec<PathBuf>,
+    #[command(flatten)]
+    read: ReadArgs,
+    /// Print the built-in study as TOML, ready to edit
+    #[arg(long, conflicts_with_all = ["study", "motion"])]
+    dump_study: bool,
+}
+
+pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if args.dump_study {
+        print_text(builtin_toml())?;
+        return Ok(Done::OK);
+    }
+    let start = Instant::now();
+    let mut values = Values::default();
+    let motions = (!args.motion.is_empty()).then(|| args.read.files(&args.motion, &mut values));
+    values.finish()?;
+    let overrides = Overrides { seed: global.seed, motions };
+    let study = match &args.study {
+        Some(path) => load(path, &overrides)?,
+        None => builtin(&overrides)?,
+    };
+    let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
+    let folder = OutputFolder::stage(&out, global.force)?;
+
+    let bar = progress_bar(printer);
+    let result = run_study(&study, &|step: Step| {
+        bar.set_length(step.total as u64);
+        bar.set_position(step.done as u64);
+        bar.set_message(step.stage);
+        ControlFlow::Continue(())
+    })?;
+    bar.set_message("writing");
+    let written = write_outputs(folder, &study, &result)?;
+    bar.finish_and_clear();
+
+    let levels: Vec<LevelSummary> = result.levels.iter().map(level_summary).collect();
+    let failed: usize = levels.iter().map(|level| level.failed).sum();
+    let mut body = written.summary;
+    if let Value::Object(keys) = &mut body {
+        // The printer adds these two.
+        keys.remove("schema");
+        keys.remove("warnings");
+        keys.insert("out".to_owned(), Value::from(written.folder.display().to_string()));
+    }
+    printer.result(freestand_study::summary::SCHEMA, &body, &result.warnings, || {
+        text(&levels, result.ground.len(), &out.display().to_string(), start.elapsed().as_secs_f64())
+    })?;
+    Ok(Done { criterion_met: failed == 0 })
+}
+
+/// A bar on standard error, hidden where nobody sees it.
+fn progress_bar(printer: &Printer) -> ProgressBar {
+    if !printer.progress() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{msg:20} [{bar:40}] {pos}/{len} {eta}");
+    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "))
+}
+
+fn text(levels: &[LevelSummary], motions: usize, folder: &str, seconds: f64) -> String {
+    let rows: Vec<Vec<String>> = levels
+        .iter()
+        .map(|level| {
+            vec![
+                level.level.clone(),
+                significant(level.pfa_g_median, 3),
+                format!("{:.1} %", 100.0 * level.uplift_share),
+                format!("{:.1} %", 100.0 * level.overturned_share),
+                optional(level.edge_acceleration_g_median, 3, ""),
+                optional(level.edge_acceleration_g_max, 3, ""),
+                level.failed.to_string(),
+            ]
+        })
+        .collect();
+    let headings =
+        ["level", "median PFA g", "uplift", "overturned", "largest median shock g", "largest shock g", "failed"];
+    let histories: usize = levels.iter().map(|level| level.histories).sum();
+    format!(
+        "{}\n{motions} motions, {histories} rocking histories, {seconds:.1} s\nresults in {folder}: report.html, urs.csv, srs.csv, \
+         statistics.csv, summary.json, motions/, figures\n",
+        table(&headings, &rows)
+    )
+}

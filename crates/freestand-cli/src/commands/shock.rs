@@ -1,0 +1,310 @@
+//! `freestand shock`: one landing.
+
+use clap::{Args, ValueEnum};
+use freestand::impact::ImpactModel;
+use freestand_study::quantity::{Dimension, format_si};
+use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, shock};
+use freestand_study::{Problem, ProblemKind};
+
+use super::Done;
+use crate::failure::Failure;
+use crate::printer::{Printer, optional, pairs, significant};
+use crate::values::Values;
+
+/// The shock of one landing: acceleration of the edge, pulse, ceiling, verdict
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  Test 1 of the paper's Table I, a cabinet let fall from a rise of its centre of gravity by 16 mm:
+    freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
+  Two pads under each edge, and a component that stands 5 g:
+    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --pad-stiffness \"2190 N/mm\" --pads-per-edge 2 \\
+      --uplift \"30 mm\" --tolerance 5g
+  It falls over onto the floor:
+    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
+pub(crate) struct ShockArgs {
+    /// Height of the object
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    height: String,
+    /// Width of the object in the plane of motion
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    thickness: String,
+    /// Mass
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
+    mass: String,
+    /// Distance between the pivot edges, where the feet are set in
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The general block")]
+    base_width: Option<String>,
+    /// Height of the centre of gravity, where it is not in the middle
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The general block")]
+    cg_height: Option<String>,
+    /// Horizontal offset of the centre of gravity, positive towards the landing edge
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The general block")]
+    cg_offset: Option<String>,
+    /// Moment of inertia about the pivot edge, such as "120 kg m2"
+    #[arg(long, value_name = "INERTIA", allow_hyphen_values = true, help_heading = "The general block")]
+    inertia: Option<String>,
+
+    /// Stiffness of ALL the cushion under one edge
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
+    stiffness: Option<String>,
+    /// Stiffness of one pad, with --pads-per-edge
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
+    pad_stiffness: Option<String>,
+    /// Pads under one edge
+    #[arg(long, value_name = "N", help_heading = "The cushion")]
+    pads_per_edge: Option<u32>,
+    /// Acts in series with the cushion: legs, floor covering (repeatable)
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
+    series_stiffness: Vec<String>,
+    /// Thickness of the pad, for the warnings [default: 20 mm]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The cushion")]
+    pad_thickness: Option<String>,
+    /// Stiffness of the object's side on what it falls against
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
+    contact_stiffness: Option<String>,
+    /// Measured peak acceleration of the same mass dropped by the same rise, in place of a stiffness
+    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The cushion")]
+    drop_acceleration: Option<String>,
+
+    /// Rise of the centre of gravity
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        group = "energy",
+        help_heading = "The fall (one of)"
+    )]
+    cg_rise: Option<String>,
+    /// Lift of the free edge
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        group = "energy",
+        help_heading = "The fall (one of)"
+    )]
+    uplift: Option<String>,
+    /// Rotation
+    #[arg(
+        long,
+        value_name = "ANGLE",
+        allow_hyphen_values = true,
+        group = "energy",
+        help_heading = "The fall (one of)"
+    )]
+    rotation: Option<String>,
+    /// Angular velocity just before the contact
+    #[arg(
+        long,
+        value_name = "SPEED",
+        allow_hyphen_values = true,
+        group = "energy",
+        help_heading = "The fall (one of)"
+    )]
+    angular_velocity: Option<String>,
+
+    /// What ends the fall
+    #[arg(long, value_enum, default_value_t, help_heading = "The landing")]
+    scenario: ScenarioName,
+    /// Impact model [default: that of the scenario; a squat object is halted]
+    #[arg(long, value_enum, help_heading = "The landing")]
+    model: Option<ModelName>,
+    /// Distance to the obstacle
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The landing")]
+    gap: Option<String>,
+    /// Height of the obstacle [default: taller than the object]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The landing")]
+    obstacle_height: Option<String>,
+    /// Shock at a point: "x, z" from the old pivot and above the base
+    #[arg(long, value_name = "X, Z", allow_hyphen_values = true, help_heading = "The landing")]
+    at: Option<String>,
+    /// Coefficient of friction, for the warning against sliding [default: 0.5]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The landing")]
+    friction: Option<String>,
+    /// Gravity [default: 1 g]
+    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The landing")]
+    gravity: Option<String>,
+
+    /// Peak acceleration that the object stands
+    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The verdict")]
+    tolerance: Option<String>,
+    /// Duration of the half-sine of that peak that it was shown to stand
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, help_heading = "The verdict")]
+    tolerance_duration: Option<String>,
+    /// Velocity change below which no peak does harm
+    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, help_heading = "The verdict")]
+    tolerance_velocity_change: Option<String>,
+}
+
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum ScenarioName {
+    /// The edge lands and the object rocks on
+    #[default]
+    Rocking,
+    /// The edge lands and the object stops
+    Halted,
+    /// It falls over onto the floor
+    OverturnFloor,
+    /// It falls against an obstacle
+    OverturnObstacle,
+}
+
+impl From<ScenarioName> for Scenario {
+    fn from(name: ScenarioName) -> Self {
+        match name {
+            ScenarioName::Rocking => Self::Rocking,
+            ScenarioName::Halted => Self::Halted,
+            ScenarioName::OverturnFloor => Self::OverturnFloor,
+            ScenarioName::OverturnObstacle => Self::OverturnObstacle,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum ModelName {
+    /// Eq. (5): no-slip landing edge
+    Paper,
+    /// Eq. (8): the rotation is halted
+    Halted,
+    /// Frictionless landing edge, for comparison
+    FreeCorner,
+}
+
+impl From<ModelName> for ImpactModel {
+    fn from(name: ModelName) -> Self {
+        match name {
+            ModelName::Paper => Self::Paper,
+            ModelName::Halted => Self::Halted,
+            ModelName::FreeCorner => Self::FreeCorner,
+        }
+    }
+}
+
+pub(crate) fn run(args: &ShockArgs, printer: &Printer) -> Result<Done, Failure> {
+    let request = request(args)?;
+    let report = shock(&request)?;
+    printer.result("freestand.shock/1", &report, &report.warnings, || text(&report))?;
+    Ok(Done { criterion_met: !report.exceeded() })
+}
+
+fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
+    let mut values = Values::default();
+    let height = values.positive("--height", Some(&args.height), Dimension::Length);
+    let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
+    let mass = values.positive("--mass", Some(&args.mass), Dimension::Mass);
+    let mut positive = |flag: &str, text: &Option<String>, dimension| values.positive(flag, text.as_deref(), dimension);
+    let base_width_m = positive("--base-width", &args.base_width, Dimension::Length);
+    let cg_height_m = positive("--cg-height", &args.cg_height, Dimension::Length);
+    let inertia_kg_m2 = positive("--inertia", &args.inertia, Dimension::Inertia);
+    let stiffness_n_m = positive("--stiffness", &args.stiffness, Dimension::Stiffness);
+    let pad_stiffness_n_m = positive("--pad-stiffness", &args.pad_stiffness, Dimension::Stiffness);
+    let pad_thickness_m = positive("--pad-thickness", &args.pad_thickness, Dimension::Length);
+    let contact_stiffness_n_m = positive("--contact-stiffness", &args.contact_stiffness, Dimension::Stiffness);
+    let drop_acceleration_m_s2 = positive("--drop-acceleration", &args.drop_acceleration, Dimension::Acceleration);
+    let gap_m = positive("--gap", &args.gap, Dimension::Length);
+    let obstacle_height_m = positive("--obstacle-height", &args.obstacle_height, Dimension::Length);
+    let friction_ratio = positive("--friction", &args.friction, Dimension::Ratio);
+    let gravity_m_s2 = positive("--gravity", &args.gravity, Dimension::Acceleration);
+    let tolerance_m_s2 = positive("--tolerance", &args.tolerance, Dimension::Acceleration);
+    let tolerance_duration_s = positive("--tolerance-duration", &args.tolerance_duration, Dimension::Time);
+    let tolerance_velocity_change_m_s =
+        positive("--tolerance-velocity-change", &args.tolerance_velocity_change, Dimension::Velocity);
+    let series_stiffness_n_m = args
+        .series_stiffness
+        .iter()
+        .filter_map(|text| values.positive("--series-stiffness", Some(text), Dimension::Stiffness))
+        .collect();
+    let cg_offset_m = values.any("--cg-offset", args.cg_offset.as_deref(), Dimension::Length);
+    let at_m = values.point("--at", args.at.as_deref());
+    let energy = energy(args, &mut values);
+    if args.pads_per_edge == Some(0) {
+        let problem = Problem::new(ProblemKind::Value, "--pads-per-edge must be at least 1");
+        values.push(problem.hint("a cabinet on four feet has 2 under each edge"));
+    }
+    values.finish()?;
+    let (Some(height_m), Some(thickness_m), Some(mass_kg)) = (height, thickness, mass) else {
+        return Err(Failure::usage("the object has no size", "give --height, --thickness and --mass"));
+    };
+    let bare = ShockRequest::new(height_m, thickness_m, mass_kg);
+    Ok(ShockRequest {
+        base_width_m,
+        cg_height_m,
+        cg_offset_m,
+        inertia_kg_m2,
+        stiffness_n_m,
+        pad_stiffness_n_m,
+        pads_per_edge: args.pads_per_edge,
+        series_stiffness_n_m,
+        contact_stiffness_n_m,
+        drop_acceleration_m_s2,
+        energy,
+        scenario: args.scenario.into(),
+        model: args.model.map(Into::into),
+        gap_m,
+        obstacle_height_m,
+        at_m,
+        gravity_m_s2: gravity_m_s2.unwrap_or(bare.gravity_m_s2),
+        pad_thickness_m,
+        friction_ratio,
+        tolerance_m_s2,
+        tolerance_duration_s,
+        tolerance_velocity_change_m_s,
+        ..bare
+    })
+}
+
+/// At most one of these is given: the argument parser sees to that.
+fn energy(args: &ShockArgs, values: &mut Values) -> Option<Energy> {
+    let rise = values.non_negative("--cg-rise", args.cg_rise.as_deref(), Dimension::Length);
+    let uplift = values.non_negative("--uplift", args.uplift.as_deref(), Dimension::Length);
+    let rotation = values.any("--rotation", args.rotation.as_deref(), Dimension::Angle);
+    let speed = values.any("--angular-velocity", args.angular_velocity.as_deref(), Dimension::AngularVelocity);
+    rise.map(Energy::CgRise)
+        .or(uplift.map(Energy::Uplift))
+        .or(rotation.map(Energy::Rotation))
+        .or(speed.map(Energy::AngularVelocity))
+}
+
+fn text(report: &ShockReport) -> String {
+    let quantity = |value: Option<f64>, dimension| value.map_or_else(|| "-".to_owned(), |v| format_si(v, dimension));
+    let g = |value: Option<f64>| optional(value, 4, "g");
+    let mut rows = vec![
+        ("scenario, model", format!("{}, {}", report.scenario, report.model)),
+        ("shock at the edge", g(Some(report.edge_acceleration_g))),
+        ("drop acceleration", g(Some(report.drop_acceleration_g))),
+        ("ceiling (balance point)", g(report.ceiling_g)),
+        (
+            "models: paper, halted, free corner",
+            format!("{}, {}, {}", g(report.models.paper_g), g(report.models.halted_g), g(report.models.free_corner_g)),
+        ),
+        ("rise of the centre of gravity", quantity(report.cg_rise_m, Dimension::Length)),
+        ("uplift of the edge", quantity(report.uplift_m, Dimension::Length)),
+        ("rotation", quantity(report.rotation_rad, Dimension::Angle)),
+        ("velocity of the edge", optional(report.edge_velocity_m_s, 4, "m/s")),
+        ("velocity change", optional(report.velocity_change_m_s, 4, "m/s")),
+        ("duration of the pulse", quantity(report.pulse_duration_s, Dimension::Time)),
+        ("stiffness", quantity(report.stiffness_n_m, Dimension::Stiffness)),
+        ("effective mass", optional(Some(report.effective_mass_kg), 4, "kg")),
+        ("landing ratio R_D, Eq. (6)", significant(report.landing_ratio, 4)),
+        ("half diagonal R, angle α", {
+            let alpha = format_si(report.slenderness_angle_rad, Dimension::Angle);
+            format!("{}, {alpha}", format_si(report.half_diagonal_m, Dimension::Length))
+        }),
+    ];
+    if let Some(at) = report.at {
+        rows.push((
+            "shock at the point: horizontal, vertical",
+            format!("{}, {}", g(Some(at.horizontal_g)), g(Some(at.vertical_g))),
+        ));
+    }
+    if let (Some(ratio), Some(governing)) = (report.demand_capacity_ratio, report.governing) {
+        rows.push(("tolerance", g(report.tolerance_g)));
+        rows.push(("demand/capacity", format!("{} by {governing}: {}", significant(ratio, 4), report.verdict)));
+        rows.push(("largest stiffness at this rise", quantity(report.max_stiffness_n_m, Dimension::Stiffness)));
+    }
+    for note in &report.notes {
+        rows.push(("note", note.clone()));
+    }
+    pairs(&rows)
+}

@@ -1,0 +1,67 @@
+//! Why a command could not run: problems, each with what to do about it.
+
+use freestand_study::{Problem, ProblemKind, StudyError};
+
+/// Ends a command with status 2, or quietly where nobody reads on.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// What is wrong, never empty.
+    Problems(Vec<Problem>),
+    /// Standard output was closed by its reader.
+    BrokenPipe,
+}
+
+impl Failure {
+    /// A wrong argument.
+    pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Problem::new(ProblemKind::Value, message).hint(hint).into()
+    }
+
+    /// The models could not finish.
+    pub(crate) fn computation(message: impl Into<String>) -> Self {
+        Problem::new(ProblemKind::Computation, message).into()
+    }
+
+    /// Standard output cannot be written.
+    pub(crate) fn output(error: &std::io::Error) -> Self {
+        if error.kind() == std::io::ErrorKind::BrokenPipe {
+            return Self::BrokenPipe;
+        }
+        Problem::new(ProblemKind::Io, format!("cannot write the output: {error}"))
+            .hint("is the disk full, or the output closed?")
+            .into()
+    }
+}
+
+impl From<Problem> for Failure {
+    fn from(problem: Problem) -> Self {
+        Self::Problems(vec![problem])
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        Self::Problems(error.problems)
+    }
+}
+
+/// What clap found wrong with the arguments, as one message and one hint.
+///
+/// clap prints the message, then `tip:` lines, a usage line and a pointer to `--help`, apart by blank lines.
+pub(crate) fn usage(error: &clap::Error) -> Failure {
+    let text = error.render().to_string();
+    let mut paragraphs = text.split("\n\n").map(|paragraph| {
+        paragraph.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+    });
+    let message = paragraphs.next().unwrap_or_default();
+    let message = message.strip_prefix("error: ").unwrap_or(&message).to_owned();
+    let rest: Vec<String> = paragraphs.collect();
+    let tip = rest.iter().find_map(|paragraph| paragraph.strip_prefix("tip: "));
+    let usage = rest.iter().find_map(|paragraph| paragraph.strip_prefix("Usage: "));
+    let hint = match (tip, usage) {
+        (Some(tip), _) => tip.replace(" tip: ", "; "),
+        (None, Some(usage)) => format!("usage: {usage}; --help says more"),
+        (None, None) => "--help says more".to_owned(),
+    };
+    Failure::usage(if message.is_empty() { "a command is missing".to_owned() } else { message }, hint)
+}

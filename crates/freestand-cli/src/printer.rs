@@ -1,0 +1,144 @@
+//! What the user sees: one JSON document or a table on standard output, everything else on standard error.
+
+use std::io::{self, IsTerminal, Write};
+
+use comfy_table::{Cell, CellAlignment, Table, presets};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+
+/// Prints the result of a command.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Printer {
+    json: bool,
+    quiet: bool,
+    verbose: bool,
+}
+
+impl Printer {
+    pub(crate) fn new(global: &GlobalArgs) -> Self {
+        Self { json: global.json, quiet: global.quiet, verbose: global.verbose }
+    }
+
+    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the warnings.
+    pub(crate) fn result<T: Serialize>(
+        &self,
+        schema: &str,
+        body: &T,
+        warnings: &[String],
+        text: impl FnOnce() -> String,
+    ) -> Result<(), Failure> {
+        if self.json {
+            print_text(&document(schema, body, warnings)?)?;
+        } else {
+            print_text(&text())?;
+        }
+        if !self.quiet {
+            for warning in warnings {
+                error_line(&format!("warning: {warning}"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Something worth knowing with `-v`.
+    pub(crate) fn detail(&self, text: &str) {
+        if self.verbose {
+            error_line(text);
+        }
+    }
+
+    /// Whether to draw progress bars.
+    pub(crate) fn progress(&self) -> bool {
+        !self.quiet && io::stderr().is_terminal()
+    }
+}
+
+/// One JSON document; a number that is not finite is `null`.
+fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Failure> {
+    let not_json = |error: serde_json::Error| Failure::computation(format!("the result is not JSON: {error}"));
+    let mut all = Map::new();
+    all.insert("schema".to_owned(), Value::from(schema));
+    match serde_json::to_value(body).map_err(not_json)? {
+        Value::Object(keys) => all.extend(keys),
+        other => {
+            all.insert("result".to_owned(), other);
+        }
+    }
+    all.insert("warnings".to_owned(), Value::from(warnings));
+    let mut text = serde_json::to_string_pretty(&all).map_err(not_json)?;
+    text.push('\n');
+    Ok(text)
+}
+
+/// Writes to standard output, at once and to its end.
+pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
+}
+
+/// Writes a line to standard error; where that is closed there is nowhere to complain.
+fn error_line(text: &str) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Each problem as an `error:` line and a `hint:` line.
+pub(crate) fn print_failure(failure: &Failure) {
+    let Failure::Problems(problems) = failure else { return };
+    for problem in problems {
+        error_line(&format!("error: {}", one_line(&problem.to_string())));
+        if let Some(hint) = &problem.hint {
+            error_line(&format!("hint: {}", one_line(hint)));
+        }
+    }
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// A table for people: a line of headings, then rows; numbers are right-aligned where the heading names a unit or they
+/// look like numbers.
+pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table.set_header(headings.iter().map(Cell::new));
+    for row in rows {
+        table.add_row(row.iter().map(|text| {
+            let number = text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+            Cell::new(text).set_alignment(if number { CellAlignment::Right } else { CellAlignment::Left })
+        }));
+    }
+    let mut text: String = table.lines().map(|line| format!("{}\n", line.trim_end())).collect();
+    if rows.is_empty() {
+        text.clear();
+    }
+    text
+}
+
+/// Names and values in two columns.
+pub(crate) fn pairs(rows: &[(&str, String)]) -> String {
+    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    rows.iter().map(|(name, value)| format!("{name}{}  {value}\n", " ".repeat(width - name.chars().count()))).collect()
+}
+
+/// A number with `digits` significant digits, without an exponent between 1e-3 and 1e6.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 { "0".to_owned() } else { "-".to_owned() };
+    }
+    let exponent = value.abs().log10().floor();
+    if (-3.0..6.0).contains(&exponent) {
+        let decimals = (digits as f64 - 1.0 - exponent).max(0.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.*e}", digits.saturating_sub(1))
+    }
+}
+
+/// The same, with `-` for a value that is missing.
+pub(crate) fn optional(value: Option<f64>, digits: usize, unit: &str) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{} {unit}", significant(value, digits)).trim_end().to_owned())
+}

@@ -1,0 +1,67 @@
+//! Arguments for record files, and how a command gets its motions from them.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use freestand_study::quantity::Dimension;
+use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
+use freestand_study::records::ReadOptions;
+
+use crate::failure::Failure;
+use crate::values::Values;
+
+/// What a record file may not say itself.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Reading records")]
+pub(crate) struct ReadArgs {
+    /// Unit of acceleration in the file, such as g, m/s2 or gal, where it does not state it
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) unit: Option<String>,
+    /// Time step of columns without a time
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) dt: Option<String>,
+    /// Component of a file with several: its name or its number from 1
+    #[arg(long, value_name = "NAME|NUMBER")]
+    pub(crate) component: Option<String>,
+    /// Factor on the samples [default: 1]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    pub(crate) scale: Option<String>,
+}
+
+impl ReadArgs {
+    /// The files with what was said about them; what is wrong goes into `values`.
+    pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
+        MotionFiles {
+            paths: paths.to_vec(),
+            read: ReadOptions {
+                unit: self.unit.clone(),
+                dt_s: values.positive("--dt", self.dt.as_deref(), Dimension::Time),
+            },
+            component: self.component.clone(),
+            scale_ratio: values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0),
+        }
+    }
+
+    /// One motion from each file.
+    pub(crate) fn read_all(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
+        let mut values = Values::default();
+        let files = self.files(paths, &mut values);
+        values.finish()?;
+        let (motions, failures) = read_recorded(&files);
+        if failures.is_empty() {
+            return Ok(motions);
+        }
+        Err(Failure::Problems(failures.into_iter().map(|(_, problem)| problem).collect()))
+    }
+
+    /// The motion of one file.
+    pub(crate) fn read_one(&self, path: &Path) -> Result<ReadMotion, Failure> {
+        let mut motions = self.read_all(&[path.to_path_buf()])?;
+        motions.pop().ok_or_else(|| Failure::computation("the file was read but holds no motion"))
+    }
+}
+
+/// A path for outputs.
+pub(crate) fn path_text(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}

@@ -1,0 +1,128 @@
+//! Ground motions from record files: read, one component chosen, scaled, named and fingerprinted.
+
+use std::collections::HashSet;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+use crate::error::{Problem, ProblemKind};
+use crate::records::{Component, MotionFile, ReadOptions, read_motions};
+use crate::study::RecordedMotion;
+
+/// Files whose motions are used.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionFiles {
+    /// The files, in order.
+    pub paths: Vec<PathBuf>,
+    /// What the files may not say themselves.
+    pub read: ReadOptions,
+    /// Which component of each; `None`: each has only one.
+    pub component: Option<String>,
+    /// Factor on the samples.
+    pub scale_ratio: f64,
+}
+
+/// A motion, and what its reader noted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadMotion {
+    /// The motion.
+    pub motion: RecordedMotion,
+    /// What was concluded or left out.
+    pub notes: Vec<String>,
+}
+
+/// Reads all files; what fails is listed with its index and hides nothing else.
+pub fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Problem)>) {
+    let (mut motions, mut failures) = (Vec::new(), Vec::new());
+    let mut names = HashSet::new();
+    for (index, path) in files.paths.iter().enumerate() {
+        match read_one(path, files) {
+            Ok(mut read) => {
+                read.motion.name = unique(&read.motion.name, &mut names);
+                motions.push(read);
+            }
+            Err(problems) => failures.extend(problems.into_iter().map(|problem| (index, problem))),
+        }
+    }
+    (motions, failures)
+}
+
+fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>> {
+    let file = read_motions(path, &files.read).map_err(|error| error.problems)?;
+    let one = |problem: Problem| vec![problem];
+    let component = file.select(files.component.as_deref()).map_err(one)?;
+    let motion = scaled(component, files.scale_ratio, path).map_err(one)?;
+    let bytes = std::fs::read(path).map_err(|error| {
+        one(Problem::new(ProblemKind::Io, format!("cannot read the file: {error}"))
+            .in_file(path)
+            .hint("check the path"))
+    })?;
+    let description = describe(&file, component);
+    let motion = RecordedMotion {
+        name: name_of(path),
+        path: path.to_path_buf(),
+        sha256: sha256_hex(&bytes),
+        description,
+        scale_ratio: files.scale_ratio,
+        motion,
+    };
+    Ok(ReadMotion { motion, notes: file.notes.clone() })
+}
+
+/// The component's motion times a factor.
+///
+/// # Errors
+/// A factor that makes a sample infinite.
+pub fn scaled(component: &Component, scale_ratio: f64, path: &Path) -> Result<freestand::motion::Motion, Problem> {
+    if scale_ratio == 1.0 {
+        return Ok(component.motion.clone());
+    }
+    component.motion.scaled(scale_ratio).map_err(|error| {
+        Problem::new(ProblemKind::Value, format!("times {scale_ratio}: {error}")).in_file(path).hint("check the scale")
+    })
+}
+
+/// Format and component, in words.
+fn describe(file: &MotionFile, component: &Component) -> String {
+    let station = component.station.as_ref().map_or(String::new(), |station| format!(", {station}"));
+    if file.components.len() == 1 {
+        return format!("{}{station}", file.format);
+    }
+    format!("{}, component {}{station}", file.format, component.name)
+}
+
+/// SHA-256 in hexadecimal.
+///
+/// # Example
+/// ```
+/// let digest = freestand_study::recorded::sha256_hex(b"abc");
+/// assert!(digest.starts_with("ba7816bf") && digest.len() == 64);
+/// ```
+pub fn sha256_hex(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// The file's name without its extension, with what is unsafe in a file name replaced by `-`.
+pub fn name_of(path: &Path) -> String {
+    let stem = path.file_stem().map_or_else(|| "motion".into(), |stem| stem.to_string_lossy());
+    let name: String =
+        stem.chars().map(|c| if c.is_alphanumeric() || matches!(c, '-' | '_' | '.') { c } else { '-' }).collect();
+    let name = name.trim_matches(['.', '-']).to_owned();
+    if name.is_empty() { "motion".to_owned() } else { name }
+}
+
+/// The name, or the name with the first free number from 2; capitals do not tell names apart, as in some file systems.
+fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut candidate = name.to_owned();
+    let mut number = 2;
+    while !taken.insert(candidate.to_lowercase()) {
+        candidate = format!("{name}-{number}");
+        number += 1;
+    }
+    candidate
+}

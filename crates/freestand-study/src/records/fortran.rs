@@ -1,0 +1,188 @@
+//! Numbers as Fortran programs print them, which is how strong-motion records have been written for fifty years.
+
+/// A number found at the start of a field.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Number {
+    pub(super) value: f64,
+    /// Bytes that it takes.
+    pub(super) length: usize,
+    /// The last printed digit counts 10^this; it tells how far a printed time may be off.
+    pub(super) last_digit_exponent: i32,
+    /// A whole number that begins with a zero, `0123`: not a number in its own right, but the digits behind a decimal comma.
+    pub(super) zero_padded: bool,
+}
+
+/// The number at the start of `text`, if there is one.
+///
+/// Reads what Fortran's F, E, D and G formats print: `.123`, `5.`, `1.5E-03`, `1.5D-03`, and `1.2345-101`, which is how
+/// a three-digit exponent is printed where the field has no room for its E. In a plain `.1234-.5678` the second sign
+/// begins the next field: only a sign with exactly three digits and no point after a mantissa with a point is an exponent.
+pub(super) fn scan(text: &[u8]) -> Option<Number> {
+    let digits =
+        |from: usize| text.get(from..).map_or(0, |rest| rest.iter().take_while(|b| b.is_ascii_digit()).count());
+    let is_sign = |at: usize| matches!(text.get(at), Some(b'+' | b'-'));
+
+    let start = usize::from(is_sign(0));
+    let whole = digits(start);
+    let mut end = start + whole;
+    let has_point = text.get(end) == Some(&b'.');
+    let fraction = if has_point { digits(end + 1) } else { 0 };
+    if whole + fraction == 0 {
+        return None;
+    }
+    end += usize::from(has_point) + fraction;
+    let mantissa_end = end;
+
+    let mut plain = true;
+    let mut exponent_from = None;
+    if matches!(text.get(end), Some(b'e' | b'E' | b'd' | b'D')) {
+        let sign = usize::from(is_sign(end + 1));
+        let length = digits(end + 1 + sign);
+        if length > 0 {
+            plain = matches!(text[end], b'e' | b'E');
+            exponent_from = Some(end + 1);
+            end += 1 + sign + length;
+        }
+    } else if has_point && is_sign(end) && digits(end + 1) == 3 && text.get(end + 4) != Some(&b'.') {
+        plain = false;
+        exponent_from = Some(end);
+        end += 4;
+    }
+
+    let printed = std::str::from_utf8(&text[..end]).ok()?;
+    let exponent = exponent_from.map_or("0", |from| &printed[from..]);
+    let value =
+        if plain { printed.parse().ok()? } else { format!("{}e{exponent}", &printed[..mantissa_end]).parse().ok()? };
+    // An exponent beyond i32 makes the value 0 or infinite, and the last digit then says nothing.
+    let last_digit_exponent = exponent.parse::<i32>().unwrap_or(0).saturating_sub(fraction as i32);
+    let zero_padded = whole > 1 && text[start] == b'0' && !has_point && exponent_from.is_none();
+    Some(Number { value, length: end, last_digit_exponent, zero_padded })
+}
+
+/// The number that `text` is, from its first byte to its last.
+pub(super) fn number(text: &[u8]) -> Option<Number> {
+    scan(text).filter(|number| number.length == text.len())
+}
+
+/// Why a field is not a number.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum BadField {
+    /// NaN, inf, or the asterisks of a Fortran overflow.
+    Missing(String),
+    /// Anything else.
+    NotANumber(String),
+}
+
+impl BadField {
+    pub(super) fn new(field: &[u8]) -> Self {
+        let text = super::lines::text_of(&field[..field.len().min(64)]);
+        if is_missing_word(field) { Self::Missing(text) } else { Self::NotANumber(text) }
+    }
+}
+
+/// Words that stand for a value that is not there.
+pub(super) fn is_missing_word(field: &[u8]) -> bool {
+    let word = field.strip_prefix(b"-").or_else(|| field.strip_prefix(b"+")).unwrap_or(field).to_ascii_lowercase();
+    let stars = !word.is_empty() && word.iter().all(|&b| b == b'*');
+    stars
+        || matches!(
+            word.as_slice(),
+            b"nan" | b"inf" | b"infinity" | b"na" | b"n/a" | b"null" | b"none" | b"1.#inf" | b"1.#qnan"
+        )
+}
+
+/// Values that agencies write where there is none: -999 and -9999, -32768, and 1.7E38 and its like.
+pub(super) fn is_missing_value(value: f64) -> bool {
+    value == -999.0 || value == -9999.0 || value == -32768.0 || value.abs() >= 1e30 || value.is_nan()
+}
+
+/// The numbers of a line of blank-separated fields, in which a sign may stand where a blank had no room.
+pub(super) fn fields(line: &[u8], mut each: impl FnMut(Number)) -> Result<(), BadField> {
+    let mut rest = line.trim_ascii();
+    while !rest.is_empty() {
+        let Some(number) = scan(rest) else { return Err(BadField::new(first_word(rest))) };
+        let tail = &rest[number.length..];
+        match tail.first() {
+            None | Some(b'+' | b'-' | b' ' | b'\t' | 0x0B | 0x0C) => {}
+            Some(_) => return Err(BadField::new(first_word(rest))),
+        }
+        each(number);
+        rest = tail.trim_ascii_start();
+    }
+    Ok(())
+}
+
+fn first_word(text: &[u8]) -> &[u8] {
+    &text[..text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len())]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values(line: &str) -> Result<Vec<f64>, BadField> {
+        let mut out = Vec::new();
+        fields(line.as_bytes(), |number| out.push(number.value)).map(|()| out)
+    }
+
+    /// Exact: each value is the nearest f64 to the decimal number.
+    #[test]
+    fn fortran_fields() {
+        for (line, expected) in [
+            ("1 2.5 -3", &[1.0, 2.5, -3.0][..]),
+            ("   .3654112E-03  -.5", &[0.3654112e-3, -0.5]),
+            (".1234E-02-.5678E-03", &[0.1234e-2, -0.5678e-3]),
+            ("-.1-.2+.3", &[-0.1, -0.2, 0.3]),
+            ("0.1234-0.5678", &[0.1234, -0.5678]),
+            ("1.5D-03 1.5d+2 1d0", &[1.5e-3, 150.0, 1.0]),
+            ("1.2345-101", &[1.2345e-101]),
+            ("1.2345-101-1.5+100", &[1.2345e-101, -1.5e100]),
+            ("1.2345-101.5", &[1.2345, -101.5]),
+            ("5. +.5", &[5.0, 0.5]),
+            ("123-101", &[123.0, -101.0]),
+            ("1.5E-1-6.7E-2", &[0.15, -0.067]),
+            ("\t1\t\t2 ", &[1.0, 2.0]),
+            ("", &[]),
+        ] {
+            assert_eq!(values(line).as_deref(), Ok(expected), "{line}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number() {
+        for (line, field) in [
+            ("1 abc 2", "abc"),
+            ("1.2.3", "1.2.3"),
+            ("1 .", "."),
+            ("0x10", "0x10"),
+            ("1,2", "1,2"),
+            ("--1", "--1"),
+            ("1e", "1e"),
+        ] {
+            assert_eq!(values(line), Err(BadField::NotANumber(field.to_owned())), "{line}");
+        }
+        for line in ["NaN", "-inf", "*****", "+Infinity", "null"] {
+            assert_eq!(values(line), Err(BadField::Missing(line.to_owned())));
+        }
+    }
+
+    #[test]
+    fn the_last_printed_digit() {
+        for (text, exponent) in
+            [("0.0100", -4), ("5", 0), ("5.", 0), ("1.50E-02", -4), ("1.5D+03", 2), ("1.25-101", -103)]
+        {
+            assert_eq!(number(text.as_bytes()).unwrap().last_digit_exponent, exponent, "{text}");
+        }
+        assert_eq!(number(b"1.5 "), None);
+    }
+
+    #[test]
+    fn missing_values() {
+        for value in [-999.0, -9999.0, -32768.0, 1.7e38, -1.7e38, f64::NAN, f64::INFINITY] {
+            assert!(is_missing_value(value));
+        }
+        for value in [0.0, 999.0, -998.9, -999.5, 32768.0] {
+            assert!(!is_missing_value(value));
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! A record file as bytes and lines, whichever system wrote it.
+
+use crate::error::{Problem, ProblemKind};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// Longest file that is read into memory: about a hundred million samples, far beyond any record.
+const MAX_BYTES: u64 = 2 << 30;
+
+/// The bytes of a text file, without byte-order mark and without the end-of-file character of DOS.
+pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
+    let io = |what: &str, error: &std::io::Error| {
+        Problem::new(ProblemKind::Io, format!("{what}: {error}"))
+            .in_file(path)
+            .hint("check the path and its permissions")
+    };
+    let file = File::open(path).map_err(|error| io("cannot open the file", &error))?;
+    // Opening a folder succeeds on Unix; only reading it fails, with a message that helps nobody.
+    if file.metadata().is_ok_and(|data| data.is_dir()) {
+        return Err(Problem::new(ProblemKind::Io, "is a folder, a file is expected")
+            .in_file(path)
+            .hint("name the record files themselves"));
+    }
+    let mut bytes = Vec::new();
+    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| io("cannot read the file", &error))?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(Problem::new(ProblemKind::Format, "is longer than 2 GiB").in_file(path).hint("split the record"));
+    }
+    check_text(&mut bytes).map_err(|problem| problem.in_file(path))?;
+    Ok(bytes)
+}
+
+/// Refuses what is not text, and removes what is not content.
+pub(super) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
+    if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
+        return Err(Problem::new(ProblemKind::Format, "is UTF-16 text").hint("save it as UTF-8 or plain text"));
+    }
+    if bytes.starts_with(&[0xEF, 0xBB, 0xBF]) {
+        bytes.drain(..3);
+    }
+    while bytes.last() == Some(&0x1A) {
+        bytes.pop();
+    }
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(Problem::new(ProblemKind::Format, "the file is empty").hint("check that the record was saved"));
+    }
+    if bytes.contains(&0) {
+        return Err(Problem::new(ProblemKind::Format, "is a binary file; no binary format is recognised in it")
+            .hint("convert the record to AT2, or to CSV with time and acceleration columns"));
+    }
+    Ok(())
+}
+
+/// A line with its number, counted from 1.
+#[derive(Clone, Copy)]
+pub(super) struct Line<'a> {
+    pub(super) number: usize,
+    pub(super) bytes: &'a [u8],
+}
+
+/// The lines of a text: ended by LF, CR LF, CR, or the CR CR LF that a file gets when it is "converted" twice.
+#[derive(Clone)]
+pub(super) struct Lines<'a> {
+    rest: &'a [u8],
+    number: usize,
+}
+
+pub(super) fn lines(bytes: &[u8]) -> Lines<'_> {
+    Lines { rest: bytes, number: 0 }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = Line<'a>;
+
+    fn next(&mut self) -> Option<Line<'a>> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let end = self.rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(self.rest.len());
+        let (bytes, tail) = self.rest.split_at(end);
+        let ending = match tail {
+            [b'\r', b'\r', b'\n', ..] => 3,
+            [b'\r', b'\n', ..] => 2,
+            [] => 0,
+            _ => 1,
+        };
+        self.rest = &tail[ending..];
+        self.number += 1;
+        Some(Line { number: self.number, bytes })
+    }
+}
+
+impl Line<'_> {
+    pub(super) fn is_blank(&self) -> bool {
+        self.bytes.trim_ascii().is_empty()
+    }
+
+    pub(super) fn is_comment(&self) -> bool {
+        self.bytes.trim_ascii_start().starts_with(b"#")
+    }
+
+    /// As text: UTF-8, or else Latin-1, in which every byte is a character.
+    pub(super) fn text(&self) -> String {
+        // Only headers are read as text; a "line" of megabytes is no header.
+        text_of(&self.bytes[..self.bytes.len().min(4096)])
+    }
+}
+
+pub(super) fn text_of(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|&b| char::from(b)).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_line_ending_ends_one_line() {
+        for ending in ["\n", "\r\n", "\r", "\r\r\n"] {
+            let text = ["a", "", "b c", "d"].join(ending);
+            let found: Vec<_> = lines(text.as_bytes()).map(|line| (line.number, line.text())).collect();
+            let expected = [(1, "a"), (2, ""), (3, "b c"), (4, "d")].map(|(n, s)| (n, s.to_owned()));
+            assert_eq!(found, expected, "{ending:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_text_is_refused() {
+        for (bytes, message) in [
+            (&b""[..], "empty"),
+            (b" \r\n\t\n", "empty"),
+            (b"\xEF\xBB\xBF\n\x1A", "empty"),
+            (b"\xFF\xFE0\x00", "UTF-16"),
+            (b"12 \x00 3", "binary"),
+        ] {
+            assert!(check_text(&mut bytes.to_vec()).unwrap_err().message.contains(message), "{bytes:?}");
+        }
+        let mut bytes = b"\xEF\xBB\xBF1\n\x1A".to_vec();
+        check_text(&mut bytes).unwrap();
+        assert_eq!(bytes, b"1\n");
+    }
+}

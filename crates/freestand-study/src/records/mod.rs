@@ -1,0 +1,160 @@
+//! Ground and floor motions from record files: which format a file has is told from its content, never from its name.
+
+mod at2;
+mod columns;
+mod fortran;
+mod lines;
+mod sampling;
+mod table;
+mod units;
+mod write;
+
+pub use write::{write_at2, write_csv};
+
+use crate::error::{Problem, ProblemKind, StudyError};
+use crate::quantity::shorten;
+use freestand::motion::Motion;
+use std::path::{Path, PathBuf};
+
+/// What the user says about a file that may not say it itself.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ReadOptions {
+    /// Unit of acceleration, such as `g` or `cm/s2`. A file that states another one is refused.
+    pub unit: Option<String>,
+    /// Time step \[s\]. Columns without a header are then all components; otherwise the first is the time.
+    pub dt_s: Option<f64>,
+}
+
+/// A record file, read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionFile {
+    /// Where it was read.
+    pub path: PathBuf,
+    /// What it is: `PEER AT2`, `columns` or `CSV`.
+    pub format: &'static str,
+    /// Its motions, in the order of the file; never empty.
+    pub components: Vec<Component>,
+    /// What was concluded or left out that a reader of results should know.
+    pub notes: Vec<String>,
+}
+
+/// One motion of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Component {
+    /// Direction or column name, as the file has it; else the name of the file, or `component 2`.
+    pub name: String,
+    /// Station, where the file names it.
+    pub station: Option<String>,
+    /// The unit in the file; the motion itself is in m/s².
+    pub unit: &'static str,
+    /// The motion.
+    pub motion: Motion,
+    /// Line of the first value, counted from 1.
+    pub line_of_first_value: usize,
+}
+
+/// Reads a record file.
+///
+/// # Errors
+/// A file that cannot be read, whose format is not known, that is broken or has gaps, or that leaves the unit or the time
+/// step open where the options do too. Nothing is guessed from the size of values.
+pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, StudyError> {
+    let bytes = lines::load(path)?;
+    Ok(read_bytes(&bytes, path, options)?)
+}
+
+/// As [`read_motions`], from text in memory; `path` names it in messages.
+///
+/// # Errors
+/// As [`read_motions`].
+///
+/// # Example
+/// ```
+/// use freestand_study::records::{ReadOptions, parse_motions};
+/// let file = parse_motions(b"time [s],a [g]\n0,0\n0.01,0.5\n".to_vec(), "x.csv".as_ref(), &ReadOptions::default())?;
+/// assert_eq!(file.components[0].motion.peak_m_s2(), 0.5 * freestand::G0_M_S2);
+/// # Ok::<(), freestand_study::StudyError>(())
+/// ```
+pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> Result<MotionFile, StudyError> {
+    lines::check_text(&mut bytes).map_err(|problem| problem.in_file(path))?;
+    Ok(read_bytes(&bytes, path, options)?)
+}
+
+fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
+    // A wrong flag is no fault of the file.
+    units::requested(options.unit.as_deref())?;
+    if let Some(dt_s) = options.dt_s.filter(|dt_s| !(*dt_s > 0.0 && dt_s.is_finite())) {
+        return Err(Problem::new(ProblemKind::Value, format!("the time step must be positive, not {dt_s} s")));
+    }
+    let (format, components, notes) = if at2::is_at2(bytes) {
+        at2::read(bytes, path, options).map(|component| ("PEER AT2", vec![component], Vec::new()))
+    } else {
+        columns::read(bytes, path, options)
+    }
+    .map_err(|problem| problem.in_file(path))?;
+    Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
+}
+
+impl MotionFile {
+    /// The component called for: by name (capitals do not matter), or by number counted from 1; the only one where
+    /// nothing is called for.
+    ///
+    /// # Errors
+    /// Several components and no choice, or a choice that is not there; the message lists what is.
+    pub fn select(&self, component: Option<&str>) -> Result<&Component, Problem> {
+        let problem = match (component.map(str::trim), self.components.as_slice()) {
+            (None, [only]) => return Ok(only),
+            (None, all) => format!("has {} components: {}", all.len(), self.listing()),
+            (Some(wanted), all) => {
+                // A name may be copied from the header with its unit: "a [g]".
+                let bare = wanted.split(['[', '(']).next().unwrap_or(wanted).trim();
+                let called = |name: &str| -> Vec<&Component> {
+                    all.iter()
+                        .filter(|one| !name.is_empty() && one.name.to_lowercase() == name.to_lowercase())
+                        .collect()
+                };
+                let named =
+                    [called(wanted), called(bare)].into_iter().find(|found| !found.is_empty()).unwrap_or_default();
+                match (named.as_slice(), wanted.parse::<usize>()) {
+                    ([one], _) => return Ok(one),
+                    ([], Ok(number)) if (1..=all.len()).contains(&number) => return Ok(&all[number - 1]),
+                    ([], _) => format!("has no component \"{}\": {}", shorten(wanted), self.listing()),
+                    _ => format!("has several components \"{}\": {}", shorten(wanted), self.listing()),
+                }
+            }
+        };
+        Err(Problem::new(ProblemKind::Value, problem)
+            .in_file(&self.path)
+            .hint("choose one with --component NAME or --component NUMBER"))
+    }
+
+    fn listing(&self) -> String {
+        const MOST: usize = 12;
+        let mut listed: Vec<String> = self
+            .components
+            .iter()
+            .take(MOST)
+            .enumerate()
+            .map(|(i, one)| format!("{} {}", i + 1, shorten(&one.name)))
+            .collect();
+        if self.components.len() > MOST {
+            listed.push(format!("and {} more", self.components.len() - MOST));
+        }
+        listed.join(", ")
+    }
+}
+
+/// Samples in m/s² as a motion.
+fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
+    Motion::new(dt_s, accel_m_s2).map_err(|error| {
+        Problem::new(ProblemKind::Format, error.to_string()).at_line(line).hint("check that the record is complete")
+    })
+}
+
+/// The file's name without folder and extension, as the name of what is in it.
+fn file_stem(path: &Path) -> String {
+    path.file_stem().map_or_else(|| "motion".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
+#[cfg(test)]
+mod tests;

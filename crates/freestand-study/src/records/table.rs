@@ -1,0 +1,340 @@
+//! Columns of numbers as text: separators, headers and comments of many hands, told apart by looking.
+
+use super::at2::bad_field;
+use super::fortran::{BadField, Number, fields, is_missing_value, number};
+use super::lines::{Line, lines};
+use super::units::missing;
+use crate::error::{Problem, ProblemKind};
+use crate::quantity::shorten;
+
+/// How far down the first row of numbers may stand.
+const HEADER_LINES: usize = 1000;
+
+/// What stands between the columns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Separator {
+    Byte(u8),
+    Blank,
+}
+
+/// How the rows are written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Dialect {
+    pub(super) separator: Separator,
+    pub(super) decimal_comma: bool,
+}
+
+/// A column as it was read.
+#[derive(Debug, Default)]
+pub(super) struct Column {
+    pub(super) values: Vec<f64>,
+    /// The finest last digit printed in it counts 10^this.
+    pub(super) last_digit_exponent: i32,
+    /// Some whole number in it begins with a zero: `0123`.
+    zero_padded: bool,
+}
+
+/// A table with what stood above it.
+pub(super) struct Table {
+    pub(super) dialect: Dialect,
+    pub(super) columns: Vec<Column>,
+    /// Lines above the numbers that are neither blank nor comments.
+    pub(super) header: Vec<(usize, String)>,
+    /// Comment lines above the numbers, without the `#`.
+    pub(super) comments: Vec<(usize, String)>,
+    pub(super) line_of_first_value: usize,
+    /// The step of the old dialect whose first row is `npts dt`; the values are then one series.
+    pub(super) series_dt_s: Option<f64>,
+}
+
+/// Whether a line holds data: neither blank nor comment.
+fn is_row(line: &Line<'_>) -> bool {
+    !line.is_blank() && !line.is_comment()
+}
+
+/// Reads a table.
+pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
+    let (mut header, mut comments) = (Vec::new(), Vec::new());
+    let mut rest = lines(bytes);
+    let (dialect, first) = loop {
+        let before = rest.clone();
+        let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
+            return Err(Problem::new(ProblemKind::Format, "no row of numbers was found; the format is not recognised")
+                .hint("formats read: PEER AT2, and text with columns of time and acceleration"));
+        };
+        if line.is_comment() {
+            let text = line.text();
+            comments.push((line.number, text.trim_start().trim_start_matches('#').trim().to_owned()));
+        } else if let Some(dialect) = dialect_of(line.bytes) {
+            rest = before;
+            break (dialect, line);
+        } else if !line.is_blank() {
+            header.push((line.number, line.text().trim().to_owned()));
+        }
+    };
+    if let Some((number, text)) = header.last() {
+        check_not_a_broken_row(&dialect, *number, text, first.bytes)?;
+    }
+    let rows = rest.filter(is_row);
+    let mut table =
+        Table { dialect, columns: Vec::new(), header, comments, line_of_first_value: first.number, series_dt_s: None };
+    if !read_as_series(&mut table, rows.clone())? {
+        read_rows(&mut table, rows)?;
+    }
+    Ok(table)
+}
+
+impl Table {
+    /// The line on which row `row` (from 0) stands. Found by looking again: kept for every row it would cost more memory
+    /// than the values of a column, and it is needed only to say what is wrong.
+    pub(super) fn line_of_row(&self, bytes: &[u8], row: usize) -> usize {
+        let mut rows = lines(bytes).skip(self.line_of_first_value - 1).filter(is_row);
+        rows.nth(row).map_or(self.line_of_first_value, |line| line.number)
+    }
+
+    /// The cells of a header line, if there are as many as columns.
+    pub(super) fn names(&self, text: &str) -> Option<Vec<String>> {
+        let wanted = self.columns.len();
+        let own = match self.dialect.separator {
+            Separator::Byte(byte) => Some(byte),
+            Separator::Blank => None,
+        };
+        // The header of a table with tabs is often typed with blanks, and so on.
+        own.into_iter().chain([b',', b';', b'\t']).map(|byte| quoted_cells(text, byte)).chain([words(text)]).find_map(
+            |mut cells| {
+                if cells.len() == wanted + 1 && cells.last().is_some_and(String::is_empty) {
+                    cells.pop();
+                }
+                (cells.len() == wanted).then_some(cells)
+            },
+        )
+    }
+}
+
+fn quoted_cells(text: &str, separator: u8) -> Vec<String> {
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(separator)
+        .has_headers(false)
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let mut record = csv::StringRecord::new();
+    match reader.read_record(&mut record) {
+        Ok(true) => record.iter().map(str::to_owned).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Words between blanks; a unit in brackets belongs to the word before it.
+fn words(text: &str) -> Vec<String> {
+    let mut out: Vec<String> = Vec::new();
+    let mut open = false;
+    for word in text.split_whitespace() {
+        match out.last_mut() {
+            Some(last) if open || word.starts_with(['(', '[']) => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => out.push(word.to_owned()),
+        }
+        open = out.last().is_some_and(|last| last.matches(['(', '[']).count() > last.matches([')', ']']).count());
+    }
+    out
+}
+
+/// How a line of numbers is written; `None` if it is not one.
+fn dialect_of(line: &[u8]) -> Option<Dialect> {
+    let has = |byte: u8| line.contains(&byte);
+    let candidates = [
+        (has(b';'), Separator::Byte(b';'), has(b',') && !has(b'.')),
+        (has(b'\t') && has(b','), Separator::Byte(b'\t'), true),
+        (has(b','), Separator::Byte(b','), false),
+        (has(b'\t'), Separator::Byte(b'\t'), false),
+        (has(b','), Separator::Blank, true),
+        (true, Separator::Blank, false),
+    ];
+    candidates
+        .into_iter()
+        .filter(|(possible, ..)| *possible)
+        .map(|(_, separator, decimal_comma)| Dialect { separator, decimal_comma })
+        .find(|dialect| looks_like_a_row(dialect, line))
+}
+
+/// All cells are numbers, missing or empty, and not all are empty. Missing counts: `NaN` in the first row is to be
+/// refused as a value, not skipped as a header.
+fn looks_like_a_row(dialect: &Dialect, line: &[u8]) -> bool {
+    let (mut numbers, mut words, mut others) = (0, 0, 0);
+    for cell in cells(dialect, line) {
+        match cell {
+            Ok(_) => numbers += 1,
+            Err(BadField::Missing(text)) if text.is_empty() => {}
+            Err(BadField::Missing(_)) => words += 1,
+            Err(BadField::NotANumber(_)) => others += 1,
+        }
+    }
+    others == 0 && (numbers > 0 || words > 1)
+}
+
+/// The cells of a line, each a number or what stands instead of one.
+fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadField>> {
+    let mut out = Vec::new();
+    match dialect.separator {
+        Separator::Blank if !dialect.decimal_comma => {
+            // After a bad field nothing is known about the rest, so it is taken word by word.
+            let mut good = 0;
+            if fields(line, |_| good += 1).is_ok() {
+                let _ = fields(line, |number| out.push(Ok(number)));
+            } else {
+                out.extend(
+                    line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
+                );
+            }
+        }
+        Separator::Blank => {
+            out.extend(
+                line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
+            );
+        }
+        Separator::Byte(byte) => out.extend(line.split(|&b| b == byte).map(|text| cell(dialect, text))),
+    }
+    out
+}
+
+fn cell(dialect: &Dialect, text: &[u8]) -> Result<Number, BadField> {
+    let text = text.trim_ascii();
+    let text = text.strip_prefix(b"\"").and_then(|text| text.strip_suffix(b"\"")).unwrap_or(text).trim_ascii();
+    let found = match text.iter().position(|&b| b == b',') {
+        Some(at) if dialect.decimal_comma => {
+            let mut with_point = text.to_vec();
+            with_point[at] = b'.';
+            number(&with_point)
+        }
+        _ => number(text),
+    };
+    found.ok_or_else(|| if text.is_empty() { BadField::Missing(String::new()) } else { BadField::new(text) })
+}
+
+/// The last header line must not be a first row with a slip in it ("O.123"): that would lose a sample in silence.
+fn check_not_a_broken_row(dialect: &Dialect, line: usize, text: &str, first: &[u8]) -> Result<(), Problem> {
+    let own = cells(dialect, text.as_bytes());
+    let numbers = own.iter().filter(|cell| cell.is_ok()).count();
+    // Prose with numbers in it ("Station 24278") has words without digits; a broken number has a digit left.
+    let broken = own.iter().find_map(|cell| match cell {
+        Err(BadField::NotANumber(text)) => Some(text),
+        _ => None,
+    });
+    let all_have_digits = own.iter().all(|cell| match cell {
+        Err(BadField::NotANumber(text)) => {
+            text.starts_with(|c: char| c.is_ascii_digit() || "+-.oO".contains(c))
+                && text.contains(|c: char| c.is_ascii_digit())
+        }
+        _ => true,
+    });
+    match broken {
+        Some(text) if numbers > 0 && all_have_digits && own.len() == cells(dialect, first).len() => {
+            Err(Problem::new(ProblemKind::Format, format!("\"{}\" is not a number", shorten(text)))
+                .at_line(line)
+                .hint("correct the number, or put # in front of the line if it is a comment"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Pushes the rows into the columns.
+fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Result<(), Problem> {
+    let dialect = table.dialect;
+    let plain_blanks = dialect == Dialect { separator: Separator::Blank, decimal_comma: false };
+    for line in rows {
+        let mut at = 0;
+        let first_row = table.columns.is_empty();
+        let mut put = |columns: &mut Vec<Column>, number: Number| {
+            if first_row {
+                columns.push(Column { last_digit_exponent: i32::MAX, ..Column::default() });
+            }
+            if let Some(column) = columns.get_mut(at) {
+                column.values.push(number.value);
+                column.last_digit_exponent = column.last_digit_exponent.min(number.last_digit_exponent);
+                column.zero_padded |= number.zero_padded;
+            }
+            at += 1;
+        };
+        if plain_blanks {
+            fields(line.bytes, |number| put(&mut table.columns, number)).map_err(|bad| bad_field(&bad, line.number))?;
+        } else {
+            let mut separated = cells(&dialect, line.bytes);
+            // A separator at the end of every line opens no column.
+            let spare = separated.len() > 1
+                && matches!(separated.last(), Some(Err(BadField::Missing(text))) if text.is_empty());
+            if spare && (first_row || separated.len() == table.columns.len() + 1) {
+                separated.pop();
+            }
+            for cell in separated {
+                put(&mut table.columns, cell.map_err(|bad| empty_or_bad(&bad, line.number))?);
+            }
+        }
+        if !first_row && at != table.columns.len() {
+            return Err(ragged(line.number, at, table.columns.len()));
+        }
+    }
+    check_decimal_comma(table)
+}
+
+fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
+    match bad {
+        BadField::Missing(text) if text.is_empty() => Problem::new(ProblemKind::Format, "a value is missing")
+            .at_line(line)
+            .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"),
+        _ => bad_field(bad, line),
+    }
+}
+
+fn ragged(line: usize, found: usize, expected: usize) -> Problem {
+    Problem::new(ProblemKind::Format, format!("the first row has {expected} values, this one {found}"))
+        .at_line(line)
+        .hint("every row must have the same columns; one series with several values a line needs an AT2 header (NPTS, DT)")
+}
+
+/// Numbers with decimal commas read as two columns of whole numbers each: `0,0123`. No program prints a whole number with
+/// a zero in front, so the digits behind the comma give it away.
+fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
+    let whole = table.columns.iter().all(|column| column.last_digit_exponent == 0);
+    let padded = table.columns.iter().any(|column| column.zero_padded);
+    if table.dialect.separator == Separator::Byte(b',') && whole && padded {
+        return Err(Problem::new(ProblemKind::Format, "the comma may be a decimal sign or a separator")
+            .at_line(table.line_of_first_value)
+            .hint("write decimal points, or a ; between the columns"));
+    }
+    Ok(())
+}
+
+/// The old dialect whose first row is `npts dt` and whose values follow in any number a line. Taken only where the rows
+/// below have another width and hold exactly npts values: then nothing else can be meant.
+fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>> + Clone) -> Result<bool, Problem> {
+    let dialect = table.dialect;
+    let Some(first) = rows.next() else { return Ok(false) };
+    let pair = cells(&dialect, first.bytes);
+    let (Some(second), [Ok(npts), Ok(dt)]) = (rows.clone().next(), pair.as_slice()) else {
+        return Ok(false);
+    };
+    let counts = npts.last_digit_exponent == 0 && npts.value >= 2.0 && dt.value > 0.0 && dt.value.is_finite();
+    let Some(own) = dialect_of(second.bytes) else { return Ok(false) };
+    if !counts || cells(&own, second.bytes).len() == 2 {
+        return Ok(false);
+    }
+    let mut column = Column::default();
+    for line in rows {
+        for cell in cells(&own, line.bytes) {
+            let value = cell.map_err(|bad| empty_or_bad(&bad, line.number))?.value;
+            if is_missing_value(value) {
+                return Err(missing(&value.to_string(), line.number));
+            }
+            column.values.push(value);
+        }
+    }
+    if column.values.len() as f64 != npts.value {
+        return Ok(false);
+    }
+    table.columns = vec![column];
+    table.series_dt_s = Some(dt.value);
+    table.line_of_first_value = second.number;
+    Ok(true)
+}

@@ -1,0 +1,110 @@
+use super::*;
+use proptest::prelude::*;
+
+fn three() -> MotionFile {
+    let text = b"t[s],NS[g],EW[g],360[g]\n0,1,2,3\n1,4,5,6\n".to_vec();
+    parse_motions(text, "x.csv".as_ref(), &ReadOptions::default()).unwrap()
+}
+
+#[test]
+fn components_are_chosen_by_name_or_number() {
+    let file = three();
+    for (wanted, name) in [("NS", "NS"), ("ew", "EW"), ("2", "EW"), ("360", "360"), ("3", "360"), (" EW [g] ", "EW")] {
+        assert_eq!(file.select(Some(wanted)).unwrap().name, name, "{wanted}");
+    }
+    for wanted in ["UP", "0", "4", "", "-1", "["] {
+        let problem = file.select(Some(wanted)).unwrap_err();
+        assert!(problem.message.contains("1 NS, 2 EW, 3 360"), "{problem}");
+    }
+    let problem = file.select(None).unwrap_err();
+    assert_eq!(problem.message, "has 3 components: 1 NS, 2 EW, 3 360");
+    assert!(problem.hint.unwrap().contains("--component"));
+    let mut one = file;
+    one.components.truncate(1);
+    assert_eq!(one.select(None).unwrap().name, "NS");
+}
+
+#[test]
+fn two_of_one_name_are_told_apart_by_number() {
+    let mut file = three();
+    file.components[1].name = "NS".to_owned();
+    assert!(file.select(Some("ns")).unwrap_err().message.contains("several"));
+    assert_eq!(file.select(Some("2")).unwrap().motion.accel_m_s2()[0], file.components[1].motion.accel_m_s2()[0]);
+}
+
+#[test]
+fn what_is_no_file_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let problem =
+        |name: &str| read_motions(&folder.path().join(name), &ReadOptions::default()).unwrap_err().problems.remove(0);
+    assert!(problem("absent.at2").message.contains("cannot open"));
+    assert!(problem("").message.contains("is a folder"));
+    std::fs::write(folder.path().join("empty"), "").unwrap();
+    assert!(problem("empty").message.contains("empty"));
+    std::fs::write(folder.path().join("binary"), [0u8; 700]).unwrap();
+    let found = problem("binary");
+    assert!(found.message.contains("binary") && found.path.is_some() && found.hint.is_some());
+}
+
+fn samples() -> Vec<Vec<u8>> {
+    let accel = (0..40).map(|i| (f64::from(i) * 0.3).sin()).collect();
+    let motion = Motion::new(0.02, accel).unwrap();
+    vec![
+        write_at2(&motion, "Somewhere, 1/1/2000, Station, 090").into_bytes(),
+        write_csv(&motion).into_bytes(),
+        write_csv(&motion).replace(',', ";").replace('.', ",").into_bytes(),
+        b"# units=g dt=0.01\n 1.0E-01-2.0D-01 3.0-003\n-.1 -.2 -.3\n".to_vec(),
+        b"3 0.02\n1\n2\n3\n".to_vec(),
+    ]
+}
+
+/// Whatever a file is, it is read or refused with a message of one line, and what is read is finite.
+fn survives(bytes: Vec<u8>) -> Result<(), TestCaseError> {
+    for options in [ReadOptions::default(), ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01) }] {
+        match parse_motions(bytes.clone(), "x".as_ref(), &options) {
+            Ok(file) => {
+                prop_assert!(!file.components.is_empty());
+                for component in &file.components {
+                    prop_assert!(component.motion.accel_m_s2().iter().all(|a| a.is_finite()));
+                    prop_assert!(component.line_of_first_value > 0);
+                }
+            }
+            Err(error) => prop_assert!(!error.problems[0].message.contains(['\n', '\r']), "{error}"),
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    #[test]
+    fn damaged_files_are_read_or_refused(
+        which in 0..5usize,
+        cut in 0.0..1.0f64,
+        damage in prop::collection::vec((0.0..1.0f64, any::<u8>()), 0..6),
+        characters in prop::collection::vec((0.0..1.0f64, prop::sample::select(b"+-.eEdD0 9,;\t\n\r#\"[(NPTS=\xff\xc3".to_vec())), 0..6),
+    ) {
+        let mut bytes = samples().swap_remove(which);
+        if cut > 0.3 {
+            bytes.truncate((cut * bytes.len() as f64) as usize);
+        }
+        for (at, byte) in damage.into_iter().chain(characters) {
+            let at = (at * bytes.len() as f64) as usize;
+            if let Some(target) = bytes.get_mut(at) {
+                *target = byte;
+            }
+        }
+        survives(bytes)?;
+    }
+
+    #[test]
+    fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        survives(bytes)?;
+    }
+
+    #[test]
+    fn any_numbers_and_separators_are_read_or_refused(text in "([-+]?[0-9]{0,3}\\.?[0-9]{0,3}([eEdD]?[-+][0-9]{1,3})?[ ,;\t\n]){0,30}") {
+        survives(text.into_bytes())?;
+    }
+}

@@ -1,0 +1,151 @@
+use super::*;
+
+fn problems(text: &str) -> Vec<String> {
+    match resolve(text, Some(Path::new("s.toml")), Path::new("")) {
+        Ok(_) => Vec::new(),
+        Err(error) => error.problems.iter().map(ToString::to_string).collect(),
+    }
+}
+
+fn study(text: &str) -> Study {
+    resolve(text, None, Path::new("")).unwrap()
+}
+
+/// What is dumped is what is run, and every default of the resolver is the one that the dump shows.
+#[test]
+fn the_built_in_study_is_the_same_as_no_study_at_all() {
+    let dumped = builtin(&Overrides::default()).unwrap();
+    let mut nothing = study("");
+    nothing.toml.clone_from(&dumped.toml);
+    assert_eq!(nothing, dumped);
+    assert_eq!(dumped.objects.blocks.len(), 130);
+    assert_eq!(dumped.warnings, [] as [String; 0]);
+    assert!((dumped.building.beam.period_s() - 1.9166).abs() < 1e-3);
+    // Height by height, thickness by thickness within each.
+    assert_eq!((dumped.objects.blocks[1].height_m(), dumped.objects.blocks[1].thickness_m()), (0.5, 0.3));
+}
+
+#[test]
+fn every_value_is_checked_and_every_problem_reported() {
+    let got = problems(
+        "[ground]\ncode = \"ec8\"\nedition = 2024\ncity = \"Melborne\"\nsite = \"X\"\ncount = 0\n\
+         [building]\nstoreys = 0\nstorey_height = \"-3 m\"\nframe = \"wood\"\nperiod = \"0 s\"\ndamping = 1\nshear_flexure = -1\nmodes = 51\n\
+         levels = [{ name = \"a/b\", level_ratio = 0.5 }, { name = \"roof\", level_ratio = 1.5 }, { name = \"Roof\", level_ratio = 1 }, { name = \"x\" }]\n\
+         [objects]\nheights = \"-1 m, 1 m\"\nthicknesses = []\nmass = \"0 kg\"\nstiffness = \"-1 N/mm\"\nrestitution = 1.2\naccuracy = \"loose\"\ntolerance = \"0 g\"\nfriction = 0\n\
+         [outputs]\nhistory = { level = \"attic\", height = \"1.5 m\", thickness = \"300 mm\" }\n",
+    );
+    let expected = [
+        "s.toml:2: code \"ec8\" is not known",
+        "s.toml:3: edition must be 2007 (with Amendments 1 and 2), not 2024",
+        "s.toml:4: city \"Melborne\" is not in AS 1170.4",
+        "s.toml:5: site \"X\" is not a class of AS 1170.4",
+        "s.toml:6: count must be a whole number from 1 to 1000, not 0",
+        "s.toml:8: storeys must be a whole number from 1 to 500, not 0",
+        "s.toml:9: storey_height must be positive, not -3 m",
+        "s.toml:10: frame \"wood\" is not known",
+        "s.toml:11: period must be positive, not 0 s",
+        "s.toml:11: period and frame exclude each other",
+        "s.toml:12: damping must be a ratio from 0 to below 1, not 1",
+        "s.toml:13: shear_flexure must be 0 or more, not -1",
+        "s.toml:14: modes must be a whole number from 1 to 50, not 51",
+        "s.toml:15: \"a/b\" cannot name a level: it becomes part of file names",
+        "s.toml:15: level_ratio must be from 0 (ground) to 1 (roof), not 1.5",
+        "s.toml:15: two levels are called \"Roof\"",
+        "s.toml:15: the level has no level_ratio",
+        "s.toml:17: heights must be positive, not -1 m",
+        "s.toml:18: thicknesses is empty",
+        "s.toml:19: mass must be positive, not 0 kg",
+        "s.toml:20: stiffness must be positive, not -1 N/mm",
+        "s.toml:22: accuracy \"loose\" is not known",
+        "s.toml:23: tolerance must be positive, not 0 g",
+        "s.toml:24: friction must be positive, not 0",
+        "s.toml:26: history: no level is called \"attic\"",
+    ];
+    for line in expected {
+        assert!(got.iter().any(|problem| problem == line), "{line}\n{got:#?}");
+    }
+}
+
+#[test]
+fn contradictions_and_products_are_refused() {
+    assert_eq!(
+        problems("[ground]\ncity = \"Perth\"\nhazard_factor = 0.09\n"),
+        ["s.toml:3: city and hazard_factor exclude each other"]
+    );
+    assert_eq!(problems("[ground]\nscale = 2\n"), ["s.toml:2: scale goes with motions"]);
+    assert_eq!(
+        problems("[objects]\nrestitution = \"housner\"\nrestitution_factor = 0.9\n"),
+        ["s.toml:3: restitution and restitution_factor exclude each other"]
+    );
+    assert!(problems("[objects]\nrestitution_factor = 1.1\n")[0].contains("would gain energy"));
+    assert!(problems("[objects]\nrestitution = 0\n")[0].contains("(0, 1]"));
+    assert!(
+        problems("[objects]\nheights = \"1 m:2 m:1001\"\nthicknesses = \"1 m:2 m:1001\"\n")[0]
+            .contains("1000000 objects")
+    );
+    assert!(
+        problems("[ground]\nreturn_period_years = 475\n")[0]
+            .starts_with("s.toml:2: no probability factor for 475 years")
+    );
+    assert!(problems("[ground]\nhazard_factor = -0.1\n")[0].starts_with("s.toml:2: the hazard design factor"));
+}
+
+#[test]
+fn what_the_reader_must_know_is_a_warning() {
+    let hobart = study("[ground]\ncity = \"hobart\"\n");
+    assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"), "{:?}", hobart.warnings);
+    let Ground::Synthetic(ground) = hobart.ground else { panic!() };
+    assert_eq!((ground.city.as_deref(), ground.spectrum.kpz_g()), (Some("Hobart"), 0.08));
+    let squat = study("[objects]\nheights = \"0.3 m\"\n");
+    assert!(squat.warnings[0].starts_with("2 of 5 objects are squat"), "{:?}", squat.warnings);
+    assert_eq!(study("[objects]\nstiffness = \"4380 N/m\"\n").warnings.len(), 2);
+}
+
+#[test]
+fn recorded_motions_are_named_and_fingerprinted() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("b")).unwrap();
+    for name in ["quake one.csv", "b/quake one.csv"] {
+        std::fs::write(folder.path().join(name), "time [s],a [g]\n0,0\n0.01,0.5\n").unwrap();
+    }
+    let path = folder.path().join("study.toml");
+    std::fs::write(&path, "[ground]\nmotions = [\n  \"quake one.csv\",\n  \"b/quake one.csv\",\n]\nscale = -2\n")
+        .unwrap();
+    let study = load(&path, &Overrides::default()).unwrap();
+    let Ground::Recorded(motions) = study.ground else { panic!() };
+    assert_eq!(motions.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["quake-one", "quake-one-2"]);
+    assert_eq!(motions[0].motion.accel_m_s2()[1], -freestand::G0_M_S2);
+    assert_eq!((motions[0].sha256.len(), motions[0].scale_ratio), (64, -2.0));
+
+    std::fs::write(&path, "[ground]\nmotions = [\n  \"quake one.csv\",\n  \"gone.csv\",\n]\ncount = 3\n").unwrap();
+    let error = load(&path, &Overrides::default()).unwrap_err();
+    let lines: Vec<Option<usize>> = error.problems.iter().map(|problem| problem.line).collect();
+    assert_eq!(lines, [Some(4), Some(6)], "{error}");
+
+    // Files of the command line take the place of the table, whatever it holds.
+    let files = MotionFiles {
+        paths: vec![folder.path().join("quake one.csv")],
+        read: ReadOptions::default(),
+        component: None,
+        scale_ratio: 1.0,
+    };
+    let study = builtin(&Overrides { seed: Some(7), motions: Some(files) }).unwrap();
+    assert!(matches!(study.ground, Ground::Recorded(motions) if motions.len() == 1));
+}
+
+#[test]
+fn a_seed_of_the_command_line_wins() {
+    let study = builtin(&Overrides { seed: Some(7), motions: None }).unwrap();
+    assert!(matches!(study.ground, Ground::Synthetic(ground) if ground.seed == 7));
+}
+
+#[test]
+fn what_is_not_a_study_file_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let none = Overrides::default();
+    assert!(load(&folder.path().join("no.toml"), &none).is_err());
+    assert!(load(folder.path(), &none).unwrap_err().to_string().contains("is a folder"));
+    let binary = folder.path().join("b.toml");
+    std::fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
+    assert!(load(&binary, &none).unwrap_err().to_string().contains("is not text"));
+}

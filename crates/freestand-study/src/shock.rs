@@ -1,0 +1,733 @@
+//! One landing, from what is known of the object to the shock and the verdict.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::impact::{
+    self, Impact, ImpactModel, Landing, ValidityWarning, bottoming_warning, impact_friction_needed_ratio,
+    series_stiffness_n_m, stiffness_warnings,
+};
+use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
+use serde::Serialize;
+
+use crate::error::{Problem, ProblemKind, StudyError};
+use crate::quantity::{Dimension, format_si};
+
+/// What ends the fall, Fig. 1 of Al Abadi et al.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Scenario {
+    /// The edge lands and the object rocks on, Fig. 1(c).
+    #[default]
+    Rocking,
+    /// The edge lands and the object stops, Fig. 1(b).
+    Halted,
+    /// The object falls over onto the floor, Fig. 1(a).
+    OverturnFloor,
+    /// The object falls against an obstacle, Fig. 1(a).
+    OverturnObstacle,
+}
+
+impl Scenario {
+    /// The name in flags and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rocking => "rocking",
+            Self::Halted => "halted",
+            Self::OverturnFloor => "overturn-floor",
+            Self::OverturnObstacle => "overturn-obstacle",
+        }
+    }
+
+    fn overturns(self) -> bool {
+        matches!(self, Self::OverturnFloor | Self::OverturnObstacle)
+    }
+}
+
+/// The name of a model in flags and outputs: `paper`, `halted`, `free-corner`.
+pub fn model_name(model: ImpactModel) -> &'static str {
+    match model {
+        ImpactModel::Paper => "paper",
+        ImpactModel::Halted => "halted",
+        ImpactModel::FreeCorner => "free-corner",
+    }
+}
+
+/// Where the energy of the landing comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Energy {
+    /// The centre of gravity rose by this much \[m\].
+    CgRise(f64),
+    /// The free base edge was lifted by this much \[m\].
+    Uplift(f64),
+    /// The object was rotated by this much \[rad\].
+    Rotation(f64),
+    /// The object turns at this speed just before the contact \[rad/s\].
+    AngularVelocity(f64),
+}
+
+/// A landing to be evaluated: SI units, `None` where nobody says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShockRequest {
+    /// Height of the object \[m\].
+    pub height_m: f64,
+    /// Its width in the plane of motion \[m\].
+    pub thickness_m: f64,
+    /// Its mass \[kg\].
+    pub mass_kg: f64,
+    /// Distance between the pivot edges, where the feet are set in \[m\].
+    pub base_width_m: Option<f64>,
+    /// Height of the centre of gravity, where it is not in the middle \[m\].
+    pub cg_height_m: Option<f64>,
+    /// Horizontal offset of the centre of gravity, positive towards the landing edge \[m\].
+    pub cg_offset_m: Option<f64>,
+    /// Inertia about the pivot edge, where it is not that of a uniform block \[kg·m²\].
+    pub inertia_kg_m2: Option<f64>,
+    /// Stiffness of all the cushion under one edge \[N/m\].
+    pub stiffness_n_m: Option<f64>,
+    /// Stiffness of one pad \[N/m\], with [`ShockRequest::pads_per_edge`].
+    pub pad_stiffness_n_m: Option<f64>,
+    /// Pads under one edge.
+    pub pads_per_edge: Option<u32>,
+    /// What acts in series with the cushion of the edge: legs, floor covering \[N/m\].
+    pub series_stiffness_n_m: Vec<f64>,
+    /// Stiffness of the side on the floor or the obstacle, when the object falls over \[N/m\].
+    pub contact_stiffness_n_m: Option<f64>,
+    /// A measured drop acceleration (same mass, same rise) in place of the stiffness \[m/s²\].
+    pub drop_acceleration_m_s2: Option<f64>,
+    /// The energy; overturning has its own.
+    pub energy: Option<Energy>,
+    /// What ends the fall.
+    pub scenario: Scenario,
+    /// The impact model; `None`: that of the scenario.
+    pub model: Option<ImpactModel>,
+    /// Distance to the obstacle \[m\].
+    pub gap_m: Option<f64>,
+    /// Height of the obstacle; `None`: taller than the object \[m\].
+    pub obstacle_height_m: Option<f64>,
+    /// A point of the object: from the old pivot and above the base \[m\].
+    pub at_m: Option<(f64, f64)>,
+    /// Gravity \[m/s²\].
+    pub gravity_m_s2: f64,
+    /// Thickness of the pad, for the guards \[m\].
+    pub pad_thickness_m: Option<f64>,
+    /// Coefficient of friction, for the guard against sliding.
+    pub friction_ratio: Option<f64>,
+    /// Peak acceleration that the object stands \[m/s²\].
+    pub tolerance_m_s2: Option<f64>,
+    /// Duration of the half-sine of that peak that it stands \[s\].
+    pub tolerance_duration_s: Option<f64>,
+    /// Velocity change below which no peak does harm \[m/s\].
+    pub tolerance_velocity_change_m_s: Option<f64>,
+}
+
+impl ShockRequest {
+    /// A uniform block; everything else is not yet said.
+    pub fn new(height_m: f64, thickness_m: f64, mass_kg: f64) -> Self {
+        Self {
+            height_m,
+            thickness_m,
+            mass_kg,
+            base_width_m: None,
+            cg_height_m: None,
+            cg_offset_m: None,
+            inertia_kg_m2: None,
+            stiffness_n_m: None,
+            pad_stiffness_n_m: None,
+            pads_per_edge: None,
+            series_stiffness_n_m: Vec::new(),
+            contact_stiffness_n_m: None,
+            drop_acceleration_m_s2: None,
+            energy: None,
+            scenario: Scenario::Rocking,
+            model: None,
+            gap_m: None,
+            obstacle_height_m: None,
+            at_m: None,
+            gravity_m_s2: G0_M_S2,
+            pad_thickness_m: None,
+            friction_ratio: None,
+            tolerance_m_s2: None,
+            tolerance_duration_s: None,
+            tolerance_velocity_change_m_s: None,
+        }
+    }
+}
+
+/// The shock of each model for the same landing \[g\]; `None` where a model does not apply.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ModelShocks {
+    /// Eq. (5).
+    pub paper_g: Option<f64>,
+    /// Eq. (8).
+    pub halted_g: Option<f64>,
+    /// The frictionless landing edge, for comparison only.
+    pub free_corner_g: Option<f64>,
+}
+
+/// Shock at a point of the object.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PointShock {
+    /// From the old pivot \[m\].
+    pub x_m: f64,
+    /// Above the base \[m\].
+    pub z_m: f64,
+    /// Horizontal part \[g\].
+    pub horizontal_g: f64,
+    /// Vertical part \[g\].
+    pub vertical_g: f64,
+}
+
+/// What was known of the tolerance, each as demand over capacity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DemandCapacity {
+    /// A/A_c.
+    pub peak: f64,
+    /// Δv/V_c.
+    pub velocity_change: Option<f64>,
+    /// min(A/A_c, Δv/V_c): the damage boundary is an AND.
+    pub damage_boundary: Option<f64>,
+    /// The largest ratio of the two shock response spectra over frequency.
+    pub spectrum: Option<f64>,
+}
+
+/// The shock of a landing; the keys of the JSON document.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShockReport {
+    /// What ends the fall.
+    pub scenario: &'static str,
+    /// The model that was used: a squat object is halted.
+    pub model: &'static str,
+    /// Where the energy comes from: `uplift`, `impact-velocity`, `fall-from-balance`, `measured`.
+    pub energy_source: &'static str,
+    /// a, Eq. (7), or as measured \[g\].
+    pub drop_acceleration_g: f64,
+    /// a_edge \[g\].
+    pub edge_acceleration_g: f64,
+    /// a_edge \[m/s²\].
+    pub edge_acceleration_m_s2: f64,
+    /// a_edge/a.
+    pub amplification_ratio: f64,
+    /// R_D, Eq. (6).
+    pub landing_ratio: f64,
+    /// m_eff \[kg\].
+    pub effective_mass_kg: f64,
+    /// Velocity of the contact point before the contact \[m/s\].
+    pub edge_velocity_m_s: Option<f64>,
+    /// Angular velocity before the contact \[rad/s\].
+    pub angular_velocity_rad_s: Option<f64>,
+    /// d \[m\].
+    pub contact_distance_m: f64,
+    /// R \[m\].
+    pub half_diagonal_m: f64,
+    /// α \[rad\].
+    pub slenderness_angle_rad: f64,
+    /// Δh that feeds the landing \[m\].
+    pub cg_rise_m: Option<f64>,
+    /// Lift of the free base edge at that rise \[m\].
+    pub uplift_m: Option<f64>,
+    /// Rotation at that rise \[rad\].
+    pub rotation_rad: Option<f64>,
+    /// Stiffness that acted, given or implied by the measured drop acceleration \[N/m\].
+    pub stiffness_n_m: Option<f64>,
+    /// π√(m_eff/k) \[s\].
+    pub pulse_duration_s: Option<f64>,
+    /// 2v \[m/s\].
+    pub velocity_change_m_s: Option<f64>,
+    /// Largest compression of the cushion \[m\].
+    pub compression_m: Option<f64>,
+    /// R(1 − cos α): the largest rise before the object falls \[m\].
+    pub balance_rise_m: f64,
+    /// Shock from that rise \[g\].
+    pub ceiling_g: Option<f64>,
+    /// Friction without which the landing edge slips; `None` where the object does not rock through.
+    pub impact_friction_needed_ratio: Option<f64>,
+    /// All models side by side.
+    pub models: ModelShocks,
+    /// Shock at the point that was asked for.
+    pub at: Option<PointShock>,
+    /// Peak that the object stands \[g\].
+    pub tolerance_g: Option<f64>,
+    /// Demand over capacity for each kind of tolerance.
+    pub demand_capacity: Option<DemandCapacity>,
+    /// The one that governs.
+    pub demand_capacity_ratio: Option<f64>,
+    /// `peak`, `damage-boundary` or `spectrum`.
+    pub governing: Option<&'static str>,
+    /// `ok`, `exceeded` or `no-verdict`.
+    pub verdict: &'static str,
+    /// The largest stiffness that keeps a_edge within the tolerance at this rise \[N/m\].
+    pub max_stiffness_n_m: Option<f64>,
+    /// How the input was read.
+    pub notes: Vec<String>,
+    /// Validity warnings.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+}
+
+impl ShockReport {
+    /// Whether a tolerance was given and exceeded.
+    pub fn exceeded(&self) -> bool {
+        self.demand_capacity_ratio.is_some_and(|ratio| ratio > 1.0)
+    }
+}
+
+fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
+    Problem::new(ProblemKind::Value, message).hint(hint)
+}
+
+/// Evaluates a landing.
+///
+/// # Errors
+/// Dimensions that are no object, keys that contradict each other or are missing, a rise beyond the balance point of a
+/// rocking object. All of them at once.
+///
+/// # Example
+/// Test 1 of Table I of Al Abadi et al., with g = 9.81 m/s² as the paper has it:
+/// ```
+/// use freestand_study::shock::{Energy, ShockRequest, shock};
+/// let mut cabinet = ShockRequest::new(2.3, 0.6, 140.0);
+/// cabinet.stiffness_n_m = Some(4.38e6);
+/// cabinet.energy = Some(Energy::CgRise(0.016));
+/// let report = shock(&cabinet)?;
+/// assert!((report.edge_acceleration_g - 4.526).abs() < 1e-3);
+/// assert_eq!(report.verdict, "no-verdict");
+/// # Ok::<(), freestand_study::StudyError>(())
+/// ```
+pub fn shock(request: &ShockRequest) -> Result<ShockReport, StudyError> {
+    let mut problems = Vec::new();
+    let block = keep(&mut problems, block(request));
+    let cushion = cushion(request, &mut problems);
+    check_combinations(request, &mut problems);
+    let landing = block.and_then(|block| keep(&mut problems, landing(request, &block)).map(|landing| (block, landing)));
+    let Some((block, landing)) = landing else { return Err(StudyError { problems }) };
+    let energy = keep(&mut problems, fall(request, &block, &landing));
+    match (cushion, energy) {
+        (Some(cushion), Some(fall)) if problems.is_empty() => Ok(report(request, &block, &landing, &cushion, &fall)?),
+        _ => Err(StudyError { problems }),
+    }
+}
+
+fn keep<T>(problems: &mut Vec<Problem>, result: Result<T, Problem>) -> Option<T> {
+    result.map_err(|problem| problems.push(problem)).ok()
+}
+
+fn block(request: &ShockRequest) -> Result<Block, Problem> {
+    let mut block = Block::uniform(request.height_m, request.thickness_m);
+    if let Some(base_width_m) = request.base_width_m {
+        block = block.and_then(|block| block.with_base_width(base_width_m));
+    }
+    if let Some(cg_height_m) = request.cg_height_m {
+        block = block.and_then(|block| block.with_cg_height(cg_height_m));
+    }
+    if let Some(cg_offset_m) = request.cg_offset_m {
+        block = block.and_then(|block| block.with_cg_offset(cg_offset_m));
+    }
+    if let Some(inertia_kg_m2) = request.inertia_kg_m2 {
+        block = block.and_then(|block| block.with_inertia_per_mass(inertia_kg_m2 / request.mass_kg));
+    }
+    block.map_err(|error| problem(error.to_string(), "check the dimensions of the object"))
+}
+
+/// What the edge lands on.
+#[derive(Debug, Clone, PartialEq)]
+enum Cushion {
+    Stiffness { value_n_m: f64, notes: Vec<String> },
+    Measured(f64),
+}
+
+fn cushion(request: &ShockRequest, problems: &mut Vec<Problem>) -> Option<Cushion> {
+    if request.scenario.overturns() {
+        if request.stiffness_n_m.is_some()
+            || request.pad_stiffness_n_m.is_some()
+            || request.drop_acceleration_m_s2.is_some()
+        {
+            problems.push(problem(
+                "an object that falls over does not land on its own cushion",
+                "give the stiffness of its side on the floor or obstacle as --contact-stiffness, and nothing else",
+            ));
+            return None;
+        }
+        let Some(value_n_m) = request.contact_stiffness_n_m else {
+            problems.push(problem(
+                format!("the scenario {} needs --contact-stiffness", request.scenario.name()),
+                "the stiffness of the object's side on what it hits, such as --contact-stiffness \"2000 N/mm\"",
+            ));
+            return None;
+        };
+        return Some(in_series(value_n_m, &request.series_stiffness_n_m, Vec::new()));
+    }
+    if request.contact_stiffness_n_m.is_some() {
+        problems.push(problem(
+            "--contact-stiffness belongs to the scenarios overturn-floor and overturn-obstacle",
+            "give the stiffness of the cushion under one edge as --stiffness",
+        ));
+    }
+    let given = [request.stiffness_n_m, request.pad_stiffness_n_m, request.drop_acceleration_m_s2];
+    if given.iter().flatten().count() != 1 {
+        let several = given.iter().flatten().count() > 1;
+        let message = if several {
+            "--stiffness, --pad-stiffness and --drop-acceleration exclude each other"
+        } else {
+            "the stiffness of the cushion is missing"
+        };
+        problems.push(problem(
+            message,
+            "give one of --stiffness (all the cushion under one edge), --pad-stiffness with --pads-per-edge, or a measured --drop-acceleration",
+        ));
+        return None;
+    }
+    if request.pads_per_edge.is_some() && request.pad_stiffness_n_m.is_none() {
+        problems.push(problem(
+            "--pads-per-edge goes with --pad-stiffness",
+            "--stiffness is already that of all the pads under one edge",
+        ));
+    }
+    if let Some(measured) = request.drop_acceleration_m_s2 {
+        if !request.series_stiffness_n_m.is_empty() {
+            problems.push(problem(
+                "--series-stiffness needs a stiffness that it acts in series with",
+                "a measured drop acceleration already contains everything that was under the mass",
+            ));
+        }
+        return Some(Cushion::Measured(measured));
+    }
+    let mut notes = Vec::new();
+    let edge_n_m = match (request.stiffness_n_m, request.pad_stiffness_n_m, request.pads_per_edge) {
+        (Some(edge), ..) => edge,
+        (None, Some(pad), Some(pads)) if pads > 0 => {
+            let edge = pad * f64::from(pads);
+            let (pad, total) = (format_si(pad, Dimension::Stiffness), format_si(edge, Dimension::Stiffness));
+            let plural = if pads == 1 { "pad" } else { "pads" };
+            notes.push(format!("{pads} {plural} of {pad} → edge {total}"));
+            edge
+        }
+        _ => {
+            problems.push(problem(
+                "--pad-stiffness needs --pads-per-edge, at least 1",
+                "how many pads share the landing of one edge? A cabinet on four feet has 2",
+            ));
+            return None;
+        }
+    };
+    Some(in_series(edge_n_m, &request.series_stiffness_n_m, notes))
+}
+
+fn in_series(first_n_m: f64, others_n_m: &[f64], mut notes: Vec<String>) -> Cushion {
+    if others_n_m.is_empty() {
+        return Cushion::Stiffness { value_n_m: first_n_m, notes };
+    }
+    let all: Vec<f64> = std::iter::once(first_n_m).chain(others_n_m.iter().copied()).collect();
+    let value_n_m = series_stiffness_n_m(&all);
+    let parts: Vec<String> = all.iter().map(|&k| format_si(k, Dimension::Stiffness)).collect();
+    notes.push(format!("{} in series → {}", parts.join(" and "), format_si(value_n_m, Dimension::Stiffness)));
+    Cushion::Stiffness { value_n_m, notes }
+}
+
+fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
+    if !(request.mass_kg > 0.0 && request.mass_kg.is_finite()) {
+        problems.push(problem("the mass must be positive and finite", "give --mass in kg or t"));
+    }
+    let halted_only = request.scenario != Scenario::Rocking;
+    if let Some(model) = request.model
+        && halted_only
+        && model != ImpactModel::Halted
+    {
+        problems.push(problem(
+            format!("the scenario {} is always halted, not {}", request.scenario.name(), model_name(model)),
+            "leave --model out",
+        ));
+    }
+    if request.scenario != Scenario::OverturnObstacle
+        && (request.gap_m.is_some() || request.obstacle_height_m.is_some())
+    {
+        problems.push(problem(
+            "--gap and --obstacle-height belong to the scenario overturn-obstacle",
+            "add --scenario overturn-obstacle, or leave them out",
+        ));
+    }
+    let kinds = [request.tolerance_duration_s, request.tolerance_velocity_change_m_s];
+    if request.tolerance_m_s2.is_none() && kinds.iter().flatten().next().is_some() {
+        problems.push(problem(
+            "--tolerance-duration and --tolerance-velocity-change go with --tolerance",
+            "give the peak acceleration that the object stands, such as --tolerance \"5 g\"",
+        ));
+    }
+    if request.tolerance_m_s2.is_some()
+        && kinds.iter().flatten().next().is_some()
+        && request.drop_acceleration_m_s2.is_some()
+        && request.energy.is_none()
+    {
+        problems.push(problem(
+            "a drop acceleration alone gives neither duration nor velocity change to compare with the tolerance",
+            "give the rise at which it was measured as well, such as --cg-rise \"16 mm\"",
+        ));
+    }
+}
+
+fn landing(request: &ShockRequest, block: &Block) -> Result<Landing, Problem> {
+    match request.scenario {
+        Scenario::Rocking => Ok(Landing::rocking(block, request.model.unwrap_or(ImpactModel::Paper))),
+        Scenario::Halted => Ok(Landing::rocking(block, ImpactModel::Halted)),
+        Scenario::OverturnFloor => Ok(Landing::overturning_onto_floor(block)),
+        Scenario::OverturnObstacle => {
+            let gap_m = request.gap_m.ok_or_else(|| {
+                problem(
+                    "the scenario overturn-obstacle needs --gap",
+                    "the distance to the obstacle, such as --gap \"0.5 m\"",
+                )
+            })?;
+            Landing::overturning_onto_obstacle(block, gap_m, request.obstacle_height_m)
+                .map_err(|error| problem(error.to_string(), "use --scenario overturn-floor"))
+        }
+    }
+}
+
+/// The energy of the landing, as a fall of the centre of gravity.
+struct Fall {
+    source: &'static str,
+    rise_m: Option<f64>,
+    rotation_rad: Option<f64>,
+    warning: Option<String>,
+}
+
+fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall, Problem> {
+    let pivot = landing.pivot;
+    if let Some(Energy::AngularVelocity(omega)) = request.energy {
+        let rise_m = Some(landing.equivalent_rise_m(omega, request.gravity_m_s2));
+        return Ok(Fall { source: "impact-velocity", rise_m, rotation_rad: None, warning: None });
+    }
+    if request.scenario.overturns() {
+        if request.energy.is_some() {
+            return Err(problem(
+                "an object that falls over starts from its balance point",
+                "leave the rise out, or give the speed of the contact as --angular-velocity",
+            ));
+        }
+        return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
+            Some(fall) => Ok(Fall {
+                source: "fall-from-balance",
+                rise_m: Some(fall),
+                rotation_rad: None,
+                warning: Some(
+                    "the fall starts from rest at the balance point: a lower estimate; the speed that a rocking history still has there comes on top"
+                        .to_owned(),
+                ),
+            }),
+            None => Err(problem(
+                "the object touches the obstacle before it reaches its balance point: there is no fall to take the energy from",
+                "give the speed of the contact from a rocking history, such as --angular-velocity \"1.2 rad/s\"",
+            )),
+        };
+    }
+    let alpha = pivot.slenderness_angle_rad;
+    let rotation = match request.energy {
+        None if request.drop_acceleration_m_s2.is_some() => {
+            return Ok(Fall { source: "measured", rise_m: None, rotation_rad: None, warning: None });
+        }
+        None => {
+            return Err(problem(
+                "nothing says how far the object was lifted or how fast it lands",
+                "give one of --cg-rise, --uplift, --rotation, --angular-velocity or --drop-acceleration",
+            ));
+        }
+        Some(Energy::CgRise(rise_m)) if rise_m <= pivot.balance_rise_m() => {
+            let rotation_rad = pivot.rotation_at_rise_rad(rise_m);
+            return Ok(Fall { source: "uplift", rise_m: Some(rise_m), rotation_rad, warning: None });
+        }
+        Some(Energy::Rotation(theta)) => Some(theta.abs()),
+        Some(Energy::Uplift(uplift_m)) if uplift_m <= block.base_width_m() => {
+            Some((uplift_m / block.base_width_m()).asin())
+        }
+        Some(_) => None,
+    };
+    if let Some(theta) = rotation.filter(|&theta| theta <= alpha) {
+        let rise_m = Some(pivot.cg_rise_m(theta));
+        return Ok(Fall { source: "uplift", rise_m, rotation_rad: Some(theta), warning: None });
+    }
+    let balance = format!(
+        "balance point (a rise of the centre of gravity of {}, a rotation of {:.4} rad, an uplift of {})",
+        format_si(pivot.balance_rise_m(), Dimension::Length),
+        alpha,
+        format_si(block.base_width_m() * alpha.sin(), Dimension::Length),
+    );
+    if request.scenario == Scenario::Halted {
+        let rise_m = match request.energy {
+            Some(Energy::CgRise(rise_m)) => rise_m,
+            _ => pivot.balance_rise_m(),
+        };
+        let warning = Some(format!("the object was taken beyond its {balance}: left alone it would overturn"));
+        return Ok(Fall { source: "uplift", rise_m: Some(rise_m), rotation_rad: rotation, warning });
+    }
+    Err(problem(
+        format!("the object does not come back from beyond its {balance}"),
+        "for the fall itself use --scenario overturn-floor or overturn-obstacle",
+    ))
+}
+
+fn report(
+    request: &ShockRequest,
+    block: &Block,
+    landing: &Landing,
+    cushion: &Cushion,
+    fall: &Fall,
+) -> Result<ShockReport, Problem> {
+    let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
+    let mut warnings: Vec<String> = fall.warning.iter().cloned().collect();
+    let mut notes = Vec::new();
+    let stiffness_n_m = match (cushion, fall.rise_m) {
+        (Cushion::Stiffness { value_n_m, notes: read }, _) => {
+            notes.extend(read.iter().cloned());
+            Some(*value_n_m)
+        }
+        (Cushion::Measured(a), Some(rise_m)) if rise_m > 0.0 => {
+            let implied = mass_kg * a * a / (2.0 * gravity * rise_m);
+            notes.push(format!("the measured drop acceleration implies {}", format_si(implied, Dimension::Stiffness)));
+            Some(implied)
+        }
+        (Cushion::Measured(_), Some(_)) => {
+            return Err(problem(
+                "a drop from no height gives no acceleration",
+                "give the rise at which it was measured",
+            ));
+        }
+        (Cushion::Measured(_), None) => None,
+    };
+    let impact_of =
+        |landing: &Landing| -> Option<Impact> { Some(landing.impact(mass_kg, stiffness_n_m?, fall.rise_m?, gravity)) };
+    let impact = impact_of(landing);
+    let drop_m_s2 = match cushion {
+        Cushion::Measured(a) => *a,
+        Cushion::Stiffness { .. } => impact.map_or(0.0, |impact| impact.drop_acceleration_m_s2),
+    };
+    let edge_m_s2 = impact.map_or(landing.amplification_ratio() * drop_m_s2, |impact| impact.edge_acceleration_m_s2);
+    let overturns = request.scenario.overturns();
+
+    if landing.model == ImpactModel::Halted
+        && request.scenario == Scenario::Rocking
+        && request.model != Some(ImpactModel::Halted)
+    {
+        warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
+    }
+    if let Some(k) = stiffness_n_m {
+        let pad = request.pad_thickness_m.filter(|_| !overturns);
+        warnings.extend(stiffness_warnings(mass_kg, k, pad).iter().map(ToString::to_string));
+    }
+    if let Some(impact) = impact.filter(|_| !overturns) {
+        warnings.extend(bottoming_warning(&impact, request.pad_thickness_m).map(|warning| warning.to_string()));
+    }
+    let rocks_through = request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;
+    let friction_needed = rocks_through.then(|| impact_friction_needed_ratio(block, block.landing_ratio()));
+    let friction_ratio = request.friction_ratio.unwrap_or(impact::ASSUMED_FRICTION);
+    if let Some(needed_ratio) = friction_needed.filter(|&needed| needed > friction_ratio) {
+        warnings.push(ValidityWarning::Sliding { needed_ratio, friction_ratio, when: "in an impact" }.to_string());
+    }
+    if landing.model == ImpactModel::FreeCorner {
+        warnings.push("the free-corner model is for comparison only".to_owned());
+    }
+
+    let verdict = verdict(request, edge_m_s2, impact.as_ref());
+    let share = request.at_m.map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
+    if let Some((x_m, z_m, _)) = share
+        && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
+    {
+        warnings.push("the point of --at lies outside the object".to_owned());
+    }
+    let max_stiffness = request
+        .tolerance_m_s2
+        .zip(fall.rise_m)
+        .map(|(tolerance, rise_m)| landing.max_stiffness_n_m(mass_kg, rise_m, gravity, tolerance));
+    Ok(ShockReport {
+        scenario: request.scenario.name(),
+        model: model_name(landing.model),
+        energy_source: fall.source,
+        drop_acceleration_g: drop_m_s2 / G0_M_S2,
+        edge_acceleration_g: edge_m_s2 / G0_M_S2,
+        edge_acceleration_m_s2: edge_m_s2,
+        amplification_ratio: landing.amplification_ratio(),
+        landing_ratio: block.landing_ratio(),
+        effective_mass_kg: landing.effective_mass_ratio * mass_kg,
+        edge_velocity_m_s: fall.rise_m.map(|rise| landing.omega_rad_s(rise, gravity) * landing.contact_distance_m),
+        angular_velocity_rad_s: fall.rise_m.map(|rise| landing.omega_rad_s(rise, gravity)),
+        contact_distance_m: landing.contact_distance_m,
+        half_diagonal_m: landing.pivot.half_diagonal_m,
+        slenderness_angle_rad: landing.pivot.slenderness_angle_rad,
+        cg_rise_m: fall.rise_m,
+        uplift_m: fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin()),
+        rotation_rad: fall.rotation_rad,
+        stiffness_n_m,
+        pulse_duration_s: impact.map(|impact| impact.pulse_duration_s),
+        velocity_change_m_s: fall
+            .rise_m
+            .map(|rise| 2.0 * landing.omega_rad_s(rise, gravity) * landing.contact_distance_m),
+        compression_m: impact.map(|impact| impact.compression_m),
+        balance_rise_m: landing.pivot.balance_rise_m(),
+        ceiling_g: stiffness_n_m.filter(|_| !overturns).map(|k| {
+            landing.impact(mass_kg, k, landing.pivot.balance_rise_m(), gravity).edge_acceleration_m_s2 / G0_M_S2
+        }),
+        impact_friction_needed_ratio: friction_needed,
+        models: models(request, block, landing, drop_m_s2),
+        at: share.map(|(x_m, z_m, (horizontal, vertical))| PointShock {
+            x_m,
+            z_m,
+            horizontal_g: horizontal * edge_m_s2 / G0_M_S2,
+            vertical_g: vertical * edge_m_s2 / G0_M_S2,
+        }),
+        tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
+        demand_capacity: verdict.map(|verdict| verdict.0),
+        demand_capacity_ratio: verdict.map(|verdict| verdict.1),
+        governing: verdict.map(|verdict| verdict.2),
+        verdict: verdict.map_or("no-verdict", |(_, ratio, _)| if ratio > 1.0 { "exceeded" } else { "ok" }),
+        max_stiffness_n_m: max_stiffness.filter(|k| k.is_finite()),
+        notes,
+        warnings,
+    })
+}
+
+/// The same drop through every model that applies: a_edge/a is all that differs.
+fn models(request: &ShockRequest, block: &Block, landing: &Landing, drop_m_s2: f64) -> ModelShocks {
+    let shock_g = |landing: &Landing| landing.amplification_ratio() * drop_m_s2 / G0_M_S2;
+    if request.scenario.overturns() {
+        return ModelShocks { paper_g: None, halted_g: Some(shock_g(landing)), free_corner_g: None };
+    }
+    let of = |model: ImpactModel| {
+        let landing = Landing::rocking(block, model);
+        (landing.model == model).then(|| shock_g(&landing))
+    };
+    ModelShocks {
+        paper_g: of(ImpactModel::Paper),
+        halted_g: of(ImpactModel::Halted),
+        free_corner_g: of(ImpactModel::FreeCorner),
+    }
+}
+
+/// Demand over capacity for each kind of tolerance, the largest of those that apply, and its name.
+///
+/// A velocity change makes the peak part of a damage boundary, a duration makes it part of a spectrum; the bare peak
+/// governs only where nothing else is known.
+fn verdict(
+    request: &ShockRequest,
+    edge_m_s2: f64,
+    impact: Option<&Impact>,
+) -> Option<(DemandCapacity, f64, &'static str)> {
+    let tolerance = request.tolerance_m_s2?;
+    let peak = edge_m_s2 / tolerance;
+    let velocity_change =
+        request.tolerance_velocity_change_m_s.zip(impact).map(|(limit, impact)| impact.velocity_change_m_s / limit);
+    let damage_boundary = velocity_change.map(|ratio| ratio.min(peak));
+    let spectrum = request.tolerance_duration_s.zip(impact).map(|(duration_s, impact)| {
+        half_sine_severity_ratio(
+            HalfSine { peak_acceleration: edge_m_s2, duration_s: impact.pulse_duration_s },
+            HalfSine { peak_acceleration: tolerance, duration_s },
+        )
+    });
+    let all = DemandCapacity { peak, velocity_change, damage_boundary, spectrum };
+    let (ratio, name) = match (damage_boundary, spectrum) {
+        (None, None) => (peak, "peak"),
+        (Some(boundary), Some(spectrum)) if boundary >= spectrum => (boundary, "damage-boundary"),
+        (_, Some(spectrum)) => (spectrum, "spectrum"),
+        (Some(boundary), None) => (boundary, "damage-boundary"),
+    };
+    Some((all, ratio, name))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,173 @@
+use super::*;
+
+fn cabinet() -> ShockRequest {
+    ShockRequest {
+        stiffness_n_m: Some(4.38e6),
+        energy: Some(Energy::CgRise(0.016)),
+        gravity_m_s2: 9.81,
+        ..ShockRequest::new(2.3, 0.6, 140.0)
+    }
+}
+
+fn refused(request: &ShockRequest) -> String {
+    shock(request).unwrap_err().to_string()
+}
+
+/// Table I, test 1, in units of 9.81 m/s².
+#[test]
+fn table_one_test_one() {
+    let report = shock(&cabinet()).unwrap();
+    let g = G0_M_S2 / 9.81;
+    assert!((report.drop_acceleration_g * g - 10.102).abs() < 5e-4);
+    assert!((report.edge_acceleration_g * g - 4.526).abs() < 5e-4);
+    assert_eq!((report.model, report.verdict), ("paper", "no-verdict"));
+    assert!((report.velocity_change_m_s.unwrap() / report.edge_velocity_m_s.unwrap() - 2.0).abs() < 1e-15);
+    assert_eq!(report.models.paper_g.map(|g| (g * 1e9).round()), Some((report.edge_acceleration_g * 1e9).round()));
+}
+
+#[test]
+fn ceilings_of_three_objects() {
+    for (h, t, ceiling) in [(1.5, 0.2, 1.45), (1.5, 0.4, 5.72), (2.0, 0.6, 8.32)] {
+        let request = ShockRequest { mass_kg: 150.0, gravity_m_s2: G0_M_S2, ..cabinet() };
+        let request = ShockRequest { height_m: h, thickness_m: t, energy: Some(Energy::CgRise(1e-3)), ..request };
+        assert!((shock(&request).unwrap().ceiling_g.unwrap() - ceiling).abs() < 5.1e-3);
+    }
+}
+
+#[test]
+fn a_drop_acceleration_replaces_the_stiffness() {
+    let known = shock(&cabinet()).unwrap();
+    let mut measured = cabinet();
+    measured.stiffness_n_m = None;
+    measured.drop_acceleration_m_s2 = Some(known.drop_acceleration_g * G0_M_S2);
+    let implied = shock(&measured).unwrap();
+    assert!((implied.stiffness_n_m.unwrap() / 4.38e6 - 1.0).abs() < 1e-12);
+    measured.energy = None;
+    let alone = shock(&measured).unwrap();
+    assert!((alone.edge_acceleration_g / known.edge_acceleration_g - 1.0).abs() < 1e-12);
+    assert_eq!((alone.pulse_duration_s, alone.velocity_change_m_s, alone.ceiling_g), (None, None, None));
+    measured.stiffness_n_m = Some(4.38e6);
+    assert!(refused(&measured).contains("exclude each other"));
+}
+
+#[test]
+fn pads_and_series_become_an_edge() {
+    let mut request = cabinet();
+    request.stiffness_n_m = None;
+    request.pad_stiffness_n_m = Some(2.19e6);
+    assert!(refused(&request).contains("--pads-per-edge"));
+    request.pads_per_edge = Some(2);
+    let report = shock(&request).unwrap();
+    assert_eq!(report.notes, ["2 pads of 2190 N/mm → edge 4380 N/mm"]);
+    assert_eq!(report.edge_acceleration_g, shock(&cabinet()).unwrap().edge_acceleration_g);
+    request.series_stiffness_n_m = vec![4.38e6, 2.19e6];
+    assert!((shock(&request).unwrap().stiffness_n_m.unwrap() / 1.095e6 - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn beyond_the_balance_point_rocking_is_refused_and_halting_warned_about() {
+    let mut request = cabinet();
+    for energy in [Energy::CgRise(0.039), Energy::Uplift(0.16), Energy::Uplift(0.7), Energy::Rotation(-0.26)] {
+        request.energy = Some(energy);
+        request.scenario = Scenario::Rocking;
+        assert!(refused(&request).contains("balance point"), "{energy:?}");
+        request.scenario = Scenario::Halted;
+        assert!(shock(&request).unwrap().warnings[0].contains("overturn"), "{energy:?}");
+    }
+    // An angular velocity may carry more energy than any rise.
+    request.scenario = Scenario::Rocking;
+    request.energy = Some(Energy::AngularVelocity(-3.0));
+    let report = shock(&request).unwrap();
+    assert!(report.edge_acceleration_g > report.ceiling_g.unwrap());
+    assert!((report.edge_velocity_m_s.unwrap() - 1.8).abs() < 1e-12);
+}
+
+#[test]
+fn rise_uplift_and_rotation_say_the_same() {
+    let first = shock(&cabinet()).unwrap();
+    for energy in [Energy::Uplift(first.uplift_m.unwrap()), Energy::Rotation(-first.rotation_rad.unwrap())] {
+        let report = shock(&ShockRequest { energy: Some(energy), ..cabinet() }).unwrap();
+        assert!((report.edge_acceleration_g / first.edge_acceleration_g - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn overturning_lands_on_its_side() {
+    let mut request = ShockRequest { scenario: Scenario::OverturnFloor, energy: None, ..cabinet() };
+    assert!(refused(&request).contains("own cushion"));
+    request.stiffness_n_m = None;
+    assert!(refused(&request).contains("--contact-stiffness"));
+    request.contact_stiffness_n_m = Some(2e6);
+    let floor = shock(&request).unwrap();
+    assert_eq!((floor.model, floor.contact_distance_m, floor.ceiling_g), ("halted", 2.3, None));
+    // Δh = R − t/2.
+    assert!((floor.cg_rise_m.unwrap() - (floor.half_diagonal_m - 0.3)).abs() < 1e-15);
+    assert_eq!(floor.models.paper_g, None);
+    request.energy = Some(Energy::CgRise(0.01));
+    assert!(refused(&request).contains("balance point"));
+
+    request.scenario = Scenario::OverturnObstacle;
+    request.energy = None;
+    assert!(refused(&request).contains("--gap"));
+    request.gap_m = Some(0.2);
+    assert!(refused(&request).contains("--angular-velocity"));
+    request.energy = Some(Energy::AngularVelocity(1.0));
+    assert!((shock(&request).unwrap().edge_velocity_m_s.unwrap() - 2.3).abs() < 1e-12);
+    request.gap_m = Some(3.0);
+    assert!(refused(&request).contains("never touches"));
+}
+
+#[test]
+fn squat_objects_are_halted_with_a_warning() {
+    let request = ShockRequest { height_m: 0.6, thickness_m: 1.0, ..cabinet() };
+    let report = shock(&request).unwrap();
+    assert_eq!((report.model, report.models.paper_g), ("halted", None));
+    assert!(report.landing_ratio < 0.0 && report.warnings[0].contains("squat"));
+}
+
+#[test]
+fn newtons_per_metre_are_noticed() {
+    let report = shock(&ShockRequest { stiffness_n_m: Some(4380.0), ..cabinet() }).unwrap();
+    assert!(report.warnings.iter().any(|warning| warning.contains("N/m for N/mm")));
+}
+
+#[test]
+fn the_verdict_follows_what_is_known_of_the_tolerance() {
+    let peak_only = ShockRequest { tolerance_m_s2: Some(4.0 * G0_M_S2), ..cabinet() };
+    let report = shock(&peak_only).unwrap();
+    assert_eq!((report.governing, report.verdict, report.exceeded()), (Some("peak"), "exceeded", true));
+    // At the largest stiffness the shock is the tolerance.
+    let softer = ShockRequest { stiffness_n_m: report.max_stiffness_n_m, ..peak_only.clone() };
+    assert!((shock(&softer).unwrap().demand_capacity_ratio.unwrap() - 1.0).abs() < 1e-12);
+
+    let boundary = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..peak_only.clone() };
+    let report = shock(&boundary).unwrap();
+    assert_eq!((report.governing, report.verdict), (Some("damage-boundary"), "ok"));
+    assert!((report.demand_capacity_ratio.unwrap() - report.velocity_change_m_s.unwrap() / 10.0).abs() < 1e-15);
+
+    // The survived pulse has the demand's own duration: the spectra differ by the peaks alone.
+    let duration = report.pulse_duration_s;
+    let spectrum = ShockRequest { tolerance_duration_s: duration, ..peak_only.clone() };
+    let report = shock(&spectrum).unwrap();
+    assert_eq!(report.governing, Some("spectrum"));
+    let capacity = report.demand_capacity.unwrap();
+    assert!((capacity.spectrum.unwrap() / capacity.peak - 1.0).abs() < 1e-12);
+
+    let both = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..spectrum };
+    assert_eq!(shock(&both).unwrap().governing, Some("spectrum"));
+    let no_peak = ShockRequest { tolerance_m_s2: None, ..both };
+    assert!(refused(&no_peak).contains("go with --tolerance"));
+}
+
+#[test]
+fn a_point_of_the_object() {
+    let at = shock(&ShockRequest { at_m: Some((0.6, 0.0)), ..cabinet() }).unwrap();
+    let point = at.at.unwrap();
+    assert!(point.horizontal_g == 0.0 && (point.vertical_g / at.edge_acceleration_g - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn all_problems_come_at_once() {
+    let request = ShockRequest { height_m: -1.0, gap_m: Some(1.0), ..ShockRequest::new(1.0, 1.0, f64::NAN) };
+    assert_eq!(shock(&request).unwrap_err().problems.len(), 4);
+}

@@ -1,0 +1,104 @@
+//! Quantiles over motions in which an overturned object ranks above every number.
+
+use freestand::spectra::{Outcome, UpliftCell};
+
+use crate::result::{ObjectResponse, ObjectStatistics, Ranked};
+
+/// The quantiles that are reported: 16, 50 and 84 %.
+pub const QUANTILES: [f64; 3] = [0.16, 0.50, 0.84];
+
+/// Quantile of `values`, sorted here; an infinite value is an overturned object.
+///
+/// Linear interpolation between the ranks (n−1)q (Hyndman and Fan 1996, type 7, the default of NumPy and pandas);
+/// a quantile that reaches into the overturned is [`Ranked::Overturned`], so the median is where half overturn.
+pub fn ranked_quantile(values: &mut [f64], quantile: f64) -> Ranked {
+    values.sort_unstable_by(f64::total_cmp);
+    let Some(last) = values.len().checked_sub(1) else { return Ranked::NoData };
+    let position = quantile * last as f64;
+    let (below, share) = (position.floor() as usize, position.fract());
+    let lower = values[below];
+    let value = if share == 0.0 { lower } else { lower + share * (values[(below + 1).min(last)] - lower) };
+    if value.is_finite() { Ranked::Value(value) } else { Ranked::Overturned }
+}
+
+fn quantiles(mut values: Vec<f64>) -> [Ranked; 3] {
+    QUANTILES.map(|q| ranked_quantile(&mut values, q))
+}
+
+/// Statistics of one object over the motions that could be followed; `None` where no motion could.
+pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>) -> Option<ObjectStatistics> {
+    let done: Vec<_> = responses
+        .filter_map(|response| match response {
+            ObjectResponse::Done { uplift, shock } => Some((uplift, shock)),
+            ObjectResponse::Failed(_) => None,
+        })
+        .collect();
+    let (first, shock) = done.first()?;
+    let share = |holds: &dyn Fn(&UpliftCell) -> bool| {
+        done.iter().filter(|(uplift, _)| holds(uplift)).count() as f64 / done.len() as f64
+    };
+    let survivors: Vec<f64> = done.iter().filter_map(|(_, shock)| shock.edge_acceleration_g).collect();
+    let uplifts = done.iter().map(
+        |(uplift, _)| {
+            if uplift.outcome == Outcome::Overturned { f64::INFINITY } else { uplift.uplift_m }
+        },
+    );
+    let shocks = done.iter().map(|(_, shock)| shock.edge_acceleration_g.unwrap_or(f64::INFINITY));
+    let impacts = done.iter().map(|(_, shock)| shock.edge_acceleration_impact_velocity_g.unwrap_or(f64::INFINITY));
+    Some(ObjectStatistics {
+        height_m: first.block.height_m(),
+        thickness_m: first.block.thickness_m(),
+        motions: done.len(),
+        uplift_share: share(&|uplift| uplift.outcome != Outcome::NoUplift),
+        overturned_share: share(&|uplift| uplift.outcome == Outcome::Overturned),
+        uplift_m: quantiles(uplifts.collect()),
+        edge_acceleration_g: quantiles(shocks.collect()),
+        edge_acceleration_impact_velocity_g: quantiles(impacts.collect()),
+        edge_acceleration_survivors_g: ranked_quantile(&mut survivors.clone(), 0.5).value(),
+        edge_acceleration_max_g: survivors.iter().copied().reduce(f64::max),
+        ceiling_g: shock.ceiling_g,
+    })
+}
+
+impl Ranked {
+    /// The number, where the quantile is one.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Self::Value(value) => Some(value),
+            Self::Overturned | Self::NoData => None,
+        }
+    }
+
+    /// As a cell of a table: the number, `overturned`, or nothing.
+    pub fn cell(self) -> String {
+        match self {
+            Self::Value(value) => value.to_string(),
+            Self::Overturned => Outcome::Overturned.name().to_owned(),
+            Self::NoData => String::new(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FALLEN: f64 = f64::INFINITY;
+
+    #[test]
+    fn the_median_is_overturned_where_half_overturn() {
+        let mut five_of_ten = [0.0, 1.0, 2.0, 3.0, 4.0, FALLEN, FALLEN, FALLEN, FALLEN, FALLEN];
+        assert_eq!(ranked_quantile(&mut five_of_ten, 0.5), Ranked::Overturned);
+        assert_eq!(ranked_quantile(&mut five_of_ten, 0.16), Ranked::Value(1.44));
+        let mut four_of_nine = [0.0, 1.0, 2.0, 3.0, 4.0, FALLEN, FALLEN, FALLEN, FALLEN];
+        assert_eq!(ranked_quantile(&mut four_of_nine, 0.5), Ranked::Value(4.0));
+        assert_eq!(ranked_quantile(&mut four_of_nine, 0.84), Ranked::Overturned);
+    }
+
+    #[test]
+    fn one_motion_is_its_own_quantile_and_none_has_none() {
+        assert_eq!(ranked_quantile(&mut [2.5], 0.84), Ranked::Value(2.5));
+        assert_eq!(ranked_quantile(&mut [FALLEN], 0.16), Ranked::Overturned);
+        assert_eq!(ranked_quantile(&mut [], 0.5), Ranked::NoData);
+    }
+}

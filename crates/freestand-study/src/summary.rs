@@ -1,0 +1,214 @@
+//! `summary.json`: the key figures of each level, and where they come from.
+
+use freestand::spectra::Outcome;
+use freestand::synthesis;
+use serde_json::{Value, json};
+
+use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
+use crate::statistics::ranked_quantile;
+use crate::study::{Ground, Study};
+use freestand::G0_M_S2;
+use freestand::rocking::{Accuracy, Restitution};
+
+/// Name and version of the document.
+pub const SCHEMA: &str = "freestand.run/1";
+
+/// The key figures of one level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LevelSummary {
+    /// Name of the level.
+    pub level: String,
+    /// Height as a share of the building's.
+    pub level_ratio: f64,
+    /// Median over the motions of the peak floor acceleration \[g\].
+    pub pfa_g_median: f64,
+    /// Histories on this level: objects × motions.
+    pub histories: usize,
+    /// Histories that could not be followed.
+    pub failed: usize,
+    /// Share of the histories in which the object uplifts.
+    pub uplift_share: f64,
+    /// Share of the histories in which the object overturns.
+    pub overturned_share: f64,
+    /// Objects whose median over the motions is overturned.
+    pub overturned_objects: usize,
+    /// Largest shock of any object that survives under any motion \[g\].
+    pub edge_acceleration_g_max: Option<f64>,
+    /// Largest over the objects of the median over the motions, where that is a number \[g\].
+    pub edge_acceleration_g_median: Option<f64>,
+    /// The same two from the impact velocity \[g\].
+    pub edge_acceleration_impact_velocity_g_max: Option<f64>,
+    /// The same two from the impact velocity \[g\].
+    pub edge_acceleration_impact_velocity_g_median: Option<f64>,
+}
+
+/// The key figures of a level.
+pub fn level_summary(level: &LevelResult) -> LevelSummary {
+    let mut pfa_g: Vec<f64> = level.floors.iter().map(|floor| floor.peak_m_s2() / G0_M_S2).collect();
+    let rows = || level.responses.iter().flatten();
+    let histories = rows().count();
+    let count = |holds: &dyn Fn(Outcome) -> bool| {
+        rows().filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if holds(uplift.outcome))).count()
+    };
+    let done = count(&|_| true);
+    let share = |n: usize| if done == 0 { 0.0 } else { n as f64 / done as f64 };
+    let statistics = || level.statistics.iter().flatten();
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
+    let shocks = |velocity: bool| {
+        rows().filter_map(move |r| match r {
+            ObjectResponse::Done { shock, .. } if velocity => shock.edge_acceleration_impact_velocity_g,
+            ObjectResponse::Done { shock, .. } => shock.edge_acceleration_g,
+            ObjectResponse::Failed(_) => None,
+        })
+    };
+    LevelSummary {
+        level: level.level.name.clone(),
+        level_ratio: level.level.level_ratio,
+        pfa_g_median: ranked_quantile(&mut pfa_g, 0.5).value().unwrap_or(0.0),
+        histories,
+        failed: histories - done,
+        uplift_share: share(count(&|o| o != Outcome::NoUplift)),
+        overturned_share: share(count(&|o| o == Outcome::Overturned)),
+        overturned_objects: statistics().filter(|s| s.edge_acceleration_g[1] == Ranked::Overturned).count(),
+        edge_acceleration_g_max: largest(&mut shocks(false)),
+        edge_acceleration_g_median: largest(&mut statistics().filter_map(|s| s.edge_acceleration_g[1].value())),
+        edge_acceleration_impact_velocity_g_max: largest(&mut shocks(true)),
+        edge_acceleration_impact_velocity_g_median: largest(
+            &mut statistics().filter_map(|s| s.edge_acceleration_impact_velocity_g[1].value()),
+        ),
+    }
+}
+
+/// The whole document.
+pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
+    let levels: Vec<Value> = result
+        .levels
+        .iter()
+        .map(|level| {
+            let s = level_summary(level);
+            json!({
+                "level": s.level,
+                "level_ratio": s.level_ratio,
+                "pfa_g_median": s.pfa_g_median,
+                "histories": s.histories,
+                "failed": s.failed,
+                "uplift_share": s.uplift_share,
+                "overturned_share": s.overturned_share,
+                "overturned_objects": s.overturned_objects,
+                "edge_acceleration_g_max": s.edge_acceleration_g_max,
+                "edge_acceleration_g_median": s.edge_acceleration_g_median,
+                "edge_acceleration_impact_velocity_g_max": s.edge_acceleration_impact_velocity_g_max,
+                "edge_acceleration_impact_velocity_g_median": s.edge_acceleration_impact_velocity_g_median,
+            })
+        })
+        .collect();
+    let motions: Vec<Value> = result
+        .ground
+        .iter()
+        .map(|ground| {
+            json!({
+                "motion": ground.name,
+                "dt_s": ground.motion.dt_s(),
+                "npts": ground.motion.accel_m_s2().len(),
+                "pga_g": ground.motion.peak_m_s2() / G0_M_S2,
+                "misfit": ground.misfit.as_ref().map(|m| json!({
+                    "rms_ratio": m.rms_ratio,
+                    "worst_ratio": m.worst_ratio,
+                    "worst_period_s": m.worst_period_s,
+                    "pga_g": m.pga_g,
+                    "target_zpa_g": m.target_zpa_g,
+                    "d5_95_s": m.d5_95_s,
+                    "pgv_m_s": m.pgv_m_s,
+                })),
+            })
+        })
+        .collect();
+    let objects = &study.objects;
+    json!({
+        "levels": levels,
+        "definitions": {
+            "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
+            "overturned_share": "share of all object × motion histories",
+            "edge_acceleration_g_max": "largest over all objects and motions that do not overturn, source `uplift`",
+            "edge_acceleration_g_median": "largest over the objects of the median over all motions (no uplift = 0, overturned = above all), where that median is a number",
+        },
+        "inputs": {
+            "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
+            "study_sha256": crate::recorded::sha256_hex(study.toml.as_bytes()),
+            "ground": ground_inputs(&study.ground),
+            "motions": motions,
+            "building": {
+                "storeys": study.building.storeys,
+                "storey_height_m": study.building.storey_height_m,
+                "period_s": study.building.beam.period_s(),
+                "period_from": study.building.period_note,
+                "damping_ratio": study.building.beam.damping_ratio(),
+                "shear_flexure_ratio": study.building.beam.shear_flexure_ratio(),
+                "modes": result.modes.iter().map(|mode| json!({
+                    "period_s": mode.period_s(),
+                    "participation_ratio": mode.participation_ratio(),
+                    "effective_mass_ratio": mode.effective_mass_ratio(),
+                })).collect::<Vec<_>>(),
+            },
+            "objects": {
+                "heights_m": objects.heights_m,
+                "thicknesses_m": objects.thicknesses_m,
+                "mass_kg": objects.mass_kg,
+                "stiffness_n_m": objects.stiffness_n_m,
+                "restitution": restitution_words(objects.restitution),
+                "accuracy": accuracy_words(objects.accuracy),
+                "tolerance_m_s2": objects.tolerance_m_s2,
+                "gravity_m_s2": G0_M_S2,
+                "model": "paper",
+            },
+        },
+        "seeds": match &study.ground {
+            Ground::Synthetic(synthetic) => json!({"ground": synthetic.seed, "generator": synthesis::GENERATOR}),
+            Ground::Recorded(_) => Value::Null,
+        },
+        "versions": {"freestand": env!("CARGO_PKG_VERSION")},
+        "files": files,
+    })
+}
+
+fn ground_inputs(ground: &Ground) -> Value {
+    match ground {
+        Ground::Synthetic(synthetic) => json!({
+            "code": "as1170.4",
+            "edition": synthetic.spectrum.edition().name(),
+            "site": synthetic.spectrum.site().name(),
+            "city": synthetic.city,
+            "hazard_factor": synthetic.spectrum.hazard_factor(),
+            "return_period_years": synthetic.spectrum.return_period_years(),
+            "kpz_g": synthetic.spectrum.kpz_g(),
+            "count": synthetic.count,
+            "seed": synthetic.seed,
+        }),
+        Ground::Recorded(records) => records
+            .iter()
+            .map(|record| {
+                json!({
+                    "motion": record.name,
+                    "path": record.path.display().to_string(),
+                    "sha256": record.sha256,
+                    "description": record.description,
+                    "scale_ratio": record.scale_ratio,
+                })
+            })
+            .collect(),
+    }
+}
+
+/// How a restitution is written in outputs.
+pub fn restitution_words(restitution: Restitution) -> String {
+    match restitution {
+        Restitution::Housner => "Housner".to_owned(),
+        Restitution::Value(value) => value.to_string(),
+        Restitution::Factor(factor) => format!("{factor} × Housner"),
+    }
+}
+
+/// How an accuracy is written in outputs.
+pub fn accuracy_words(accuracy: Accuracy) -> String {
+    accuracy.name().map_or_else(|| accuracy.tolerance().to_string(), str::to_owned)
+}

@@ -1,0 +1,134 @@
+//! Recorded motions against facts that were found by other means. The records belong to others and are not shipped: the
+//! tests read them where they are at hand (`FREESTAND_SHARED`, else `../shared` beside the workspace) and say so if not.
+
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "the lint configuration exempts test functions, but not the helpers of an integration test"
+)]
+
+use freestand_study::records::{MotionFile, ReadOptions, read_motions};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+fn shared() -> Option<PathBuf> {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let folder = std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace.join("../shared"), PathBuf::from);
+    let found = folder.join("records/index.json").is_file();
+    if !found {
+        println!("skipped: no records in {}", folder.display());
+    }
+    found.then_some(folder)
+}
+
+fn read(path: &Path, unit: Option<&str>, dt_s: Option<f64>) -> MotionFile {
+    let options = ReadOptions { unit: unit.map(str::to_owned), dt_s };
+    read_motions(path, &options).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[track_caller]
+fn assert_close(found: f64, fact: &Value, relative: f64) {
+    let fact = fact.as_f64().expect("a number");
+    assert!((found - fact).abs() <= relative * fact.abs(), "{found} is not {fact}");
+}
+
+#[test]
+fn records_agree_with_their_facts() {
+    let Some(shared) = shared() else { return };
+    let index: Value = serde_json::from_slice(&std::fs::read(shared.join("records/index.json")).unwrap()).unwrap();
+    // What the files leave open is known from where they came.
+    let mut read_files = 0;
+    for (name, format, unit, dt_s) in [
+        ("elCentro.AT2", "PEER AT2", None, None),
+        ("RSN175_IMPVALL.H_H-E12140.AT2", "PEER AT2", None, None),
+        ("tabasFN.txt", "columns", Some("g"), Some(0.02)),
+        ("Northridge.dat", "columns", None, None),
+    ] {
+        let record = index["records"].as_array().unwrap().iter().find(|record| record["file"] == name).expect(name);
+        let file = read(&shared.join("records").join(name), unit, dt_s);
+        let channels = record["channels"].as_array().unwrap();
+        assert_eq!((file.format, file.components.len()), (format, channels.len()), "{name}");
+        for (component, fact) in file.components.iter().zip(channels) {
+            let accel = component.motion.accel_m_s2();
+            assert_eq!(accel.len() as u64, fact["npts"].as_u64().unwrap(), "{name}");
+            // Exact: both are the f64 nearest to the printed decimal.
+            assert_eq!(Some(component.motion.dt_s()), fact["dt_s"].as_f64(), "{name}");
+            assert_eq!(Some(component.unit), fact["unit"].as_str());
+            let peak = fact["pga_as_given_index"].as_u64().unwrap() as usize;
+            // The facts have 7 significant digits: half of 1e-6 of the leading digit.
+            assert_close(accel[peak] / freestand::G0_M_S2, &fact["pga_as_given"], 5.1e-7);
+            assert_close(
+                component.motion.peak_m_s2(),
+                &Value::from(fact["pga_m_per_s2"].as_f64().unwrap().abs()),
+                5.1e-7,
+            );
+            let sum: f64 = accel.iter().map(|a| a.abs() / freestand::G0_M_S2).sum();
+            assert_close(sum, &fact["sum_abs"], 5.1e-7);
+            let first = fact["first4"].as_array().unwrap().iter().zip(accel);
+            let last = fact["last2"].as_array().unwrap().iter().zip(&accel[accel.len() - 2..]);
+            for (fact, a) in first.chain(last) {
+                assert_close(a / freestand::G0_M_S2, fact, 5.1e-7);
+            }
+        }
+        read_files += 1;
+    }
+    assert_eq!(read_files, 4);
+    let rsn = read(&shared.join("records/RSN175_IMPVALL.H_H-E12140.AT2"), None, None);
+    assert_eq!(rsn.components[0].name, "140");
+    assert_eq!(rsn.components[0].station.as_deref(), Some("El Centro Array #12"));
+}
+
+#[test]
+fn records_that_leave_unit_or_step_open_are_refused() {
+    let Some(shared) = shared() else { return };
+    let path = shared.join("records/tabasFN.txt");
+    for (unit, dt_s, wanted) in [(None, None, "time step"), (Some("g"), None, "time step"), (None, Some(0.02), "unit")]
+    {
+        let options = ReadOptions { unit: unit.map(str::to_owned), dt_s };
+        let error = read_motions(&path, &options).unwrap_err();
+        assert!(error.problems[0].message.contains(wanted), "{error}");
+    }
+}
+
+#[test]
+fn other_formats_are_not_taken_for_columns() {
+    let Some(shared) = shared() else { return };
+    let columns = ["tabasFN.txt", "Northridge.dat"];
+    for entry in std::fs::read_dir(shared.join("records")).unwrap() {
+        let path = entry.unwrap().path();
+        if columns.iter().any(|name| path.ends_with(name)) {
+            continue;
+        }
+        // A header that is taken for prose must not make a motion of the numbers that follow it.
+        match read_motions(&path, &ReadOptions::default()) {
+            Ok(file) => assert!(!["columns", "CSV"].contains(&file.format), "{}", path.display()),
+            Err(error) => assert!(error.problems[0].path.is_some() && error.problems[0].hint.is_some(), "{error}"),
+        }
+    }
+}
+
+#[test]
+fn validation_motions_state_their_unit_and_step() {
+    let Some(shared) = shared() else { return };
+    let mut count = 0;
+    for entry in std::fs::read_dir(shared.join("cases/records")).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let stated = |key: &str| {
+            let (_, rest) = text.split_once(&format!(" {key}=")).unwrap();
+            rest.split_whitespace().next().unwrap().to_owned()
+        };
+        let file = read(&path, None, None);
+        assert_eq!(file.components.len().to_string(), stated("columns"), "{}", path.display());
+        let rows: Vec<&str> = text.lines().filter(|line| !line.starts_with('#')).collect();
+        for (i, component) in file.components.iter().enumerate() {
+            assert_eq!(component.motion.dt_s(), stated("dt").parse::<f64>().unwrap());
+            let expected: Vec<f64> = rows.iter().map(|row| row.split(',').nth(i).unwrap().parse().unwrap()).collect();
+            assert_eq!(component.motion.accel_m_s2(), expected, "to the bit: {}", path.display());
+        }
+        count += 1;
+    }
+    assert!(count >= 9, "{count}");
+}

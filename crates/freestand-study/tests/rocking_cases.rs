@@ -1,0 +1,165 @@
+//! The scalar solver against histories that were solved to 160 bits (`validation/rocking`).
+
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at broken data and says what it skips")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use freestand::block::Block;
+use freestand::motion::Motion;
+use freestand::rocking::{Accuracy, Base, Restitution, Rocking, RockingModel, RockingOptions, rock};
+use freestand::spectra::Outcome;
+use serde_json::Value;
+
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The folder of records that the repository may not hold.
+fn shared() -> PathBuf {
+    std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace().join("../shared"), PathBuf::from)
+}
+
+/// Time step and columns of a record; `None` where the file is missing.
+fn record(name: &str) -> Option<(f64, Vec<Vec<f64>>)> {
+    let file = format!("{name}.csv");
+    let text = fs::read_to_string(workspace().join("validation/rocking/records").join(&file))
+        .or_else(|_| fs::read_to_string(shared().join("cases/records").join(&file)))
+        .ok()?;
+    let mut dt_s = None;
+    let mut columns: Vec<Vec<f64>> = Vec::new();
+    for line in text.lines() {
+        if let Some(comment) = line.strip_prefix('#') {
+            let step = comment.split_whitespace().find_map(|word| word.strip_prefix("dt="));
+            dt_s = dt_s.or(step.map(|s| s.parse::<f64>().unwrap()));
+            continue;
+        }
+        for (i, value) in line.split(',').enumerate() {
+            if columns.len() == i {
+                columns.push(Vec::new());
+            }
+            columns[i].push(value.parse().unwrap());
+        }
+    }
+    Some((dt_s.unwrap(), columns))
+}
+
+fn number(case: &Value, key: &str) -> Option<f64> {
+    case.get(key).and_then(Value::as_f64)
+}
+
+fn solve(case: &Value, accuracy: Accuracy) -> Option<Rocking> {
+    let (dt_s, columns) = record(case["record"].as_str().unwrap())?;
+    let motion = |column: usize, scale: &str| {
+        let factor = number(case, scale).unwrap_or(1.0);
+        Motion::new(dt_s, columns[column].iter().map(|a| a * factor).collect()).unwrap()
+    };
+    let horizontal = motion(0, "scale");
+    let vertical = number(case, "scale_v").map(|_| motion(1, "scale_v"));
+    let linearised = ["linearised", "free_rocking_lin"].contains(&case["group"].as_str().unwrap());
+    let options = RockingOptions {
+        model: if linearised { RockingModel::Linearised } else { RockingModel::Rigid },
+        restitution: number(case, "r").map_or(Restitution::Housner, Restitution::Value),
+        gravity_m_s2: number(case, "g").unwrap_or(freestand::G0_M_S2),
+        accuracy,
+        initial_rotation_rad: number(case, "theta0").unwrap_or(0.0),
+        initial_omega_rad_s: number(case, "omega0").unwrap_or(0.0),
+        ..RockingOptions::default()
+    };
+    let block = Block::uniform(number(case, "h").unwrap(), number(case, "t").unwrap()).unwrap();
+    let base = Base { horizontal: Some(&horizontal), vertical: vertical.as_ref() };
+    Some(rock(&block, base, &options).unwrap())
+}
+
+fn outcome(case: &Value) -> Outcome {
+    if case["overturned"].as_bool().unwrap() {
+        Outcome::Overturned
+    } else if number(case, "theta_max").unwrap() > 0.0 {
+        Outcome::Rocked
+    } else {
+        Outcome::NoUplift
+    }
+}
+
+/// Largest errors that a level of accuracy may show over all cases.
+struct Bounds {
+    peak_relative: f64,
+    impact_s: f64,
+    overturn_s: f64,
+}
+
+fn check(accuracy: Accuracy, bounds: &Bounds) {
+    let text = fs::read_to_string(workspace().join("validation/rocking/rocking_cases.json")).unwrap();
+    let cases: Value = serde_json::from_str(&text).unwrap();
+    let (mut done, mut sensitive, mut skipped) = (0, 0, 0);
+    let mut worst = Bounds { peak_relative: 0.0, impact_s: 0.0, overturn_s: 0.0 };
+    let mut failures = Vec::new();
+    for case in cases["cases"].as_array().unwrap() {
+        let id = &case["id"];
+        let Some(got) = solve(case, accuracy) else {
+            skipped += 1;
+            continue;
+        };
+        if case["sensitive"].as_bool().unwrap() {
+            sensitive += 1;
+            continue;
+        }
+        done += 1;
+        if got.outcome != outcome(case) {
+            failures.push(format!("{id}: {:?}", got.outcome));
+            continue;
+        }
+        let expected = number(case, "theta_max").unwrap();
+        let error = if expected == 0.0 { got.peak_rotation_rad } else { got.peak_rotation_rad / expected - 1.0 }.abs();
+        worst.peak_relative = worst.peak_relative.max(error);
+        if error > bounds.peak_relative {
+            failures.push(format!("{id}: peak rotation {} instead of {expected}", got.peak_rotation_rad));
+        }
+
+        if let Some(expected) = number(case, "t_overturn") {
+            let error = (got.overturn_time_s.unwrap() - expected).abs();
+            worst.overturn_s = worst.overturn_s.max(error);
+            if error > bounds.overturn_s {
+                failures.push(format!("{id}: overturns {error:e} s apart"));
+            }
+        }
+        for (expected, impact) in case["impacts"].as_array().unwrap().iter().zip(&got.impacts) {
+            let error = (impact.time_s - number(expected, "t").unwrap()).abs();
+            worst.impact_s = worst.impact_s.max(error);
+            if error > bounds.impact_s {
+                failures.push(format!("{id}: an impact {error:e} s apart"));
+            }
+        }
+        let counted = got.impacts.iter().filter(|i| i.omega_before_rad_s.abs() >= 1e-3).count();
+        if Some(counted as u64) != case["n_impacts"]["0.001"].as_u64() {
+            failures.push(format!("{id}: {counted} impacts instead of {}", case["n_impacts"]["0.001"]));
+        }
+        if outcome(case) == Outcome::Rocked && Some(got.at_rest) != case["final"]["at_rest"].as_bool() {
+            failures.push(format!("{id}: at rest {}", got.at_rest));
+        }
+    }
+    println!(
+        "{accuracy:?}: {done} cases, {sensitive} sensitive ones and {skipped} without their record left out; worst \
+         peak rotation {:.1e}, impact {:.1e} s, overturning {:.1e} s",
+        worst.peak_relative, worst.impact_s, worst.overturn_s
+    );
+    assert!(failures.is_empty(), "{}\n{}", failures.len(), failures.join("\n"));
+    // 365 cases need no record from outside; most of them are not sensitive.
+    assert!(done >= 300, "only {done} cases ran");
+}
+
+#[test]
+fn standard_accuracy_holds_every_case() {
+    check(Accuracy::Standard, &Bounds { peak_relative: 1e-8, impact_s: 1e-8, overturn_s: 1e-8 });
+}
+
+#[test]
+fn tight_accuracy_holds_every_case() {
+    check(Accuracy::Tight, &Bounds { peak_relative: 1e-11, impact_s: 1e-11, overturn_s: 1e-11 });
+}
+
+/// The level's promise: 1e-9 a step grows with the case's own amplification of errors, up to some hundreds.
+#[test]
+fn fast_accuracy_has_every_outcome() {
+    check(Accuracy::Fast, &Bounds { peak_relative: 1e-6, impact_s: 1e-6, overturn_s: 1e-6 });
+}

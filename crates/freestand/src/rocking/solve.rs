@@ -1,0 +1,452 @@
+//! From event to event through a motion.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::equation::{Edge, Ground, Segment};
+use super::{
+    Base, MAX_IMPACTS, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, StopReason, Until,
+};
+use crate::block::Block;
+use crate::motion::Motion;
+use crate::polynomial::{first_root, roots, value};
+use crate::spectra::Outcome;
+
+/// Follows `block` through the motion of its base.
+///
+/// **Units**: SI; times from the first sample.
+///
+/// # Reference
+/// Housner (1963); events as the module's rules say.
+///
+/// # Accuracy
+/// The truncation error of a step is below [`super::Accuracy::tolerance`] of the rotation; events are roots of the
+/// step's polynomial to double precision. What an error grows to is a property of the motion, not of the solver.
+///
+/// # Errors
+/// Input outside what the model takes, and free flight.
+///
+/// # Example
+/// Free rocking from half of the balance angle: a quarter period is 1.3185044/p for α = 0.2 (Housner 1963).
+/// ```
+/// use freestand::{block::Block, rocking::{rock, Base, RockingOptions, Until}};
+/// let block = Block::uniform(2.0 * 0.2f64.cos(), 2.0 * 0.2f64.sin())?;
+/// let p = block.pivot().frequency_parameter_rad_s(9.80665);
+/// let options = RockingOptions { initial_rotation_rad: 0.1, until: Until::Time(2.0), ..Default::default() };
+/// let history = rock(&block, Base::default(), &options)?;
+/// assert!((p * history.impacts[0].time_s - 1.3185044).abs() < 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn rock(block: &Block, base: Base, options: &RockingOptions) -> Result<Rocking, RockingError> {
+    rock_observed(block, base, options, |_| ())
+}
+
+/// [`rock`], showing every piece of the history to `observe` as it is passed.
+///
+/// # Errors
+/// As [`rock`].
+pub fn rock_observed(
+    block: &Block,
+    base: Base,
+    options: &RockingOptions,
+    observe: impl FnMut(&Segment),
+) -> Result<Rocking, RockingError> {
+    Solver::new(block, base, options, observe)?.run()
+}
+
+/// What the block does at the moment.
+enum Phase {
+    Rest,
+    /// Turning about `edges[edge]` with (y, w); `lifting`: from zero velocity at this very instant.
+    Moving {
+        edge: usize,
+        y: f64,
+        w: f64,
+        lifting: bool,
+    },
+}
+
+const RIGHT: usize = 0;
+const LEFT: usize = 1;
+
+struct Solver<'a, F: FnMut(&Segment)> {
+    edges: [Edge; 2],
+    /// Restitution of a landing on each edge.
+    restitution: [f64; 2],
+    intervals: Intervals<'a>,
+    tolerance: f64,
+    gravity_m_s2: f64,
+    settle: bool,
+    phase: Phase,
+    result: Rocking,
+    observe: F,
+    base_width_m: f64,
+}
+
+/// The base acceleration as straight lines: the record's intervals, the way back to zero, and the quiet after it.
+struct Intervals<'a> {
+    horizontal: &'a [f64],
+    vertical: &'a [f64],
+    /// Samples of the record: the interval that begins at the last one leads back to zero.
+    samples: usize,
+    dt_s: f64,
+    per_g: f64,
+    /// Where the last interval ends.
+    end_s: f64,
+}
+
+impl Intervals<'_> {
+    fn u(&self, i: usize) -> f64 {
+        self.horizontal.get(i).map_or(0.0, |a| a * self.per_g)
+    }
+
+    fn v(&self, i: usize) -> f64 {
+        1.0 + self.vertical.get(i).map_or(0.0, |a| a * self.per_g)
+    }
+
+    fn start_s(&self, i: usize) -> f64 {
+        i as f64 * self.dt_s
+    }
+
+    /// Length of interval `i` and the acceleration at its start; `None` behind the end.
+    fn get(&self, i: usize) -> Option<(f64, Ground)> {
+        let start_s = self.start_s(i);
+        if start_s >= self.end_s {
+            return None;
+        }
+        if i >= self.samples {
+            return Some((self.end_s - start_s, Ground { u: 0.0, u_slope: 0.0, v: 1.0, v_slope: 0.0 }));
+        }
+        let (u, v) = (self.u(i), self.v(i));
+        let ground =
+            Ground { u, u_slope: (self.u(i + 1) - u) / self.dt_s, v, v_slope: (self.v(i + 1) - v) / self.dt_s };
+        // The end may cut an interval; a last interval that is whole must not be cut by rounding.
+        let length_s = if self.start_s(i + 1) <= self.end_s { self.dt_s } else { self.end_s - start_s };
+        Some((length_s, ground))
+    }
+}
+
+impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
+    fn new(block: &Block, base: Base<'a>, options: &RockingOptions, observe: F) -> Result<Self, RockingError> {
+        let gravity = options.gravity_m_s2;
+        if !(gravity > 0.0 && gravity.is_finite()) {
+            return Err(RockingError::Gravity { gravity_m_s2: gravity });
+        }
+        let tolerance = options.accuracy.tolerance();
+        if !(0.5 * f64::EPSILON..=1e-3).contains(&tolerance) {
+            return Err(RockingError::Accuracy { tolerance });
+        }
+        let restitution = options.restitution.ratios(block)?;
+        let (theta, omega) = (options.initial_rotation_rad, options.initial_omega_rad_s);
+        if !(theta.abs() < FRAC_PI_2 && omega.is_finite()) {
+            return Err(RockingError::InitialState { rotation_rad: theta, omega_rad_s: omega });
+        }
+        let edge = |side: f64, pivot, x| Edge::new(side, pivot, x, block.cg_height_m(), gravity, options.model);
+        let edges = [
+            edge(1.0, block.right_pivot(), block.cg_from_right_m()),
+            edge(-1.0, block.pivot(), block.cg_from_left_m()),
+        ];
+        let given = theta != 0.0 || omega != 0.0;
+        let phase = if given {
+            let index = if theta > 0.0 || (theta == 0.0 && omega > 0.0) { RIGHT } else { LEFT };
+            let s = edges[index].side;
+            Phase::Moving { edge: index, y: s * theta, w: s * omega, lifting: false }
+        } else {
+            Phase::Rest
+        };
+        let passed = |edge: &Edge| edge.side * theta > edge.pivot.slenderness_angle_rad;
+        Ok(Self {
+            edges,
+            restitution,
+            intervals: Intervals::new(base, gravity, options.until)?,
+            tolerance,
+            gravity_m_s2: gravity,
+            settle: matches!(options.until, Until::Settled { .. }),
+            phase,
+            result: Rocking {
+                outcome: if given { Outcome::Rocked } else { Outcome::NoUplift },
+                stop: StopReason::EndOfMotion,
+                end_s: 0.0,
+                peak_rotation_rad: theta.abs(),
+                peak_rotation_time_s: given.then_some(0.0),
+                uplift_m: 0.0,
+                cg_rise_m: 0.0,
+                first_uplift_time_s: None,
+                uplift_count: 0,
+                passed_alpha_time_s: edges.iter().any(passed).then_some(0.0),
+                overturn_time_s: None,
+                impacts: Vec::new(),
+                rest_time_s: None,
+                final_rotation_rad: 0.0,
+                final_omega_rad_s: 0.0,
+                at_rest: true,
+                restitution_ratio: restitution[RIGHT],
+                effort: super::Effort::default(),
+            },
+            observe,
+            base_width_m: block.base_width_m(),
+        })
+    }
+
+    fn run(mut self) -> Result<Rocking, RockingError> {
+        let mut index = 0;
+        while let Some((length_s, ground)) = self.intervals.get(index) {
+            let start_s = self.intervals.start_s(index);
+            if ground.v <= 0.0 {
+                return Err(RockingError::FreeFlight { time_s: start_s });
+            }
+            let at_end = ground.after(length_s);
+            if at_end.v <= 0.0 {
+                return Err(RockingError::FreeFlight { time_s: start_s - ground.v / ground.v_slope });
+            }
+            if matches!(self.phase, Phase::Rest) {
+                if self.settle && index >= self.intervals.samples {
+                    self.result.stop = StopReason::Settled;
+                    break;
+                }
+                // Straight lines cannot pass the threshold between two samples that do not.
+                if self.edges.iter().all(|e| e.margin(ground.u, ground.v) >= 0.0 && e.margin(at_end.u, at_end.v) >= 0.0)
+                {
+                    self.result.end_s = start_s + length_s;
+                    index += 1;
+                    continue;
+                }
+            }
+            self.pass(start_s, length_s, ground)?;
+            if self.result.overturn_time_s.is_some() {
+                break;
+            }
+            if self.settle && index >= self.intervals.samples && matches!(self.phase, Phase::Rest) {
+                self.result.stop = StopReason::Settled;
+                self.result.end_s = self.result.rest_time_s.unwrap_or(start_s);
+                break;
+            }
+            index += 1;
+        }
+        Ok(self.finish())
+    }
+
+    /// Goes through one interval, event by event.
+    fn pass(&mut self, start_s: f64, length_s: f64, ground: Ground) -> Result<(), RockingError> {
+        let mut tau = 0.0;
+        while tau < length_s {
+            match self.phase {
+                Phase::Rest => match self.uplift(ground, tau, length_s) {
+                    Some((edge, at)) => {
+                        tau = at;
+                        self.phase = Phase::Moving { edge, y: 0.0, w: 0.0, lifting: true };
+                        self.result.uplift_count += 1;
+                        self.result.first_uplift_time_s.get_or_insert(start_s + tau);
+                        self.result.outcome = Outcome::Rocked;
+                    }
+                    None => tau = length_s,
+                },
+                Phase::Moving { edge, y, w, lifting } => {
+                    let rest_s = length_s - tau;
+                    let step_s = rest_s.min(self.edges[edge].max_step_s());
+                    let segment = Segment::new(
+                        self.edges[edge],
+                        y,
+                        w,
+                        ground.after(tau),
+                        self.gravity_m_s2,
+                        start_s + tau,
+                        step_s,
+                        self.tolerance,
+                        lifting,
+                    )?;
+                    let used_s = self.advance(edge, segment)?;
+                    // The last step of an interval ends exactly on the sample.
+                    tau = if used_s == rest_s { length_s } else { tau + used_s };
+                    if self.result.overturn_time_s.is_some() {
+                        break;
+                    }
+                }
+            }
+        }
+        self.result.end_s = self.result.overturn_time_s.unwrap_or(start_s + length_s);
+        Ok(())
+    }
+
+    /// The edge that the block starts to turn about, and when, within what is left of an interval.
+    fn uplift(&self, ground: Ground, tau: f64, length_s: f64) -> Option<(usize, f64)> {
+        let (now, end) = (ground.after(tau), ground.after(length_s));
+        let mut first: Option<(usize, f64)> = None;
+        for (index, edge) in self.edges.iter().enumerate() {
+            let (from, to) = (edge.margin(now.u, now.v), edge.margin(end.u, end.v));
+            let at = if from < 0.0 {
+                tau
+            } else if to < 0.0 {
+                tau + (length_s - tau) * from / (from - to)
+            } else {
+                continue;
+            };
+            if at < length_s && first.is_none_or(|(_, earliest)| at < earliest) {
+                first = Some((index, at));
+            }
+        }
+        first
+    }
+
+    /// Takes one step up to its first event and changes the phase; the time that it used.
+    fn advance(&mut self, edge: usize, mut segment: Segment) -> Result<f64, RockingError> {
+        let effort = &mut self.result.effort;
+        effort.steps += 1;
+        effort.evaluations += segment.series().len() - 2;
+        let c = segment.series();
+        // The first coefficient that is not zero: a block that starts from the base leaves it like τ, τ² or τ³.
+        let Some(lead) = c.iter().position(|&c| c != 0.0).filter(|&k| c[k] > 0.0) else {
+            // Nothing lifts it after all.
+            self.phase = Phase::Rest;
+            self.result.rest_time_s = Some(segment.start_s);
+            return Ok(segment.step_s);
+        };
+        let reach: f64 = c.iter().skip(lead + 1).map(|c| c.abs()).sum();
+        let impact = if c[lead] > reach { None } else { first_root(&c[lead..]) };
+        let highest = c[lead] + reach;
+        let overturn = if highest < FRAC_PI_2 { None } else { first_root(&below(c, FRAC_PI_2)[..c.len()]) };
+        let end = impact.unwrap_or(1.0).min(overturn.unwrap_or(1.0));
+        let (mut y, w) = segment.state(end);
+        let overturned = overturn.is_some_and(|x| x <= end);
+        // Rounding may take y below zero where the root lies just behind the end of the step.
+        let landed = !overturned && (impact.is_some_and(|x| x <= end) || y <= 0.0);
+        if landed {
+            y = 0.0;
+        }
+        self.track_peak(&segment, end, y, highest);
+        segment.end_ratio = end;
+        let used_s = if end == 1.0 { segment.step_s } else { end * segment.step_s };
+        let time_s = segment.start_s + used_s;
+        (self.observe)(&segment);
+
+        if overturned {
+            self.result.overturn_time_s = Some(time_s);
+            (self.result.peak_rotation_rad, self.result.peak_rotation_time_s) = (FRAC_PI_2, Some(time_s));
+            self.phase = Phase::Moving { edge, y: FRAC_PI_2, w, lifting: false };
+        } else if landed {
+            self.land(edge, w.min(0.0), time_s, segment.ground.after(used_s))?;
+        } else {
+            self.phase = Phase::Moving { edge, y, w, lifting: false };
+        }
+        Ok(used_s)
+    }
+
+    /// An impact at velocity `w` ≤ 0 off `edge`.
+    fn land(&mut self, edge: usize, w: f64, time_s: f64, ground: Ground) -> Result<(), RockingError> {
+        let other = 1 - edge;
+        let after = -w * self.restitution[other];
+        let side = self.edges[edge].side;
+        self.result.impacts.push(RockingImpact {
+            time_s,
+            omega_before_rad_s: side * w,
+            omega_after_rad_s: -side * after,
+        });
+        if self.result.impacts.len() > MAX_IMPACTS {
+            return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
+        }
+        self.phase = if after > REST_OMEGA_RAD_S {
+            Phase::Moving { edge: other, y: 0.0, w: after, lifting: false }
+        } else if let Some(lifted) = self.edges.iter().position(|e| e.margin(ground.u, ground.v) < 0.0) {
+            Phase::Moving { edge: lifted, y: 0.0, w: 0.0, lifting: true }
+        } else {
+            self.result.rest_time_s = Some(time_s);
+            Phase::Rest
+        };
+        Ok(())
+    }
+
+    /// Keeps the largest |θ| and the first passage of α of a step up to its `end`, where the rotation is `y_end`.
+    fn track_peak(&mut self, segment: &Segment, end: f64, y_end: f64, highest: f64) {
+        let alpha = segment.edge.pivot.slenderness_angle_rad;
+        let c = segment.series();
+        if self.result.passed_alpha_time_s.is_none() && highest > alpha && c[0] <= alpha {
+            let passage = first_root(&below(c, alpha)[..c.len()]).filter(|&x| x <= end);
+            self.result.passed_alpha_time_s = passage.map(|x| segment.start_s + x * segment.step_s);
+        }
+        let best = self.result.peak_rotation_rad;
+        if highest <= best {
+            return;
+        }
+        let mut peak = (y_end, end);
+        // A maximum inside the step, unless the rotation grows all the way through.
+        let slope_reach: f64 = c.iter().enumerate().skip(2).map(|(k, c)| k as f64 * c.abs()).sum();
+        if c[1] <= slope_reach {
+            let mut slope = [0.0; crate::polynomial::MAX_DEGREE + 1];
+            for (k, &c) in c.iter().enumerate().skip(1) {
+                slope[k - 1] = k as f64 * c;
+            }
+            roots(&slope[..c.len() - 1], &mut |x| {
+                let y = value(c, x);
+                if x <= end && y > peak.0 {
+                    peak = (y, x);
+                }
+                x < end
+            });
+        }
+        if peak.0 > best {
+            self.result.peak_rotation_rad = peak.0;
+            self.result.peak_rotation_time_s = Some(segment.start_s + peak.1 * segment.step_s);
+        }
+    }
+
+    fn finish(self) -> Rocking {
+        let mut result = self.result;
+        if let Phase::Moving { edge, y, w, .. } = self.phase {
+            let side = self.edges[edge].side;
+            (result.final_rotation_rad, result.final_omega_rad_s) = (side * y, side * w);
+            result.at_rest = false;
+        }
+        if result.overturn_time_s.is_some() {
+            result.outcome = Outcome::Overturned;
+            result.stop = StopReason::Overturned;
+        }
+        let peak = result.peak_rotation_rad;
+        result.uplift_m = self.base_width_m * peak.sin();
+        // The higher of the two edges' rises; they are the same without an offset of the centre of gravity.
+        result.cg_rise_m =
+            self.edges.iter().map(|e| e.pivot.cg_rise_m(peak.min(e.pivot.slenderness_angle_rad))).fold(0.0, f64::max);
+        result
+    }
+}
+
+/// The series of limit − y.
+fn below(series: &[f64], limit: f64) -> [f64; crate::polynomial::MAX_DEGREE + 1] {
+    let mut c = [0.0; crate::polynomial::MAX_DEGREE + 1];
+    for (c, y) in c.iter_mut().zip(series) {
+        *c = -y;
+    }
+    c[0] += limit;
+    c
+}
+
+impl<'a> Intervals<'a> {
+    fn new(base: Base<'a>, gravity: f64, until: Until) -> Result<Self, RockingError> {
+        let given = base.horizontal.or(base.vertical);
+        if let (Some(h), Some(v)) = (base.horizontal, base.vertical)
+            && (h.dt_s() != v.dt_s() || h.accel_m_s2().len() != v.accel_m_s2().len())
+        {
+            return Err(RockingError::VerticalMismatch {
+                samples: h.accel_m_s2().len(),
+                dt_s: h.dt_s(),
+                vertical_samples: v.accel_m_s2().len(),
+                vertical_dt_s: v.dt_s(),
+            });
+        }
+        let record_s = given.map_or(0.0, Motion::duration_s);
+        let end_s = match until {
+            Until::EndOfMotion => record_s,
+            Until::Time(end_s) => end_s,
+            Until::Settled { at_most_s } => record_s + at_most_s,
+        };
+        if !(end_s > 0.0 && end_s.is_finite()) {
+            return Err(RockingError::Duration { duration_s: end_s });
+        }
+        Ok(Self {
+            horizontal: base.horizontal.map_or(&[], Motion::accel_m_s2),
+            vertical: base.vertical.map_or(&[], Motion::accel_m_s2),
+            samples: given.map_or(0, |m| m.accel_m_s2().len()),
+            dt_s: given.map_or(end_s, Motion::dt_s),
+            per_g: 1.0 / gravity,
+            end_s,
+        })
+    }
+}

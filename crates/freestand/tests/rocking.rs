@@ -1,0 +1,524 @@
+//! What every solver of the rocking block must keep: closed forms, symmetries, event rules, order of convergence.
+
+#![expect(clippy::unwrap_used, reason = "a test may stop at an error")]
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::motion::Motion;
+use freestand::rocking::{
+    Accuracy, Base, HistoryPoint, HistoryRecorder, Restitution, Rocking, RockingError, RockingModel, RockingOptions,
+    StopReason, Until, rock, rock_observed,
+};
+use freestand::spectra::Outcome;
+use proptest::prelude::*;
+
+/// A block of slenderness angle `alpha` and half diagonal 1 m.
+fn block(alpha: f64) -> Block {
+    Block::uniform(2.0 * alpha.cos(), 2.0 * alpha.sin()).unwrap()
+}
+
+fn frequency(block: &Block) -> f64 {
+    block.pivot().frequency_parameter_rad_s(G0_M_S2)
+}
+
+fn under(motion: &Motion) -> Base<'_> {
+    Base { horizontal: Some(motion), vertical: None }
+}
+
+fn free(rotation_rad: f64, omega_rad_s: f64, until_s: f64, model: RockingModel) -> RockingOptions {
+    RockingOptions {
+        model,
+        initial_rotation_rad: rotation_rad,
+        initial_omega_rad_s: omega_rad_s,
+        until: Until::Time(until_s),
+        ..RockingOptions::default()
+    }
+}
+
+/// Housner (1963): p T/4 = acosh(1/(1−φ₀)), linearised.
+#[test]
+fn quarter_period_linearised() {
+    for phi in [0.1, 0.5, 0.9] {
+        let block = block(0.2);
+        let got = rock(&block, Base::default(), &free(0.2 * phi, 0.0, 3.0, RockingModel::Linearised)).unwrap();
+        let expected = (1.0f64 / (1.0 - phi)).acosh();
+        // 1e-12: a hundred steps of 1e-13, and the logarithmic sensitivity near the balance point.
+        assert!((frequency(&block) * got.impacts[0].time_s / expected - 1.0).abs() < 1e-12, "{phi}");
+    }
+}
+
+/// p T/4 of the exact equation: ∫₀^Z dz/√(1−k²cosh²z), to the eight decimals that are printed.
+#[test]
+fn quarter_period_rigid() {
+    for (alpha, phi, expected) in [
+        (0.10, 0.1, 0.46747282),
+        (0.10, 0.5, 1.31734420),
+        (0.10, 0.9, 2.99344888),
+        (0.20, 0.1, 0.46845783),
+        (0.20, 0.5, 1.31850440),
+        (0.20, 0.9, 2.99412736),
+    ] {
+        let block = block(alpha);
+        let got = rock(&block, Base::default(), &free(alpha * phi, 0.0, 3.0, RockingModel::Rigid)).unwrap();
+        assert!((frequency(&block) * got.impacts[0].time_s - expected).abs() < 5.1e-9, "{alpha} {phi}");
+    }
+}
+
+/// cos(α−θₙ) = cos α + r²ⁿ[cos(α−θ₀) − cos α], α = 0.2, r = 0.9407957455, φ₀ = 0.5.
+#[test]
+fn amplitudes_and_times_after_each_impact() {
+    let block = block(0.2);
+    let options =
+        RockingOptions { restitution: Restitution::Value(0.9407957455), ..free(0.1, 0.0, 4.0, RockingModel::Rigid) };
+    let mut peaks = Vec::new();
+    let got = rock_observed(&block, Base::default(), &options, |segment| {
+        let (from, to) = (segment.rotation(0.0), segment.rotation(segment.end_ratio));
+        if from.1 * to.1 < 0.0 && from.1 * from.0 > 0.0 {
+            let top = (0..=1000).map(|i| segment.rotation(segment.end_ratio * f64::from(i) / 1000.0).0.abs());
+            peaks.push(top.fold(0.0, f64::max));
+        }
+    })
+    .unwrap();
+    for (got, expected) in peaks.iter().zip([0.42035631, 0.35802288, 0.30749361, 0.26564796]) {
+        // Sampling the top at a thousandth of a step of at most 0.5/p leaves (0.5/2000)²/2 of it.
+        assert!((got / 0.2 - expected).abs() < 1e-7, "{got}");
+    }
+    for (impact, expected) in got.impacts.iter().zip([1.3185044, 3.6044954, 5.6325234, 7.4570800]) {
+        assert!((frequency(&block) * impact.time_s - expected).abs() < 5.1e-8);
+    }
+    assert!(peaks.len() >= 4 && got.impacts.len() >= 4);
+}
+
+/// V = √[(8/3) g R (1−cos α)]/cos α, the step of base velocity that overturns, is ω = (3/4)·V cos α/R after the step.
+#[test]
+fn velocity_that_reaches_the_balance_point() {
+    let block = block(0.25);
+    let pivot = block.pivot();
+    let critical = (2.0 * G0_M_S2 * pivot.balance_rise_m() / pivot.inertia_per_mass_m2).sqrt();
+    let outcome = |factor: f64| {
+        rock(&block, Base::default(), &free(0.0, factor * critical, 20.0, RockingModel::Rigid)).unwrap().outcome
+    };
+    // Energy decides to rounding; near the balance point the time grows like ln(1/ε)/p, well inside 20 s.
+    assert_eq!(outcome(1.0 - 1e-9), Outcome::Rocked);
+    assert_eq!(outcome(1.0 + 1e-9), Outcome::Overturned);
+    let v = (8.0 / 3.0 * G0_M_S2 * pivot.balance_rise_m()).sqrt() / 0.25f64.cos();
+    assert!((0.75 * v * 0.25f64.cos() - critical).abs() < 1e-12);
+}
+
+/// A pulse sampled so finely that the straight lines between samples do not matter.
+fn pulse(amplitude: f64, omega: f64, duration_s: f64, shape: impl Fn(f64) -> f64, tail_s: f64) -> Motion {
+    let dt = duration_s / 20_000.0;
+    let samples = (0..=20_000).map(|i| amplitude * shape(omega * f64::from(i) * dt)).collect();
+    Motion::new(dt, samples).unwrap().with_zero_tail(tail_s)
+}
+
+/// Largest amplitude (in g tan α, or gα when linearised) that the block survives, by bisection between two that bracket
+/// one change of outcome.
+fn boundary(survives: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
+    let at_low = survives(low);
+    assert_ne!(at_low, survives(high));
+    while high - low > 1e-8 {
+        let mid = 0.5 * (low + high);
+        if survives(mid) == at_low { low = mid } else { high = mid }
+    }
+    0.5 * (low + high)
+}
+
+fn pulse_survives(alpha: f64, model: RockingModel, r: Restitution, w: f64, half_cycles: f64) -> impl Fn(f64) -> bool {
+    let block = block(alpha);
+    let omega = w * frequency(&block);
+    move |a| {
+        let unit = if model == RockingModel::Linearised { alpha } else { alpha.tan() };
+        let motion = pulse(a * unit * G0_M_S2, omega, half_cycles * PI / omega, f64::sin, 12.0);
+        let options = RockingOptions { model, restitution: r, ..RockingOptions::default() };
+        rock(&block, under(&motion), &options).unwrap().outcome != Outcome::Overturned
+    }
+}
+
+/// Overturning by a half-sine pulse without impact: w sin ψ − cos ψ = exp[−(π−ψ)/w], sin ψ = 1/A (linearised), and the
+/// nonlinear boundary for α = 0.1 by quadrature.
+#[test]
+fn half_sine_boundaries() {
+    for (model, values) in [
+        (RockingModel::Linearised, [(1.0, 1.322397), (2.0, 1.800724), (4.0, 2.790798)]),
+        (RockingModel::Rigid, [(1.0, 1.322223), (2.0, 1.800856), (4.0, 2.791889)]),
+    ] {
+        for (w, expected) in values {
+            let got = boundary(pulse_survives(0.1, model, Restitution::Housner, w, 1.0), 1.0, 4.0);
+            // Six decimals are printed.
+            assert!((got - expected).abs() < 6e-7, "{model:?} w = {w}: {got}");
+            // Housner's √(1+w²) lies above: it calls blocks safe that fall.
+            assert!(got < (1.0 + w * w).sqrt());
+        }
+    }
+}
+
+/// A one-sine pulse overturns in [A1, A2] after one impact and above A3 without any, and not between.
+#[test]
+fn one_sine_boundaries_with_the_safe_gap() {
+    for (w, [a1, a2, a3]) in [(2.0, [1.22518, 2.31440, 2.34990]), (4.0, [1.79544, 4.85011, 5.23896])] {
+        let survives = pulse_survives(0.1, RockingModel::Linearised, Restitution::Value(0.9), w, 2.0);
+        for (expected, low, high) in
+            [(a1, 1.0, 0.5 * (a1 + a2)), (a2, 0.5 * (a1 + a2), 0.5 * (a2 + a3)), (a3, 0.5 * (a2 + a3), 1.5 * a3)]
+        {
+            let got = boundary(&survives, low, high);
+            // Five decimals are printed.
+            assert!((got - expected).abs() < 6e-6, "w = {w}: {got} for {expected}");
+        }
+    }
+}
+
+/// A periodic orbit under ü/(αg) = β cos(wτ+ψ) has one impact each half period, at ω⁺/(pα) = 0.7360089115 for
+/// (β, w, r) = (5, 8, 0.85); from there the solver must come back to it.
+#[test]
+fn forced_periodic_orbit() {
+    let (beta, w, r, v) = (5.0, 8.0, 0.85, 0.7360089115);
+    let (alpha, half) = (0.2, PI / w);
+    let block = block(alpha);
+    let p = frequency(&block);
+    // y'' = y − 1 − β cos(wτ+ψ) on the right side from (0, v) to (0, −v/r) at τ = π/w. With the forcing's particular
+    // solution y = 1 + b cos(wτ+ψ), b = β/(1+w²), the two conditions give cos ψ and sin ψ.
+    let b = beta / (1.0 + w * w);
+    let (ch, sh) = (half.cosh(), half.sinh());
+    // y = 1 + b cos(wτ+ψ) + C cosh τ + S sinh τ; C = −1 − b cos ψ, S = v + b w sin ψ; y(half) = 0, y'(half) = −v/r.
+    // 1 − b c + (−1 − b c) ch + (v + b w s) sh = 0 ; b w s + (−1 − b c) sh + (v + b w s) ch = −v/r.
+    let (a11, a12, r1) = (-b * (1.0 + ch), b * w * sh, ch - 1.0 - v * sh);
+    let (a21, a22, r2) = (-b * sh, b * w * (1.0 + ch), sh - v * ch - v / r);
+    let det = a11 * a22 - a12 * a21;
+    let (c, s) = ((r1 * a22 - r2 * a12) / det, (a11 * r2 - a21 * r1) / det);
+    assert!((c * c + s * s - 1.0).abs() < 1e-8, "the printed velocity belongs to an orbit: {c} {s}");
+    let psi = s.atan2(c);
+    let (dt, n) = (half / p / 4000.0, 8000);
+    let samples = (0..=n).map(|i| alpha * G0_M_S2 * beta * (w * p * dt * f64::from(i) + psi).cos()).collect();
+    let motion = Motion::new(dt, samples).unwrap();
+    let options = RockingOptions {
+        model: RockingModel::Linearised,
+        restitution: Restitution::Value(r),
+        initial_omega_rad_s: v * p * alpha,
+        ..RockingOptions::default()
+    };
+    let got = rock(&block, under(&motion), &options).unwrap();
+    for (k, impact) in got.impacts.iter().take(2).enumerate() {
+        // Straight lines over 1/4000 of a half period: (π/4000)²/12 of the forcing, 5e-8.
+        assert!((p * impact.time_s - half * (k + 1) as f64).abs() < 1e-6, "{k}");
+        assert!((impact.omega_after_rad_s.abs() / (p * alpha) - v).abs() < 1e-6);
+    }
+    // The second lies on the last sample and may fall just behind it.
+    assert!(!got.impacts.is_empty());
+}
+
+/// Friction at a step of A·g from rest: [A(H²+4)+3H]/[4H²+3HA+1].
+#[test]
+fn friction_at_the_start_of_a_step() {
+    for (h, a, expected) in [(3.0, 0.5, 0.37349), (3.0, 1.0, 0.47826), (5.0, 1.0, 0.37931)] {
+        let block = Block::uniform(h, 1.0).unwrap();
+        let motion = Motion::new(1e-6, vec![a * G0_M_S2; 2]).unwrap();
+        let mut needed = 0.0f64;
+        rock_observed(&block, under(&motion), &RockingOptions::default(), |segment| {
+            needed = needed.max(segment.friction_needed_ratio());
+        })
+        .unwrap();
+        // Five decimals; in a microsecond nothing moves.
+        assert!((needed - expected).abs() < 6e-6, "{needed}");
+    }
+}
+
+/// A motion of a few sines with an envelope: rough enough to start, hit, rest and start again.
+fn rough(seed: u64, peak_g: f64, seconds: f64) -> Motion {
+    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
+    let mut uniform = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let waves: Vec<_> = (0..12).map(|_| (0.3 + 6.0 * uniform(), 2.0 * PI * uniform(), uniform())).collect();
+    let dt = 0.01;
+    let n = (seconds / dt) as usize;
+    let raw: Vec<f64> = (0..=n)
+        .map(|i| {
+            let t = i as f64 * dt;
+            let envelope = (t / 2.0).min(1.0) * (1.0 - t / seconds).max(0.0);
+            envelope * waves.iter().map(|(f, phase, a)| a * (2.0 * PI * f * t + phase).sin()).sum::<f64>()
+        })
+        .collect();
+    let peak = raw.iter().fold(0.0, |m: f64, a| m.max(a.abs()));
+    Motion::new(dt, raw.iter().map(|a| a / peak * peak_g * G0_M_S2).collect()).unwrap()
+}
+
+fn solve(block: &Block, motion: &Motion) -> Rocking {
+    rock(block, under(motion), &RockingOptions::default()).unwrap()
+}
+
+/// Whether a change of the motion by 1e-7 leaves outcome and peak alone: only then is there something to compare.
+fn insensitive(block: &Block, motion: &Motion) -> bool {
+    let (a, b) = (solve(block, motion), solve(block, &motion.scaled(1.0 + 1e-7).unwrap()));
+    a.outcome == b.outcome && (a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-5 * a.peak_rotation_rad
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// −ü gives −θ, to the bit.
+    #[test]
+    fn mirror(seed: u64, height in 0.3f64..4.0, ratio in 0.8f64..8.0, peak in 0.1f64..1.2) {
+        let block = Block::uniform(height, height / ratio).unwrap();
+        let motion = rough(seed, peak, 8.0);
+        let (a, b) = (solve(&block, &motion), solve(&block, &motion.scaled(-1.0).unwrap()));
+        prop_assert_eq!(a.final_rotation_rad, -b.final_rotation_rad);
+        prop_assert_eq!(a.peak_rotation_rad, b.peak_rotation_rad);
+        prop_assert_eq!(a.impacts.len(), b.impacts.len());
+        for (x, y) in a.impacts.iter().zip(&b.impacts) {
+            prop_assert_eq!((x.time_s, x.omega_before_rad_s), (y.time_s, -y.omega_before_rad_s));
+        }
+    }
+
+    /// The mirrored block under the mirrored motion, with the centre of gravity off the middle.
+    #[test]
+    fn mirror_with_an_offset(seed: u64, offset in -0.15f64..0.15, peak in 0.1f64..0.8) {
+        let of = |offset| Block::uniform(1.8, 0.5).unwrap().with_cg_offset(offset).unwrap();
+        let motion = rough(seed, peak, 6.0);
+        let (a, b) = (solve(&of(offset), &motion), solve(&of(-offset), &motion.scaled(-1.0).unwrap()));
+        prop_assert_eq!(a.final_rotation_rad, -b.final_rotation_rad);
+        prop_assert_eq!(a.peak_rotation_rad, b.peak_rotation_rad);
+    }
+
+    /// R·4 and time·2 at the same accelerations give the same θ: powers of two, so to the bit, but for the rest speed.
+    #[test]
+    fn similarity(seed: u64, height in 0.3f64..2.0, ratio in 1.0f64..8.0, peak in 0.1f64..1.0) {
+        let small = Block::uniform(height, height / ratio).unwrap();
+        let large = Block::uniform(4.0 * height, 4.0 * height / ratio).unwrap();
+        let fast = rough(seed, peak, 6.0);
+        let slow = Motion::new(2.0 * fast.dt_s(), fast.accel_m_s2().to_vec()).unwrap();
+        if insensitive(&small, &fast) {
+            let (a, b) = (solve(&small, &fast), solve(&large, &slow));
+            prop_assert_eq!(a.outcome, b.outcome);
+            // The rest speed is in rad/s and does not scale: a block that rested differs by what that speed is worth.
+            prop_assert!((a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-8 * a.peak_rotation_rad);
+        }
+    }
+
+    /// Zeros behind the motion change nothing before them.
+    #[test]
+    fn zero_padding(seed: u64, height in 0.3f64..4.0, ratio in 0.8f64..8.0, peak in 0.1f64..1.2) {
+        let block = Block::uniform(height, height / ratio).unwrap();
+        let motion = rough(seed, peak, 6.0);
+        let short = solve(&block, &motion);
+        let long = solve(&block, &motion.with_zero_tail(5.0));
+        prop_assert!(long.peak_rotation_rad >= short.peak_rotation_rad);
+        prop_assert!(long.impacts.len() >= short.impacts.len());
+        prop_assert_eq!(&short.impacts[..], &long.impacts[..short.impacts.len()]);
+        // And a longer duration is the same as zeros.
+        let options = RockingOptions { until: Until::Time(motion.duration_s() + 5.0), ..RockingOptions::default() };
+        let lasting = rock(&block, under(&motion), &options).unwrap();
+        prop_assert_eq!(lasting.outcome, long.outcome);
+        prop_assert!((lasting.peak_rotation_rad - long.peak_rotation_rad).abs() <= 1e-9 * long.peak_rotation_rad);
+    }
+
+    /// A sample more on the straight line between two is no change.
+    #[test]
+    fn resampling_on_the_straight_lines(seed: u64, height in 0.3f64..4.0, ratio in 1.0f64..8.0, peak in 0.1f64..1.0) {
+        let block = Block::uniform(height, height / ratio).unwrap();
+        let coarse = rough(seed, peak, 6.0);
+        let a = coarse.accel_m_s2();
+        let fine: Vec<f64> = (0..2 * a.len() - 1)
+            .map(|i| if i % 2 == 0 { a[i / 2] } else { 0.5 * (a[i / 2] + a[i / 2 + 1]) })
+            .collect();
+        let fine = Motion::new(0.5 * coarse.dt_s(), fine).unwrap();
+        if insensitive(&block, &coarse) {
+            let (a, b) = (solve(&block, &coarse), solve(&block, &fine));
+            prop_assert_eq!(a.outcome, b.outcome);
+            // 1e-13 a step, times an amplification of up to 100 (`insensitive`), times the steps.
+            prop_assert!((a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-9 * a.peak_rotation_rad);
+        }
+    }
+
+    /// Without base motion and with r = 1 the energy p²cos(α−|θ|) + ω²/2 stays.
+    #[test]
+    fn energy(alpha in 0.05f64..1.0, share in 0.01f64..0.99) {
+        let block = block(alpha);
+        let p2 = frequency(&block).powi(2);
+        let options = RockingOptions {
+            restitution: Restitution::Value(1.0),
+            ..free(alpha * share, 0.0, 5.0, RockingModel::Rigid)
+        };
+        let energy = |(theta, omega): (f64, f64)| p2 * (alpha - theta.abs()).cos() + 0.5 * omega * omega;
+        let start = energy((alpha * share, 0.0));
+        let swing = p2 * (1.0 - alpha.cos());
+        let mut worst = 0.0f64;
+        rock_observed(&block, Base::default(), &options, |segment| {
+            worst = worst.max((energy(segment.rotation(segment.end_ratio)) - start).abs());
+        }).unwrap();
+        // 1e-13 a step over some hundreds of steps, against the height of the well.
+        prop_assert!(worst <= 1e-10 * swing, "{} of {}", worst, swing);
+    }
+
+    /// Nothing that is finite may panic, hang or give a number that is none.
+    #[test]
+    fn any_finite_input_ends(seed: u64, log_height in -3.0f64..2.0, ratio in 0.3f64..50.0, log_peak in -6.0f64..6.0, r in 0.0f64..=1.0) {
+        let height = 10f64.powf(log_height);
+        let block = Block::uniform(height, height / ratio).unwrap();
+        let motion = rough(seed, 10f64.powf(log_peak), 4.0);
+        let options = RockingOptions { restitution: Restitution::Value(r), ..RockingOptions::default() };
+        match rock(&block, under(&motion), &options) {
+            Ok(got) => prop_assert!(got.peak_rotation_rad.is_finite() && got.peak_rotation_rad <= FRAC_PI_2),
+            Err(error) => prop_assert!(matches!(error, RockingError::TooManyImpacts { .. }), "{}", error),
+        }
+    }
+}
+
+/// The error of a history falls with the tolerance of its steps.
+#[test]
+fn accuracy_is_what_was_asked_for() {
+    let block = Block::uniform(1.5, 0.5).unwrap();
+    let motion = rough(7, 0.5, 8.0);
+    let peak = |accuracy| {
+        let options = RockingOptions { accuracy, ..RockingOptions::default() };
+        rock(&block, under(&motion), &options).unwrap().peak_rotation_rad
+    };
+    let exact = peak(Accuracy::Tight);
+    for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
+        let error = (peak(Accuracy::Tolerance(tolerance)) / exact - 1.0).abs();
+        // Hundreds of steps, amplified, against series that stop well below the tolerance.
+        assert!(error < 10.0 * tolerance, "{tolerance:e}: {error:e}");
+    }
+    // The levels differ, or they would be one.
+    assert!((peak(Accuracy::Tolerance(1e-5)) / exact - 1.0).abs() > 1e-9);
+}
+
+#[test]
+fn an_impact_on_a_sample_is_one_impact() {
+    // Free rocking whose first impact is placed on a sample of a record of zeros.
+    let block = block(0.2);
+    let first = rock(&block, Base::default(), &free(0.1, 0.0, 3.0, RockingModel::Rigid)).unwrap();
+    let dt = first.impacts[0].time_s / 100.0;
+    let quiet = Motion::new(dt, vec![0.0; 301]).unwrap();
+    let options = free(0.1, 0.0, 300.0 * dt, RockingModel::Rigid);
+    let got = rock(&block, under(&quiet), &options).unwrap();
+    for (a, b) in got.impacts.iter().zip(&first.impacts) {
+        assert!((a.time_s - b.time_s).abs() < 1e-11);
+        assert!((a.omega_before_rad_s / b.omega_before_rad_s - 1.0).abs() < 1e-10);
+    }
+    assert!(!got.impacts.is_empty());
+}
+
+#[test]
+fn two_impacts_between_two_samples_are_both_found() {
+    let block = block(0.2);
+    let coarse = Motion::new(3.0, vec![0.0, 0.0]).unwrap();
+    let got = rock(&block, under(&coarse), &free(0.05, 0.0, 3.0, RockingModel::Rigid)).unwrap();
+    let fine = Motion::new(0.01, vec![0.0; 301]).unwrap();
+    let expected = rock(&block, under(&fine), &free(0.05, 0.0, 3.0, RockingModel::Rigid)).unwrap();
+    assert!(got.impacts.len() > 3);
+    assert_eq!(got.impacts.len(), expected.impacts.len());
+    for (a, b) in got.impacts.iter().zip(&expected.impacts) {
+        assert!((a.time_s - b.time_s).abs() < 1e-11);
+    }
+}
+
+/// The geometric series of a block left alone: it comes to rest, exactly at 0, and says when.
+#[test]
+fn chatter_ends_in_rest() {
+    let block = block(0.2);
+    let options =
+        RockingOptions { until: Until::Settled { at_most_s: 600.0 }, ..free(0.1, 0.0, 1.0, RockingModel::Rigid) };
+    let got = rock(&block, Base::default(), &options).unwrap();
+    assert_eq!((got.stop, got.at_rest, got.final_rotation_rad), (StopReason::Settled, true, 0.0));
+    let last = got.impacts.last().unwrap();
+    assert!(last.omega_after_rad_s.abs() <= 1e-9 && got.rest_time_s == Some(last.time_s));
+    // A halted landing rests at the first impact.
+    let halted = RockingOptions { restitution: Restitution::Value(0.0), ..options };
+    assert_eq!(rock(&block, Base::default(), &halted).unwrap().impacts.len(), 1);
+}
+
+#[test]
+fn the_threshold_itself_does_not_uplift_and_a_hair_more_does() {
+    let block = Block::uniform(2.0, 0.5).unwrap();
+    let threshold = 0.25 * G0_M_S2;
+    let at = |factor: f64| {
+        let motion = Motion::new(0.1, vec![0.0, factor * threshold, 0.0]).unwrap();
+        solve(&block, &motion).outcome
+    };
+    assert_eq!(at(1.0), Outcome::NoUplift);
+    assert_eq!(at(1.0 - 1e-12), Outcome::NoUplift);
+    assert_eq!(at(1.0 + 1e-9), Outcome::Rocked);
+}
+
+#[test]
+fn the_base_pushes_the_block_the_other_way() {
+    let block = Block::uniform(2.0, 0.5).unwrap();
+    let motion = Motion::new(0.01, vec![0.3 * G0_M_S2; 5]).unwrap();
+    let got = solve(&block, &motion);
+    assert!(got.final_rotation_rad < 0.0);
+    assert_eq!(got.first_uplift_time_s, Some(0.0));
+}
+
+#[test]
+fn upward_acceleration_holds_the_block_down() {
+    let block = Block::uniform(2.0, 0.5).unwrap();
+    let push = Motion::new(0.01, vec![0.3 * G0_M_S2; 100]).unwrap();
+    let lift = Motion::new(0.01, vec![0.21 * G0_M_S2; 100]).unwrap();
+    let base = Base { horizontal: Some(&push), vertical: Some(&lift) };
+    assert_eq!(rock(&block, base, &RockingOptions::default()).unwrap().outcome, Outcome::NoUplift);
+    let drop = Motion::new(0.01, vec![-1.01 * G0_M_S2; 100]).unwrap();
+    let base = Base { horizontal: Some(&push), vertical: Some(&drop) };
+    assert!(matches!(rock(&block, base, &RockingOptions::default()), Err(RockingError::FreeFlight { .. })));
+}
+
+#[test]
+fn passing_alpha_is_not_yet_overturning() {
+    let block = block(0.2);
+    let got = rock(&block, Base::default(), &free(0.25, 0.0, 0.1, RockingModel::Rigid)).unwrap();
+    assert_eq!((got.outcome, got.passed_alpha_time_s, got.overturn_time_s), (Outcome::Rocked, Some(0.0), None));
+    let fallen = rock(&block, Base::default(), &free(0.25, 0.0, 60.0, RockingModel::Rigid)).unwrap();
+    assert_eq!((fallen.outcome, fallen.stop), (Outcome::Overturned, StopReason::Overturned));
+    assert_eq!(fallen.peak_rotation_rad, FRAC_PI_2);
+    assert_eq!(fallen.cg_rise_m, block.pivot().balance_rise_m());
+    assert_eq!(Some(fallen.end_s), fallen.overturn_time_s);
+}
+
+#[test]
+fn a_recorded_history_passes_through_the_reported_events() {
+    let block = Block::uniform(1.5, 0.4).unwrap();
+    let motion = rough(3, 0.45, 6.0);
+    let mut recorder = HistoryRecorder::new(Some(&motion), 0.01);
+    let got = rock_observed(&block, under(&motion), &RockingOptions::default(), |s| recorder.observe(s)).unwrap();
+    let points = recorder.finish(&got);
+    assert!(points.windows(2).all(|w| w[0].time_s <= w[1].time_s));
+    assert_eq!((points[0].time_s, points.last().unwrap().time_s), (0.0, got.end_s));
+    let top = points.iter().fold(0.0, |m: f64, p| m.max(p.theta_rad.abs()));
+    assert!(top <= got.peak_rotation_rad && top > 0.99 * got.peak_rotation_rad);
+    for impact in &got.impacts {
+        // Roundings of the sum of a start and a step, and of a velocity times and over the step.
+        let same = |p: &HistoryPoint| {
+            (p.time_s - impact.time_s).abs() < 1e-14 * 6.0 && (p.omega_rad_s - impact.omega_after_rad_s).abs() < 1e-15
+        };
+        assert!(points.iter().any(same), "{impact:?}");
+    }
+}
+
+#[test]
+fn input_outside_the_model_is_refused() {
+    let block = block(0.2);
+    let motion = rough(1, 0.1, 1.0);
+    let with = |options: RockingOptions| rock(&block, under(&motion), &options);
+    let ok = RockingOptions::default();
+    for r in [-0.1, 1.0001, f64::NAN] {
+        let options = RockingOptions { restitution: Restitution::Value(r), ..ok };
+        assert!(matches!(with(options), Err(RockingError::Restitution { .. })));
+    }
+    assert!(matches!(
+        with(RockingOptions { restitution: Restitution::Factor(1.5), ..ok }),
+        Err(RockingError::Restitution { .. })
+    ));
+    assert!(matches!(with(RockingOptions { initial_rotation_rad: 1.6, ..ok }), Err(RockingError::InitialState { .. })));
+    assert!(matches!(with(RockingOptions { gravity_m_s2: 0.0, ..ok }), Err(RockingError::Gravity { .. })));
+    assert!(matches!(with(RockingOptions { until: Until::Time(-1.0), ..ok }), Err(RockingError::Duration { .. })));
+    assert!(matches!(
+        with(RockingOptions { accuracy: Accuracy::Tolerance(0.1), ..ok }),
+        Err(RockingError::Accuracy { .. })
+    ));
+    assert!(matches!(rock(&block, Base::default(), &ok), Err(RockingError::Duration { .. })));
+}
