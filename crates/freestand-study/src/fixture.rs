@@ -120,9 +120,8 @@ fn ground_motion(index: u32, study: &Study) -> GroundMotion {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1u64 << 53) as f64
     };
-    let waves: Vec<(f64, f64, f64)> = (0..80)
-        .map(|k| (0.2 * 1.055f64.powi(k), 0.010 * (0.3 + 1.4 * random()), TAU * random()))
-        .collect();
+    let waves: Vec<(f64, f64, f64)> =
+        (0..80).map(|k| (0.2 * 1.055f64.powi(k), 0.010 * (0.3 + 1.4 * random()), TAU * random())).collect();
     let accel = (0..3000).map(|i| {
         let t = f64::from(i) * dt_s;
         let envelope = (t / 4.0).min(1.0) * (-(t - 8.0).max(0.0) / 4.0).exp();

@@ -46,10 +46,8 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     if n > MOST_LINES {
         legend.push(Entry { sign: Sign::Band, words: "16–84 % of motions".into() });
     } else if n > 1 {
-        legend.push(Entry {
-            sign: Sign::Line { colour: GREY, width_px: 0.9, dash: None },
-            words: "each motion".into(),
-        });
+        legend
+            .push(Entry { sign: Sign::Line { colour: GREY, width_px: 0.9, dash: None }, words: "each motion".into() });
     }
     let colour = curve_style(0).colour;
     let words = if n > 1 { "median" } else { "the motion" };
@@ -61,10 +59,11 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     Page {
         kind: FigureKind::FloorSpectra,
         title: "Acceleration spectra of the ground and the floors".into(),
-        caption: "Pseudo-spectral acceleration at 5 % damping against period, the ground and each floor on a scale of its \
+        caption:
+            "Pseudo-spectral acceleration at 5 % damping against period, the ground and each floor on a scale of its \
                   own. T₁, T₂, T₃ are the building’s periods. Free-standing objects have no period of their own: the \
                   spectra show what the building does to the motion, they do not give the rocking."
-            .into(),
+                .into(),
         row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],
         panels,
         columns,

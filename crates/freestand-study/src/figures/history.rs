@@ -12,7 +12,7 @@ use crate::words::number;
 use super::FigureKind;
 use super::legend::{Entry, Sign};
 use super::page::{Page, Panel, panel_width_px};
-use super::style::{Axis, DARK, axes, curve_style, in_g, line, markers, plain, round_step};
+use super::style::{Axis, DARK, LABELS_PX, axes, curve_style, in_g, line, markers, plain, round_step};
 
 /// Heights of the three panels \[px\].
 const PANELS_PX: [f64; 3] = [215.0, 165.0, 200.0];
@@ -107,9 +107,10 @@ fn stacked(x: Axis, y: Axis, lowest: bool) -> Layout {
     if !lowest {
         layout.x_label = None;
         layout.suppress_x_ticks = true;
-        layout = layout.with_force_margins_y(8.0, 10.0);
+        layout.with_force_margins_y(8.0, 10.0)
+    } else {
+        layout.with_force_margins_y(8.0, LABELS_PX)
     }
-    layout
 }
 
 fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {

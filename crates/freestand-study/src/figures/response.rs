@@ -13,7 +13,9 @@ use crate::words::number;
 use super::FigureKind;
 use super::legend::{Entry, Sign};
 use super::page::{Page, Panel, columns};
-use super::style::{Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, curve_style, line, markers, plain};
+use super::style::{
+    Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, curve_style, line, markers, plain,
+};
 
 /// Height of a panel \[px\].
 const PANEL_PX: f64 = 330.0;
@@ -100,10 +102,11 @@ pub(super) fn overturning(study: &Study, result: &StudyResult) -> Page {
     Page {
         kind: FigureKind::Overturning,
         title: "Share of the motions that overturn the object".into(),
-        caption: "Share of the ground motions under which an object of this height and thickness overturns. Overturning \
+        caption:
+            "Share of the ground motions under which an object of this height and thickness overturns. Overturning \
                   does not grow steadily with height or with the strength of shaking; a share of a few motions is a \
                   coarse estimate."
-            .into(),
+                .into(),
         panels,
         columns,
         row_heights_px,
@@ -158,7 +161,11 @@ fn spectra(
         legend.push(Entry { sign, words: "uplift ceiling".into() });
     }
     legend.push(Entry { sign: Sign::Cross, words: "median overturned".into() });
-    Page { kind, title: title.into(), caption, panels, columns, row_heights_px, legend }
+    let title = match result.ground.len() {
+        1 => title.to_owned(),
+        n => format!("{title}: median of {n} motions"),
+    };
+    Page { kind, title, caption, panels, columns, row_heights_px, legend }
 }
 
 const CEILING_DASH: &str = "1 4";
@@ -271,8 +278,7 @@ fn band(curve: &[Point], style: CurveStyle) -> Vec<Plot> {
         .into_iter()
         .filter(|run| run.len() > 1 && run.iter().any(|&(_, low, high)| high > low))
         .map(|run| {
-            let (x, low, high) =
-                (run.iter().map(|p| p.0), run.iter().map(|p| p.1), run.iter().map(|p| p.2));
+            let (x, low, high) = (run.iter().map(|p| p.0), run.iter().map(|p| p.1), run.iter().map(|p| p.2));
             BandPlot::new(x, low, high).with_color(style.colour).with_opacity(BAND_OPACITY).into()
         })
         .collect()

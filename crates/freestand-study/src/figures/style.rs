@@ -113,12 +113,7 @@ impl Axis {
     /// Over `from..to` with a little room at both ends; a single value gets a range of its own.
     pub(super) fn around(from: f64, to: f64, label: &str) -> Self {
         let span = if to > from { to - from } else { from.abs().max(1.0) };
-        Self {
-            from: from - 0.04 * span,
-            to: to + 0.04 * span,
-            step: Some(round_step(span / 5.0)),
-            label: label.into(),
-        }
+        Self { from: from - 0.04 * span, to: to + 0.04 * span, step: Some(round_step(span / 5.0)), label: label.into() }
     }
 }
 
