@@ -1,12 +1,16 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
 pub mod error;
+pub mod figures;
+#[cfg(test)]
+mod fixture;
 mod options;
 pub mod output;
 pub mod outputs;
 pub mod quantity;
 pub mod recorded;
 pub mod records;
+pub mod report;
 pub mod resolve;
 pub mod result;
 pub mod rock;
@@ -17,6 +21,7 @@ pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod validate;
+mod words;
 
 /// The design document: its examples are compiled and run.
 #[cfg(doctest)]

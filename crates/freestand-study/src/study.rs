@@ -6,7 +6,7 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
 
-/// Everything that [`crate::run::run`] needs, and nothing that it does not.
+/// Everything that `run` needs, and nothing that it does not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
     /// The file that it was read from; `None` for the built-in study.

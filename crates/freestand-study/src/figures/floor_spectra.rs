@@ -1,0 +1,164 @@
+//! Acceleration spectra of the ground and of each floor.
+
+use freestand::oscillator::ResponseSpectrum;
+use kuva::plot::BandPlot;
+use kuva::render::annotations::ReferenceLine;
+use kuva::render::layout::TickFormat;
+use kuva::render::plots::Plot;
+
+use crate::result::StudyResult;
+use crate::study::{Ground, Study};
+
+use super::FigureKind;
+use super::legend::{Entry, Sign};
+use super::page::{Page, Panel, columns};
+use super::style::{Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, in_g, line, plain};
+
+const PANEL_PX: f64 = 310.0;
+/// More motions than this are drawn as a band from 16 to 84 %.
+const MOST_LINES: usize = 40;
+/// Modes whose periods are marked.
+const MARKED_MODES: usize = 3;
+const TARGET_DASH: &str = "8 6";
+
+/// Spectra of the ground, with the target where there is one, and of each level.
+pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
+    let ground: Vec<&ResponseSpectrum> = result.ground.iter().map(|g| &g.spectrum).collect();
+    let target = match &study.ground {
+        Ground::Synthetic(synthetic) => Some(&synthetic.spectrum),
+        Ground::Recorded(_) => None,
+    };
+    let target = target.and_then(|code| {
+        let periods = &ground.first()?.periods_s;
+        let points: Vec<_> = periods.iter().filter(|&&t| t > 0.0).map(|&t| (t, code.sa_g(t))).collect();
+        Some(points)
+    });
+    let modes: Vec<f64> = result.modes.iter().take(MARKED_MODES).map(freestand::building::Mode::period_s).collect();
+    let mut panels = vec![panel("ground", &ground, target.as_deref(), &[])];
+    for level in &result.levels {
+        let spectra: Vec<_> = level.spectra.iter().collect();
+        let modes: &[f64] = if level.level.level_ratio > 0.0 { &modes } else { &[] };
+        panels.push(panel(&level.level.name, &spectra, None, modes));
+    }
+    let columns = columns(panels.len());
+    let mut legend = Vec::new();
+    let n = ground.len();
+    if n > MOST_LINES {
+        legend.push(Entry { sign: Sign::Band, words: "16–84 % of motions".into() });
+    } else if n > 1 {
+        legend
+            .push(Entry { sign: Sign::Line { colour: GREY, width_px: 0.9, dash: None }, words: "each motion".into() });
+    }
+    let colour = curve_style(0).colour;
+    let words = if n > 1 { "median" } else { "the motion" };
+    legend.push(Entry { sign: Sign::Line { colour, width_px: 2.4, dash: None }, words: words.into() });
+    if target.is_some() {
+        let sign = Sign::Line { colour: curve_style(1).colour, width_px: 2.0, dash: Some(TARGET_DASH) };
+        legend.push(Entry { sign, words: "target: code spectrum".into() });
+    }
+    Page {
+        kind: FigureKind::FloorSpectra,
+        title: "Acceleration spectra of the ground and the floors".into(),
+        caption:
+            "Pseudo-spectral acceleration at 5 % damping against period, the ground and each floor on a scale of its \
+                  own. T₁, T₂, T₃ are the building’s periods. Free-standing objects have no period of their own: the \
+                  spectra show what the building does to the motion, they do not give the rocking."
+                .into(),
+        row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],
+        panels,
+        columns,
+        legend,
+    }
+}
+
+fn panel(name: &str, spectra: &[&ResponseSpectrum], target: Option<&[(f64, f64)]>, modes: &[f64]) -> Panel {
+    let curves: Vec<Vec<(f64, f64)>> = spectra.iter().map(|s| points(s)).collect();
+    let [low, median, high] = quantiles(&curves);
+    let mut plots: Vec<Plot> = Vec::new();
+    if curves.len() > MOST_LINES {
+        let band = BandPlot::new(low.iter().map(|p| p.0), low.iter().map(|p| p.1), high.iter().map(|p| p.1));
+        plots.push(band.with_color(DARK).with_opacity(BAND_OPACITY).into());
+    } else if curves.len() > 1 {
+        plots.extend(curves.iter().map(|c| line(c, GREY, 0.9, None)));
+    }
+    plots.push(line(&median, curve_style(0).colour, 2.4, None));
+    if let Some(target) = target {
+        plots.push(line(target, curve_style(1).colour, 2.0, Some(TARGET_DASH)));
+    }
+    let drawn = curves.iter().flatten().chain(target.unwrap_or(&[]));
+    let (mut from, mut to, mut highest) = (f64::INFINITY, 0.0f64, 0.0f64);
+    for &(t, sa) in drawn {
+        (from, to, highest) = (from.min(t), to.max(t), highest.max(sa));
+    }
+    if from >= to {
+        (from, to) = (0.05, 5.0);
+    }
+    let x = Axis { from, to, step: None, label: "Period (s)".into() };
+    let mut y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
+    // The periods are written at the top, above the curves.
+    if !modes.is_empty() {
+        y.to *= 1.08;
+    }
+    let mut layout = axes(x, y).with_title(plain(name)).with_log_x();
+    layout.x_tick_format = decades();
+    for (i, &period_s) in modes.iter().enumerate().filter(|(_, t)| (from..=to).contains(*t)) {
+        let mark = ReferenceLine::vertical(period_s).with_color(DARK).with_stroke_width(0.8).with_dasharray("2 3");
+        layout = layout.with_reference_line(mark.with_label(["T₁", "T₂", "T₃"][i.min(2)]));
+    }
+    Panel { plots, layout }
+}
+
+/// Labels at 0.1, 1, 10 only: those of 2 and 5 would touch each other in a narrow panel. Their grid lines stay.
+fn decades() -> TickFormat {
+    TickFormat::Custom(std::sync::Arc::new(|v| {
+        let decade = v.log10();
+        if (decade - decade.round()).abs() < 1e-6 { TickFormat::Auto.format(v) } else { String::new() }
+    }))
+}
+
+fn points(spectrum: &ResponseSpectrum) -> Vec<(f64, f64)> {
+    let pairs = spectrum.periods_s.iter().zip(&spectrum.psa_m_s2);
+    pairs.filter(|&(&t, a)| t > 0.0 && a.is_finite()).map(|(&t, &a)| (t, in_g(a))).collect()
+}
+
+/// 16, 50 and 84 % at each period; nothing where the curves do not share their periods.
+fn quantiles(curves: &[Vec<(f64, f64)>]) -> [Vec<(f64, f64)>; 3] {
+    let mut result = [Vec::new(), Vec::new(), Vec::new()];
+    let Some(first) = curves.first() else { return result };
+    if curves.iter().any(|c| c.len() != first.len()) {
+        return result;
+    }
+    for (i, &(t, _)) in first.iter().enumerate() {
+        let mut values: Vec<f64> = curves.iter().map(|c| c[i].1).collect();
+        values.sort_by(f64::total_cmp);
+        for (points, share) in result.iter_mut().zip([0.16, 0.5, 0.84]) {
+            points.push((t, quantile(&values, share)));
+        }
+    }
+    result
+}
+
+/// Between the sorted values, linearly.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let place = share * (sorted.len() - 1) as f64;
+    let below = place.floor() as usize;
+    let above = (below + 1).min(sorted.len() - 1);
+    sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn median_of_an_even_number_lies_in_the_middle() {
+        assert_eq!(quantile(&[1.0, 2.0, 4.0, 8.0], 0.5), 3.0);
+        assert_eq!(quantile(&[5.0], 0.84), 5.0);
+    }
+
+    #[test]
+    fn spectra_at_different_periods_have_no_median() {
+        let curves = [vec![(0.1, 1.0), (0.2, 1.0)], vec![(0.1, 1.0)]];
+        assert!(quantiles(&curves)[1].is_empty());
+    }
+}

@@ -1,0 +1,225 @@
+//! One rocking history: rotation, floor acceleration, impacts.
+
+use kuva::plot::scatter::MarkerShape;
+use kuva::render::annotations::ReferenceLine;
+use kuva::render::layout::Layout;
+
+use freestand::spectra::Outcome;
+
+use crate::result::{ExampleHistory, StudyResult};
+use crate::words::number;
+
+use super::FigureKind;
+use super::legend::{Entry, Sign};
+use super::page::{Page, Panel, panel_width_px};
+use super::style::{Axis, DARK, LABELS_PX, axes, curve_style, in_g, line, markers, plain, round_step};
+
+/// Heights of the three panels \[px\].
+const PANELS_PX: [f64; 3] = [215.0, 165.0, 200.0];
+/// Margins that make the time axes of the panels agree \[px\].
+const MARGINS_PX: (f64, f64) = (76.0, 18.0);
+/// Quiet time that is shown before the first and after the last rotation \[s\].
+const QUIET_S: f64 = 2.0;
+/// A toppling object's rotation is drawn up to this multiple of α.
+const HIGHEST_RATIO: f64 = 1.6;
+
+/// The history of the result, if there is one.
+pub(super) fn history(result: &StudyResult) -> Option<Page> {
+    let h = result.history.as_ref()?;
+    let (from, to) = window(h)?;
+    let within = |t: f64| (from..=to).contains(&t);
+    let theta: Vec<(f64, f64)> =
+        h.time_s.iter().zip(&h.theta_rad).map(|(&t, &r)| (t, r / h.slenderness_angle_rad)).collect();
+    let accel: Vec<(f64, f64)> = h.time_s.iter().zip(&h.accel_m_s2).map(|(&t, &a)| (t, in_g(a))).collect();
+    let cut = |points: Vec<(f64, f64)>| thin(points.into_iter().filter(|p| within(p.0)), from, to);
+    let (theta, accel) = (cut(theta), cut(accel));
+    let impacts: Vec<(f64, f64)> = h.impacts.iter().copied().filter(|&(t, a)| within(t) && a.is_finite()).collect();
+
+    let mut legend = vec![
+        entry(Sign::Line { colour: curve_style(0).colour, width_px: 1.6, dash: None }, "rotation θ/α"),
+        entry(Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 3") }, "balance point, θ = ±α"),
+        entry(Sign::Dot { colour: curve_style(1).colour }, "impact"),
+    ];
+    if h.outcome == Outcome::Overturned {
+        legend.push(entry(Sign::Cross, "overturns"));
+    }
+    let panels = vec![
+        rotation_panel(&theta, h.outcome, time_axis(from, to)),
+        accel_panel(&accel, time_axis(from, to)),
+        impact_panel(&impacts, time_axis(from, to)),
+    ];
+    let outcome = match h.outcome {
+        Outcome::NoUplift => "it does not uplift",
+        Outcome::Rocked => "it rocks and stays up",
+        Outcome::Overturned => "it overturns",
+    };
+    let title = format!(
+        "Rocking history: {} mm × {} m, {}, {}",
+        number(1e3 * h.thickness_m, 4),
+        number(h.height_m, 4),
+        h.level,
+        h.motion
+    );
+    let caption = format!(
+        "An object {} mm thick and {} m high on the level “{}” under the motion “{}”: {outcome}. Above: rotation as a \
+         share of the slenderness angle α = {} rad; between: acceleration of the floor; below: edge shock of each \
+         impact from the angular velocity just before it (the source “impact velocity”; the paper’s shock comes from \
+         the largest uplift instead). Quiet time before and after is left out.",
+        number(1e3 * h.thickness_m, 4),
+        number(h.height_m, 4),
+        h.level,
+        h.motion,
+        number(h.slenderness_angle_rad, 3),
+    );
+    Some(Page {
+        kind: FigureKind::History,
+        title: plain(&title),
+        caption,
+        panels,
+        columns: 1,
+        row_heights_px: PANELS_PX.to_vec(),
+        legend,
+    })
+}
+
+fn entry(sign: Sign, words: &str) -> Entry {
+    Entry { sign, words: words.into() }
+}
+
+/// From a little before the first rotation to a little after the last one, within the record.
+fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
+    let (start, end) = (*h.time_s.first()?, *h.time_s.last()?);
+    let rotates = |&(_, &theta): &(&f64, &f64)| theta != 0.0;
+    let pairs = || h.time_s.iter().zip(&h.theta_rad);
+    let first = pairs().find(rotates).map_or(start, |(&t, _)| t);
+    let last = pairs().filter(rotates).last().map_or(end, |(&t, _)| t);
+    let (from, to) = ((first - QUIET_S).max(start), (last + QUIET_S).min(end));
+    (to > from).then_some((from, to))
+}
+
+/// The time axis; only the lowest panel writes its label.
+fn time_axis(from: f64, to: f64) -> Axis {
+    Axis { from, to, step: Some(round_step((to - from) / 8.0)), label: "Time (s)".into() }
+}
+
+fn stacked(x: Axis, y: Axis, lowest: bool) -> Layout {
+    let mut layout = axes(x, y).with_force_margins(MARGINS_PX.0, MARGINS_PX.1);
+    if !lowest {
+        layout.x_label = None;
+        layout.suppress_x_ticks = true;
+        layout.with_force_margins_y(8.0, 10.0)
+    } else {
+        layout.with_force_margins_y(8.0, LABELS_PX)
+    }
+}
+
+fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {
+    let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
+    let reach = (1.1 * largest).clamp(1.15, HIGHEST_RATIO);
+    let y = Axis { from: -reach, to: reach, step: Some(0.5), label: "Rotation θ/α (–)".into() };
+    // What falls out of the axes ends at their edge: one point beyond it is kept, and clipped.
+    let end = points.iter().position(|p| p.1.abs() > reach).map_or(points.len(), |i| i + 1);
+    let mut plots = vec![line(&points[..end], curve_style(0).colour, 1.6, None)];
+    if outcome == Outcome::Overturned
+        && let Some(&(t, ratio)) = points.get(end.saturating_sub(1))
+    {
+        plots.push(markers(&[(t, ratio.signum() * 0.93 * reach)], DARK, MarkerShape::Cross, 5.0));
+    }
+    let mut layout = stacked(x, y, false);
+    for value in [-1.0, 1.0] {
+        let mark = ReferenceLine::horizontal(value).with_color(DARK).with_stroke_width(1.2).with_dasharray("5 3");
+        layout = layout.with_reference_line(mark);
+    }
+    Panel { plots, layout }
+}
+
+fn accel_panel(points: &[(f64, f64)], x: Axis) -> Panel {
+    let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
+    let mut y = Axis::from_zero(1.05 * largest, "Floor accel. (g)");
+    y.from = -y.to;
+    y.step = y.step.map(|step| round_step(2.0 * step));
+    Panel { plots: vec![line(points, "#555555", 0.9, None)], layout: stacked(x, y, false) }
+}
+
+fn impact_panel(impacts: &[(f64, f64)], x: Axis) -> Panel {
+    let colour = curve_style(1).colour;
+    let highest = impacts.iter().fold(0.0f64, |m, p| m.max(p.1));
+    let y = Axis::from_zero(1.05 * highest, "Edge shock (g)");
+    let shown = highest_of_each_pixel(impacts, x.from, x.to);
+    // One line up and down at every impact, along the zero line between them.
+    let stems: Vec<(f64, f64)> = shown.iter().flat_map(|&(t, a)| [(t, 0.0), (t, a), (t, 0.0)]).collect();
+    let base = if stems.is_empty() { vec![(x.from, 0.0), (x.to, 0.0)] } else { stems };
+    let heads: Vec<(f64, f64)> = shown.iter().copied().filter(|p| p.1 > 0.02 * highest).collect();
+    let plots = vec![line(&base, colour, 1.4, None), markers(&heads, colour, MarkerShape::Circle, 3.0)];
+    Panel { plots, layout: stacked(x, y, true) }
+}
+
+fn pixel(t: f64, from: f64, to: f64) -> usize {
+    ((t - from) / (to - from) * (panel_width_px(1) - MARGINS_PX.0 - MARGINS_PX.1)) as usize
+}
+
+/// At most four points for each pixel column: first, lowest, highest, last, so that the drawing looks the same.
+fn thin(points: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Vec<(f64, f64)> {
+    let mut thinned: Vec<(f64, f64)> = Vec::new();
+    let mut column: Vec<(f64, f64)> = Vec::new();
+    let mut at = usize::MAX;
+    for point in points {
+        let now = pixel(point.0, from, to);
+        if now != at {
+            flush(&mut column, &mut thinned);
+            at = now;
+        }
+        column.push(point);
+    }
+    flush(&mut column, &mut thinned);
+    thinned
+}
+
+fn flush(column: &mut Vec<(f64, f64)>, thinned: &mut Vec<(f64, f64)>) {
+    let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+    let extremes = [column.first(), column.iter().min_by(by_value), column.iter().max_by(by_value), column.last()];
+    let mut kept: Vec<(f64, f64)> = extremes.into_iter().flatten().copied().collect();
+    kept.sort_by(|a, b| a.0.total_cmp(&b.0));
+    kept.dedup();
+    thinned.append(&mut kept);
+    column.clear();
+}
+
+/// The largest impact of each pixel column.
+fn highest_of_each_pixel(impacts: &[(f64, f64)], from: f64, to: f64) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = Vec::new();
+    for &impact in impacts {
+        match kept.last_mut() {
+            Some(last) if pixel(last.0, from, to) == pixel(impact.0, from, to) => {
+                if impact.1 > last.1 {
+                    *last = impact;
+                }
+            }
+            _ => kept.push(impact),
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_the_extremes() {
+        let n = 100_000;
+        let points: Vec<(f64, f64)> = (0..=n).map(|i| (i as f64 / n as f64, (i as f64 * 0.37).sin())).collect();
+        let thinned = thin(points.iter().copied(), 0.0, 1.0);
+        assert!(thinned.len() <= 4 * (panel_width_px(1) as usize + 1), "{}", thinned.len());
+        assert_eq!((thinned[0], thinned[thinned.len() - 1]), (points[0], points[n]));
+        let top = |p: &[(f64, f64)]| p.iter().map(|p| p.1).fold(f64::MIN, f64::max);
+        assert_eq!(top(&thinned), top(&points));
+        assert!(thinned.windows(2).all(|w| w[0].0 < w[1].0));
+    }
+
+    #[test]
+    fn the_largest_impact_of_a_pixel_is_kept() {
+        let impacts = [(0.5, 1.0), (0.5 + 1e-6, 3.0), (0.5 + 2e-6, 2.0), (0.9, 0.1)];
+        assert_eq!(highest_of_each_pixel(&impacts, 0.0, 1.0), vec![(0.5 + 1e-6, 3.0), (0.9, 0.1)]);
+    }
+}

@@ -1,0 +1,165 @@
+//! What all figures share: colours, line styles, markers, sizes.
+
+use freestand::G0_M_S2;
+use kuva::plot::line::{LinePlot, LineStyle};
+use kuva::plot::scatter::{MarkerShape, ScatterPlot};
+use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
+
+/// Width of every figure \[px\]. At 180 mm in print a pixel is 0.64 pt, so that [`TEXT_PX`] is 8.3 pt.
+pub(super) const WIDTH_PX: f64 = 800.0;
+/// Size of the smallest text \[px\].
+pub(super) const TEXT_PX: u32 = 13;
+/// Room above the axes for a panel's title \[px\].
+pub(super) const TITLE_PX: f64 = 34.0;
+/// Room below the axes for ticks and label \[px\].
+pub(super) const LABELS_PX: f64 = 46.0;
+/// Grey of what stays in the background.
+pub(super) const GREY: &str = "#9a9a9a";
+/// Dark grey of labels inside a panel.
+pub(super) const DARK: &str = "#444444";
+/// Opacity of the 16–84 % bands.
+pub(super) const BAND_OPACITY: f64 = 0.14;
+
+/// Okabe and Ito (2008), without the yellow, which is too light for lines on white paper.
+const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
+/// With round ends, which the PNG has, a gap is narrower by the width of the line.
+const DASHES: [Option<&str>; 5] = [None, Some("10 6"), Some("10 5 1.5 5"), Some("4 5"), Some("12 5 1.5 5 1.5 5")];
+const MARKERS: [MarkerShape; 6] = [
+    MarkerShape::Circle,
+    MarkerShape::Square,
+    MarkerShape::Triangle,
+    MarkerShape::Diamond,
+    MarkerShape::TriangleDown,
+    MarkerShape::Plus,
+];
+
+/// How one curve among several is drawn: colour, dashes and marker all differ, so that colour is never the only sign.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CurveStyle {
+    pub(super) colour: &'static str,
+    pub(super) dash: Option<&'static str>,
+    pub(super) marker: MarkerShape,
+}
+
+/// The style of curve `index`; the first 210 are different.
+pub(super) fn curve_style(index: usize) -> CurveStyle {
+    CurveStyle {
+        colour: COLOURS[index % COLOURS.len()],
+        dash: DASHES[index % DASHES.len()],
+        marker: MARKERS[index % MARKERS.len()],
+    }
+}
+
+/// A line through points.
+pub(super) fn line(points: &[(f64, f64)], colour: &str, width_px: f64, dash: Option<&str>) -> Plot {
+    let style = dash.map_or(LineStyle::Solid, |d| LineStyle::Custom(d.into()));
+    LinePlot::new()
+        .with_data(points.iter().copied())
+        .with_color(colour)
+        .with_stroke_width(width_px)
+        .with_line_style(style)
+        .into()
+}
+
+/// Markers at points.
+pub(super) fn markers(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: f64) -> Plot {
+    ScatterPlot::new().with_data(points.iter().copied()).with_color(colour).with_marker(shape).with_size(size_px).into()
+}
+
+/// Axes without a legend, exactly over these ranges, with the text sizes of all figures.
+pub(super) fn axes(x: Axis, y: Axis) -> Layout {
+    let mut layout = Layout::new((x.from, x.to), (y.from, y.to))
+        .with_x_label(x.label)
+        .with_y_label(y.label)
+        .with_x_axis_min(x.from)
+        .with_x_axis_max(x.to)
+        .with_y_axis_min(y.from)
+        .with_y_axis_max(y.to)
+        .with_title_size(TEXT_PX + 2)
+        .with_label_size(TEXT_PX + 1)
+        .with_tick_size(TEXT_PX)
+        .with_body_size(TEXT_PX)
+        .with_grid_line_width(0.5)
+        .with_box_axes()
+        .with_force_margins_y(TITLE_PX, LABELS_PX);
+    if let Some(step) = x.step {
+        layout = layout.with_x_tick_step(step);
+    }
+    if let Some(step) = y.step {
+        layout = layout.with_y_tick_step(step);
+    }
+    layout.show_legend = false;
+    layout
+}
+
+/// One axis: its range, the distance of its ticks (`None`: chosen by the plot library) and its label with the unit.
+#[derive(Debug, Clone)]
+pub(super) struct Axis {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) step: Option<f64>,
+    pub(super) label: String,
+}
+
+impl Axis {
+    /// From 0 to a round number that is not below `max`.
+    pub(super) fn from_zero(max: f64, label: &str) -> Self {
+        let max = if max > 0.0 && max.is_finite() { max } else { 1.0 };
+        let step = round_step(max / 5.0);
+        Self { from: 0.0, to: step * (max / step - 1e-9).ceil(), step: Some(step), label: label.into() }
+    }
+
+    /// Over `from..to` with a little room at both ends; a single value gets a range of its own.
+    pub(super) fn around(from: f64, to: f64, label: &str) -> Self {
+        let span = if to > from { to - from } else { from.abs().max(1.0) };
+        Self { from: from - 0.04 * span, to: to + 0.04 * span, step: Some(round_step(span / 5.0)), label: label.into() }
+    }
+}
+
+/// The smallest of 1, 2, 2.5, 5, 10 times a power of ten that is not below `step`.
+pub(super) fn round_step(step: f64) -> f64 {
+    let decade = 10f64.powf(step.log10().floor());
+    let factor = [1.0, 2.0, 2.5, 5.0].into_iter().find(|f| f * decade >= step * (1.0 - 1e-9)).unwrap_or(10.0);
+    factor * decade
+}
+
+/// Text that the plot library takes as it stands: `$` starts a formula there, control characters break an SVG.
+pub(super) fn plain(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).collect::<String>().replace('$', "\\$")
+}
+
+/// Accelerations \[m/s²\] in g.
+pub(super) fn in_g(accel_m_s2: f64) -> f64 {
+    accel_m_s2 / G0_M_S2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_round_and_not_too_small() {
+        for (step, expected) in [(0.11, 0.2), (0.2, 0.2), (0.21, 0.25), (3.0, 5.0), (7.0, 10.0), (1.0, 1.0)] {
+            assert!((round_step(step) / expected - 1.0f64).abs() < 1e-12, "{step}");
+        }
+    }
+
+    #[test]
+    fn axes_hold_their_data_even_without_any() {
+        assert_eq!(Axis::from_zero(4.1, "").to, 5.0);
+        assert_eq!(Axis::from_zero(4.0, "").to, 4.0);
+        assert_eq!(Axis::from_zero(0.0, "").to, 1.0);
+        assert!(Axis::around(2.0, 2.0, "").to > 2.0);
+    }
+
+    #[test]
+    fn curves_differ_in_more_than_colour() {
+        for i in 0..5 {
+            for j in 0..i {
+                let (a, b) = (curve_style(i), curve_style(j));
+                assert!(a.colour != b.colour && a.dash != b.dash && a.marker != b.marker);
+            }
+        }
+    }
+}

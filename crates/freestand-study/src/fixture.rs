@@ -1,0 +1,229 @@
+//! A made-up study and result for tests: 10 motions, 2 levels, 26 heights × 5 thicknesses. The rocking is a formula, not
+//! a history: some objects do not uplift, some rock, some overturn, one cannot be followed.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::path::PathBuf;
+
+use freestand::block::Block;
+use freestand::building::{Building, floor_motions};
+use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
+use freestand::impact::ImpactModel;
+use freestand::motion::Motion;
+use freestand::oscillator::{ResponseSpectrum, response_spectrum};
+use freestand::rocking::{Accuracy, Restitution};
+use freestand::spectra::{Outcome, UpliftCell};
+use freestand::synthesis::Misfit;
+use freestand::{G0_M_S2, impact::Landing};
+
+use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
+use crate::statistics::object_statistics;
+use crate::study::{
+    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
+};
+
+pub(crate) const MASS_KG: f64 = 150.0;
+pub(crate) const STIFFNESS_N_M: f64 = 4.38e6;
+
+/// A study with synthetic ground motions.
+pub(crate) fn study() -> Study {
+    let heights_m: Vec<f64> = (0..26).map(|i| 0.5 + 0.1 * f64::from(i)).collect();
+    let thicknesses_m = vec![0.2, 0.3, 0.4, 0.5, 0.6];
+    let mut blocks = Vec::new();
+    for &h in &heights_m {
+        blocks.extend(thicknesses_m.iter().map(|&t| Block::uniform(h, t).unwrap()));
+    }
+    Study {
+        source: None,
+        toml: "[ground]\ncity = \"Melbourne\"\n".into(),
+        ground: Ground::Synthetic(SyntheticGround {
+            spectrum: CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap(),
+            city: Some("Melbourne".into()),
+            count: 10,
+            seed: 1,
+        }),
+        building: BuildingInput {
+            storeys: 30,
+            storey_height_m: 3.0,
+            beam: Building::new(2.74, 0.05, 5.0, 5).unwrap(),
+            period_note: "AS 1170.4, concrete moment frame of 90 m".into(),
+        },
+        levels: vec![
+            Level { name: "mid-height".into(), level_ratio: 0.5 },
+            Level { name: "roof".into(), level_ratio: 1.0 },
+        ],
+        objects: Objects {
+            heights_m,
+            thicknesses_m,
+            blocks,
+            mass_kg: MASS_KG,
+            stiffness_n_m: STIFFNESS_N_M,
+            restitution: Restitution::Housner,
+            accuracy: Accuracy::Standard,
+            tolerance_m_s2: None,
+            friction: None,
+        },
+        outputs: Outputs {
+            figures: true,
+            report: true,
+            history: Some(HistoryChoice { level: "roof".into(), motion: None, height_m: 1.5, thickness_m: 0.3 }),
+        },
+        warnings: vec!["the building is a uniform beam".into()],
+    }
+}
+
+/// The same with recorded ground motions, a tolerance, and names that an HTML writer must not trust.
+pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
+    let motions = result.ground.iter().map(|g| RecordedMotion {
+        name: "<b>El & \"Centro\"</b> $x$ $y$".into(),
+        path: PathBuf::from("records/<script>alert(1)</script>.AT2"),
+        sha256: "ab".repeat(32),
+        description: "PEER AT2 & more".into(),
+        scale_ratio: 1.25,
+        motion: g.motion.clone(),
+    });
+    study.ground = Ground::Recorded(motions.collect());
+    study.source = Some(PathBuf::from("studies/<my> & study.toml"));
+    study.levels[1].name = "roof & <i>mast</i>".into();
+    study.objects.tolerance_m_s2 = Some(2.0 * G0_M_S2);
+    study.objects.friction = Some(0.4);
+    study.objects.restitution = Restitution::Value(0.9);
+    study
+}
+
+/// What came out of it.
+pub(crate) fn result(study: &Study) -> StudyResult {
+    let ground: Vec<GroundMotion> = (0..10).map(|i| ground_motion(i, study)).collect();
+    let ratios: Vec<f64> = study.levels.iter().map(|l| l.level_ratio).collect();
+    let floors: Vec<Vec<Motion>> =
+        ground.iter().map(|g| floor_motions(&g.motion, &study.building.beam, &ratios).unwrap()).collect();
+    let levels: Vec<LevelResult> = study
+        .levels
+        .iter()
+        .enumerate()
+        .map(|(i, level)| level_result(study, level, floors.iter().map(|f| f[i].clone()).collect()))
+        .collect();
+    let history = history(&levels[levels.len() - 1], "synthetic-01");
+    StudyResult {
+        ground,
+        modes: study.building.beam.modes().to_vec(),
+        levels,
+        history: Some(history),
+        warnings: vec!["12 objects of 130 need more friction than 0.5 under some motion: they may slide".into()],
+    }
+}
+
+/// Shaking of 25 s: a sum of decaying sines whose amplitudes follow the target.
+fn ground_motion(index: u32, study: &Study) -> GroundMotion {
+    let dt_s = 0.01;
+    let mut state = u64::from(index) * 7919 + 12345;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let waves: Vec<(f64, f64, f64)> =
+        (0..80).map(|k| (0.2 * 1.055f64.powi(k), 0.010 * (0.3 + 1.4 * random()), TAU * random())).collect();
+    let accel = (0..3000).map(|i| {
+        let t = f64::from(i) * dt_s;
+        let envelope = (t / 4.0).min(1.0) * (-(t - 8.0).max(0.0) / 4.0).exp();
+        G0_M_S2 * envelope * waves.iter().map(|(f, a, phase)| a * (TAU * f * t + phase).sin()).sum::<f64>()
+    });
+    let motion = Motion::new(dt_s, accel.collect()).unwrap();
+    let spectrum = spectrum(&motion);
+    let misfit = Misfit {
+        rms_ratio: 0.021,
+        worst_ratio: -0.083,
+        worst_period_s: 0.052,
+        pga_g: motion.peak_m_s2() / G0_M_S2,
+        target_zpa_g: 0.088,
+        d5_95_s: 11.4,
+        pgv_m_s: 0.17,
+    };
+    let misfit = matches!(study.ground, Ground::Synthetic(_)).then_some(misfit);
+    GroundMotion { name: format!("synthetic-{:02}", index + 1), motion, spectrum, misfit }
+}
+
+fn spectrum(motion: &Motion) -> ResponseSpectrum {
+    let periods: Vec<f64> = (0..81).map(|i| 0.05 * 10f64.powf(f64::from(i) / 40.0)).collect();
+    response_spectrum(motion, 0.05, &periods).unwrap()
+}
+
+fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResult {
+    let responses: Vec<Vec<ObjectResponse>> = floors
+        .iter()
+        .enumerate()
+        .map(|(m, floor)| {
+            let one = |(i, block): (usize, &Block)| {
+                if m == 3 && i == 64 && level.level_ratio == 1.0 {
+                    return ObjectResponse::Failed("the floor falls away: g + ü_v ≤ 0".into());
+                }
+                let uplift = rocked(block, floor.peak_m_s2() / G0_M_S2, m);
+                let shock = uplift.shock(MASS_KG, STIFFNESS_N_M, ImpactModel::Paper, G0_M_S2);
+                ObjectResponse::Done { uplift, shock }
+            };
+            study.objects.blocks.iter().enumerate().map(one).collect()
+        })
+        .collect();
+    let objects = study.objects.blocks.len();
+    let statistics = (0..objects).map(|i| object_statistics(responses.iter().map(|row| &row[i]))).collect();
+    let spectra = floors.iter().map(spectrum).collect();
+    LevelResult { level: level.clone(), floors, spectra, responses, statistics }
+}
+
+/// Rocking grows with what the peak has over the threshold and falls with the size.
+fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
+    let pivot = block.pivot();
+    let excess = peak_g / pivot.slenderness_angle_rad.tan() - 1.0;
+    let ratio = (0.5 + 0.12 * motion as f64) * 0.55 * excess / pivot.half_diagonal_m;
+    let outcome = match ratio {
+        r if r <= 0.0 => Outcome::NoUplift,
+        r if r < 1.0 => Outcome::Rocked,
+        _ => Outcome::Overturned,
+    };
+    let peak = match outcome {
+        Outcome::NoUplift => 0.0,
+        Outcome::Rocked => ratio * pivot.slenderness_angle_rad,
+        Outcome::Overturned => FRAC_PI_2,
+    };
+    let cg_rise_m = pivot.cg_rise_m(peak.min(pivot.slenderness_angle_rad));
+    let landing = Landing::rocking(block, ImpactModel::Paper);
+    UpliftCell {
+        block: *block,
+        outcome,
+        peak_rotation_rad: peak,
+        impact_count: if outcome == Outcome::NoUplift { 0 } else { 17 },
+        uplift_m: block.base_width_m() * peak.sin(),
+        cg_rise_m,
+        impact_omega_rad_s: landing.omega_rad_s(0.8 * cg_rise_m, G0_M_S2),
+    }
+}
+
+fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
+    let floor = &level.floors[0];
+    let slenderness_angle_rad = 0.3f64.atan2(1.5);
+    let time_s: Vec<f64> = (0..floor.accel_m_s2().len()).map(|i| i as f64 * floor.dt_s()).collect();
+    let swing = |t: f64| {
+        let s = t - 6.0;
+        if (0.0..14.0).contains(&s) {
+            0.7 * slenderness_angle_rad * (s * (0.7 + 0.15 * s)).sin() * (-s / 5.0).exp()
+        } else {
+            0.0
+        }
+    };
+    let theta_rad: Vec<f64> = time_s.iter().map(|&t| swing(t)).collect();
+    let crosses = |i: &usize| theta_rad[*i] * theta_rad[*i + 1] < 0.0;
+    let impacts =
+        (0..time_s.len() - 1).filter(crosses).map(|i| (time_s[i], 2.6 * (-(time_s[i] - 6.0) / 5.0).exp())).collect();
+    ExampleHistory {
+        level: level.level.name.clone(),
+        motion: motion.into(),
+        height_m: 1.5,
+        thickness_m: 0.3,
+        slenderness_angle_rad,
+        outcome: Outcome::Rocked,
+        friction_needed_ratio: 0.31,
+        accel_m_s2: floor.accel_m_s2().to_vec(),
+        time_s,
+        theta_rad,
+        impacts,
+    }
+}

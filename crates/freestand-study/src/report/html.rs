@@ -1,0 +1,113 @@
+//! Pieces of HTML. Everything that is called `html` here is markup already; everything called `text` is escaped.
+
+use crate::words::escape;
+
+/// A cell of a table.
+#[derive(Debug, Clone)]
+pub(super) struct Cell {
+    html: String,
+    class: &'static str,
+    columns: usize,
+}
+
+/// A cell of words.
+pub(super) fn words(text: &str) -> Cell {
+    Cell { html: escape(text), class: "", columns: 1 }
+}
+
+/// A cell of a number, aligned to the right.
+pub(super) fn figure(text: impl AsRef<str>) -> Cell {
+    Cell { html: escape(text.as_ref()), class: "n", columns: 1 }
+}
+
+/// A cell of markup.
+pub(super) fn markup(html: String, class: &'static str) -> Cell {
+    Cell { html, class, columns: 1 }
+}
+
+impl Cell {
+    /// The same over several columns.
+    pub(super) fn over(mut self, columns: usize) -> Self {
+        self.columns = columns;
+        self
+    }
+
+    fn write(&self, html: &mut String, tag: &str, scope: &str) {
+        html.push('<');
+        html.push_str(tag);
+        if !scope.is_empty() {
+            html.push_str(&format!(" scope=\"{scope}\""));
+        }
+        if !self.class.is_empty() {
+            html.push_str(&format!(" class=\"{}\"", self.class));
+        }
+        if self.columns > 1 {
+            html.push_str(&format!(" colspan=\"{}\"", self.columns));
+        }
+        html.push('>');
+        html.push_str(&self.html);
+        html.push_str(&format!("</{tag}>"));
+    }
+}
+
+/// A table that scrolls on a narrow screen: heading rows, then rows whose first cell is a heading.
+pub(super) fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
+    let mut html = String::from("<div class=\"scroll\" tabindex=\"0\"><table>");
+    if !caption.is_empty() {
+        html.push_str(&format!("<caption>{}</caption>", escape(caption)));
+    }
+    html.push_str("<thead>");
+    for row in headings {
+        html.push_str("<tr>");
+        for cell in row {
+            cell.write(&mut html, "th", if cell.columns > 1 { "colgroup" } else { "col" });
+        }
+        html.push_str("</tr>");
+    }
+    html.push_str("</thead><tbody>");
+    for row in rows {
+        html.push_str("<tr>");
+        for (i, cell) in row.iter().enumerate() {
+            let (tag, scope) = if i == 0 { ("th", "row") } else { ("td", "") };
+            cell.write(&mut html, tag, scope);
+        }
+        html.push_str("</tr>");
+    }
+    html.push_str("</tbody></table></div>\n");
+    html
+}
+
+/// A table of names and values without a heading row; empty values are left out.
+pub(super) fn properties(caption: &str, rows: &[(&str, String)]) -> String {
+    let rows: Vec<Vec<Cell>> = rows
+        .iter()
+        .filter(|(_, value)| !value.is_empty())
+        .map(|(name, value)| vec![words(name), words(value)])
+        .collect();
+    table(caption, &[], &rows).replacen("<thead></thead>", "", 1).replacen("<table>", "<table class=\"pairs\">", 1)
+}
+
+/// A paragraph of words.
+pub(super) fn paragraph(text: &str) -> String {
+    format!("<p>{}</p>\n", escape(text))
+}
+
+/// A bulleted list of words.
+pub(super) fn list<S: AsRef<str>>(items: &[S]) -> String {
+    let mut html = String::from("<ul>\n");
+    for item in items {
+        html.push_str(&format!("<li>{}</li>\n", escape(item.as_ref())));
+    }
+    html.push_str("</ul>\n");
+    html
+}
+
+/// A section with its heading, which links lead to.
+pub(super) fn section(id: &str, heading: &str, html: &str) -> String {
+    format!("<section id=\"{id}\">\n<h2>{}</h2>\n{html}</section>\n", escape(heading))
+}
+
+/// A heading inside a section.
+pub(super) fn heading(text: &str) -> String {
+    format!("<h3>{}</h3>\n", escape(text))
+}

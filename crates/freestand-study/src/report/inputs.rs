@@ -1,0 +1,228 @@
+//! What went in, with units.
+
+use freestand::G0_M_S2;
+use freestand::synthesis;
+
+use crate::result::StudyResult;
+use crate::study::{Ground, RecordedMotion, Study, SyntheticGround};
+use crate::summary::{accuracy_words, restitution_words};
+use crate::words::{fixed, number, percent};
+
+use super::html::{figure, heading, paragraph, properties, table, words};
+
+/// Ground, building and objects.
+pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
+    let mut html = heading("Ground motions");
+    match &study.ground {
+        Ground::Synthetic(synthetic) => html.push_str(&synthetic_ground(synthetic, result)),
+        Ground::Recorded(records) => html.push_str(&recorded_ground(records, result)),
+    }
+    html.push_str(&heading("Building"));
+    html.push_str(&building(study, result));
+    html.push_str(&heading("Objects"));
+    html.push_str(&objects(study));
+    html
+}
+
+fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
+    let code = &synthetic.spectrum;
+    let minimum = if code.minimum_governs() { " (the code’s minimum governs)" } else { "" };
+    let mut html = properties(
+        "",
+        &[
+            ("Target", format!("AS 1170.4, edition {}, elastic, 5 % damping", code.edition().name())),
+            ("Place", synthetic.city.clone().unwrap_or_default()),
+            ("Site class", format!("{}: {}", code.site().name(), code.site().description())),
+            ("Hazard design factor Z", number(code.hazard_factor(), 4)),
+            ("Return period", format!("{} years", code.return_period_years())),
+            ("kp·Z", format!("{} g{minimum}", number(code.kpz_g(), 4))),
+            ("Motions", synthetic.count.to_string()),
+            ("Seed", synthetic.seed.to_string()),
+        ],
+    );
+    let headings = vec![vec![
+        words("Motion"),
+        figure("rms misfit"),
+        figure("worst misfit"),
+        figure("at T (s)"),
+        figure("PGA (g)"),
+        figure("target ZPA (g)"),
+        figure("PGA/ZPA"),
+        figure("PGV (m/s)"),
+        figure("D5–95 (s)"),
+    ]];
+    let rows: Vec<_> = result
+        .ground
+        .iter()
+        .filter_map(|ground| {
+            let m = ground.misfit.as_ref()?;
+            Some(vec![
+                words(&ground.name),
+                figure(percent(m.rms_ratio, 1)),
+                figure(format!("{:+.1} %", 100.0 * m.worst_ratio)),
+                figure(fixed(m.worst_period_s, 3)),
+                figure(fixed(m.pga_g, 3)),
+                figure(fixed(m.target_zpa_g, 3)),
+                figure(fixed(m.pga_g / m.target_zpa_g, 2)),
+                figure(fixed(m.pgv_m_s, 3)),
+                figure(fixed(m.d5_95_s, 1)),
+            ])
+        })
+        .collect();
+    html.push_str(&table("How well the motions meet their target", &headings, &rows));
+    let periods = (0..=synthesis::MATCHED_PERIODS).map(|i| 0.01 * 1.06f64.powi(i as i32));
+    let plateau_g = periods.map(|t| code.sa_g(t)).fold(0.0, f64::max);
+    html.push_str(&paragraph(&format!(
+        "Misfit is the spectrum of the motion over the target, less one, at {} periods from {} s to {} s. Why the PGA \
+         exceeds the target’s value at zero period (ZPA): the plateau of site class {} is {} times its ZPA. A motion whose \
+         spectrum has such a plateau cannot have so small a peak; the motions are matched from {} s up and their PGA is \
+         what comes with it. It is not scaled away, because that would take the plateau down too.",
+        synthesis::MATCHED_PERIODS,
+        synthesis::SHORTEST_PERIOD_S,
+        synthesis::LONGEST_PERIOD_S,
+        code.site().name(),
+        fixed(plateau_g / code.sa_g(0.0), 2),
+        synthesis::SHORTEST_PERIOD_S,
+    )));
+    html
+}
+
+fn recorded_ground(records: &[RecordedMotion], result: &StudyResult) -> String {
+    let headings = vec![vec![
+        words("Motion"),
+        words("File"),
+        words("Read as"),
+        figure("Scale"),
+        figure("PGA (g)"),
+        figure("dt (s)"),
+        figure("Duration (s)"),
+    ]];
+    let rows: Vec<_> = records
+        .iter()
+        .map(|record| {
+            let motion = &record.motion;
+            let file = record.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            vec![
+                words(&record.name),
+                words(&file),
+                words(&record.description),
+                figure(number(record.scale_ratio, 6)),
+                figure(fixed(motion.peak_m_s2() / G0_M_S2, 3)),
+                figure(number(motion.dt_s(), 4)),
+                figure(fixed(motion.duration_s(), 1)),
+            ]
+        })
+        .collect();
+    let mut html = table("Recorded motions, after scaling", &headings, &rows);
+    if result.ground.len() < 7 {
+        html.push_str(&paragraph(
+            "Codes ask for at least seven motions before a mean or a median is used; the fractiles of fewer are coarse.",
+        ));
+    }
+    html
+}
+
+fn building(study: &Study, result: &StudyResult) -> String {
+    let building = &study.building;
+    let beam = &building.beam;
+    let height_m = building.storeys as f64 * building.storey_height_m;
+    let mut html = properties(
+        "",
+        &[
+            ("Model", "uniform shear-flexure beam (Miranda and Taghavi 2005), linear".to_owned()),
+            (
+                "Storeys",
+                format!(
+                    "{} of {} m, {} m in all",
+                    building.storeys,
+                    number(building.storey_height_m, 4),
+                    number(height_m, 5)
+                ),
+            ),
+            ("Fundamental period T₁", format!("{} s: {}", number(beam.period_s(), 4), building.period_note)),
+            ("Damping, every mode", percent(beam.damping_ratio(), 1)),
+            ("α₀ = H√(GA/EI)", number(beam.shear_flexure_ratio(), 4)),
+            (
+                "Levels",
+                study
+                    .levels
+                    .iter()
+                    .map(|l| {
+                        format!(
+                            "{} at {} m (z/H = {})",
+                            l.name,
+                            number(l.level_ratio * height_m, 4),
+                            number(l.level_ratio, 3)
+                        )
+                    })
+                    .collect::<Vec<_>>()
+                    .join("; "),
+            ),
+        ],
+    );
+    let headings = vec![vec![
+        figure("Mode"),
+        figure("Period (s)"),
+        figure("Participation Γ"),
+        figure("Effective mass"),
+        figure("Sum"),
+    ]];
+    let mut sum = 0.0;
+    let rows: Vec<_> = result
+        .modes
+        .iter()
+        .enumerate()
+        .map(|(i, mode)| {
+            sum += mode.effective_mass_ratio();
+            vec![
+                figure((i + 1).to_string()),
+                figure(fixed(mode.period_s(), 3)),
+                figure(fixed(mode.participation_ratio(), 3)),
+                figure(percent(mode.effective_mass_ratio(), 1)),
+                figure(percent(sum, 1)),
+            ]
+        })
+        .collect();
+    html.push_str(&table("Modes (shapes are 1 at the roof)", &headings, &rows));
+    html
+}
+
+fn objects(study: &Study) -> String {
+    let objects = &study.objects;
+    let tolerance = objects.tolerance_m_s2.map(|a| format!("{} g", number(a / G0_M_S2, 4))).unwrap_or_default();
+    let friction = objects.friction.map_or_else(
+        || format!("not given; {} is assumed for the warnings", freestand::impact::ASSUMED_FRICTION),
+        |mu| number(mu, 3),
+    );
+    properties(
+        "",
+        &[
+            ("Heights h", grid_words(&objects.heights_m, 1.0, "m")),
+            ("Thicknesses t", grid_words(&objects.thicknesses_m, 1e3, "mm")),
+            ("Mass m", format!("{} kg", number(objects.mass_kg, 6))),
+            (
+                "Stiffness k under one edge",
+                format!(
+                    "{} N/mm, all the cushion under that edge (two pads of 2190 N/mm make 4380)",
+                    number(1e-3 * objects.stiffness_n_m, 6)
+                ),
+            ),
+            ("Restitution r of the motion", restitution_words(objects.restitution)),
+            ("Accuracy of the solver", accuracy_words(objects.accuracy)),
+            ("Shock that the objects stand", tolerance),
+            ("Coefficient of friction", friction),
+        ],
+    )
+}
+
+/// A short list whole, a long one by its ends.
+fn grid_words(values: &[f64], factor: f64, unit: &str) -> String {
+    const WHOLE: usize = 8;
+    let text = |v: &f64| number(v * factor, 5);
+    match (values.first(), values.last()) {
+        (Some(first), Some(last)) if values.len() > WHOLE => {
+            format!("{} values from {} to {} {unit}", values.len(), text(first), text(last))
+        }
+        _ => format!("{} {unit}", values.iter().map(text).collect::<Vec<_>>().join(", ")),
+    }
+}

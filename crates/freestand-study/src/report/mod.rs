@@ -1,0 +1,57 @@
+//! `report.html`: one file that loads nothing, for the screen and for A4.
+
+mod html;
+mod inputs;
+mod overview;
+mod provenance;
+mod reading;
+mod results;
+
+use std::fmt::Write;
+
+use crate::figures::Figure;
+use crate::result::StudyResult;
+use crate::study::Study;
+use crate::words::escape;
+
+pub use provenance::{Provenance, provenance};
+
+/// The report of a run, as an HTML document that is well-formed XML too.
+///
+/// All texts of the study and of its files are escaped; the figures stand in it as SVG.
+pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenance: &Provenance) -> String {
+    let sections = [
+        ("results", "Results", results::results(study, result, figures)),
+        ("paper", "Beside the paper", reading::beside_the_paper(study, result)),
+        ("inputs", "Inputs", inputs::inputs(study, result)),
+        ("assumptions", "Assumptions", reading::assumptions(study)),
+        ("definitions", "Definitions", reading::definitions()),
+        ("errata", "Corrections to the paper", reading::errata()),
+        ("provenance", "Provenance", provenance::provenance_section(study, provenance)),
+    ];
+    let mut document = String::from(
+        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" />\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n",
+    );
+    let title = overview::title(study);
+    let _ = write!(document, "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n", escape(&title), CSS);
+    let _ = write!(document, "<header>\n<h1>{}</h1>\n", escape(&title));
+    let _ = writeln!(document, "<p class=\"sub\">{}</p>\n</header>", escape(&overview::subtitle(study, provenance)));
+    document.push_str("<main>\n");
+    document.push_str(&overview::overview(study, result));
+    document.push_str("<nav aria-label=\"Contents\">\n");
+    for (id, heading, _) in &sections {
+        let _ = writeln!(document, "<a href=\"#{id}\">{}</a>", escape(heading));
+    }
+    document.push_str("</nav>\n");
+    for (id, heading, content) in &sections {
+        document.push_str(&html::section(id, heading, content));
+    }
+    document.push_str("</main>\n</body>\n</html>\n");
+    document
+}
+
+const CSS: &str = include_str!("style.css");
+
+#[cfg(test)]
+mod tests;

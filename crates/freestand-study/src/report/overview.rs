@@ -1,0 +1,205 @@
+//! The top of the report: the result in words, the first table, the warnings.
+
+use crate::result::{ObjectResponse, ObjectStatistics, Ranked, StudyResult};
+use crate::study::{Ground, Study};
+use crate::summary::{LevelSummary, level_summary};
+use crate::words::{fixed, number, percent};
+
+use super::html::{figure, list, paragraph, table, words};
+use super::provenance::Provenance;
+
+/// Title of the report.
+pub(super) fn title(study: &Study) -> String {
+    match &study.ground {
+        Ground::Synthetic(synthetic) => {
+            let place = synthetic.city.clone().unwrap_or_else(|| format!("Z = {}", synthetic.spectrum.hazard_factor()));
+            format!(
+                "Free-standing objects in a {}-year earthquake: {place}, site class {}",
+                synthetic.spectrum.return_period_years(),
+                synthetic.spectrum.site().name()
+            )
+        }
+        Ground::Recorded(records) if records.len() == 1 => {
+            format!("Free-standing objects under the motion {}", records[0].name)
+        }
+        Ground::Recorded(records) => format!("Free-standing objects under {} recorded motions", records.len()),
+    }
+}
+
+/// The line under the title.
+pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
+    let source = study.source.as_deref().and_then(|path| path.file_name());
+    let source = source.map_or_else(|| "the built-in study".to_owned(), |name| name.to_string_lossy().into_owned());
+    format!("Shock and overturning by rocking · {source} · freestand {}", provenance.version)
+}
+
+/// Summary, first table and warnings.
+pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
+    let levels: Vec<LevelSummary> = result.levels.iter().map(level_summary).collect();
+    let mut html = paragraph(&job_words(study, result, &levels));
+    html.push_str(&list(&levels.iter().map(level_words).collect::<Vec<_>>()));
+    html.push_str(&first_table(&levels));
+    html.push_str(&tolerance_words(study, result));
+    html.push_str(&failures(result));
+    html.push_str("<div class=\"warn\">\n<h2>Validity warnings</h2>\n");
+    if result.warnings.is_empty() {
+        html.push_str("<p>None.</p>\n");
+    } else {
+        html.push_str(&list(&result.warnings));
+    }
+    html.push_str("</div>\n");
+    html
+}
+
+fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> String {
+    let objects = &study.objects;
+    let histories: usize = levels.iter().map(|level| level.histories).sum();
+    let failed: usize = levels.iter().map(|level| level.failed).sum();
+    let kind = match (&study.ground, result.ground.len()) {
+        (Ground::Synthetic(_), 1) => "one synthetic ground motion".to_owned(),
+        (Ground::Synthetic(_), n) => format!("{n} synthetic ground motions"),
+        (Ground::Recorded(_), 1) => "one recorded ground motion".to_owned(),
+        (Ground::Recorded(_), n) => format!("{n} recorded ground motions"),
+    };
+    let failed = match failed {
+        0 => "all of them could be followed to their end".to_owned(),
+        n => format!("{n} of them failed and are left out of the statistics"),
+    };
+    format!(
+        "{} objects ({} heights × {} thicknesses, {} kg, {} N/mm under an edge) stood on {} of a {}-storey building under \
+         {kind}: {histories} rocking histories, {failed}.",
+        objects.blocks.len(),
+        objects.heights_m.len(),
+        objects.thicknesses_m.len(),
+        number(objects.mass_kg, 6),
+        number(1e-3 * objects.stiffness_n_m, 6),
+        if levels.len() == 1 { "one floor".to_owned() } else { format!("{} floors", levels.len()) },
+        study.building.storeys,
+    )
+}
+
+fn level_words(level: &LevelSummary) -> String {
+    let shock = match (level.edge_acceleration_g_median, level.edge_acceleration_g_max) {
+        (Some(median), Some(most)) if most > 0.0 => format!(
+            "the median edge shock of an object reaches {} g, the largest of any survivor under any motion {} g",
+            number(median, 3),
+            number(most, 3)
+        ),
+        (_, Some(most)) if most > 0.0 => format!(
+            "no object has a median shock that is a number; the largest of any survivor is {} g",
+            number(most, 3)
+        ),
+        _ => "no object that stays up is shaken off its base".to_owned(),
+    };
+    format!(
+        "{}: the floor peaks at {} g (median); {} of the histories uplift and {} overturn; {shock}.",
+        level.level,
+        number(level.pfa_g_median, 3),
+        percent(level.uplift_share, 0),
+        percent(level.overturned_share, 0)
+    )
+}
+
+fn first_table(levels: &[LevelSummary]) -> String {
+    let headings = vec![vec![
+        words("Level"),
+        figure("z/H"),
+        figure("PFA, median (g)"),
+        figure("Histories"),
+        figure("Failed"),
+        figure("Uplift"),
+        figure("Overturned"),
+        figure("Objects with median overturned"),
+        figure("Edge shock: largest median (g)"),
+        figure("largest (g)"),
+        figure("from impact velocity: largest median (g)"),
+        figure("largest (g)"),
+    ]];
+    let shock = |value: Option<f64>| figure(value.map_or_else(|| "–".to_owned(), |v| fixed(v, 2)));
+    let rows: Vec<_> = levels
+        .iter()
+        .map(|level| {
+            vec![
+                words(&level.level),
+                figure(number(level.level_ratio, 3)),
+                figure(fixed(level.pfa_g_median, 3)),
+                figure(level.histories.to_string()),
+                figure(level.failed.to_string()),
+                figure(percent(level.uplift_share, 1)),
+                figure(percent(level.overturned_share, 1)),
+                figure(level.overturned_objects.to_string()),
+                shock(level.edge_acceleration_g_median),
+                shock(level.edge_acceleration_g_max),
+                shock(level.edge_acceleration_impact_velocity_g_median),
+                shock(level.edge_acceleration_impact_velocity_g_max),
+            ]
+        })
+        .collect();
+    let mut html = table("Each level at a glance", &headings, &rows);
+    html = html.replacen("<table>", "<table class=\"glance\">", 1);
+    html.push_str(&paragraph(
+        "“Largest median”: of all objects, the largest median over the motions that is a number. “Largest”: of every object \
+         that stays up, under any motion. Shares are of all histories, object × motion.",
+    ));
+    html
+}
+
+/// Whether the larger of the two medians exceeds the tolerance; an overturned median does.
+pub(super) fn exceeds(statistics: &ObjectStatistics, tolerance_g: f64) -> bool {
+    [statistics.edge_acceleration_g[1], statistics.edge_acceleration_impact_velocity_g[1]].iter().any(|ranked| {
+        match ranked {
+            Ranked::Value(shock) => *shock > tolerance_g,
+            Ranked::Overturned => true,
+            Ranked::NoData => false,
+        }
+    })
+}
+
+fn tolerance_words(study: &Study, result: &StudyResult) -> String {
+    let Some(tolerance_m_s2) = study.objects.tolerance_m_s2 else { return String::new() };
+    let tolerance_g = tolerance_m_s2 / freestand::G0_M_S2;
+    let counts: Vec<String> = result
+        .levels
+        .iter()
+        .map(|level| {
+            let above = level.statistics.iter().flatten().filter(|s| exceeds(s, tolerance_g)).count();
+            format!("{}: {above} of {}", level.level.name, level.statistics.len())
+        })
+        .collect();
+    paragraph(&format!(
+        "Objects whose median shock (the larger of the two sources) exceeds the tolerance of {} g, or whose median is \
+         overturned: {}. They carry the sign ▲ in the tables.",
+        number(tolerance_g, 3),
+        counts.join("; ")
+    ))
+}
+
+/// Reasons of failed histories, with their counts.
+fn failures(result: &StudyResult) -> String {
+    let mut reasons: Vec<(&str, usize)> = Vec::new();
+    for response in result.levels.iter().flat_map(|level| level.responses.iter().flatten()) {
+        if let ObjectResponse::Failed(reason) = response {
+            match reasons.iter_mut().find(|(known, _)| known == reason) {
+                Some((_, count)) => *count += 1,
+                None => reasons.push((reason, 1)),
+            }
+        }
+    }
+    if reasons.is_empty() {
+        return String::new();
+    }
+    reasons.sort_by_key(|&(_, count)| std::cmp::Reverse(count));
+    let more = reasons.len().saturating_sub(MOST_REASONS);
+    let rows: Vec<_> = reasons
+        .iter()
+        .take(MOST_REASONS)
+        .map(|(reason, count)| vec![words(reason), figure(count.to_string())])
+        .collect();
+    let mut html = table("Histories that could not be followed", &[vec![words("Reason"), figure("Histories")]], &rows);
+    if more > 0 {
+        html.push_str(&paragraph(&format!("And {more} other reasons; srs.csv has every one.")));
+    }
+    html
+}
+
+const MOST_REASONS: usize = 12;

@@ -1,0 +1,76 @@
+//! Where the numbers come from.
+
+use crate::recorded::sha256_hex;
+use crate::study::{Ground, Study};
+use crate::words::escape;
+
+use super::html::{figure, heading, markup, paragraph, properties, table, words};
+
+/// What it takes to get the same numbers again.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Provenance {
+    /// Version of freestand.
+    pub version: String,
+    /// SHA-256 of the study as TOML, in hexadecimal.
+    pub study_sha256: String,
+    /// Every other file that was read: name and SHA-256.
+    pub inputs: Vec<(String, String)>,
+    /// Seed of the random numbers, where there are any.
+    pub seed: Option<u64>,
+    /// What makes the random numbers.
+    pub generator: Option<String>,
+}
+
+/// The provenance of a study that this version runs.
+pub fn provenance(study: &Study) -> Provenance {
+    let (inputs, seed, generator) = match &study.ground {
+        Ground::Synthetic(synthetic) => {
+            (Vec::new(), Some(synthetic.seed), Some(freestand::synthesis::GENERATOR.to_owned()))
+        }
+        Ground::Recorded(records) => {
+            let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
+            let inputs =
+                records.iter().map(|r| (name(&r.path).unwrap_or_else(|| r.name.clone()), r.sha256.clone())).collect();
+            (inputs, None, None)
+        }
+    };
+    Provenance {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        study_sha256: sha256_hex(study.toml.as_bytes()),
+        inputs,
+        seed,
+        generator,
+    }
+}
+
+pub(super) fn provenance_section(study: &Study, provenance: &Provenance) -> String {
+    let source = study.source.as_deref().and_then(|path| path.file_name());
+    let mut html = properties(
+        "",
+        &[
+            ("Version", format!("freestand {}", provenance.version)),
+            ("Study", source.map_or_else(|| "built-in".to_owned(), |name| name.to_string_lossy().into_owned())),
+            ("SHA-256 of the study", provenance.study_sha256.clone()),
+            ("Seed", provenance.seed.map(|seed| seed.to_string()).unwrap_or_default()),
+            ("Random numbers", provenance.generator.clone().unwrap_or_default()),
+        ],
+    );
+    if !provenance.inputs.is_empty() {
+        let rows: Vec<_> = provenance
+            .inputs
+            .iter()
+            .map(|(name, sha256)| vec![words(name), markup(format!("<code>{}</code>", escape(sha256)), "")])
+            .collect();
+        html.push_str(&table("Files that were read", &[vec![words("File"), figure("SHA-256")]], &rows));
+    }
+    html.push_str(&paragraph(
+        "The same version with the same study and files gives the same numbers on any number of threads. Every motion of \
+         every object stands in urs.csv and srs.csv; summary.json holds the key figures and all inputs.",
+    ));
+    html.push_str(&heading("The study"));
+    html.push_str(&format!(
+        "<details>\n<summary>The study as TOML, ready to run again</summary>\n<pre>{}</pre>\n</details>\n",
+        escape(&study.toml)
+    ));
+    html
+}

@@ -1,0 +1,174 @@
+use super::*;
+use crate::figures::{Figure, figures};
+use crate::fixture;
+
+fn rendered(recorded: bool) -> (Vec<Figure>, String) {
+    let mut study = fixture::study();
+    let mut result = fixture::result(&study);
+    if recorded {
+        study = fixture::recorded(study, &result);
+        for ground in &mut result.ground {
+            ground.name = "<b>El & \"Centro\"</b> $x$ $y$".into();
+            ground.misfit = None;
+        }
+        for (level, named) in result.levels.iter_mut().zip(&study.levels) {
+            level.level = named.clone();
+        }
+        result.warnings.push("<script>alert(2)</script>".into());
+        let history = result.history.as_mut().unwrap();
+        history.level = study.levels[1].name.clone();
+        history.motion = result.ground[0].name.clone();
+    }
+    let figures = figures(&study, &result).unwrap();
+    let html = report(&study, &result, &figures, &provenance(&study));
+    (figures, html)
+}
+
+fn texts(document: &roxmltree::Document) -> String {
+    document
+        .descendants()
+        .filter_map(|node| node.is_text().then(|| node.text()).flatten())
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+/// What holds for every report, whatever the study: well-formed, loads nothing, no NaN, no id twice.
+fn check(html: &str) {
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let document = roxmltree::Document::parse_with_options(html, options).unwrap();
+    let mut ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+    let all = ids.len();
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), all, "an id stands twice");
+    for node in document.descendants() {
+        assert!(!["script", "link", "img", "iframe", "object"].contains(&node.tag_name().name()));
+        for attribute in node.attributes() {
+            let name = attribute.name();
+            assert!(!name.starts_with("on") && name != "src", "{name}");
+            if name == "href" {
+                let target = attribute.value().strip_prefix('#').unwrap();
+                assert!(ids.contains(&target), "{target}");
+            }
+            if let Some((_, id)) = attribute.value().split_once("url(#") {
+                assert!(ids.contains(&id.trim_end_matches(')')), "{id}");
+            }
+        }
+    }
+    for namespace in ["http://www.w3.org/2000/svg", "http://www.w3.org/1999/xhtml"] {
+        assert!(html.contains(namespace));
+    }
+    let rest = html.replace("http://www.w3.org/", "");
+    for unwanted in ["http://", "https://", "<script", "@import", "NaN", "inf "] {
+        assert!(!rest.contains(unwanted), "{unwanted}");
+    }
+}
+
+#[test]
+fn every_figure_is_drawn_with_its_axes() {
+    let (figures, _) = rendered(false);
+    let expected: [(&str, &[&str]); 5] = [
+        ("urs", &["Height of the object (m)", "Uplift (mm)", "t = 200 mm", "overturned", "roof", "mid-height"]),
+        ("srs", &["Height of the object (m)", "Edge shock (g)", "uplift ceiling", "median overturned"]),
+        ("overturning", &["Height of the object (m)", "Share of motions"]),
+        ("floor_spectra", &["Period (s)", "Spectral acceleration (g)", "ground", "target: code spectrum", "T₁"]),
+        ("history", &["Time (s)", "Rotation θ/α (–)", "Floor accel. (g)", "Edge shock (g)"]),
+    ];
+    assert_eq!(figures.len(), expected.len());
+    for (figure, (name, labels)) in figures.iter().zip(expected) {
+        assert_eq!(figure.name, name);
+        let document = roxmltree::Document::parse(&figure.svg).unwrap();
+        let texts = texts(&document);
+        for label in labels {
+            assert!(texts.contains(label), "{name}: {label}");
+        }
+        assert!(!figure.svg.contains("NaN") && !figure.svg.contains("inf\""), "{name}");
+        assert!(document.root_element().attribute("viewBox").is_some());
+        assert!(figure.png.starts_with(b"\x89PNG\r\n\x1a\n"), "{name}");
+        assert!(!figure.title.is_empty() && !figure.caption.is_empty());
+    }
+}
+
+#[test]
+fn the_same_result_gives_the_same_report() {
+    assert_eq!(rendered(false), rendered(false));
+}
+
+#[test]
+fn report_holds_figures_tables_and_definitions() {
+    let (figures, html) = rendered(false);
+    check(&html);
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let document = roxmltree::Document::parse_with_options(&html, options).unwrap();
+    let count = |tag: &str| document.descendants().filter(|n| n.tag_name().name() == tag).count();
+    assert_eq!(count("svg"), figures.len());
+    assert_eq!(count("figcaption"), figures.len());
+    let texts = texts(&document);
+    for words in [
+        "Each level at a glance",
+        "Failed",
+        "g + ü_v ≤ 0",
+        "Validity warnings",
+        "How well the motions meet their target",
+        "3.35 times its ZPA",
+        "Fundamental period T₁",
+        "about 3.5 g",
+        "up to 5 g",
+        "overturned",
+        "N/mm: only so",
+        "ChaCha12Rng",
+        "AS 1170.4",
+        "150 kg",
+        "4380 N/mm",
+        "Housner",
+    ] {
+        assert!(texts.contains(words), "{words}");
+    }
+    // Every object of every level stands in the tables once: 26 heights, and 5 overturned shares or blanks each.
+    let rows = document.descendants().filter(|n| n.tag_name().name() == "tr");
+    assert_eq!(
+        rows.filter(|row| row.children().filter(|c| c.attribute("class") == Some("n share")).count() == 5).count(),
+        52
+    );
+}
+
+#[test]
+fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
+    let (figures, html) = rendered(true);
+    check(&html);
+    for figure in &figures {
+        roxmltree::Document::parse(&figure.svg).unwrap();
+    }
+    assert!(html.contains("&lt;script&gt;alert(2)&lt;/script&gt;"));
+    assert!(html.contains("roof &amp; &lt;i&gt;mast&lt;/i&gt;"));
+    assert!(html.contains("▲") && html.contains("tolerance of 2 g"));
+    assert!(!html.contains("target: code spectrum"));
+}
+
+/// One motion, one height, one thickness, no history, nothing uplifts: still a report.
+#[test]
+fn the_smallest_study_has_a_report_too() {
+    let mut study = fixture::study();
+    study.objects.heights_m.truncate(1);
+    study.objects.thicknesses_m = vec![0.6];
+    study.objects.blocks = vec![freestand::block::Block::uniform(0.5, 0.6).unwrap()];
+    study.levels.truncate(1);
+    let mut result = fixture::result(&study);
+    result.ground.truncate(1);
+    result.history = None;
+    result.warnings.clear();
+    for level in &mut result.levels {
+        level.floors.truncate(1);
+        level.spectra.truncate(1);
+        level.responses.truncate(1);
+        level.statistics = vec![crate::statistics::object_statistics(level.responses.iter().map(|row| &row[0]))];
+    }
+    let figures = figures(&study, &result).unwrap();
+    assert_eq!(figures.len(), 4);
+    check(&report(&study, &result, &figures, &provenance(&study)));
+
+    result.levels[0].statistics = vec![None];
+    result.levels[0].responses = vec![vec![crate::result::ObjectResponse::Failed("no".into())]];
+    let figures = crate::figures::figures(&study, &result).unwrap();
+    check(&report(&study, &result, &figures, &provenance(&study)));
+}
