@@ -15,7 +15,7 @@ use super::page::{Page, Panel, panel_width_px};
 use super::style::{Axis, DARK, LABELS_PX, axes, curve_style, in_g, line, markers, plain, round_step};
 
 /// Heights of the three panels \[px\].
-const PANELS_PX: [f64; 3] = [215.0, 165.0, 200.0];
+const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
 /// Margins that make the time axes of the panels agree \[px\].
 const MARGINS_PX: (f64, f64) = (76.0, 18.0);
 /// Quiet time that is shown before the first and after the last rotation \[s\].

@@ -106,7 +106,8 @@ fn report_holds_figures_tables_and_definitions() {
     let texts = texts(&document);
     for words in [
         "Each level at a glance",
-        "Failed",
+        "failed",
+        "Histories that could not be followed",
         "g + ü_v ≤ 0",
         "Validity warnings",
         "How well the motions meet their target",
