@@ -1,5 +1,6 @@
 //! Why a command could not run: problems, each with what to do about it.
 
+use clap::error::ErrorKind;
 use freestand_study::{Problem, ProblemKind, StudyError};
 
 /// Ends a command with status 2, or quietly where nobody reads on.
@@ -49,6 +50,9 @@ impl From<StudyError> for Failure {
 ///
 /// clap prints the message, then `tip:` lines, a usage line and a pointer to `--help`, apart by blank lines.
 pub(crate) fn usage(error: &clap::Error) -> Failure {
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return Failure::usage("a command is missing", "--help lists the commands");
+    }
     let text = error.render().to_string();
     let mut paragraphs = text.split("\n\n").map(|paragraph| {
         paragraph.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
@@ -63,5 +67,5 @@ pub(crate) fn usage(error: &clap::Error) -> Failure {
         (None, Some(usage)) => format!("usage: {usage}; --help says more"),
         (None, None) => "--help says more".to_owned(),
     };
-    Failure::usage(if message.is_empty() { "a command is missing".to_owned() } else { message }, hint)
+    Failure::usage(message, hint)
 }

@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod failure;
+mod files;
 mod printer;
 mod reading;
 mod values;
@@ -34,6 +35,9 @@ struct Cli {
     command: Command,
 }
 
+/// More than any machine has cores.
+const MAX_THREADS: usize = 1024;
+
 fn main() -> ExitCode {
     match try_main() {
         Ok(code) => code,
@@ -58,11 +62,18 @@ fn try_main() -> Result<ExitCode, Failure> {
     };
     let printer = Printer::new(&cli.global);
     if let Some(threads) = cli.global.threads {
+        if threads.get() > MAX_THREADS {
+            return Err(Failure::usage(
+                format!("--threads {threads} is more than {MAX_THREADS}"),
+                "results do not depend on it: leave it out",
+            ));
+        }
         rayon::ThreadPoolBuilder::new()
             .num_threads(threads.get())
             .build_global()
             .map_err(|error| Failure::computation(format!("cannot start {threads} threads: {error}")))?;
     }
+    printer.detail(&format!("freestand {}, {} threads", env!("CARGO_PKG_VERSION"), rayon::current_num_threads()));
     let done = cli.command.run(&cli.global, &printer)?;
     Ok(if done.criterion_met { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

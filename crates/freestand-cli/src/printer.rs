@@ -3,6 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
+use freestand_study::ProblemKind;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -57,7 +58,7 @@ impl Printer {
 }
 
 /// One JSON document; a number that is not finite is `null`.
-fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Failure> {
+pub(crate) fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Failure> {
     let not_json = |error: serde_json::Error| Failure::computation(format!("the result is not JSON: {error}"));
     let mut all = Map::new();
     all.insert("schema".to_owned(), Value::from(schema));
@@ -89,9 +90,13 @@ pub(crate) fn print_failure(failure: &Failure) {
     let Failure::Problems(problems) = failure else { return };
     for problem in problems {
         error_line(&format!("error: {}", one_line(&problem.to_string())));
-        if let Some(hint) = &problem.hint {
-            error_line(&format!("hint: {}", one_line(hint)));
-        }
+        let hint = problem.hint.as_deref().unwrap_or(match problem.kind {
+            ProblemKind::Io => "check the path and its permissions",
+            ProblemKind::Format => "check that the file is complete and of a supported format",
+            ProblemKind::Value => "--help shows what is accepted",
+            ProblemKind::Computation => "check that the input is physically possible",
+        });
+        error_line(&format!("hint: {}", one_line(hint)));
     }
 }
 
@@ -99,23 +104,24 @@ fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A table for people: a line of headings, then rows; numbers are right-aligned where the heading names a unit or they
-/// look like numbers.
+/// A table for people: a line of headings, then rows; columns of numbers are aligned to the right.
 pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
+    let numeric = |column: usize| {
+        rows.iter().filter_map(|row| row.get(column)).all(|text| text == "-" || text.parse::<f64>().is_ok())
+    };
+    let right: Vec<bool> = (0..headings.len()).map(|column| !rows.is_empty() && numeric(column)).collect();
+    let cell = |column: usize, text: &str| {
+        let right = right.get(column).copied().unwrap_or(false);
+        Cell::new(text).set_alignment(if right { CellAlignment::Right } else { CellAlignment::Left })
+    };
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
-    table.set_header(headings.iter().map(Cell::new));
+    table.set_header(headings.iter().enumerate().map(|(column, heading)| cell(column, heading)));
     for row in rows {
-        table.add_row(row.iter().map(|text| {
-            let number = text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
-            Cell::new(text).set_alignment(if number { CellAlignment::Right } else { CellAlignment::Left })
-        }));
+        table.add_row(row.iter().enumerate().map(|(column, text)| cell(column, text)));
     }
-    let mut text: String = table.lines().map(|line| format!("{}\n", line.trim_end())).collect();
-    if rows.is_empty() {
-        text.clear();
-    }
-    text
+    // Cells are padded with a blank on both sides; the first is not wanted.
+    table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(&line).trim_end())).collect()
 }
 
 /// Names and values in two columns.

@@ -15,13 +15,17 @@ pub mod resolve;
 pub mod result;
 pub mod rock;
 pub mod run;
-#[cfg(test)]
-mod scratch;
 pub mod shock;
 pub mod statistics;
 pub mod study;
 pub mod summary;
 pub mod tables;
+pub mod validate;
 mod words;
+
+/// The design document: its examples are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../DESIGN.md")]
+pub struct Design;
 
 pub use error::{Problem, ProblemKind, StudyError};

@@ -51,7 +51,8 @@ pub struct OutputFolder {
 }
 
 impl OutputFolder {
-    /// Begins a folder that will be `target`. `force` allows to replace a folder that is not ours.
+    /// Begins a folder that will be `target`. `force` allows to write into a folder with other
+    /// files, which stay.
     ///
     /// # Errors
     /// A file in the target's place, a target with content that is not ours (without `force`), or a parent folder that
@@ -101,26 +102,55 @@ impl OutputFolder {
     /// # Errors
     /// As [`stage`](OutputFolder::stage), if the target has changed since. The target is then as it was.
     pub fn commit(mut self) -> Result<PathBuf, Problem> {
-        check_replaceable(&self.target, self.force)?;
+        let place = check_replaceable(&self.target, self.force)?;
         let failed = |error: io::Error| io_problem(&self.target, "cannot put the folder in place", &error);
-        if self.target.exists() {
-            let old = beside(&self.target, "old").ok_or_else(|| no_name(&self.target))?;
-            remove_if_there(&old).map_err(failed)?;
-            fs::rename(&self.target, &old).map_err(failed)?;
-            if let Err(error) = fs::rename(&self.staging, &self.target) {
-                // Back to what was there; if even that fails, the first error says where the trouble is.
-                let _ = fs::rename(&old, &self.target);
-                return Err(failed(error));
+        match place {
+            Place::Free => fs::rename(&self.staging, &self.target).map_err(failed)?,
+            Place::Ours => {
+                let old = beside(&self.target, "old").ok_or_else(|| no_name(&self.target))?;
+                remove_if_there(&old).map_err(failed)?;
+                fs::rename(&self.target, &old).map_err(failed)?;
+                if let Err(error) = fs::rename(&self.staging, &self.target) {
+                    // Back to what was there; if even that fails, the first error says where the trouble is.
+                    let _ = fs::rename(&old, &self.target);
+                    return Err(failed(error));
+                }
+                // The results are in place: an old folder that cannot be removed is untidy, not a failure of the run.
+                let _ = fs::remove_dir_all(&old);
             }
-            self.committed = true;
-            // The results are in place: an old folder that cannot be removed is untidy, not a failure of the run.
-            let _ = fs::remove_dir_all(&old);
-        } else {
-            fs::rename(&self.staging, &self.target).map_err(failed)?;
-            self.committed = true;
+            // Somebody else's files stay: ours move in among them, one by one.
+            Place::Foreign => move_into(&self.staging, &self.target).map_err(failed)?,
         }
+        // With strangers' files the emptied staging folder is left for `drop` to remove.
+        self.committed = !matches!(place, Place::Foreign);
         Ok(self.target.clone())
     }
+}
+
+/// What stands where the output folder is to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// Nothing, or an empty folder.
+    Free,
+    /// Results of an earlier run.
+    Ours,
+    /// Other files, and leave to write among them.
+    Foreign,
+}
+
+/// Moves every file below `from` to the same place below `to`, replacing files of the same name.
+fn move_into(from: &Path, to: &Path) -> io::Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let target = to.join(entry.file_name());
+        if entry.file_type()?.is_dir() {
+            move_into(&entry.path(), &target)?;
+        } else {
+            fs::rename(entry.path(), &target)?;
+        }
+    }
+    Ok(())
 }
 
 impl Drop for OutputFolder {
@@ -132,10 +162,10 @@ impl Drop for OutputFolder {
 }
 
 /// Whether `target` may become our output folder.
-fn check_replaceable(target: &Path, force: bool) -> Result<(), Problem> {
+fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     let data = match fs::symlink_metadata(target) {
         Ok(data) => data,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Place::Free),
         Err(error) => return Err(io_problem(target, "cannot look at the output folder", &error)),
     };
     if !data.is_dir() {
@@ -146,12 +176,18 @@ fn check_replaceable(target: &Path, force: bool) -> Result<(), Problem> {
     }
     let mut entries =
         fs::read_dir(target).map_err(|error| io_problem(target, "cannot read the output folder", &error))?;
-    if force || entries.next().is_none() || MANIFESTS.iter().any(|name| is_our_manifest(&target.join(name))) {
-        return Ok(());
+    if entries.next().is_none() {
+        return Ok(Place::Free);
+    }
+    if MANIFESTS.iter().any(|name| is_our_manifest(&target.join(name))) {
+        return Ok(Place::Ours);
+    }
+    if force {
+        return Ok(Place::Foreign);
     }
     Err(Problem::new(ProblemKind::Io, "the folder holds files that are not results of freestand")
         .in_file(target)
-        .hint("name another folder with --out, or replace it with --force"))
+        .hint("name another folder with --out, or write among them with --force"))
 }
 
 /// Whether the file is a JSON object whose `"schema"` begins with `freestand.`.
@@ -300,11 +336,20 @@ mod tests {
         fs::write(target.join("thesis.doc"), "years of work").unwrap();
         assert!(folder.commit().is_err());
         assert_eq!((names(&target), names(parent.path())), (vec!["thesis.doc".to_owned()], vec!["out".to_owned()]));
-        // With --force it goes.
+        // With --force we move in beside it, and replace only what has our names.
+        fs::create_dir(target.join("motions")).unwrap();
+        fs::write(target.join("motions/mine.csv"), "mine").unwrap();
+        fs::write(target.join("a"), "old").unwrap();
         let folder = OutputFolder::stage(&target, true).unwrap();
         folder.write("a", b"1").unwrap();
+        folder.write("motions/b", b"2").unwrap();
         folder.commit().unwrap();
-        assert_eq!((names(&target), names(parent.path())), (vec!["a".to_owned()], vec!["out".to_owned()]));
+        assert_eq!(
+            (names(&target), names(parent.path())),
+            (vec!["a", "motions", "thesis.doc"].into_iter().map(str::to_owned).collect(), vec!["out".to_owned()])
+        );
+        assert_eq!(names(&target.join("motions")), ["b", "mine.csv"]);
+        assert_eq!(fs::read(target.join("a")).unwrap(), b"1");
         // A file in the folder's place stays, whatever is asked.
         let file = parent.path().join("file");
         fs::write(&file, "x").unwrap();

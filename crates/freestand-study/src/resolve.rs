@@ -311,7 +311,7 @@ impl Resolver<'_> {
         let spectrum = match CodeSpectrum::new(Edition::default(), site?, hazard?, years) {
             Ok(spectrum) => spectrum,
             Err(error) => {
-                let at = written.hazard_factor.as_ref().map(|w| w.line).filter(|_| hazard.is_none_or(|z| !(z > 0.0)));
+                let at = written.hazard_factor.as_ref().map(|w| w.line).filter(|_| hazard.is_none_or(|z| z <= 0.0));
                 let line = at.or(written.return_period_years.as_ref().map(|w| w.line)).or(written.line);
                 self.note(line, error.to_string(), "see Tables 3.1 and 3.2 of AS 1170.4");
                 return None;

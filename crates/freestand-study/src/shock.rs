@@ -4,10 +4,14 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::{
     self, Impact, ImpactModel, Landing, ValidityWarning, bottoming_warning, impact_friction_needed_ratio,
-    series_stiffness_n_m, stiffness_warnings,
+    stiffness_warnings,
 };
 use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use serde::Serialize;
+
+mod cushion;
+
+use cushion::{Cushion, cushion};
 
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::quantity::{Dimension, format_si};
@@ -325,101 +329,6 @@ fn block(request: &ShockRequest) -> Result<Block, Problem> {
         block = block.and_then(|block| block.with_inertia_per_mass(inertia_kg_m2 / request.mass_kg));
     }
     block.map_err(|error| problem(error.to_string(), "check the dimensions of the object"))
-}
-
-/// What the edge lands on.
-#[derive(Debug, Clone, PartialEq)]
-enum Cushion {
-    Stiffness { value_n_m: f64, notes: Vec<String> },
-    Measured(f64),
-}
-
-fn cushion(request: &ShockRequest, problems: &mut Vec<Problem>) -> Option<Cushion> {
-    if request.scenario.overturns() {
-        if request.stiffness_n_m.is_some()
-            || request.pad_stiffness_n_m.is_some()
-            || request.drop_acceleration_m_s2.is_some()
-        {
-            problems.push(problem(
-                "an object that falls over does not land on its own cushion",
-                "give the stiffness of its side on the floor or obstacle as --contact-stiffness, and nothing else",
-            ));
-            return None;
-        }
-        let Some(value_n_m) = request.contact_stiffness_n_m else {
-            problems.push(problem(
-                format!("the scenario {} needs --contact-stiffness", request.scenario.name()),
-                "the stiffness of the object's side on what it hits, such as --contact-stiffness \"2000 N/mm\"",
-            ));
-            return None;
-        };
-        return Some(in_series(value_n_m, &request.series_stiffness_n_m, Vec::new()));
-    }
-    if request.contact_stiffness_n_m.is_some() {
-        problems.push(problem(
-            "--contact-stiffness belongs to the scenarios overturn-floor and overturn-obstacle",
-            "give the stiffness of the cushion under one edge as --stiffness",
-        ));
-    }
-    let given = [request.stiffness_n_m, request.pad_stiffness_n_m, request.drop_acceleration_m_s2];
-    if given.iter().flatten().count() != 1 {
-        let several = given.iter().flatten().count() > 1;
-        let message = if several {
-            "--stiffness, --pad-stiffness and --drop-acceleration exclude each other"
-        } else {
-            "the stiffness of the cushion is missing"
-        };
-        problems.push(problem(
-            message,
-            "give one of --stiffness (all the cushion under one edge), --pad-stiffness with --pads-per-edge, or a measured --drop-acceleration",
-        ));
-        return None;
-    }
-    if request.pads_per_edge.is_some() && request.pad_stiffness_n_m.is_none() {
-        problems.push(problem(
-            "--pads-per-edge goes with --pad-stiffness",
-            "--stiffness is already that of all the pads under one edge",
-        ));
-    }
-    if let Some(measured) = request.drop_acceleration_m_s2 {
-        if !request.series_stiffness_n_m.is_empty() {
-            problems.push(problem(
-                "--series-stiffness needs a stiffness that it acts in series with",
-                "a measured drop acceleration already contains everything that was under the mass",
-            ));
-        }
-        return Some(Cushion::Measured(measured));
-    }
-    let mut notes = Vec::new();
-    let edge_n_m = match (request.stiffness_n_m, request.pad_stiffness_n_m, request.pads_per_edge) {
-        (Some(edge), ..) => edge,
-        (None, Some(pad), Some(pads)) if pads > 0 => {
-            let edge = pad * f64::from(pads);
-            let (pad, total) = (format_si(pad, Dimension::Stiffness), format_si(edge, Dimension::Stiffness));
-            let plural = if pads == 1 { "pad" } else { "pads" };
-            notes.push(format!("{pads} {plural} of {pad} → edge {total}"));
-            edge
-        }
-        _ => {
-            problems.push(problem(
-                "--pad-stiffness needs --pads-per-edge, at least 1",
-                "how many pads share the landing of one edge? A cabinet on four feet has 2",
-            ));
-            return None;
-        }
-    };
-    Some(in_series(edge_n_m, &request.series_stiffness_n_m, notes))
-}
-
-fn in_series(first_n_m: f64, others_n_m: &[f64], mut notes: Vec<String>) -> Cushion {
-    if others_n_m.is_empty() {
-        return Cushion::Stiffness { value_n_m: first_n_m, notes };
-    }
-    let all: Vec<f64> = std::iter::once(first_n_m).chain(others_n_m.iter().copied()).collect();
-    let value_n_m = series_stiffness_n_m(&all);
-    let parts: Vec<String> = all.iter().map(|&k| format_si(k, Dimension::Stiffness)).collect();
-    notes.push(format!("{} in series → {}", parts.join(" and "), format_si(value_n_m, Dimension::Stiffness)));
-    Cushion::Stiffness { value_n_m, notes }
 }
 
 fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {

@@ -94,7 +94,7 @@ fn by_object(
 /// `urs.csv`: the uplift response spectra, one row for each motion, level and object.
 ///
 /// # Errors
-/// As [`csv()`].
+/// None in practice: rows are of one length and memory does not fail.
 pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
     by_object(study, result, &["peak_rotation_rad", "impact_count", "impact_omega_rad_s"], |response| match response {
         ObjectResponse::Done { uplift, .. } => vec![
@@ -109,7 +109,7 @@ pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> 
 /// `srs.csv`: the shock spectra, from both sources of the energy at impact.
 ///
 /// # Errors
-/// As [`csv()`].
+/// None in practice: rows are of one length and memory does not fail.
 pub fn srs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
     by_object(study, result, &["edge_acceleration_impact_velocity_g"], |response| match response {
         ObjectResponse::Done { shock, .. } => vec![optional(shock.edge_acceleration_impact_velocity_g)],
@@ -120,7 +120,7 @@ pub fn srs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> 
 /// `statistics.csv`: quantiles over all motions, one row for each level and object.
 ///
 /// # Errors
-/// As [`csv()`].
+/// None in practice: rows are of one length and memory does not fail.
 pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
     let header = [
         "level",

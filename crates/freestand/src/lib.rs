@@ -1,4 +1,50 @@
 //! The science of free-standing objects in an earthquake.
+//!
+//! A cabinet, a server rack or a museum case stands on the floor of a building. When the floor shakes, it rocks on the
+//! edges of its base; each time the base strikes the floor the edge takes a shock; if it rocks too far it falls. This
+//! crate follows that chain in double precision and SI units:
+//!
+//! | step | module |
+//! |---|---|
+//! | the object, as a rigid block on two edges | [`block`] |
+//! | ground motions that meet a code's spectrum | [`code_spectrum`], [`synthesis`] |
+//! | the floors of a building | [`building`], [`oscillator`] |
+//! | rotation against time, event by event | [`rocking`] |
+//! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
+//! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
+//! | severity of a half-sine pulse | [`shock_response`] |
+//! | intensity of a motion | [`measures`], [`motion`] |
+//!
+//! **Signs**: a rotation is positive when the object tilts to the right (clockwise), about its right edge; a positive
+//! horizontal acceleration of the base, to the right, drives it negative. Vertical acceleration is positive upward.
+//!
+//! **Units** stand in every name (`_m`, `_kg`, `_s`, `_rad`, `_m_s2`, `_n_m`, `_g`); pure ratios end in `_ratio`.
+//!
+//! The crate has no files, clock, environment or output: it cannot fail by anything but its input.
+//!
+//! # Example
+//! A cabinet of 2.3 m × 0.6 m and 140 kg on pads of 4380 N/mm an edge, under one cycle of 0.35 g:
+//! ```
+//! use freestand::block::Block;
+//! use freestand::impact::ImpactModel;
+//! use freestand::motion::Motion;
+//! use freestand::rocking::{Base, RockingOptions, Until, rock};
+//! use freestand::spectra::{Outcome, UpliftCell};
+//!
+//! let cabinet = Block::uniform(2.3, 0.6)?;
+//! let cycle = (0..=200).map(|i| 0.35 * 9.80665 * (std::f64::consts::TAU * f64::from(i) / 200.0).sin());
+//! let floor = Motion::new(0.004, cycle.collect())?;
+//! let options = RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() };
+//! let base = Base { horizontal: Some(&floor), vertical: None };
+//!
+//! let history = rock(&cabinet, base, &options)?;
+//! assert_eq!(history.outcome, Outcome::Rocked);
+//! assert!(history.peak_rotation_rad < cabinet.pivot().slenderness_angle_rad);
+//!
+//! let shock = UpliftCell::new(cabinet, &history).shock(140.0, 4.38e6, ImpactModel::Paper, freestand::G0_M_S2);
+//! assert!(shock.edge_acceleration_g < Some(shock.ceiling_g));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod block;
 pub mod building;

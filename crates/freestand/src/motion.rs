@@ -101,6 +101,21 @@ impl Motion {
         Self::new(self.dt_s, self.accel_m_s2.iter().map(|a| a * factor).collect())
     }
 
+    /// The same motion with `factor` samples in place of each, linear between them as the motion is by definition; 0 and
+    /// 1 change nothing.
+    pub fn upsampled(&self, factor: usize) -> Self {
+        let factor = factor.max(1);
+        let mut accel_m_s2 = Vec::with_capacity((self.accel_m_s2.len() - 1) * factor + 1);
+        for pair in self.accel_m_s2.windows(2) {
+            for i in 0..factor {
+                let share = i as f64 / factor as f64;
+                accel_m_s2.push(pair[0] * (1.0 - share) + pair[1] * share);
+            }
+        }
+        accel_m_s2.extend(self.accel_m_s2.last());
+        Self { dt_s: self.dt_s / factor as f64, accel_m_s2 }
+    }
+
     /// The same motion followed by zeros for at least `tail_s` seconds (nothing is added for `tail_s` ≤ 0).
     pub fn with_zero_tail(&self, tail_s: f64) -> Self {
         let extra = (tail_s / self.dt_s).ceil().max(0.0) as usize;

@@ -65,13 +65,14 @@ pub fn half_sine_maximax_ratio(q: f64) -> f64 {
 /// Undamped half-sine spectra: Ayre, in Harris and Crede, Shock and Vibration Handbook.
 ///
 /// # Example
-/// The same peak for half as long is no harder; the same peak for longer is:
+/// The same peak for twice as long is twice as hard on slow components. For half as long it is still 50 % harder on
+/// some: those that the survived pulse left alone because they are stiff for it, and that the shorter one excites most.
 /// ```
 /// use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 /// let survived = HalfSine { peak_acceleration: 30.0, duration_s: 0.011 };
 /// let short = HalfSine { peak_acceleration: 30.0, duration_s: 0.0055 };
 /// assert!((half_sine_severity_ratio(survived, survived) - 1.0).abs() < 1e-12);
-/// assert!(half_sine_severity_ratio(short, survived) < 1.2);
+/// assert!((half_sine_severity_ratio(short, survived) - 1.501).abs() < 1e-3);
 /// assert!((half_sine_severity_ratio(survived, short) - 2.0).abs() < 1e-6);
 /// ```
 pub fn half_sine_severity_ratio(demand: HalfSine, reference: HalfSine) -> f64 {

@@ -1,10 +1,14 @@
 //! One file for each command.
 
 mod block;
+mod check;
+mod floor;
+mod motion;
 mod rock;
 mod run;
 mod shock;
 mod spectrum;
+mod validate;
 
 use clap::Subcommand;
 
@@ -27,18 +31,26 @@ impl Done {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Run(Box<run::RunArgs>),
+    Check(check::CheckArgs),
     Shock(Box<shock::ShockArgs>),
     Rock(Box<rock::RockArgs>),
     Spectrum(Box<spectrum::SpectrumArgs>),
+    Motion(motion::MotionArgs),
+    Floor(floor::FloorArgs),
+    Validate(validate::ValidateArgs),
 }
 
 impl Command {
     pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
         match self {
             Self::Run(args) => run::run(args, global, printer),
+            Self::Check(args) => check::run(args, global, printer),
             Self::Shock(args) => shock::run(args, printer),
             Self::Rock(args) => rock::run(args, printer),
             Self::Spectrum(args) => spectrum::run(args, printer),
+            Self::Motion(args) => motion::run(args, global, printer),
+            Self::Floor(args) => floor::run(args, global, printer),
+            Self::Validate(_) => validate::run(printer),
         }
     }
 }

@@ -92,7 +92,7 @@ fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
     let rotates = |&(_, &theta): &(&f64, &f64)| theta != 0.0;
     let pairs = || h.time_s.iter().zip(&h.theta_rad);
     let first = pairs().find(rotates).map_or(start, |(&t, _)| t);
-    let last = pairs().filter(rotates).last().map_or(end, |(&t, _)| t);
+    let last = pairs().rfind(rotates).map_or(end, |(&t, _)| t);
     let (from, to) = ((first - QUIET_S).max(start), (last + QUIET_S).min(end));
     (to > from).then_some((from, to))
 }

@@ -1,0 +1,172 @@
+//! `freestand check`: a study validated and explained, without running it.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use freestand_study::quantity::{Dimension, format_si};
+use freestand_study::resolve::{Overrides, builtin, load};
+use freestand_study::study::{Ground, Study};
+use serde::Serialize;
+
+use super::Done;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::printer::{Printer, pairs, significant};
+use crate::reading::path_text;
+
+/// Validate a study without running it, and say how it was understood
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand check study.toml
+  freestand check            (the built-in study)")]
+pub(crate) struct CheckArgs {
+    /// The study; without it the built-in one
+    #[arg(value_name = "STUDY.toml")]
+    study: Option<PathBuf>,
+}
+
+#[derive(Debug, Serialize)]
+struct CheckReport {
+    path: Option<String>,
+    ground: String,
+    motions: Vec<MotionReport>,
+    storeys: usize,
+    building_height_m: f64,
+    period_s: f64,
+    damping_ratio: f64,
+    shear_flexure: f64,
+    modes: usize,
+    levels: Vec<LevelReport>,
+    heights_m: Vec<f64>,
+    thicknesses_m: Vec<f64>,
+    objects: usize,
+    mass_kg: f64,
+    stiffness_n_m: f64,
+    tolerance_g: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct MotionReport {
+    name: String,
+    path: String,
+    description: String,
+    sha256: String,
+    dt_s: f64,
+    npts: usize,
+    pga_g: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct LevelReport {
+    name: String,
+    level_ratio: f64,
+}
+
+pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let overrides = Overrides { seed: global.seed, motions: None };
+    let study = match &args.study {
+        Some(path) => load(path, &overrides)?,
+        None => builtin(&overrides)?,
+    };
+    let report = report(&study);
+    printer.result("freestand.check/1", &report, &study.warnings, || text(&study, &report))?;
+    Ok(Done::OK)
+}
+
+fn report(study: &Study) -> CheckReport {
+    let (building, objects) = (&study.building, &study.objects);
+    let (ground, motions) = match &study.ground {
+        Ground::Synthetic(synthetic) => {
+            let spectrum = &synthetic.spectrum;
+            let place = synthetic.city.as_ref().map_or(String::new(), |city| format!(" ({city})"));
+            let text = format!(
+                "{} synthetic motions, seed {}, {} site {}, Z = {}{place}, {} years, kpZ = {} g",
+                synthetic.count,
+                synthetic.seed,
+                spectrum.edition().name(),
+                spectrum.site().name(),
+                spectrum.hazard_factor(),
+                spectrum.return_period_years(),
+                significant(spectrum.kpz_g(), 4)
+            );
+            (text, Vec::new())
+        }
+        Ground::Recorded(recorded) => {
+            let motions = recorded.iter().map(|one| MotionReport {
+                name: one.name.clone(),
+                path: path_text(&one.path),
+                description: one.description.clone(),
+                sha256: one.sha256.clone(),
+                dt_s: one.motion.dt_s(),
+                npts: one.motion.accel_m_s2().len(),
+                pga_g: one.motion.peak_m_s2() / freestand::G0_M_S2,
+            });
+            (format!("{} recorded motions", recorded.len()), motions.collect())
+        }
+    };
+    CheckReport {
+        path: study.source.as_deref().map(path_text),
+        ground,
+        motions,
+        storeys: building.storeys,
+        building_height_m: building.storeys as f64 * building.storey_height_m,
+        period_s: building.beam.period_s(),
+        damping_ratio: building.beam.damping_ratio(),
+        shear_flexure: building.beam.shear_flexure_ratio(),
+        modes: building.beam.modes().len(),
+        levels: study
+            .levels
+            .iter()
+            .map(|level| LevelReport { name: level.name.clone(), level_ratio: level.level_ratio })
+            .collect(),
+        heights_m: objects.heights_m.clone(),
+        thicknesses_m: objects.thicknesses_m.clone(),
+        objects: objects.blocks.len(),
+        mass_kg: objects.mass_kg,
+        stiffness_n_m: objects.stiffness_n_m,
+        tolerance_g: objects.tolerance_m_s2.map(|tolerance| tolerance / freestand::G0_M_S2),
+    }
+}
+
+fn text(study: &Study, report: &CheckReport) -> String {
+    let length = |value: f64| format_si(value, Dimension::Length);
+    let range = |values: &[f64]| match (values.first(), values.last()) {
+        (Some(&first), Some(&last)) if values.len() > 1 => {
+            format!("{} values from {} to {}", values.len(), length(first), length(last))
+        }
+        (Some(&only), _) => length(only),
+        _ => "-".to_owned(),
+    };
+    let levels: Vec<String> =
+        report.levels.iter().map(|level| format!("{} (x = {})", level.name, level.level_ratio)).collect();
+    let source = study.source.as_deref().map_or_else(|| "built-in".to_owned(), |path: &Path| path_text(path));
+    let mut rows = vec![("study", format!("{source}: valid")), ("ground", report.ground.clone())];
+    for one in &report.motions {
+        rows.push(("", format!("{}: {}, PGA {} g", one.name, one.description, significant(one.pga_g, 4))));
+    }
+    rows.push(("building", format!("{} storeys, {} high", report.storeys, length(report.building_height_m))));
+    rows.push(("period", format!("{} s: {}", significant(report.period_s, 4), study.building.period_note)));
+    rows.push((
+        "beam",
+        format!(
+            "damping {} %, shear-flexure {}, {} modes",
+            significant(100.0 * report.damping_ratio, 3),
+            report.shear_flexure,
+            report.modes
+        ),
+    ));
+    rows.push(("levels", levels.join(", ")));
+    rows.push(("heights", range(&report.heights_m)));
+    rows.push(("thicknesses", range(&report.thicknesses_m)));
+    rows.push((
+        "objects",
+        format!(
+            "{} of {} on {} under one edge",
+            report.objects,
+            format_si(report.mass_kg, Dimension::Mass),
+            format_si(report.stiffness_n_m, Dimension::Stiffness)
+        ),
+    ));
+    pairs(&rows)
+}

@@ -1,0 +1,72 @@
+//! `freestand validate`: the paper's table and every closed form.
+
+use clap::Args;
+use freestand_study::validate::{Validation, validate};
+
+use super::Done;
+use crate::failure::Failure;
+use crate::printer::{Printer, significant, table};
+
+/// Hold the models against the paper's Table I and every closed form that is built in
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Exit status 1 when a check does not hold.
+
+Examples:
+  freestand validate
+  freestand validate --json")]
+pub(crate) struct ValidateArgs {}
+
+pub(crate) fn run(printer: &Printer) -> Result<Done, Failure> {
+    let validation = validate()?;
+    let failed = validation.checks.iter().filter(|check| !check.ok).count();
+    let mut warnings = Vec::new();
+    if failed > 0 {
+        warnings.push(format!("{failed} of {} checks do not hold", validation.checks.len()));
+    }
+    printer.result("freestand.validate/1", &validation, &warnings, || text(&validation))?;
+    Ok(Done { criterion_met: validation.ok() })
+}
+
+fn text(validation: &Validation) -> String {
+    let rows: Vec<Vec<String>> = validation
+        .table_one
+        .iter()
+        .map(|row| {
+            vec![
+                row.test.to_string(),
+                significant(1e3 * row.cg_rise_m, 2),
+                significant(row.drop_acceleration_g, 5),
+                significant(row.edge_acceleration_g, 4),
+                row.published_g.to_string(),
+                row.measured_g.to_string(),
+                format!("{:+.1}", 100.0 * (row.measured_over_computed_ratio - 1.0)),
+            ]
+        })
+        .collect();
+    let headings =
+        ["test", "rise [mm]", "a [g]", "a_edge [g]", "published [g]", "measured [g]", "measured/computed - 1 [%]"];
+    let mut text = format!("Table I of Al Abadi et al., g = {} m/s²\n", validation.table_one_gravity_m_s2);
+    text += &table(&headings, &rows);
+    let rows: Vec<Vec<String>> = validation
+        .checks
+        .iter()
+        .map(|check| {
+            vec![
+                if check.ok { "ok" } else { "FAILED" }.to_owned(),
+                check.name.clone(),
+                significant(check.computed, 8),
+                significant(check.expected, 8),
+                format!("{:.1e}", check.computed - check.expected),
+                format!("{:.1e}", check.tolerance),
+            ]
+        })
+        .collect();
+    text += "\n";
+    text += &table(&["", "check", "computed", "expected", "difference", "tolerance"], &rows);
+    text + &format!(
+        "\n{} of {} checks hold\n",
+        validation.checks.iter().filter(|check| check.ok).count(),
+        validation.checks.len()
+    )
+}

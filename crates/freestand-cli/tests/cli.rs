@@ -1,0 +1,264 @@
+//! The commands as they are called: exit status, standard output and standard error in snapshots.
+//!
+//! After a wanted change: `INSTA_UPDATE=always cargo test -p freestand-cli`, and read the difference.
+
+#![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
+
+use std::path::Path;
+use std::process::Command;
+
+/// Runs freestand in `folder` and shows what came of it.
+fn freestand_in(folder: &Path, args: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder).output().unwrap();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap().trim_end().to_owned();
+    format!(
+        "$ freestand {}\nexit status {}\n--- stdout\n{}\n--- stderr\n{}",
+        args.join(" "),
+        output.status.code().unwrap(),
+        text(&output.stdout),
+        text(&output.stderr)
+    )
+}
+
+fn freestand(args: &[&str]) -> String {
+    freestand_in(Path::new("."), args)
+}
+
+/// A folder with the files of a test.
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+const CABINET: [&str; 7] = ["shock", "--height", "2.3 m", "--thickness", "600 mm", "--mass", "140 kg"];
+
+fn cabinet(more: &[&str]) -> String {
+    freestand(&[&CABINET, more].concat())
+}
+
+/// A pulse of 0.5 g in 1 s, then quiet.
+const RECORD: &str = "time [s],a [g]\n0,0\n0.25,0.5\n0.5,0\n0.75,-0.5\n1,0\n1.25,0\n";
+
+#[test]
+fn shock_of_table_one() {
+    insta::assert_snapshot!(cabinet(&["--stiffness", "4380 N/mm", "--cg-rise", "16 mm", "--gravity", "9.81 m/s2"]));
+}
+
+#[test]
+fn shock_as_json_and_exceeded() {
+    insta::assert_snapshot!(cabinet(&[
+        "--pad-stiffness=2190 N/mm",
+        "--pads-per-edge=2",
+        "--rotation",
+        "-0.05 rad",
+        "--tolerance",
+        "3 g",
+        "--tolerance-duration",
+        "11 ms",
+        "--at",
+        "0.3 m, 2 m",
+        "--json",
+    ]));
+}
+
+#[test]
+fn shock_of_a_fall() {
+    insta::assert_snapshot!(cabinet(&["--scenario", "overturn-floor", "--contact-stiffness", "2000 N/mm", "-q"]));
+}
+
+#[test]
+fn shock_with_newtons_per_metre_is_warned_about() {
+    insta::assert_snapshot!(cabinet(&["--stiffness", "4380 N/m", "--cg-rise", "16 mm"]));
+}
+
+#[test]
+fn shock_refuses_bad_values_all_at_once() {
+    insta::assert_snapshot!(freestand(&[
+        "shock",
+        "--height",
+        "2.3",
+        "--thickness",
+        "-1 m",
+        "--mass",
+        "3 m",
+        "--stiffness",
+        "nan N/mm",
+        "--cg-rise",
+        "1 inch",
+    ]));
+}
+
+#[test]
+fn shock_refuses_what_contradicts_itself() {
+    let all = [
+        cabinet(&["--stiffness", "4380 N/mm"]),
+        cabinet(&["--cg-rise", "16 mm"]),
+        cabinet(&["--stiffness", "4380 N/mm", "--cg-rise", "39 mm"]),
+        cabinet(&["--pad-stiffness", "2190 N/mm", "--cg-rise", "16 mm"]),
+        cabinet(&["--stiffness", "4380 N/mm", "--cg-rise", "16 mm", "--rotation", "1 deg"]),
+        cabinet(&["--scenario", "overturn-obstacle", "--contact-stiffness", "2000 N/mm", "--gap", "100 mm"]),
+        cabinet(&["--drop-acceleration", "10 g", "--tolerance", "5 g", "--tolerance-duration", "11 ms"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn usage_errors_have_an_error_and_a_hint() {
+    let all = [
+        freestand(&[]),
+        freestand(&["shok"]),
+        freestand(&["shock", "--hight", "2 m"]),
+        freestand(&["shock"]),
+        freestand(&["shock", "--scenario", "flying"]),
+        freestand(&["motion", "synth", "--count", "0"]),
+        freestand(&["validate", "--threads", "0"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn check_explains_the_built_in_study() {
+    insta::assert_snapshot!(freestand(&["check"]));
+}
+
+#[test]
+fn check_reports_every_problem_with_its_line() {
+    let study = "[ground]\ncity = \"Melborne\"\nreturn_period = 500\n\n[objects]\nmass = 150\nheights = \"3 m:1\"\n";
+    let folder = folder(&[("study.toml", study), ("broken.toml", "[ground\ncount = 3\n")]);
+    let all = [
+        freestand_in(folder.path(), &["check", "study.toml"]),
+        freestand_in(folder.path(), &["check", "broken.toml"]),
+        freestand_in(folder.path(), &["check", "gone.toml"]),
+        freestand_in(folder.path(), &["check", "."]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn motion_info_and_spectrum() {
+    let folder = folder(&[("pulse.csv", RECORD)]);
+    let all = [
+        freestand_in(folder.path(), &["motion", "info", "pulse.csv", "--json"]),
+        freestand_in(folder.path(), &["motion", "info", "pulse.csv", "--scale", "-2"]),
+        freestand_in(folder.path(), &["motion", "spectrum", "pulse.csv", "--periods", "0 s, 1 s", "--upsample", "10"]),
+        freestand_in(folder.path(), &["motion", "convert", "pulse.csv", "--to", "csv"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn broken_records_are_refused() {
+    let folder = folder(&[
+        ("empty.csv", ""),
+        ("nan.csv", "time [s],a [g]\n0,0\n0.1,nan\n0.2,0\n"),
+        ("one.csv", "time [s],a [g]\n0,1\n"),
+        ("bare.csv", "0 0\n0.1 1\n0.2 0\n"),
+        ("two.csv", "time [s],x [g],y [g]\n0,0,0\n0.1,1,2\n0.2,0,0\n"),
+    ]);
+    let all = [
+        freestand_in(
+            folder.path(),
+            &["motion", "info", "empty.csv", "nan.csv", "one.csv", "bare.csv", "gone.csv", "."],
+        ),
+        freestand_in(folder.path(), &["motion", "spectrum", "two.csv"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn floors_are_written_into_a_folder_that_is_ours_only() {
+    let folder = folder(&[("pulse.csv", RECORD)]);
+    let floor = [
+        "floor",
+        "--motion",
+        "pulse.csv",
+        "--storeys",
+        "4",
+        "--storey-height",
+        "3 m",
+        "--modes",
+        "2",
+        "--levels",
+        "0, 1",
+    ];
+    let first = freestand_in(folder.path(), &[&floor[..], &["--out", "floors", "--json"]].concat());
+    let ground = std::fs::read_to_string(folder.path().join("floors/level-0.csv")).unwrap();
+    // 0.5 g at the second sample: the base returns the ground motion exactly.
+    assert_eq!(ground.lines().nth(2), Some("0.25,4.903325"));
+    // Ours: replaced. Not ours: refused, and nothing is left behind.
+    let again = freestand_in(folder.path(), &[&floor[..], &["--out", "floors", "-q"]].concat());
+    std::fs::create_dir(folder.path().join("thesis")).unwrap();
+    std::fs::write(folder.path().join("thesis/chapter.txt"), "").unwrap();
+    let refused = freestand_in(folder.path(), &[&floor[..], &["--out", "thesis"]].concat());
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
+    // The folder of the test has another name each time.
+    let refused: String = refused.replace(&*folder.path().canonicalize().unwrap().to_string_lossy(), "…");
+    insta::assert_snapshot!([first, again, refused].join("\n\n"));
+}
+
+#[test]
+fn code_spectrum() {
+    let all = [
+        freestand(&["motion", "code-spectrum", "--city", "Hobart", "--periods", "0 s, 0.3 s, 2 s"]),
+        freestand(&["motion", "code-spectrum", "--site", "X"]),
+        freestand(&["motion", "code-spectrum", "--return-period", "475"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+/// The same numbers on one thread and on two, and a seed that matters.
+#[test]
+fn synthetic_motions_do_not_depend_on_threads() {
+    let synth = |more: &[&str]| {
+        let folder = tempfile::tempdir().unwrap();
+        let shown =
+            freestand_in(folder.path(), &[&["motion", "synth", "--count", "2", "--out", "m", "-q"], more].concat());
+        assert!(shown.contains("exit status 0"), "{shown}");
+        std::fs::read(folder.path().join("m/synthetic-002.csv")).unwrap()
+    };
+    let one = synth(&["--threads", "1"]);
+    assert!(one == synth(&["--threads", "2", "--seed", "1"]));
+    assert!(one != synth(&["--seed", "2"]));
+}
+
+#[test]
+fn validation_holds() {
+    let shown = freestand(&["validate"]);
+    assert!(shown.contains("exit status 0") && !shown.contains("FAILED"), "{shown}");
+}
+
+#[test]
+fn help_of_every_command_has_examples() {
+    for command in [
+        &["run"][..],
+        &["check"],
+        &["shock"],
+        &["rock"],
+        &["spectrum"],
+        &["motion"],
+        &["floor"],
+        &["validate"],
+        &["motion", "info"],
+        &["motion", "spectrum"],
+        &["motion", "convert"],
+        &["motion", "synth"],
+        &["motion", "match"],
+        &["motion", "code-spectrum"],
+    ] {
+        let shown = freestand(&[command, &["--help"]].concat());
+        assert!(shown.contains("exit status 0") && shown.contains("Example"), "{shown}");
+    }
+}
+
+/// `freestand … | head -1`: no message, no panic.
+#[cfg(unix)]
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let binary = env!("CARGO_BIN_EXE_freestand");
+    let script = format!("'{binary}' motion code-spectrum --periods '0 s:5 s:200000' --json | head -c 1");
+    let output = Command::new("sh").args(["-c", &script]).output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}
