@@ -15,7 +15,7 @@ use super::page::{Page, Panel, panel_width_px};
 use super::style::{Axis, DARK, LABELS_PX, axes, curve_style, in_g, line, markers, plain, round_step};
 
 /// Heights of the three panels \[px\].
-const PANELS_PX: [f64; 3] = [215.0, 165.0, 200.0];
+const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
 /// Margins that make the time axes of the panels agree \[px\].
 const MARGINS_PX: (f64, f64) = (76.0, 18.0);
 /// Quiet time that is shown before the first and after the last rotation \[s\].
@@ -92,7 +92,7 @@ fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
     let rotates = |&(_, &theta): &(&f64, &f64)| theta != 0.0;
     let pairs = || h.time_s.iter().zip(&h.theta_rad);
     let first = pairs().find(rotates).map_or(start, |(&t, _)| t);
-    let last = pairs().filter(rotates).last().map_or(end, |(&t, _)| t);
+    let last = pairs().rfind(rotates).map_or(end, |(&t, _)| t);
     let (from, to) = ((first - QUIET_S).max(start), (last + QUIET_S).min(end));
     (to > from).then_some((from, to))
 }

@@ -3,7 +3,7 @@
 use freestand::G0_M_S2;
 use kuva::plot::line::{LinePlot, LineStyle};
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
-use kuva::render::layout::Layout;
+use kuva::render::layout::{Layout, TickAlign};
 use kuva::render::plots::Plot;
 
 /// Width of every figure \[px\]. At 180 mm in print a pixel is 0.64 pt, so that [`TEXT_PX`] is 8.3 pt.
@@ -82,6 +82,7 @@ pub(super) fn axes(x: Axis, y: Axis) -> Layout {
         .with_body_size(TEXT_PX)
         .with_grid_line_width(0.5)
         .with_box_axes()
+        .with_tick_align(TickAlign::Inside)
         .with_force_margins_y(TITLE_PX, LABELS_PX);
     if let Some(step) = x.step {
         layout = layout.with_x_tick_step(step);

@@ -52,11 +52,16 @@ impl Cell {
 
 /// A table that scrolls on a narrow screen: heading rows, then rows whose first cell is a heading.
 pub(super) fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
-    let mut html = String::from("<div class=\"scroll\" tabindex=\"0\"><table>");
+    classed_table("plain", caption, headings, rows)
+}
+
+/// The same with a look of its own.
+pub(super) fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
+    let mut html = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">");
     if !caption.is_empty() {
         html.push_str(&format!("<caption>{}</caption>", escape(caption)));
     }
-    html.push_str("<thead>");
+    html.push_str(if headings.is_empty() { "" } else { "<thead>" });
     for row in headings {
         html.push_str("<tr>");
         for cell in row {
@@ -64,7 +69,7 @@ pub(super) fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -
         }
         html.push_str("</tr>");
     }
-    html.push_str("</thead><tbody>");
+    html.push_str(if headings.is_empty() { "<tbody>" } else { "</thead><tbody>" });
     for row in rows {
         html.push_str("<tr>");
         for (i, cell) in row.iter().enumerate() {
@@ -84,7 +89,7 @@ pub(super) fn properties(caption: &str, rows: &[(&str, String)]) -> String {
         .filter(|(_, value)| !value.is_empty())
         .map(|(name, value)| vec![words(name), words(value)])
         .collect();
-    table(caption, &[], &rows).replacen("<thead></thead>", "", 1).replacen("<table>", "<table class=\"pairs\">", 1)
+    classed_table("pairs", caption, &[], &rows)
 }
 
 /// A paragraph of words.

@@ -3,9 +3,9 @@
 use crate::result::{ObjectResponse, ObjectStatistics, Ranked, StudyResult};
 use crate::study::{Ground, Study};
 use crate::summary::{LevelSummary, level_summary};
-use crate::words::{fixed, number, percent};
+use crate::words::{escape, fixed, number, percent};
 
-use super::html::{figure, list, paragraph, table, words};
+use super::html::{classed_table, figure, list, markup, paragraph, table, words};
 use super::provenance::Provenance;
 
 /// Title of the report.
@@ -37,7 +37,15 @@ pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
 pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
     let levels: Vec<LevelSummary> = result.levels.iter().map(level_summary).collect();
     let mut html = paragraph(&job_words(study, result, &levels));
-    html.push_str(&list(&levels.iter().map(level_words).collect::<Vec<_>>()));
+    html.push_str("<ul>\n");
+    for level in &levels {
+        html.push_str(&format!(
+            "<li><strong>{}</strong>: {}</li>\n",
+            escape(&level.level),
+            escape(&level_words(level))
+        ));
+    }
+    html.push_str("</ul>\n");
     html.push_str(&first_table(&levels));
     html.push_str(&tolerance_words(study, result));
     html.push_str(&failures(result));
@@ -92,8 +100,7 @@ fn level_words(level: &LevelSummary) -> String {
         _ => "no object that stays up is shaken off its base".to_owned(),
     };
     format!(
-        "{}: the floor peaks at {} g (median); {} of the histories uplift and {} overturn; {shock}.",
-        level.level,
+        "the floor peaks at {} g (median); {} of the histories uplift and {} overturn; {shock}.",
         number(level.pfa_g_median, 3),
         percent(level.uplift_share, 0),
         percent(level.overturned_share, 0)
@@ -101,21 +108,28 @@ fn level_words(level: &LevelSummary) -> String {
 }
 
 fn first_table(levels: &[LevelSummary]) -> String {
-    let headings = vec![vec![
-        words("Level"),
-        figure("z/H"),
-        figure("PFA, median (g)"),
-        figure("Histories"),
-        figure("Failed"),
-        figure("Uplift"),
-        figure("Overturned"),
-        figure("Objects with median overturned"),
-        figure("Edge shock: largest median (g)"),
-        figure("largest (g)"),
-        figure("from impact velocity: largest median (g)"),
-        figure("largest (g)"),
-    ]];
-    let shock = |value: Option<f64>| figure(value.map_or_else(|| "–".to_owned(), |v| fixed(v, 2)));
+    let headings = vec![
+        vec![
+            words("").over(8),
+            markup("Edge shock, uplift (g)".into(), "group").over(2),
+            markup("Edge shock, velocity (g)".into(), "group").over(2),
+        ],
+        vec![
+            words("Level"),
+            figure("z/H"),
+            figure("median PFA (g)"),
+            figure("histories"),
+            figure("failed"),
+            figure("uplift"),
+            figure("overturned"),
+            figure("median overturned"),
+            markup("largest median".into(), "n first"),
+            figure("largest"),
+            markup("largest median".into(), "n first"),
+            figure("largest"),
+        ],
+    ];
+    let shock = |value: Option<f64>, class| markup(value.map_or_else(|| "–".to_owned(), |v| fixed(v, 2)), class);
     let rows: Vec<_> = levels
         .iter()
         .map(|level| {
@@ -128,18 +142,19 @@ fn first_table(levels: &[LevelSummary]) -> String {
                 figure(percent(level.uplift_share, 1)),
                 figure(percent(level.overturned_share, 1)),
                 figure(level.overturned_objects.to_string()),
-                shock(level.edge_acceleration_g_median),
-                shock(level.edge_acceleration_g_max),
-                shock(level.edge_acceleration_impact_velocity_g_median),
-                shock(level.edge_acceleration_impact_velocity_g_max),
+                shock(level.edge_acceleration_g_median, "n first"),
+                shock(level.edge_acceleration_g_max, "n"),
+                shock(level.edge_acceleration_impact_velocity_g_median, "n first"),
+                shock(level.edge_acceleration_impact_velocity_g_max, "n"),
             ]
         })
         .collect();
-    let mut html = table("Each level at a glance", &headings, &rows);
-    html = html.replacen("<table>", "<table class=\"glance\">", 1);
+    let mut html = classed_table("glance", "Each level at a glance", &headings, &rows);
     html.push_str(&paragraph(
-        "“Largest median”: of all objects, the largest median over the motions that is a number. “Largest”: of every object \
-         that stays up, under any motion. Shares are of all histories, object × motion.",
+        "Shares are of all histories, object × motion; failed ones are left out. Median overturned: objects that half of the \
+         motions or more overturn. Largest median: of all objects, the largest median over the motions that is a number. \
+         Largest: of every object that stays up, under any motion. Uplift and velocity are the two sources of the energy at \
+         impact; the paper’s is the uplift.",
     ));
     html
 }

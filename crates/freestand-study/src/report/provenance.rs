@@ -4,7 +4,7 @@ use crate::recorded::sha256_hex;
 use crate::study::{Ground, Study};
 use crate::words::escape;
 
-use super::html::{figure, heading, markup, paragraph, properties, table, words};
+use super::html::{figure, markup, paragraph, properties, table, words};
 
 /// What it takes to get the same numbers again.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -67,7 +67,6 @@ pub(super) fn provenance_section(study: &Study, provenance: &Provenance) -> Stri
         "The same version with the same study and files gives the same numbers on any number of threads. Every motion of \
          every object stands in urs.csv and srs.csv; summary.json holds the key figures and all inputs.",
     ));
-    html.push_str(&heading("The study"));
     html.push_str(&format!(
         "<details>\n<summary>The study as TOML, ready to run again</summary>\n<pre>{}</pre>\n</details>\n",
         escape(&study.toml)

@@ -94,7 +94,7 @@ pub(super) fn assumptions(study: &Study) -> String {
         "Only the horizontal motion acts; there is no vertical component.",
         "The building is linear and elastic, uniform over its height, and does not feel the objects.",
         "An impact takes no time; the share of the angular velocity that is left is the restitution r of the inputs, and the \
-         landing ratio R_D of the impact model is always that of Eq. (6).",
+         landing ratio of the impact model is always that of Eq. (6).",
         "After the motion zeros follow until every object rests or has fallen.",
     ];
     if let Ground::Synthetic(_) = study.ground {
@@ -115,21 +115,21 @@ pub(super) fn definitions() -> String {
          s = sign of θ; ü: acceleration of the floor.",
     ));
     html.push_str(&equation(
-        "θ̈ = −p² [ sin(sα − θ) + (ü/g) cos(sα − θ) ], uplift where |ü| &gt; g t/h, \
-         ω<sup>+</sup> = r ω<sup>−</sup> at θ = 0; Housner: r = 1 − (3/2) sin²α",
+        "θ̈ = −p² [ sin(sα − θ) + (ü/g) cos(sα − θ) ], uplift where |ü| &gt; g t/h<br />\
+         ω<sup>+</sup> = r ω<sup>−</sup> at θ = 0; Housner: r = 1 − (3/2) sin²α, where the inputs name no other",
     ));
     html.push_str(&paragraph(
         "Overturned: |θ| reaches π/2. Passing α is not yet overturning; the shaking can bring an object back.",
     ));
-    html.push_str(&equation("uplift δ = t sin|θ|, rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]"));
+    html.push_str(&equation("uplift δ = t sin|θ|; rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]"));
     html.push_str(&heading("Shock"));
     html.push_str(&paragraph(
         "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of impact, t for \
-         rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion; a_edge: peak acceleration at the \
-         impacting edge, the edge shock.",
+         rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The edge shock is the peak acceleration \
+         at the impacting edge.",
     ));
     html.push_str(&equation(
-        "a = √(2 k g Δh / m) (7), R<sub>D</sub> = 1 − ⅜ (d/R)² (6), \
+        "a = √(2 k g Δh / m) (7)<br />R<sub>D</sub> = 1 − ⅜ (d/R)² (6)<br />\
          a<sub>edge</sub> = ¾ (1 − R<sub>D</sub>²)<sup>−½</sup> (d/R)² a (5)",
     ));
     html.push_str(&paragraph(

@@ -5,7 +5,7 @@ use crate::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
 use crate::study::Study;
 use crate::words::{escape, fixed, number, percent};
 
-use super::html::{Cell, figure, heading, markup, paragraph, table, words};
+use super::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
 use super::overview::exceeds;
 
 /// More thicknesses than this do not fit side by side on A4.
@@ -70,11 +70,12 @@ fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> Strin
     }
     let mut heights = study.objects.heights_m.clone();
     heights.sort_by(f64::total_cmp);
+    let decimals = heights.iter().map(|&h| decimals(&number(h, 5))).max().unwrap_or(0);
     let tolerance_g = study.objects.tolerance_m_s2.map(|a| a / freestand::G0_M_S2);
     let rows: Vec<Vec<Cell>> = heights
         .iter()
         .map(|&h| {
-            let mut row = vec![figure(number(h, 4))];
+            let mut row = vec![figure(fixed(h, decimals))];
             for &t in thicknesses {
                 let object = level.statistics.iter().flatten().find(|s| s.height_m == h && s.thickness_m == t);
                 row.extend(object_cells(object, tolerance_g));
@@ -82,7 +83,12 @@ fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> Strin
             row
         })
         .collect();
-    table("", &[top, below], &rows)
+    classed_table("objects", "", &[top, below], &rows)
+}
+
+/// Digits behind the point.
+fn decimals(number: &str) -> usize {
+    number.split_once('.').map_or(0, |(_, digits)| digits.len())
 }
 
 /// Both sources and the overturned share of one object.

@@ -106,7 +106,8 @@ fn report_holds_figures_tables_and_definitions() {
     let texts = texts(&document);
     for words in [
         "Each level at a glance",
-        "Failed",
+        "failed",
+        "Histories that could not be followed",
         "g + ü_v ≤ 0",
         "Validity warnings",
         "How well the motions meet their target",
@@ -171,4 +172,33 @@ fn the_smallest_study_has_a_report_too() {
     result.levels[0].responses = vec![vec![crate::result::ObjectResponse::Failed("no".into())]];
     let figures = crate::figures::figures(&study, &result).unwrap();
     check(&report(&study, &result, &figures, &provenance(&study)));
+}
+
+/// Four levels on two rows with ten thicknesses: no bands, two tables a level; a history that ends on the floor.
+#[test]
+fn many_levels_and_thicknesses_and_a_fall_are_drawn() {
+    let mut study = fixture::study();
+    study.levels.insert(0, crate::study::Level { name: "ground floor".into(), level_ratio: 0.0 });
+    study.levels.insert(1, crate::study::Level { name: "quarter".into(), level_ratio: 0.25 });
+    study.objects.heights_m = vec![1.0, 1.25, 3.0];
+    study.objects.thicknesses_m = (0..10).map(|i| 0.1 + 0.05 * f64::from(i)).collect();
+    study.objects.blocks.clear();
+    for &h in &study.objects.heights_m {
+        for &t in &study.objects.thicknesses_m {
+            study.objects.blocks.push(freestand::block::Block::uniform(h, t).unwrap());
+        }
+    }
+    let mut result = fixture::result(&study);
+    let history = result.history.as_mut().unwrap();
+    history.outcome = freestand::spectra::Outcome::Overturned;
+    let topples = |t: &f64| if *t < 6.0 { 0.0 } else { ((t - 6.0) * 0.5).min(std::f64::consts::FRAC_PI_2) };
+    history.theta_rad = history.time_s.iter().map(topples).collect();
+    history.impacts.clear();
+    let figures = figures(&study, &result).unwrap();
+    let urs = &figures[0].svg;
+    assert!(urs.contains("quarter") && urs.contains("t = 550 mm") && !urs.contains("16–84"));
+    assert!(figures[4].svg.contains("overturns"));
+    let html = report(&study, &result, &figures, &provenance(&study));
+    check(&html);
+    assert!(html.contains(">1.25<") && html.contains(">3.00<"));
 }
