@@ -2,11 +2,14 @@
 
 use std::path::PathBuf;
 
+use rayon::prelude::*;
 use serde_json::{Map, Value};
 
 use crate::error::{Problem, ProblemKind, StudyError};
+use crate::figures::figures;
 use crate::output::OutputFolder;
 use crate::records::write_csv;
+use crate::report::{provenance, report};
 use crate::result::StudyResult;
 use crate::study::Study;
 use crate::summary::{SCHEMA, summary};
@@ -26,19 +29,9 @@ pub struct Written {
 /// # Errors
 /// A disk that is full or a folder that has changed since; nothing is left behind then.
 pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) -> Result<Written, StudyError> {
-    let mut files: Vec<(String, Vec<u8>)> = vec![
-        ("study.toml".to_owned(), study.toml.clone().into_bytes()),
-        ("urs.csv".to_owned(), urs_csv(study, result)?),
-        ("srs.csv".to_owned(), srs_csv(study, result)?),
-        ("statistics.csv".to_owned(), statistics_csv(study, result)?),
-    ];
-    for (i, ground) in result.ground.iter().enumerate() {
-        files.push((format!("motions/{}.csv", ground.name), write_csv(&ground.motion).into_bytes()));
-        for level in &result.levels {
-            let name = format!("motions/{}_{}.csv", ground.name, level.level.name);
-            files.push((name, write_csv(&level.floors[i]).into_bytes()));
-        }
-    }
+    let (tables, pages) = rayon::join(|| tables(study, result), || pages(study, result));
+    let mut files = tables?;
+    files.extend(pages?);
 
     let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
     names.push("summary.json".to_owned());
@@ -55,8 +48,54 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
     text.push(b'\n');
     files.push(("summary.json".to_owned(), text));
 
+    files.sort_unstable_by(|a, b| a.0.cmp(&b.0));
     for (name, bytes) in &files {
         folder.write(name, bytes)?;
     }
     Ok(Written { folder: folder.commit()?, summary: document })
+}
+
+type File = (String, Vec<u8>);
+
+/// The study, the tables and the motions.
+fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
+    let mut files: Vec<File> = vec![
+        ("study.toml".to_owned(), study.toml.clone().into_bytes()),
+        ("urs.csv".to_owned(), urs_csv(study, result)?),
+        ("srs.csv".to_owned(), srs_csv(study, result)?),
+        ("statistics.csv".to_owned(), statistics_csv(study, result)?),
+    ];
+    let motions: Vec<Vec<File>> = (0..result.ground.len())
+        .into_par_iter()
+        .map(|i| {
+            let name = &result.ground[i].name;
+            let floors = result.levels.iter().map(|level| {
+                (format!("motions/{name}_{}.csv", level.level.name), write_csv(&level.floors[i]).into_bytes())
+            });
+            let ground = (format!("motions/{name}.csv"), write_csv(&result.ground[i].motion).into_bytes());
+            std::iter::once(ground).chain(floors).collect()
+        })
+        .collect();
+    files.extend(motions.into_iter().flatten());
+    Ok(files)
+}
+
+/// The figures and the report; the report shows them whether or not they are files too.
+fn pages(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
+    if !(study.outputs.figures || study.outputs.report) {
+        return Ok(Vec::new());
+    }
+    let drawn = figures(study, result).map_err(|error| Problem::new(ProblemKind::Computation, error.to_string()))?;
+    let mut files = Vec::new();
+    if study.outputs.report {
+        let html = report(study, result, &drawn, &provenance(study));
+        files.push(("report.html".to_owned(), html.into_bytes()));
+    }
+    if study.outputs.figures {
+        for figure in drawn {
+            files.push((format!("{}.svg", figure.name), figure.svg.into_bytes()));
+            files.push((format!("{}.png", figure.name), figure.png));
+        }
+    }
+    Ok(files)
 }
