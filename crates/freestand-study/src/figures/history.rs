@@ -20,6 +20,8 @@ const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
 const MARGINS_PX: (f64, f64) = (76.0, 18.0);
 /// Quiet time that is shown before the first and after the last rotation \[s\].
 const QUIET_S: f64 = 2.0;
+/// Rotation at which an object has fallen \[rad\], a little less than π/2.
+const FLAT_RAD: f64 = 1.57;
 /// A toppling object's rotation is drawn up to this multiple of α.
 const HIGHEST_RATIO: f64 = 1.6;
 
@@ -86,13 +88,14 @@ fn entry(sign: Sign, words: &str) -> Entry {
     Entry { sign, words: words.into() }
 }
 
-/// From a little before the first rotation to a little after the last one, within the record.
+/// From a little before the first rotation to a little after the last one or the fall, within the record.
 fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
     let (start, end) = (*h.time_s.first()?, *h.time_s.last()?);
     let rotates = |&(_, &theta): &(&f64, &f64)| theta != 0.0;
     let pairs = || h.time_s.iter().zip(&h.theta_rad);
     let first = pairs().find(rotates).map_or(start, |(&t, _)| t);
-    let last = pairs().rfind(rotates).map_or(end, |(&t, _)| t);
+    let lies = |&(_, &theta): &(&f64, &f64)| theta.abs() >= FLAT_RAD;
+    let last = pairs().find(lies).or_else(|| pairs().rfind(rotates)).map_or(end, |(&t, _)| t);
     let (from, to) = ((first - QUIET_S).max(start), (last + QUIET_S).min(end));
     (to > from).then_some((from, to))
 }

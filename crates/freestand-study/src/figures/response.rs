@@ -114,8 +114,8 @@ pub(super) fn overturning(study: &Study, result: &StudyResult) -> Page {
     }
 }
 
-const OVERTURNED_WORDS: &str = "Where the median falls among the overturned the curve ends and crosses in the strip at the top mark those heights; \
-     nothing is extrapolated.";
+const OVERTURNED_WORDS: &str = "Where the median falls among the overturned the curve ends and crosses in the strip at the top mark those heights, \
+     a row for each thickness with its sign at the left; nothing is extrapolated.";
 
 fn median_words(result: &StudyResult) -> String {
     match result.ground.len() {
@@ -239,7 +239,10 @@ fn strip(curves: &[Vec<Point>], fallen: usize, x: Axis, y: Axis) -> (Vec<Plot>, 
         let crosses: Vec<(f64, f64)> =
             curve.iter().filter(|p| p.ranked[1] == Ranked::Overturned).map(|p| (p.height_m, y)).collect();
         if !crosses.is_empty() {
-            plots.push(markers(&crosses, curve_style(i).colour, MarkerShape::Cross, 3.2));
+            let style = curve_style(i);
+            plots.push(markers(&crosses, style.colour, MarkerShape::Cross, 3.2));
+            // The curve's own marker at the left end says whose row it is.
+            plots.push(markers(&[(x.from + 0.02 * (x.to - x.from), y)], style.colour, style.marker, 3.2));
             row += 1.0;
         }
     }
