@@ -60,6 +60,19 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
     })
 }
 
+impl ObjectStatistics {
+    /// Whether the median shock, by the larger of the two sources, is above a tolerance; an overturned median is.
+    pub fn exceeds(&self, tolerance_g: f64) -> bool {
+        [self.edge_acceleration_g[1], self.edge_acceleration_impact_velocity_g[1]].into_iter().any(
+            |median| match median {
+                Ranked::Value(shock_g) => shock_g > tolerance_g,
+                Ranked::Overturned => true,
+                Ranked::NoData => false,
+            },
+        )
+    }
+}
+
 impl Ranked {
     /// The number, where the quantile is one.
     pub fn value(self) -> Option<f64> {

@@ -30,20 +30,27 @@ pub struct LevelSummary {
     pub uplift_share: f64,
     /// Share of the histories in which the object overturns.
     pub overturned_share: f64,
+    /// Objects that exceed the study's tolerance ([`crate::result::ObjectStatistics::exceeds`]); `None` without one.
+    pub exceeded_objects: Option<usize>,
     /// Objects whose median over the motions is overturned.
     pub overturned_objects: usize,
     /// Largest shock of any object that survives under any motion \[g\].
     pub edge_acceleration_g_max: Option<f64>,
     /// Largest over the objects of the median over the motions, where that is a number \[g\].
     pub edge_acceleration_g_median: Option<f64>,
-    /// The same two from the impact velocity \[g\].
+    /// Largest shock of any survivor from the impact velocity \[g\].
     pub edge_acceleration_impact_velocity_g_max: Option<f64>,
-    /// The same two from the impact velocity \[g\].
+    /// Largest median over the objects from the impact velocity \[g\].
     pub edge_acceleration_impact_velocity_g_median: Option<f64>,
 }
 
-/// The key figures of a level.
-pub fn level_summary(level: &LevelResult) -> LevelSummary {
+/// The key figures of every level.
+pub fn level_summaries(study: &Study, result: &StudyResult) -> Vec<LevelSummary> {
+    result.levels.iter().map(|level| level_summary(level, study.objects.tolerance_m_s2)).collect()
+}
+
+/// The key figures of a level; `tolerance_m_s2` is the study's.
+pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelSummary {
     let mut pfa_g: Vec<f64> = level.floors.iter().map(|floor| floor.peak_m_s2() / G0_M_S2).collect();
     let rows = || level.responses.iter().flatten();
     let histories = rows().count();
@@ -69,6 +76,8 @@ pub fn level_summary(level: &LevelResult) -> LevelSummary {
         failed: histories - done,
         uplift_share: share(count(&|o| o != Outcome::NoUplift)),
         overturned_share: share(count(&|o| o == Outcome::Overturned)),
+        exceeded_objects: tolerance_m_s2
+            .map(|tolerance| statistics().filter(|s| s.exceeds(tolerance / G0_M_S2)).count()),
         overturned_objects: statistics().filter(|s| s.edge_acceleration_g[1] == Ranked::Overturned).count(),
         edge_acceleration_g_max: largest(&mut shocks(false)),
         edge_acceleration_g_median: largest(&mut statistics().filter_map(|s| s.edge_acceleration_g[1].value())),
@@ -81,11 +90,9 @@ pub fn level_summary(level: &LevelResult) -> LevelSummary {
 
 /// The whole document.
 pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
-    let levels: Vec<Value> = result
-        .levels
+    let levels: Vec<Value> = level_summaries(study, result)
         .iter()
-        .map(|level| {
-            let s = level_summary(level);
+        .map(|s| {
             json!({
                 "level": s.level,
                 "level_ratio": s.level_ratio,
@@ -94,6 +101,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
                 "failed": s.failed,
                 "uplift_share": s.uplift_share,
                 "overturned_share": s.overturned_share,
+                "exceeded_objects": s.exceeded_objects,
                 "overturned_objects": s.overturned_objects,
                 "edge_acceleration_g_max": s.edge_acceleration_g_max,
                 "edge_acceleration_g_median": s.edge_acceleration_g_median,
@@ -129,6 +137,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
         "definitions": {
             "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
             "overturned_share": "share of all object × motion histories",
+            "exceeded_objects": "objects whose median shock, by the larger of the two sources, is above the tolerance, or whose median is overturned; null without a tolerance",
             "edge_acceleration_g_max": "largest over all objects and motions that do not overturn, source `uplift`",
             "edge_acceleration_g_median": "largest over the objects of the median over all motions (no uplift = 0, overturned = above all), where that median is a number",
         },

@@ -57,6 +57,9 @@ pub(crate) struct FloorArgs {
     /// Levels as shares of the height, 0 ground and 1 roof
     #[arg(long, value_name = "GRID", default_value = "0.5, 1.0", allow_hyphen_values = true)]
     levels: String,
+    /// Zeros behind the record, in which the building rings down [default: none]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    tail: Option<String>,
     /// Look for the peaks at N points in each sample interval
     #[arg(long, value_name = "N", default_value = "1")]
     upsample: NonZeroUsize,
@@ -111,6 +114,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let period = values.positive("--period", args.period.as_deref(), Dimension::Time);
     let damping = values.non_negative("--damping", Some(&args.damping), Dimension::Ratio);
     let shear_flexure = values.non_negative("--shear-flexure", Some(&args.shear_flexure), Dimension::Ratio);
+    let tail_s = values.non_negative("--tail", args.tail.as_deref(), Dimension::Time).unwrap_or(0.0);
     let levels = values.grid("--levels", &args.levels, Dimension::Ratio).unwrap_or_default();
     if let Some(outside) = levels.iter().find(|x| !(0.0..=1.0).contains(*x)) {
         let problem = Problem::new(ProblemKind::Value, format!("--levels: {outside} is not a share of the height"));
@@ -126,7 +130,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let beam = Building::new(period_s, damping.unwrap_or(0.05), shear_flexure.unwrap_or(5.0), args.modes)
         .map_err(|error| wrong(error.to_string()))?;
     let read = args.read.read_one(&args.motion)?;
-    let ground = &read.motion.motion;
+    let ground = &with_tail(&read.motion.motion, tail_s)?;
     let factor = upsampling(args.upsample, ground.accel_m_s2().len())?;
     let files = Files::begin(global)?;
     let failed = |error: freestand::building::BuildingError| Failure::computation(error.to_string());
@@ -172,6 +176,18 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     Ok(Done::OK)
 }
 
+/// The motion and its zeros; a tail that no memory holds is refused.
+fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Failure> {
+    const MOST_SAMPLES: f64 = 1e8;
+    if tail_s / motion.dt_s() > MOST_SAMPLES {
+        return Err(Failure::usage(
+            format!("--tail: {tail_s} s are too many samples at {} s", motion.dt_s()),
+            "ten periods of the building are enough",
+        ));
+    }
+    Ok(motion.with_zero_tail(tail_s))
+}
+
 fn frame(name: Option<FrameName>) -> FrameKind {
     match name {
         Some(FrameName::SteelMoment) => FrameKind::MomentSteel,
@@ -185,7 +201,7 @@ fn frame(name: Option<FrameName>) -> FrameKind {
 fn late_peak_warning(level_ratio: f64, floor: &Motion, later: &Motion) -> Option<String> {
     (later.peak_m_s2() > floor.peak_m_s2()).then(|| {
         format!(
-            "level {level_ratio}: the floor reaches {} g after the end of the record: append zeros to it",
+            "level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with --tail",
             significant(later.peak_m_s2() / G0_M_S2, 4)
         )
     })

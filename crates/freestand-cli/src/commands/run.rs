@@ -9,7 +9,7 @@ use freestand_study::output::OutputFolder;
 use freestand_study::outputs::write_outputs;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, load};
 use freestand_study::run::{Step, run as run_study};
-use freestand_study::summary::{LevelSummary, level_summary};
+use freestand_study::summary::{LevelSummary, level_summaries};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 
@@ -73,7 +73,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let written = write_outputs(folder, &study, &result)?;
     bar.finish_and_clear();
 
-    let levels: Vec<LevelSummary> = result.levels.iter().map(level_summary).collect();
+    let levels = level_summaries(&study, &result);
     let failed: usize = levels.iter().map(|level| level.failed).sum();
     let mut body = written.summary;
     if let Value::Object(keys) = &mut body {
@@ -85,7 +85,8 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     printer.result(freestand_study::summary::SCHEMA, &body, &result.warnings, || {
         text(&levels, result.ground.len(), &out.display().to_string(), start.elapsed().as_secs_f64())
     })?;
-    Ok(Done { criterion_met: failed == 0 })
+    let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
+    Ok(Done { criterion_met: failed == 0 && !exceeded })
 }
 
 /// A bar on standard error, hidden where nobody sees it.
@@ -106,6 +107,7 @@ fn text(levels: &[LevelSummary], motions: usize, folder: &str, seconds: f64) -> 
                 significant(level.pfa_g_median, 3),
                 format!("{:.1} %", 100.0 * level.uplift_share),
                 format!("{:.1} %", 100.0 * level.overturned_share),
+                level.exceeded_objects.map_or_else(|| "-".to_owned(), |objects| objects.to_string()),
                 optional(level.edge_acceleration_g_median, 3, ""),
                 optional(level.edge_acceleration_g_max, 3, ""),
                 level.failed.to_string(),
@@ -115,8 +117,9 @@ fn text(levels: &[LevelSummary], motions: usize, folder: &str, seconds: f64) -> 
     let headings =
         ["level", "median PFA g", "uplift", "overturned", "largest median shock g", "largest shock g", "failed"];
     let histories: usize = levels.iter().map(|level| level.histories).sum();
+    let motions = if motions == 1 { "1 motion".to_owned() } else { format!("{motions} motions") };
     format!(
-        "{}\n{motions} motions, {histories} rocking histories, {seconds:.1} s\nresults in {folder}: report.html, urs.csv, srs.csv, \
+        "{}\n{motions}, {histories} rocking histories, {seconds:.1} s\nresults in {folder}: report.html, urs.csv, srs.csv, \
          statistics.csv, summary.json, motions/, figures\n",
         table(&headings, &rows)
     )

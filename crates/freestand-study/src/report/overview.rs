@@ -1,8 +1,8 @@
 //! The top of the report: the result in words, the first table, the warnings.
 
-use crate::result::{ObjectResponse, ObjectStatistics, Ranked, StudyResult};
+use crate::result::{ObjectResponse, StudyResult};
 use crate::study::{Ground, Study};
-use crate::summary::{LevelSummary, level_summary};
+use crate::summary::{LevelSummary, level_summaries};
 use crate::words::{escape, fixed, number, percent};
 
 use super::html::{classed_table, figure, list, markup, paragraph, table, words};
@@ -35,7 +35,7 @@ pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
 
 /// Summary, first table and warnings.
 pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
-    let levels: Vec<LevelSummary> = result.levels.iter().map(level_summary).collect();
+    let levels: Vec<LevelSummary> = level_summaries(study, result);
     let mut html = paragraph(&job_words(study, result, &levels));
     html.push_str("<ul>\n");
     for level in &levels {
@@ -47,7 +47,7 @@ pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
     }
     html.push_str("</ul>\n");
     html.push_str(&first_table(&levels));
-    html.push_str(&tolerance_words(study, result));
+    html.push_str(&tolerance_words(study, &levels));
     html.push_str(&failures(result));
     html.push_str("<div class=\"warn\">\n<h2>Validity warnings</h2>\n");
     if result.warnings.is_empty() {
@@ -159,27 +159,13 @@ fn first_table(levels: &[LevelSummary]) -> String {
     html
 }
 
-/// Whether the larger of the two medians exceeds the tolerance; an overturned median does.
-pub(super) fn exceeds(statistics: &ObjectStatistics, tolerance_g: f64) -> bool {
-    [statistics.edge_acceleration_g[1], statistics.edge_acceleration_impact_velocity_g[1]].iter().any(|ranked| {
-        match ranked {
-            Ranked::Value(shock) => *shock > tolerance_g,
-            Ranked::Overturned => true,
-            Ranked::NoData => false,
-        }
-    })
-}
-
-fn tolerance_words(study: &Study, result: &StudyResult) -> String {
+fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> String {
     let Some(tolerance_m_s2) = study.objects.tolerance_m_s2 else { return String::new() };
     let tolerance_g = tolerance_m_s2 / freestand::G0_M_S2;
-    let counts: Vec<String> = result
-        .levels
+    let objects = study.objects.blocks.len();
+    let counts: Vec<String> = levels
         .iter()
-        .map(|level| {
-            let above = level.statistics.iter().flatten().filter(|s| exceeds(s, tolerance_g)).count();
-            format!("{}: {above} of {}", level.level.name, level.statistics.len())
-        })
+        .filter_map(|level| Some(format!("{}: {} of {objects}", level.level, level.exceeded_objects?)))
         .collect();
     paragraph(&format!(
         "Objects whose median shock (the larger of the two sources) exceeds the tolerance of {} g, or whose median is \

@@ -56,7 +56,7 @@ fn is_the_papers_case(study: &Study) -> bool {
 
 fn shock_words(level: Option<&LevelResult>) -> String {
     let Some(level) = level else { return "not a level of this study".to_owned() };
-    let s = level_summary(level);
+    let s = level_summary(level, None);
     match (s.edge_acceleration_g_median, s.edge_acceleration_g_max) {
         (Some(median), Some(most)) => {
             format!("medians up to {} g; single motions up to {} g", number(median, 3), number(most, 3))

@@ -6,7 +6,6 @@ use crate::study::Study;
 use crate::words::{escape, fixed, number, percent};
 
 use super::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
-use super::overview::exceeds;
 
 /// More thicknesses than this do not fit side by side on A4.
 const MOST_COLUMNS: usize = 5;
