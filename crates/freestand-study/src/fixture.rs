@@ -10,7 +10,7 @@ use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::oscillator::{ResponseSpectrum, response_spectrum};
-use freestand::rocking::{Accuracy, Restitution};
+use freestand::rocking::{Accuracy, Restitution, SideExtremes};
 use freestand::spectra::{Outcome, UpliftCell};
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
@@ -193,7 +193,10 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
         impact_count: if outcome == Outcome::NoUplift { 0 } else { 17 },
         uplift_m: block.base_width_m() * peak.sin(),
         cg_rise_m,
-        impact_omega_rad_s: landing.omega_rad_s(0.8 * cg_rise_m, G0_M_S2),
+        sides: [
+            SideExtremes { peak_rotation_rad: peak, impact_omega_rad_s: landing.omega_rad_s(0.8 * cg_rise_m, G0_M_S2) },
+            SideExtremes::default(),
+        ],
     }
 }
 

@@ -2,12 +2,11 @@
 
 use freestand::block::Block;
 use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, Landing, ValidityWarning, bottoming_warning, impact_friction_needed_ratio,
-    stiffness_warnings,
+    ASSUMED_FRICTION, ImpactModel, ValidityWarning, bottoming_warning, impact_friction_needed_ratio, stiffness_warnings,
 };
 use freestand::motion::Motion;
 use freestand::rocking::{Base, HistoryPoint, HistoryRecorder, Rocking, RockingError, RockingOptions, rock_observed};
-use freestand::spectra::{Outcome, UpliftCell};
+use freestand::spectra::{Outcome, UpliftCell, landings};
 use freestand::{G0_M_S2, rocking};
 use serde::Serialize;
 
@@ -113,11 +112,16 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     let gravity = options.gravity_m_s2;
     let pivot = block.pivot();
     let cell = UpliftCell::new(*block, &rocking);
-    let landing = Landing::rocking(block, ImpactModel::Paper);
-    let impact_friction = impact_friction_needed_ratio(block, rocking.restitution_ratio);
+    let landings = landings(block, ImpactModel::Paper);
+    let impact_friction = [*block, block.mirrored()]
+        .map(|block| impact_friction_needed_ratio(&block, rocking.restitution_ratio))
+        .into_iter()
+        .fold(0.0, f64::max);
     let shock = request.cushion.map(|(mass, stiffness)| cell.shock(mass, stiffness, ImpactModel::Paper, gravity));
     let shock_of = |omega: f64| {
         request.cushion.map(|(mass, stiffness)| {
+            // A block on its right edge (θ > 0) comes back with ω < 0.
+            let landing = &landings[usize::from(omega > 0.0)];
             let rise_m = landing.equivalent_rise_m(omega, gravity);
             landing.impact(mass, stiffness, rise_m, gravity).edge_acceleration_m_s2 / G0_M_S2
         })
@@ -129,8 +133,12 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     }
     if let Some((mass, stiffness)) = request.cushion {
         warnings.extend(stiffness_warnings(mass, stiffness, None).iter().map(ToString::to_string));
-        let impact = landing.impact(mass, stiffness, rocking.cg_rise_m, gravity);
-        warnings.extend(bottoming_warning(&impact, None).map(|warning| warning.to_string()));
+        let impacts = landings.iter().zip(rocking.sides).map(|(landing, side)| {
+            let rise_m = landing.pivot.largest_rise_m(side.peak_rotation_rad);
+            landing.impact(mass, stiffness, rise_m, gravity)
+        });
+        let deepest = impacts.max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
+        warnings.extend(deepest.and_then(|i| bottoming_warning(&i, None)).map(|warning| warning.to_string()));
     }
     let limit = request.friction.unwrap_or(ASSUMED_FRICTION);
     let mut sliding = |needed: f64, when| {
@@ -162,7 +170,11 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         stopped: rocking.stop.name(),
         end_time_s: rocking.end_s,
         peak_rotation_rad: rocking.peak_rotation_rad,
-        peak_rotation_ratio: rocking.peak_rotation_rad / pivot.slenderness_angle_rad,
+        peak_rotation_ratio: landings
+            .iter()
+            .zip(rocking.sides)
+            .map(|(landing, side)| side.peak_rotation_rad / landing.pivot.slenderness_angle_rad)
+            .fold(0.0, f64::max),
         peak_rotation_time_s: rocking.peak_rotation_time_s.filter(|_| rocking.outcome != Outcome::NoUplift),
         uplift_m: rocking.uplift_m,
         cg_rise_m: rocking.cg_rise_m,

@@ -100,7 +100,7 @@ pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> 
         ObjectResponse::Done { uplift, .. } => vec![
             uplift.peak_rotation_rad.to_string(),
             uplift.impact_count.to_string(),
-            uplift.impact_omega_rad_s.to_string(),
+            uplift.impact_omega_rad_s().to_string(),
         ],
         ObjectResponse::Failed(_) => vec![String::new(); 3],
     })

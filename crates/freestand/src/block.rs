@@ -45,6 +45,11 @@ impl Pivot {
         2.0 * self.half_diagonal_m * (self.slenderness_angle_rad - 0.5 * theta).sin() * (0.5 * theta).sin()
     }
 
+    /// The largest rise on the way to a peak rotation: R(1 − cos α) once |θ| has passed α \[m\].
+    pub fn largest_rise_m(&self, peak_rotation_rad: f64) -> f64 {
+        self.cg_rise_m(peak_rotation_rad.abs().min(self.slenderness_angle_rad))
+    }
+
     /// The largest rise that a block reaches before it falls: R(1 − cos α) at θ = α \[m\].
     pub fn balance_rise_m(&self) -> f64 {
         self.cg_rise_m(self.slenderness_angle_rad)
@@ -198,6 +203,12 @@ impl Block {
         Ok(self)
     }
 
+    /// The block as its mirror image: left and right exchanged.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        Self { cg_offset_m: -self.cg_offset_m, ..self }
+    }
+
     /// h \[m\].
     pub fn height_m(&self) -> f64 {
         self.height_m
@@ -260,17 +271,9 @@ impl Block {
     ///
     /// # Reference
     /// Housner (1963); Al Abadi et al., Eq. (6).
+    /// For a landing on the left edge: that of [`Block::mirrored`].
     pub fn landing_ratio(&self) -> f64 {
-        self.landing_ratio_on(self.cg_from_right_m())
-    }
-
-    /// The same for a landing on the left edge.
-    pub fn left_landing_ratio(&self) -> f64 {
-        self.landing_ratio_on(self.cg_from_left_m())
-    }
-
-    fn landing_ratio_on(&self, cg_from_landing_m: f64) -> f64 {
-        1.0 - cg_from_landing_m * self.base_width_m / self.pivot_at(cg_from_landing_m).inertia_per_mass_m2
+        1.0 - self.cg_from_right_m() * self.base_width_m / self.right_pivot().inertia_per_mass_m2
     }
 }
 
@@ -315,7 +318,7 @@ mod tests {
         let left = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(-0.1).unwrap();
         assert!(right.pivot().slenderness_angle_rad > right.right_pivot().slenderness_angle_rad);
         assert_eq!(right.pivot(), left.right_pivot());
-        assert_eq!(right.landing_ratio(), left.left_landing_ratio());
+        assert_eq!(right.mirrored(), left);
     }
 
     /// Round trip through the balance point; near it a rise of ε moves θ by √ε, hence the looser bound there.

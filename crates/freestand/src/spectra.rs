@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::G0_M_S2;
 use crate::block::Block;
 use crate::impact::{ImpactModel, Landing};
-use crate::rocking::{Base, Rocking, RockingError, RockingOptions, rock};
+use crate::rocking::{Base, Rocking, RockingError, RockingOptions, SideExtremes, rock};
 
 /// What an object did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,8 +47,8 @@ pub struct UpliftCell {
     pub uplift_m: f64,
     /// Largest rise of the centre of gravity \[m\]; R(1 − cos α) once |θ| passed α.
     pub cg_rise_m: f64,
-    /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.
-    pub impact_omega_rad_s: f64,
+    /// Extremes on the right and the left edge, from which the shock follows.
+    pub sides: [SideExtremes; 2],
 }
 
 /// The shock that belongs to an [`UpliftCell`], for a mass and a stiffness.
@@ -87,23 +87,41 @@ impl UpliftCell {
             impact_count: rocking.impacts.len(),
             uplift_m: rocking.uplift_m,
             cg_rise_m: rocking.cg_rise_m,
-            impact_omega_rad_s: rocking.impact_omega_rad_s(),
+            sides: rocking.sides,
         }
     }
 
-    /// The shock on a linear cushion `stiffness_n_m` under the landing edge.
+    /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.
+    pub fn impact_omega_rad_s(&self) -> f64 {
+        self.sides.iter().fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
+    }
+
+    /// The shock on a linear cushion `stiffness_n_m` under the landing edge: the harder of the landings off the two
+    /// edges, which are alike unless the centre of gravity is off the middle.
     pub fn shock(&self, mass_kg: f64, stiffness_n_m: f64, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
-        let landing = Landing::rocking(&self.block, model);
-        let g_at =
-            |rise_m: f64| landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2;
         let stands = self.outcome != Outcome::Overturned;
-        let impact_rise_m = landing.equivalent_rise_m(self.impact_omega_rad_s, gravity_m_s2);
+        let landings = landings(&self.block, model);
+        let largest = |rise_m: &dyn Fn(&Landing, SideExtremes) -> f64| {
+            let shocks = landings.iter().zip(self.sides).map(|(landing, side)| {
+                let rise_m = rise_m(landing, side);
+                landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2
+            });
+            shocks.fold(0.0, f64::max)
+        };
+        let uplift = |landing: &Landing, side: SideExtremes| landing.pivot.largest_rise_m(side.peak_rotation_rad);
+        let velocity =
+            |landing: &Landing, side: SideExtremes| landing.equivalent_rise_m(side.impact_omega_rad_s, gravity_m_s2);
         ShockCell {
-            edge_acceleration_g: stands.then(|| g_at(self.cg_rise_m)),
-            edge_acceleration_impact_velocity_g: stands.then(|| g_at(impact_rise_m)),
-            ceiling_g: g_at(landing.pivot.balance_rise_m()),
+            edge_acceleration_g: stands.then(|| largest(&uplift)),
+            edge_acceleration_impact_velocity_g: stands.then(|| largest(&velocity)),
+            ceiling_g: largest(&|landing, _| landing.pivot.balance_rise_m()),
         }
     }
+}
+
+/// The landings of a rocking block, off its right edge and off its left one.
+pub fn landings(block: &Block, model: ImpactModel) -> [Landing; 2] {
+    [block.mirrored(), *block].map(|block| Landing::rocking(&block, model))
 }
 
 #[cfg(test)]

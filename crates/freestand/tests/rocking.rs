@@ -7,12 +7,13 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
+use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::rocking::{
     Accuracy, Base, HistoryPoint, HistoryRecorder, Restitution, Rocking, RockingError, RockingModel, RockingOptions,
     StopReason, Until, rock, rock_observed,
 };
-use freestand::spectra::Outcome;
+use freestand::spectra::{Outcome, UpliftCell};
 use proptest::prelude::*;
 
 /// A block of slenderness angle `alpha` and half diagonal 1 m.
@@ -166,6 +167,12 @@ proptest! {
         let options = RockingOptions { until: Until::Time(motion.duration_s() + 5.0), ..RockingOptions::default() };
         let lasting = rock(&block, under(&motion), &options).unwrap();
         prop_assert_eq!(lasting.outcome, long.outcome);
+        prop_assert_eq!(lasting.at_rest, long.at_rest);
+        prop_assert!(lasting.impacts.is_sorted_by(|a, b| a.time_s < b.time_s));
+        let late = |history: &Rocking| history.impacts.iter().filter(|i| i.omega_before_rad_s.abs() > 1e-6).count();
+        prop_assert_eq!(late(&lasting), late(&long));
+        let end = (lasting.final_rotation_rad - long.final_rotation_rad).abs();
+        prop_assert!(end <= 1e-7 * long.peak_rotation_rad, "{} {}", lasting.final_rotation_rad, long.final_rotation_rad);
         prop_assert!((lasting.peak_rotation_rad - long.peak_rotation_rad).abs() <= 1e-9 * long.peak_rotation_rad);
     }
 
@@ -283,6 +290,36 @@ fn chatter_ends_in_rest() {
     // A halted landing rests at the first impact.
     let halted = RockingOptions { restitution: Restitution::Value(0.0), ..options };
     assert_eq!(rock(&block, Base::default(), &halted).unwrap().impacts.len(), 1);
+}
+
+/// The quiet behind a short record is passed once: a block released at α + 0.01 is still falling at 0.8 s.
+#[test]
+fn the_tail_is_passed_once() {
+    let block = Block::uniform(1.0, 0.2).unwrap();
+    let still = Motion::new(0.1, vec![0.0; 3]).unwrap();
+    let options = free(0.21, 0.0, 0.8, RockingModel::Rigid);
+    let (behind, alone) =
+        (rock(&block, under(&still), &options).unwrap(), rock(&block, Base::default(), &options).unwrap());
+    assert_eq!((behind.outcome, behind.end_s), (Outcome::Rocked, 0.8));
+    // Three steps of 1e-13, growing with e^(p t).
+    assert!((behind.peak_rotation_rad / alone.peak_rotation_rad - 1.0).abs() < 1e-10);
+}
+
+/// Free rocking without loss of energy on the way: both sources of energy agree in the first landing, off either edge.
+#[test]
+fn both_energy_sources_agree_in_a_free_landing() {
+    for (offset, rotation) in [(0.0, 0.1), (0.2, 0.1), (0.2, -0.1), (-0.1, 0.15)] {
+        let block = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(offset).unwrap();
+        // To the first impact: further ones are off the other edge.
+        let first = rock(&block, Base::default(), &free(rotation, 0.0, 5.0, RockingModel::Rigid)).unwrap().impacts[0];
+        let options = free(rotation, 0.0, first.time_s * (1.0 + 1e-9), RockingModel::Rigid);
+        let got = rock(&block, Base::default(), &options).unwrap();
+        let shock = UpliftCell::new(block, &got).shock(100.0, 4e6, ImpactModel::Paper, G0_M_S2);
+        let (uplift, velocity) =
+            (shock.edge_acceleration_g.unwrap(), shock.edge_acceleration_impact_velocity_g.unwrap());
+        // Energy to 1e-13 a step.
+        assert!((velocity / uplift - 1.0).abs() < 1e-10, "{offset} {rotation}: {uplift} {velocity}");
+    }
 }
 
 #[test]

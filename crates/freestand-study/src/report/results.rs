@@ -93,7 +93,7 @@ fn decimals(number: &str) -> usize {
 /// Both sources and the overturned share of one object.
 fn object_cells(object: Option<&ObjectStatistics>, tolerance_g: Option<f64>) -> Vec<Cell> {
     let Some(s) = object else { return vec![markup("failed".into(), "over").over(3)] };
-    let sign = if tolerance_g.is_some_and(|tolerance| exceeds(s, tolerance)) { " ▲" } else { "" };
+    let sign = if tolerance_g.is_some_and(|tolerance| s.exceeds(tolerance)) { " ▲" } else { "" };
     let share =
         markup(if s.overturned_share > 0.0 { percent(s.overturned_share, 0) } else { String::new() }, "n share");
     match (s.edge_acceleration_g[1], s.edge_acceleration_impact_velocity_g[1]) {

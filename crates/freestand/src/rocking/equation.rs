@@ -204,8 +204,11 @@ impl Segment {
         (self.edge.side * y, self.edge.side * w)
     }
 
-    /// The largest F_x/N of the contact over the segment: the friction that it takes not to slide; infinite where the
-    /// contact would have to pull (N ≤ 0).
+    /// The largest F_x/N of the contact over the segment, as far as |θ| ≤ α: the friction that it takes not to slide;
+    /// infinite where the contact would have to pull (N ≤ 0), 0 where the object is past its balance point all along.
+    ///
+    /// # Limitation
+    /// Past α an object falls, its contact unloads and F_x/N passes through a pole: no friction is reported there.
     pub fn friction_needed_ratio(&self) -> f64 {
         const PARTS: usize = 4;
         let at = |i: usize| self.end_ratio * i as f64 / PARTS as f64;
@@ -223,7 +226,7 @@ impl Segment {
         most
     }
 
-    /// F_x/N of the contact at a ratio of the step.
+    /// F_x/N of the contact at a ratio of the step; 0 past the balance point.
     ///
     ///
     /// F_x/m = ü_h + s ẍ, N/m = g + ü_v + z̈ with the centre of gravity at x = −R sin(α−y), z = R cos(α−y).
@@ -237,7 +240,13 @@ impl Segment {
         let r = edge.pivot.half_diagonal_m / self.gravity_m_s2;
         let horizontal = u + edge.side * r * (cos * acceleration + sin * w * w);
         let vertical = v + r * (sin * acceleration - cos * w * w);
-        if vertical > 0.0 { horizontal.abs() / vertical } else { f64::INFINITY }
+        if y > edge.pivot.slenderness_angle_rad {
+            0.0
+        } else if vertical > 0.0 {
+            horizontal.abs() / vertical
+        } else {
+            f64::INFINITY
+        }
     }
 }
 

@@ -204,6 +204,9 @@ pub struct Rocking {
     pub end_s: f64,
     /// Largest |θ| \[rad\]; π/2 when overturned.
     pub peak_rotation_rad: f64,
+    /// What was largest on the right edge and on the left one: they differ in what follows from them only where the
+    /// centre of gravity is off the middle.
+    pub sides: [SideExtremes; 2],
     /// When |θ| was largest \[s\].
     pub peak_rotation_time_s: Option<f64>,
     /// B sin(peak rotation): lift of the free base edge \[m\].
@@ -234,11 +237,13 @@ pub struct Rocking {
     pub effort: Effort,
 }
 
-impl Rocking {
-    /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.
-    pub fn impact_omega_rad_s(&self) -> f64 {
-        self.impacts.iter().fold(0.0, |most: f64, i| most.max(i.omega_before_rad_s.abs()))
-    }
+/// Extremes of the motion about one edge.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SideExtremes {
+    /// Largest |θ| \[rad\].
+    pub peak_rotation_rad: f64,
+    /// Largest |ω| just before an impact that ends the motion about this edge \[rad/s\]; 0 without impacts.
+    pub impact_omega_rad_s: f64,
 }
 
 /// Why a history cannot be followed.
@@ -324,7 +329,7 @@ impl Restitution {
     /// # Errors
     /// A value or a product outside \[0, 1\].
     pub fn ratios(self, block: &Block) -> Result<[f64; 2], RockingError> {
-        let housner = [block.landing_ratio().max(0.0), block.left_landing_ratio().max(0.0)];
+        let housner = [block, &block.mirrored()].map(|b| b.landing_ratio().max(0.0));
         let ratios = match self {
             Self::Housner => housner,
             Self::Value(value) => [value; 2],

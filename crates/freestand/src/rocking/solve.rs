@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::equation::{Edge, Ground, Segment};
 use super::{
-    Base, MAX_IMPACTS, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, StopReason, Until,
+    Base, MAX_IMPACTS, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, SideExtremes,
+    StopReason, Until,
 };
 use crate::block::Block;
 use crate::motion::Motion;
@@ -110,10 +111,11 @@ impl Intervals<'_> {
     /// Length of interval `i` and the acceleration at its start; `None` behind the end.
     fn get(&self, i: usize) -> Option<(f64, Ground)> {
         let start_s = self.start_s(i);
-        if start_s >= self.end_s {
+        // Behind the record there is one quiet interval, to the end.
+        if start_s >= self.end_s || i > self.samples {
             return None;
         }
-        if i >= self.samples {
+        if i == self.samples {
             return Some((self.end_s - start_s, Ground { u: 0.0, u_slope: 0.0, v: 1.0, v_slope: 0.0 }));
         }
         let (u, v) = (self.u(i), self.v(i));
@@ -154,6 +156,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             Phase::Rest
         };
         let passed = |edge: &Edge| edge.side * theta > edge.pivot.slenderness_angle_rad;
+        let mut sides = [SideExtremes::default(); 2];
+        if let Phase::Moving { edge, y, .. } = phase {
+            sides[edge].peak_rotation_rad = y;
+        }
         Ok(Self {
             edges,
             restitution,
@@ -167,6 +173,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 stop: StopReason::EndOfMotion,
                 end_s: 0.0,
                 peak_rotation_rad: theta.abs(),
+                sides,
                 peak_rotation_time_s: given.then_some(0.0),
                 uplift_m: 0.0,
                 cg_rise_m: 0.0,
@@ -312,7 +319,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         if landed {
             y = 0.0;
         }
-        self.track_peak(&segment, end, y, highest);
+        self.track_peak(edge, &segment, end, y, highest);
         segment.end_ratio = end;
         let used_s = if end == 1.0 { segment.step_s } else { end * segment.step_s };
         let time_s = segment.start_s + used_s;
@@ -321,6 +328,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         if overturned {
             self.result.overturn_time_s = Some(time_s);
             (self.result.peak_rotation_rad, self.result.peak_rotation_time_s) = (FRAC_PI_2, Some(time_s));
+            self.result.sides[edge].peak_rotation_rad = FRAC_PI_2;
             self.phase = Phase::Moving { edge, y: FRAC_PI_2, w, lifting: false };
         } else if landed {
             self.land(edge, w.min(0.0), time_s, segment.ground.after(used_s))?;
@@ -335,6 +343,8 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         let other = 1 - edge;
         let after = -w * self.restitution[other];
         let side = self.edges[edge].side;
+        let hardest = &mut self.result.sides[edge].impact_omega_rad_s;
+        *hardest = hardest.max(-w);
         self.result.impacts.push(RockingImpact {
             time_s,
             omega_before_rad_s: side * w,
@@ -355,14 +365,14 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     }
 
     /// Keeps the largest |θ| and the first passage of α of a step up to its `end`, where the rotation is `y_end`.
-    fn track_peak(&mut self, segment: &Segment, end: f64, y_end: f64, highest: f64) {
+    fn track_peak(&mut self, edge: usize, segment: &Segment, end: f64, y_end: f64, highest: f64) {
         let alpha = segment.edge.pivot.slenderness_angle_rad;
         let c = segment.series();
         if self.result.passed_alpha_time_s.is_none() && highest > alpha && c[0] <= alpha {
             let passage = first_root(&below(c, alpha)[..c.len()]).filter(|&x| x <= end);
             self.result.passed_alpha_time_s = passage.map(|x| segment.start_s + x * segment.step_s);
         }
-        let best = self.result.peak_rotation_rad;
+        let best = self.result.sides[edge].peak_rotation_rad;
         if highest <= best {
             return;
         }
@@ -383,6 +393,9 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             });
         }
         if peak.0 > best {
+            self.result.sides[edge].peak_rotation_rad = peak.0;
+        }
+        if peak.0 > self.result.peak_rotation_rad {
             self.result.peak_rotation_rad = peak.0;
             self.result.peak_rotation_time_s = Some(segment.start_s + peak.1 * segment.step_s);
         }
@@ -399,11 +412,9 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             result.outcome = Outcome::Overturned;
             result.stop = StopReason::Overturned;
         }
-        let peak = result.peak_rotation_rad;
-        result.uplift_m = self.base_width_m * peak.sin();
-        // The higher of the two edges' rises; they are the same without an offset of the centre of gravity.
-        result.cg_rise_m =
-            self.edges.iter().map(|e| e.pivot.cg_rise_m(peak.min(e.pivot.slenderness_angle_rad))).fold(0.0, f64::max);
+        result.uplift_m = self.base_width_m * result.peak_rotation_rad.sin();
+        let rises = self.edges.iter().zip(result.sides).map(|(e, side)| e.pivot.largest_rise_m(side.peak_rotation_rad));
+        result.cg_rise_m = rises.fold(0.0, f64::max);
         result
     }
 }
