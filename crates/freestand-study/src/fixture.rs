@@ -10,7 +10,7 @@ use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::oscillator::{ResponseSpectrum, response_spectrum};
-use freestand::rocking::{Accuracy, Restitution, SideExtremes};
+use freestand::rocking::{Accuracy, Restitution, SideExtremes, StopReason};
 use freestand::spectra::{Outcome, UpliftCell};
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
@@ -189,6 +189,7 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     UpliftCell {
         block: *block,
         outcome,
+        stop: if outcome == Outcome::Overturned { StopReason::Overturned } else { StopReason::Settled },
         peak_rotation_rad: peak,
         impact_count: if outcome == Outcome::NoUplift { 0 } else { 17 },
         uplift_m: block.base_width_m() * peak.sin(),

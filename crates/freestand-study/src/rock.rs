@@ -4,8 +4,10 @@ use freestand::block::Block;
 use freestand::impact::{
     ASSUMED_FRICTION, ImpactModel, ValidityWarning, bottoming_warning, impact_friction_needed_ratio, stiffness_warnings,
 };
-use freestand::motion::Motion;
-use freestand::rocking::{Base, HistoryPoint, HistoryRecorder, Rocking, RockingError, RockingOptions, rock_observed};
+use freestand::motion::{MAX_SAMPLES, Motion};
+use freestand::rocking::{
+    Base, HistoryPoint, HistoryRecorder, Rocking, RockingError, RockingOptions, Until, rock_observed,
+};
 use freestand::spectra::{Outcome, UpliftCell, landings};
 use freestand::{G0_M_S2, rocking};
 use serde::Serialize;
@@ -42,7 +44,7 @@ pub struct ImpactReport {
     /// ω⁺ \[rad/s\].
     pub omega_after_rad_s: f64,
     /// Shock by the impact velocity \[g\]; `None` without mass and stiffness.
-    pub edge_acceleration_g: Option<f64>,
+    pub edge_acceleration_impact_velocity_g: Option<f64>,
 }
 
 /// What the object did: the keys of `freestand rock --json`.
@@ -93,6 +95,17 @@ pub struct RockReport {
 /// What the solver refuses, with a hint.
 pub fn rock(request: &RockRequest, record: bool) -> Result<RockReport, Problem> {
     let base = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
+    let sampled = base.horizontal.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
+    if let Until::Time(end_s) = request.options.until
+        && record
+        && end_s / sampled > MAX_SAMPLES as f64
+    {
+        return Err(Problem::new(
+            ProblemKind::Value,
+            format!("a history of {end_s} s at steps of {sampled} s is too long"),
+        )
+        .hint("give a shorter --duration, or leave --history out"));
+    }
     let mut recorder = HistoryRecorder::new(base.horizontal, FREE_HISTORY_DT_S);
     let mut friction: Option<f64> = None;
     let rocking = rock_observed(&request.block, base, &request.options, |segment| {
@@ -188,7 +201,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
                 time_s: i.time_s,
                 omega_before_rad_s: i.omega_before_rad_s,
                 omega_after_rad_s: i.omega_after_rad_s,
-                edge_acceleration_g: shock_of(i.omega_before_rad_s),
+                edge_acceleration_impact_velocity_g: shock_of(i.omega_before_rad_s),
             })
             .collect(),
         passed_alpha_time_s: rocking.passed_alpha_time_s,
@@ -203,8 +216,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         half_diagonal_m: pivot.half_diagonal_m,
         slenderness_angle_rad: pivot.slenderness_angle_rad,
         frequency_parameter_rad_s: pivot.frequency_parameter_rad_s(gravity),
-        uplift_threshold_g: block.cg_from_left_m().min(block.cg_from_right_m()) / block.cg_height_m() * gravity
-            / G0_M_S2,
+        uplift_threshold_g: options.model.uplift_threshold_ratio(block) * gravity / G0_M_S2,
         model: match options.model {
             rocking::RockingModel::Rigid => "rigid",
             rocking::RockingModel::Linearised => "linear",

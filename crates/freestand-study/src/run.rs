@@ -9,7 +9,7 @@ use freestand::impact::impact_friction_needed_ratio;
 use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, bottoming_warning};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
-use freestand::rocking::{Base, HistoryRecorder, RockingOptions, Until, rock_observed};
+use freestand::rocking::{Base, HistoryRecorder, RockingModel, RockingOptions, StopReason, Until, rock_observed};
 use freestand::spectra::{Outcome, UpliftCell, uplift_spectrum};
 use freestand::synthesis::{self, SynthesisOptions, synthesize};
 use rayon::prelude::*;
@@ -134,7 +134,8 @@ fn floors(study: &Study, ground: &[GroundMotion]) -> Result<Vec<Vec<Motion>>, St
     let by_motion: Vec<Vec<Motion>> = ground
         .par_iter()
         .map(|g| {
-            floor_motions(&g.motion.with_zero_tail(beam.tail_s()), beam, &ratios).map_err(failed("a floor motion"))
+            let ground = g.motion.with_zero_tail(beam.tail_s()).map_err(failed("a floor motion"))?;
+            floor_motions(&ground, beam, &ratios).map_err(failed("a floor motion"))
         })
         .collect::<Result<_, _>>()?;
     let mut by_level = vec![Vec::with_capacity(ground.len()); ratios.len()];
@@ -262,10 +263,21 @@ fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
             .push(format!("{failed} of {} histories could not be followed: see `reason` in srs.csv", rows().count()));
     }
 
+    let unsettled = rows()
+        .filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if uplift.stop == StopReason::EndOfMotion))
+        .count();
+    if unsettled > 0 {
+        warnings.push(format!(
+            "{unsettled} of {} histories still rocked when they were stopped behind the motion: their impacts are not all \
+             counted",
+            rows().count()
+        ));
+    }
+
     let objects = &study.objects;
     let friction = objects.friction.unwrap_or(ASSUMED_FRICTION);
     let assumed = if objects.friction.is_some() { "" } else { " (assumed)" };
-    let squat = objects.blocks.iter().filter(|b| b.thickness_m() / b.height_m() > friction).count();
+    let squat = objects.blocks.iter().filter(|b| RockingModel::Rigid.uplift_threshold_ratio(b) > friction).count();
     if squat > 0 {
         warnings.push(format!(
             "{squat} of {} objects have t/h above a friction of {friction}{assumed}: they slide before they uplift, which \

@@ -421,6 +421,10 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
                         .to_owned(),
                 ),
             }),
+            None if request.scenario == Scenario::OverturnFloor => Err(problem(
+                "the centre of gravity lies higher on its side than at the balance point: there is no fall to take the energy from",
+                "check the centre of gravity and the feet, or give the speed of the contact as --angular-velocity",
+            )),
             None => Err(problem(
                 "the object touches the obstacle before it reaches its balance point: there is no fall to take the energy from",
                 "give the speed of the contact from a rocking history, such as --angular-velocity \"1.2 rad/s\"",
@@ -509,6 +513,9 @@ fn report(
     };
     let edge_m_s2 = impact.map_or(landing.amplification_ratio() * drop_m_s2, |impact| impact.edge_acceleration_m_s2);
     let overturns = request.scenario.overturns();
+    if !edge_m_s2.is_finite() {
+        return Err(problem("the shock is beyond all numbers", "check the sizes, the mass and the stiffness"));
+    }
 
     if landing.model == ImpactModel::Halted
         && request.scenario == Scenario::Rocking

@@ -15,11 +15,14 @@ pub const TAIL_PERIODS: f64 = 10.0;
 /// Most modes of a [`Building`]: the fiftieth is 1/99 of the fundamental period or less, far below a record's step.
 pub const MAX_MODES: usize = 50;
 
+/// Longest fundamental period of a [`Building`] \[s\]: ten times that of the tallest tower.
+pub const MAX_PERIOD_S: f64 = 100.0;
+
 /// Why a building or its floor motion cannot be made.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BuildingError {
     /// The fundamental period is not usable.
-    #[error("the fundamental period must be positive and finite, not {period_s} s")]
+    #[error("the fundamental period must be positive and at most {MAX_PERIOD_S} s, not {period_s} s")]
     Period {
         /// The period that was given, or that of the mode that is too short.
         period_s: f64,
@@ -136,7 +139,7 @@ impl Building {
         shear_flexure_ratio: f64,
         modes: usize,
     ) -> Result<Self, BuildingError> {
-        if !(period_s > 0.0 && period_s.is_finite()) {
+        if !(period_s > 0.0 && period_s <= MAX_PERIOD_S) {
             return Err(BuildingError::Period { period_s });
         }
         if !(0.0..1.0).contains(&damping_ratio) {

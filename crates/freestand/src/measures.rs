@@ -136,9 +136,9 @@ mod tests {
         let mut padded = vec![0.0; 30];
         padded.extend(&shake);
         // The motion ends at sin(49) ≠ 0: hold on to the same last interval by comparing padded motions only.
-        let short = measures(&Motion::new(0.1, padded.clone()).unwrap().with_zero_tail(1.0));
+        let short = measures(&Motion::new(0.1, padded.clone()).unwrap().with_zero_tail(1.0).unwrap());
         padded.splice(0..0, vec![0.0; 70]);
-        let long = measures(&Motion::new(0.1, padded).unwrap().with_zero_tail(9.0));
+        let long = measures(&Motion::new(0.1, padded).unwrap().with_zero_tail(9.0).unwrap());
         // Times up to 13 s carry 2e-15 each.
         assert!((short.d5_95_s - long.d5_95_s).abs() < 1e-14);
         assert_eq!((short.arias_m_s, short.cav_m_s), (long.arias_m_s, long.cav_m_s));

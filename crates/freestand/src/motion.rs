@@ -11,6 +11,9 @@ pub struct Motion {
     accel_m_s2: Vec<f64>,
 }
 
+/// Most samples that a motion is extended to: a guard against a step or a tail that is out of all proportion.
+pub const MAX_SAMPLES: usize = 100_000_000;
+
 /// Why samples are not a [`Motion`].
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
@@ -25,6 +28,12 @@ pub enum MotionError {
     TooShort {
         /// Samples that were given.
         samples: usize,
+    },
+    /// More samples than [`MAX_SAMPLES`].
+    #[error("{samples:.0} samples are more than a motion may have ({MAX_SAMPLES})")]
+    TooLong {
+        /// Samples that it would take.
+        samples: f64,
     },
     /// A sample is NaN or infinite.
     #[error("sample {index} (counted from 0) is {value}, not a finite acceleration")]
@@ -116,12 +125,20 @@ impl Motion {
         Self { dt_s: self.dt_s / factor as f64, accel_m_s2 }
     }
 
-    /// The same motion followed by zeros for at least `tail_s` seconds (nothing is added for `tail_s` ≤ 0).
-    pub fn with_zero_tail(&self, tail_s: f64) -> Self {
-        let extra = (tail_s / self.dt_s).ceil().max(0.0) as usize;
+    /// The same motion followed by zeros for at least `tail_s` ≥ 0 seconds.
+    ///
+    /// # Errors
+    /// A tail that makes the motion longer than [`MAX_SAMPLES`], or is no length of time.
+    pub fn with_zero_tail(&self, tail_s: f64) -> Result<Self, MotionError> {
+        let extra = (tail_s / self.dt_s).ceil();
+        let samples = self.accel_m_s2.len() as f64 + extra;
+        if !(extra >= 0.0 && samples <= MAX_SAMPLES as f64) {
+            return Err(MotionError::TooLong { samples });
+        }
+        let extra = extra as usize;
         let mut accel_m_s2 = Vec::with_capacity(self.accel_m_s2.len() + extra);
         accel_m_s2.extend_from_slice(&self.accel_m_s2);
         accel_m_s2.resize(self.accel_m_s2.len() + extra, 0.0);
-        Self { dt_s: self.dt_s, accel_m_s2 }
+        Ok(Self { dt_s: self.dt_s, accel_m_s2 })
     }
 }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::G0_M_S2;
 use crate::block::Block;
 use crate::impact::{ImpactModel, Landing};
-use crate::rocking::{Base, Rocking, RockingError, RockingOptions, SideExtremes, rock};
+use crate::rocking::{Base, Rocking, RockingError, RockingOptions, SideExtremes, StopReason, rock};
 
 /// What an object did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +39,8 @@ pub struct UpliftCell {
     pub block: Block,
     /// What it did.
     pub outcome: Outcome,
+    /// Why its history stopped.
+    pub stop: StopReason,
     /// Largest |θ| \[rad\]; π/2 when overturned.
     pub peak_rotation_rad: f64,
     /// Impacts until rest or the end.
@@ -83,6 +85,7 @@ impl UpliftCell {
         Self {
             block,
             outcome: rocking.outcome,
+            stop: rocking.stop,
             peak_rotation_rad: rocking.peak_rotation_rad,
             impact_count: rocking.impacts.len(),
             uplift_m: rocking.uplift_m,

@@ -159,7 +159,7 @@ proptest! {
         let block = Block::uniform(height, height / ratio).unwrap();
         let motion = rough(seed, peak, 6.0);
         let short = solve(&block, &motion);
-        let long = solve(&block, &motion.with_zero_tail(5.0));
+        let long = solve(&block, &motion.with_zero_tail(5.0).unwrap());
         prop_assert!(long.peak_rotation_rad >= short.peak_rotation_rad);
         prop_assert!(long.impacts.len() >= short.impacts.len());
         prop_assert_eq!(&short.impacts[..], &long.impacts[..short.impacts.len()]);

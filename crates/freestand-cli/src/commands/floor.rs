@@ -108,6 +108,9 @@ struct LevelReport {
 
 const SCHEMA: &str = "freestand.floor/1";
 
+/// Most levels of one call: each is a motion in memory.
+const MAX_LEVELS: usize = 1000;
+
 pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let storey_height = values.positive("--storey-height", Some(&args.storey_height), Dimension::Length);
@@ -119,6 +122,10 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     if let Some(outside) = levels.iter().find(|x| !(0.0..=1.0).contains(*x)) {
         let problem = Problem::new(ProblemKind::Value, format!("--levels: {outside} is not a share of the height"));
         values.push(problem.hint("0 is the ground, 1 the roof"));
+    }
+    if levels.len() > MAX_LEVELS {
+        let problem = Problem::new(ProblemKind::Value, format!("--levels: {} levels are too many", levels.len()));
+        values.push(problem.hint(format!("at most {MAX_LEVELS} in one call")));
     }
     values.finish()?;
     let building_height_m = f64::from(args.storeys) * storey_height.unwrap_or(3.2);
@@ -140,7 +147,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     } else {
         floor_motions(&ground.upsampled(factor), &beam, &levels).map_err(failed)?
     };
-    let later = floor_motions(&ground.with_zero_tail(beam.tail_s()), &beam, &levels).map_err(failed)?;
+    let later = floor_motions(&with_tail(ground, beam.tail_s())?, &beam, &levels).map_err(failed)?;
 
     let mut warnings = read.notes;
     let mut reports = Vec::new();
@@ -178,14 +185,12 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
 
 /// The motion and its zeros; a tail that no memory holds is refused.
 fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Failure> {
-    const MOST_SAMPLES: f64 = 1e8;
-    if tail_s / motion.dt_s() > MOST_SAMPLES {
-        return Err(Failure::usage(
-            format!("--tail: {tail_s} s are too many samples at {} s", motion.dt_s()),
-            "ten periods of the building are enough",
-        ));
-    }
-    Ok(motion.with_zero_tail(tail_s))
+    motion.with_zero_tail(tail_s).map_err(|error| {
+        Failure::usage(
+            format!("{tail_s} s of zeros at steps of {} s: {error}", motion.dt_s()),
+            "check --tail, --period and the time step of the record; ten periods of the building are enough",
+        )
+    })
 }
 
 fn frame(name: Option<FrameName>) -> FrameKind {

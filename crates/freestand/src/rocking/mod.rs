@@ -36,6 +36,10 @@ pub const REST_OMEGA_RAD_S: f64 = 1e-9;
 /// Impacts after which a history is given up: only a restitution of (nearly) 1 gets there.
 pub const MAX_IMPACTS: usize = 1_000_000;
 
+/// Impacts to rest above which a block in the quiet behind a motion counts as rocking for ever: only a restitution of
+/// (nearly) 1 gets there.
+const STEADY_IMPACTS: f64 = 1e5;
+
 /// Equation of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RockingModel {
@@ -44,6 +48,18 @@ pub enum RockingModel {
     Rigid,
     /// sin x → x, cos x → 1, tan α → α: for tests against closed forms.
     Linearised,
+}
+
+impl RockingModel {
+    /// |ü_h|/(g+ü_v) at which a block at rest uplifts about the edge that is nearer to its centre of gravity: tan α, or α
+    /// when linearised.
+    pub fn uplift_threshold_ratio(self, block: &Block) -> f64 {
+        let nearer = block.cg_from_left_m().min(block.cg_from_right_m());
+        match self {
+            Self::Rigid => nearer / block.cg_height_m(),
+            Self::Linearised => nearer.atan2(block.cg_height_m()),
+        }
+    }
 }
 
 /// ω⁺/ω⁻ at an impact, in the motion.
@@ -102,7 +118,8 @@ pub enum Until {
     EndOfMotion,
     /// At this time \[s\]; past the last sample the base comes to rest within one more step, as if zeros followed.
     Time(f64),
-    /// When the block has come to rest after the last sample, or this much later \[s\].
+    /// When the block has come to rest after the last sample, or this much later \[s\]; a block that would need more
+    /// than 1e5 impacts to come to rest stops at its first impact there, with the reason [`StopReason::EndOfMotion`].
     Settled {
         /// Longest wait after the last sample.
         at_most_s: f64,

@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::equation::{Edge, Ground, Segment};
 use super::{
-    Base, MAX_IMPACTS, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, SideExtremes,
-    StopReason, Until,
+    Base, MAX_IMPACTS, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, STEADY_IMPACTS,
+    SideExtremes, StopReason, Until,
 };
 use crate::block::Block;
 use crate::motion::Motion;
@@ -77,6 +77,10 @@ struct Solver<'a, F: FnMut(&Segment)> {
     tolerance: f64,
     gravity_m_s2: f64,
     settle: bool,
+    /// Behind the record, where nothing moves the base.
+    quiet: bool,
+    /// Rocks on unchanged for as long as anybody looks.
+    steady: bool,
     phase: Phase,
     result: Rocking,
     observe: F,
@@ -167,6 +171,8 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             tolerance,
             gravity_m_s2: gravity,
             settle: matches!(options.until, Until::Settled { .. }),
+            quiet: false,
+            steady: false,
             phase,
             result: Rocking {
                 outcome: if given { Outcome::Rocked } else { Outcome::NoUplift },
@@ -218,8 +224,9 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                     continue;
                 }
             }
+            self.quiet = index >= self.intervals.samples;
             self.pass(start_s, length_s, ground)?;
-            if self.result.overturn_time_s.is_some() {
+            if self.result.overturn_time_s.is_some() || self.steady {
                 break;
             }
             if self.settle && index >= self.intervals.samples && matches!(self.phase, Phase::Rest) {
@@ -264,13 +271,13 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                     let used_s = self.advance(edge, segment)?;
                     // The last step of an interval ends exactly on the sample.
                     tau = if used_s == rest_s { length_s } else { tau + used_s };
-                    if self.result.overturn_time_s.is_some() {
+                    if self.result.overturn_time_s.is_some() || self.steady {
                         break;
                     }
                 }
             }
         }
-        self.result.end_s = self.result.overturn_time_s.unwrap_or(start_s + length_s);
+        self.result.end_s = self.result.overturn_time_s.unwrap_or(start_s + tau);
         Ok(())
     }
 
@@ -353,6 +360,8 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         if self.result.impacts.len() > MAX_IMPACTS {
             return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
         }
+        let loss = -self.restitution[0].max(self.restitution[1]).ln();
+        self.steady = self.settle && self.quiet && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss;
         self.phase = if after > REST_OMEGA_RAD_S {
             Phase::Moving { edge: other, y: 0.0, w: after, lifting: false }
         } else if let Some(lifted) = self.edges.iter().position(|e| e.margin(ground.u, ground.v) < 0.0) {

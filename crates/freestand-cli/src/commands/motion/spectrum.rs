@@ -82,7 +82,7 @@ pub(crate) fn run(args: &SpectrumArgs, printer: &Printer) -> Result<Done, Failur
 
 /// The factor, if the motion stays of a size that a computer holds.
 pub(crate) fn upsampling(factor: NonZeroUsize, samples: usize) -> Result<usize, Failure> {
-    const MOST: usize = 100_000_000;
+    const MOST: usize = 10_000_000;
     if samples.saturating_mul(factor.get()) > MOST {
         return Err(Failure::usage(
             format!("--upsample {factor} makes more than {MOST} samples of {samples}"),
