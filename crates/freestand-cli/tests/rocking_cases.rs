@@ -79,6 +79,14 @@ fn every_case_through_the_command_line() {
         if (got["peak_rotation_rad"].as_f64().unwrap() - peak).abs() > 1e-8 * peak {
             failures.push(format!("{id}: {} instead of {peak}", got["peak_rotation_rad"]));
         }
+        let strong = got["impacts"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .filter(|i| i["omega_before_rad_s"].as_f64().unwrap().abs() >= 1e-3);
+        if Some(strong.count() as u64) != case["n_impacts"]["0.001"].as_u64() {
+            failures.push(format!("{id}: not {} impacts at 1e-3 rad/s and above", case["n_impacts"]["0.001"]));
+        }
         for (expected, impact) in case["impacts"].as_array().unwrap().iter().zip(got["impacts"].as_array().unwrap()) {
             if (expected["t"].as_f64().unwrap() - impact["time_s"].as_f64().unwrap()).abs() > 1e-8 {
                 failures.push(format!("{id}: an impact at {} instead of {}", impact["time_s"], expected["t"]));

@@ -224,7 +224,6 @@ fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
         thickness_m: 0.3,
         slenderness_angle_rad,
         outcome: Outcome::Rocked,
-        friction_needed_ratio: 0.31,
         accel_m_s2: floor.accel_m_s2().to_vec(),
         time_s,
         theta_rad,

@@ -118,8 +118,6 @@ pub struct ExampleHistory {
     pub slenderness_angle_rad: f64,
     /// What happened.
     pub outcome: Outcome,
-    /// Largest F_x/N of the contact: the friction that it took not to slide.
-    pub friction_needed_ratio: f64,
     /// Times of the samples \[s\].
     pub time_s: Vec<f64>,
     /// Floor acceleration at those times \[m/s²\].

@@ -214,18 +214,12 @@ fn example_history(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
     let floor = &level.floors[motion];
     let base = Base { horizontal: Some(floor), vertical: None };
     let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
-    let mut friction = 0.0f64;
-    let rocking = rock_observed(&block, base, &options(study), |segment| {
-        recorder.observe(segment);
-        friction = friction.max(segment.friction_needed_ratio());
-    })
-    .ok()?;
+    let rocking = rock_observed(&block, base, &options(study), |segment| recorder.observe(segment)).ok()?;
     let points = recorder.finish(&rocking);
     let landing = Landing::rocking(&block, ImpactModel::Paper);
     let shock_g = |omega: f64| {
-        let rise_m = landing.equivalent_rise_m(omega, G0_M_S2);
-        let impact = landing.impact(study.objects.mass_kg, study.objects.stiffness_n_m, rise_m, G0_M_S2);
-        impact.edge_acceleration_m_s2 / G0_M_S2
+        let (mass, stiffness) = (study.objects.mass_kg, study.objects.stiffness_n_m);
+        landing.impact_at_omega(mass, stiffness, omega, G0_M_S2).edge_acceleration_m_s2 / G0_M_S2
     };
     Some(ExampleHistory {
         level: level.level.name.clone(),
@@ -234,7 +228,6 @@ fn example_history(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
         thickness_m: block.thickness_m(),
         slenderness_angle_rad: block.pivot().slenderness_angle_rad,
         outcome: rocking.outcome,
-        friction_needed_ratio: friction,
         time_s: points.iter().map(|p| p.time_s).collect(),
         accel_m_s2: points.iter().map(|p| p.base_accel_m_s2).collect(),
         theta_rad: points.iter().map(|p| p.theta_rad).collect(),

@@ -71,7 +71,7 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
     LevelSummary {
         level: level.level.name.clone(),
         level_ratio: level.level.level_ratio,
-        pfa_g_median: ranked_quantile(&mut pfa_g, 0.5).value().unwrap_or(0.0),
+        pfa_g_median: ranked_quantile(&mut pfa_g, 0.5).value().unwrap_or(f64::NAN),
         histories,
         failed: histories - done,
         uplift_share: share(count(&|o| o != Outcome::NoUplift)),
@@ -136,7 +136,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
         "levels": levels,
         "definitions": {
             "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
-            "overturned_share": "share of all object × motion histories",
+            "overturned_share": "share of all object × motion histories that could be followed",
             "exceeded_objects": "objects whose median shock, by the larger of the two sources, is above the tolerance, or whose median is overturned; null without a tolerance",
             "edge_acceleration_g_max": "largest over all objects and motions that do not overturn, source `uplift`",
             "edge_acceleration_g_median": "largest over the objects of the median over all motions (no uplift = 0, overturned = above all), where that median is a number",

@@ -132,3 +132,19 @@ fn validation_motions_state_their_unit_and_step() {
     }
     assert!(count >= 9, "{count}");
 }
+
+/// Peak floor accelerations of El Centro: T₁ = 2 s, α₀ = 5, 5 % damping, 6 modes and the residual, 20 s of zeros behind.
+#[test]
+fn floors_under_el_centro() {
+    let Some(shared) = shared() else { return };
+    let file = read(&shared.join("records/elCentro.AT2"), None, None);
+    let ground = file.components[0].motion.with_zero_tail(20.0).unwrap();
+    let building = freestand::building::Building::new(2.0, 0.05, 5.0, 6).unwrap();
+    let levels = [0.0, 0.25, 0.5, 1.0];
+    let floors = freestand::building::floor_motions(&ground, &building, &levels).unwrap();
+    assert_eq!(floors[0], ground);
+    for (floor, expected) in floors[1..].iter().zip([0.43358, 0.47211, 0.74002]) {
+        // Five decimals are known.
+        assert!((floor.peak_m_s2() / freestand::G0_M_S2 - expected).abs() < 5.1e-6);
+    }
+}

@@ -81,7 +81,8 @@ fn outcome(case: &Value) -> Outcome {
     }
 }
 
-/// Largest errors that a level of accuracy may show over all cases.
+/// Largest errors that a level of accuracy may show over all cases: thirty times the worst that was measured (the table
+/// in DESIGN.md), because another machine's sine and cosine may round differently and a case amplifies what they do.
 struct Bounds {
     peak_relative: f64,
     impact_s: f64,
@@ -150,16 +151,15 @@ fn check(accuracy: Accuracy, bounds: &Bounds) {
 
 #[test]
 fn standard_accuracy_holds_every_case() {
-    check(Accuracy::Standard, &Bounds { peak_relative: 1e-8, impact_s: 1e-8, overturn_s: 1e-8 });
+    check(Accuracy::Standard, &Bounds { peak_relative: 1e-12, impact_s: 5e-11, overturn_s: 3e-11 });
 }
 
 #[test]
 fn tight_accuracy_holds_every_case() {
-    check(Accuracy::Tight, &Bounds { peak_relative: 1e-11, impact_s: 1e-11, overturn_s: 1e-11 });
+    check(Accuracy::Tight, &Bounds { peak_relative: 1.5e-13, impact_s: 2e-12, overturn_s: 8e-12 });
 }
 
-/// The level's promise: 1e-9 a step grows with the case's own amplification of errors, up to some hundreds.
 #[test]
 fn fast_accuracy_has_every_outcome() {
-    check(Accuracy::Fast, &Bounds { peak_relative: 1e-6, impact_s: 1e-6, overturn_s: 1e-6 });
+    check(Accuracy::Fast, &Bounds { peak_relative: 8e-9, impact_s: 5e-7, overturn_s: 7e-6 });
 }

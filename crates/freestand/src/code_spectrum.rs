@@ -329,6 +329,11 @@ impl CodeSpectrum {
         self.minimum_governs
     }
 
+    /// The plateau of the spectrum, which every site class has at 0.2 s \[g\].
+    pub fn plateau_g(&self) -> f64 {
+        self.sa_g(0.2)
+    }
+
     /// Spectral acceleration `Sa(T) = kpZ · Ch(T)`, 5 % damping \[g\]; NaN for a negative period.
     pub fn sa_g(&self, period_s: f64) -> f64 {
         self.kpz_g * self.site.shape_factor_ratio(period_s)

@@ -190,6 +190,13 @@ impl Landing {
         }
     }
 
+    /// The shock of this landing at an angular velocity ω₁, the `impact-velocity` source: [`Landing::impact`] at the rise
+    /// that carries its energy.
+    pub fn impact_at_omega(&self, mass_kg: f64, stiffness_n_m: f64, omega_rad_s: f64, gravity_m_s2: f64) -> Impact {
+        let rise_m = self.equivalent_rise_m(omega_rad_s, gravity_m_s2);
+        self.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2)
+    }
+
     /// The largest stiffness that keeps a_edge at or below `tolerance_m_s2` for this rise: m_eff (a/v)² \[N/m\].
     pub fn max_stiffness_n_m(&self, mass_kg: f64, cg_rise_m: f64, gravity_m_s2: f64, tolerance_m_s2: f64) -> f64 {
         let v = self.omega_rad_s(cg_rise_m, gravity_m_s2) * self.contact_distance_m;

@@ -59,7 +59,7 @@ pub fn half_sine_maximax_ratio(q: f64) -> f64 {
 ///
 /// # Accuracy
 /// 400 frequencies in each decade in which one of the two spectra is not at its limit, every maximum near the best
-/// refined by golden section: 1e-9 of the ratio.
+/// refined by golden section: 1e-5 of the ratio.
 ///
 /// # Reference
 /// Undamped half-sine spectra: Ayre, in Harris and Crede, Shock and Vibration Handbook.

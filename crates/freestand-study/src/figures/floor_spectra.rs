@@ -7,6 +7,7 @@ use kuva::render::layout::TickFormat;
 use kuva::render::plots::Plot;
 
 use crate::result::StudyResult;
+use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::{Ground, Study};
 
 use super::FigureKind;
@@ -130,31 +131,18 @@ fn quantiles(curves: &[Vec<(f64, f64)>]) -> [Vec<(f64, f64)>; 3] {
     }
     for (i, &(t, _)) in first.iter().enumerate() {
         let mut values: Vec<f64> = curves.iter().map(|c| c[i].1).collect();
-        values.sort_by(f64::total_cmp);
-        for (points, share) in result.iter_mut().zip([0.16, 0.5, 0.84]) {
-            points.push((t, quantile(&values, share)));
+        for (points, quantile) in result.iter_mut().zip(QUANTILES) {
+            if let Some(value) = ranked_quantile(&mut values, quantile).value() {
+                points.push((t, value));
+            }
         }
     }
     result
 }
 
-/// Between the sorted values, linearly.
-fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let place = share * (sorted.len() - 1) as f64;
-    let below = place.floor() as usize;
-    let above = (below + 1).min(sorted.len() - 1);
-    sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn median_of_an_even_number_lies_in_the_middle() {
-        assert_eq!(quantile(&[1.0, 2.0, 4.0, 8.0], 0.5), 3.0);
-        assert_eq!(quantile(&[5.0], 0.84), 5.0);
-    }
 
     #[test]
     fn spectra_at_different_periods_have_no_median() {

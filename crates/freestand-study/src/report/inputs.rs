@@ -30,7 +30,7 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
     let mut html = properties(
         "",
         &[
-            ("Target", format!("AS 1170.4, edition {}, elastic, 5 % damping", code.edition().name())),
+            ("Target", format!("{}, elastic, 5 % damping", code.edition().name())),
             ("Place", synthetic.city.clone().unwrap_or_default()),
             ("Site class", format!("{}: {}", code.site().name(), code.site().description())),
             ("Hazard design factor Z", number(code.hazard_factor(), 4)),
@@ -70,8 +70,6 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
         })
         .collect();
     html.push_str(&table("How well the motions meet their target", &headings, &rows));
-    let periods = (0..=synthesis::MATCHED_PERIODS).map(|i| 0.01 * 1.06f64.powi(i as i32));
-    let plateau_g = periods.map(|t| code.sa_g(t)).fold(0.0, f64::max);
     html.push_str(&paragraph(&format!(
         "Misfit is the spectrum of the motion over the target, less one, at {} periods from {} s to {} s. Why the PGA \
          exceeds the target’s value at zero period (ZPA): the plateau of site class {} is {} times its ZPA. A motion whose \
@@ -81,7 +79,7 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
         synthesis::SHORTEST_PERIOD_S,
         synthesis::LONGEST_PERIOD_S,
         code.site().name(),
-        fixed(plateau_g / code.sa_g(0.0), 2),
+        fixed(code.plateau_g() / code.sa_g(0.0), 2),
         synthesis::SHORTEST_PERIOD_S,
     )));
     html
@@ -115,9 +113,7 @@ fn recorded_ground(records: &[RecordedMotion], result: &StudyResult) -> String {
         .collect();
     let mut html = table("Recorded motions, after scaling", &headings, &rows);
     if result.ground.len() < 7 {
-        html.push_str(&paragraph(
-            "Codes ask for at least seven motions before a mean or a median is used; the fractiles of fewer are coarse.",
-        ));
+        html.push_str(&paragraph("The fractiles of so few motions are coarse."));
     }
     html
 }

@@ -97,7 +97,8 @@ fn level_words(level: &LevelSummary) -> String {
             "no object has a median shock that is a number; the largest of any survivor is {} g",
             number(most, 3)
         ),
-        _ => "no object that stays up is shaken off its base".to_owned(),
+        (_, Some(_)) => "no object that stays up uplifts".to_owned(),
+        (_, None) => "no object stays up".to_owned(),
     };
     format!(
         "the floor peaks at {} g (median); {} of the histories uplift and {} overturn; {shock}.",
