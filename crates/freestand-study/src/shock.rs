@@ -405,12 +405,6 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
         return Ok(Fall { source: "impact-velocity", rise_m, rotation_rad: None, warning: None });
     }
     if request.scenario.overturns() {
-        if request.energy.is_some() {
-            return Err(problem(
-                "an object that falls over starts from its balance point",
-                "leave the rise out, or give the speed of the contact as --angular-velocity",
-            ));
-        }
         return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
             Some(fall) => Ok(Fall {
                 source: "fall-from-balance",
@@ -522,6 +516,14 @@ fn report(
         && request.model != Some(ImpactModel::Halted)
     {
         warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
+    }
+    if overturns && (request.stiffness_n_m.is_some() || request.pad_stiffness_n_m.is_some()) {
+        warnings.push("an object that falls over lands on its side: the stiffness of its edge is not used".to_owned());
+    }
+    if overturns && request.energy.is_some() && fall.source == "fall-from-balance" {
+        warnings.push(
+            "an object that falls over starts from its balance point: the rise that was given is not used".to_owned(),
+        );
     }
     if let Some(k) = stiffness_n_m {
         let pad = request.pad_thickness_m.filter(|_| !overturns);

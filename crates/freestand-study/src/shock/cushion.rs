@@ -15,13 +15,10 @@ pub(super) enum Cushion {
 
 pub(super) fn cushion(request: &ShockRequest, problems: &mut Vec<Problem>) -> Option<Cushion> {
     if request.scenario.overturns() {
-        if request.stiffness_n_m.is_some()
-            || request.pad_stiffness_n_m.is_some()
-            || request.drop_acceleration_m_s2.is_some()
-        {
+        if request.drop_acceleration_m_s2.is_some() {
             problems.push(problem(
-                "an object that falls over does not land on its own cushion",
-                "give the stiffness of its side on the floor or obstacle as --contact-stiffness, and nothing else",
+                "a drop acceleration belongs to the object's own cushion, on which it does not land when it falls over",
+                "give the stiffness of its side on the floor or obstacle as --contact-stiffness",
             ));
             return None;
         }
