@@ -1,0 +1,139 @@
+//! `freestand run` as a whole: the files that it leaves, their bytes, and what it does when it cannot.
+
+#![expect(clippy::unwrap_used, reason = "a test may stop at an error")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// Two motions, two floors, four objects: the whole chain in a quarter of a second.
+const SMALL: &str = r#"
+[ground]
+count = 2
+[objects]
+heights = "1 m, 2 m"
+thicknesses = "300 mm, 500 mm"
+"#;
+
+fn freestand(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder).output().unwrap()
+}
+
+fn run(folder: &Path, args: &[&str]) -> Output {
+    let output = freestand(folder, &[&["run", "--quiet"], args].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    output
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("small.toml"), SMALL).unwrap();
+    folder
+}
+
+fn names(path: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        fs::read_dir(path).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort_unstable();
+    names
+}
+
+#[test]
+fn leaves_every_file_that_it_promises() {
+    let folder = folder();
+    run(folder.path(), &["small.toml", "--out", "out"]);
+    let out = folder.path().join("out");
+    for name in ["summary.json", "urs.csv", "srs.csv", "statistics.csv", "study.toml", "report.html", "motions"] {
+        assert!(out.join(name).exists(), "{name}");
+    }
+    for figure in ["urs", "srs", "overturning", "floor_spectra"] {
+        assert!(fs::read(out.join(format!("{figure}.svg"))).unwrap().starts_with(b"<svg"), "{figure}");
+        assert!(fs::read(out.join(format!("{figure}.png"))).unwrap().starts_with(b"\x89PNG"), "{figure}");
+    }
+    let srs = fs::read_to_string(out.join("srs.csv")).unwrap();
+    let mut lines = srs.lines();
+    let columns = "motion,level,height_m,thickness_m,outcome,uplift_m,cg_rise_m,edge_acceleration_g,ceiling_g";
+    assert!(lines.next().unwrap().starts_with(columns));
+    assert_eq!(lines.count(), 2 * 2 * 4);
+    // Every file that is there is listed, and every listed file is there.
+    let summary: Value = serde_json::from_slice(&fs::read(out.join("summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["schema"], "freestand.run/1");
+    let listed: Vec<&str> = summary["files"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    assert!(listed.iter().all(|name| out.join(name).is_file()), "{listed:?}");
+    for name in names(&out).iter().filter(|name| *name != "motions") {
+        assert!(listed.contains(&name.as_str()), "{name}");
+    }
+    let levels = summary["levels"].as_array().unwrap();
+    assert_eq!(levels.len(), 2);
+    for key in ["level", "pfa_g_median", "overturned_share", "edge_acceleration_g_max", "edge_acceleration_g_median"] {
+        assert!(levels.iter().all(|level| level.get(key).is_some()), "{key}");
+    }
+    assert_eq!(names(folder.path()), ["out", "small.toml"]);
+}
+
+#[test]
+fn the_same_study_gives_the_same_bytes_on_any_number_of_threads() {
+    let folder = folder();
+    let dumped = freestand(folder.path(), &["run", "--dump-study"]).stdout;
+    fs::write(folder.path().join("dumped.toml"), dumped).unwrap();
+    run(folder.path(), &["--out", "built-in", "--threads", "1"]);
+    run(folder.path(), &["dumped.toml", "--out", "dumped", "--threads", "2"]);
+    for name in ["srs.csv", "urs.csv", "statistics.csv", "srs.svg", "history.svg"] {
+        let read = |out: &str| fs::read(folder.path().join(out).join(name)).unwrap();
+        assert!(read("built-in") == read("dumped"), "{name}");
+    }
+    run(folder.path(), &["--out", "other", "--seed", "2"]);
+    let srs = |out: &str| fs::read(folder.path().join(out).join("srs.csv")).unwrap();
+    assert!(srs("built-in") != srs("other"));
+}
+
+#[test]
+fn a_record_of_your_own_takes_the_place_of_the_motions() {
+    let folder = folder();
+    let samples: String = (0..400).map(|i| format!("{:.6}\n", 0.4 * (0.05 * f64::from(i)).sin())).collect();
+    let at2 = format!(
+        "PEER NGA STRONG MOTION DATABASE RECORD\nMade up\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  400, DT= .02000 SEC\n{samples}"
+    );
+    fs::write(folder.path().join("mine.AT2"), at2).unwrap();
+    run(folder.path(), &["small.toml", "--motion", "mine.AT2", "--out", "out"]);
+    let srs = fs::read_to_string(folder.path().join("out/srs.csv")).unwrap();
+    assert!(srs.lines().skip(1).all(|line| line.starts_with("mine,")) && srs.lines().count() == 1 + 2 * 4);
+    assert!(folder.path().join("out/motions/mine.csv").is_file());
+}
+
+#[test]
+fn a_tolerance_that_is_exceeded_is_status_1_and_everything_is_written() {
+    let folder = folder();
+    fs::write(folder.path().join("strict.toml"), format!("{SMALL}tolerance = \"0.01 g\"\n")).unwrap();
+    let output = freestand(folder.path(), &["run", "strict.toml", "--out", "out", "--json", "--quiet"]);
+    assert_eq!(output.status.code(), Some(1));
+    let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(summary["levels"][1]["exceeded_objects"].as_u64().unwrap() > 0);
+    assert!(folder.path().join("out/report.html").is_file());
+}
+
+#[test]
+fn what_cannot_run_leaves_nothing() {
+    let folder = folder();
+    fs::write(folder.path().join("nan.csv"), "time [s],a [g]\n0,0\n0.01,nan\n0.02,0\n").unwrap();
+    fs::write(folder.path().join("file"), "in the way").unwrap();
+    fs::write(folder.path().join("wrong.toml"), "[objects]\nmass = 150\nstifness = \"4380 N/mm\"\n").unwrap();
+    let before = names(folder.path());
+    for (args, said) in [
+        (vec!["run", "--motion", "nan.csv"], "nan.csv:3"),
+        (vec!["run", "small.toml", "--out", "file"], "file"),
+        (vec!["run", "small.toml", "--out", "file/below"], "file"),
+        (vec!["run", "wrong.toml"], "wrong.toml:2"),
+        (vec!["run", "wrong.toml"], "did you mean stiffness"),
+        (vec!["run", "missing.toml"], "missing.toml"),
+        (vec!["run", "."], "folder"),
+    ] {
+        let output = freestand(folder.path(), &args);
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}: {stderr}");
+        assert!(stderr.contains("error: ") && stderr.contains("hint: ") && stderr.contains(said), "{args:?}: {stderr}");
+        assert_eq!(names(folder.path()), before, "{args:?}");
+    }
+}
