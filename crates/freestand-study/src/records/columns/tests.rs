@@ -126,6 +126,30 @@ fn what_is_refused() {
     }
 }
 
+/// Above one column a damaged number must not pass as a header of one word: the sample would be lost in silence.
+#[test]
+fn a_header_of_one_word_is_told_from_a_damaged_number() {
+    for word in ["nan", "-inf", "*****", "0.12O", "O.12", "-nan(ind)", "1.#IND", ".", "-", "1.2.3", "+-1", "null"] {
+        for above in ["", "# comment\n", "accel\n"] {
+            let text = format!("{above}{word}\n1\n2\n");
+            // Below a heading a dash or a point may underline it.
+            if above == "accel\n" && matches!(word, "." | "-") {
+                continue;
+            }
+            let problem = parse(&text, &options("g", 0.01)).expect_err(&text);
+            assert_eq!(problem.line, Some(text.lines().count() - 2), "{text}");
+            assert!(problem.message.contains(word) && problem.hint.unwrap().contains('#'), "{text}");
+        }
+    }
+    assert_eq!(parse("nan,O.1\n0,1\n1,2\n", &options("g", 0.0)).unwrap_err().line, Some(1));
+    for word in ["accel", "acceleration_m_s2", "a [g]", "a[g]", "OHC1", "El_Centro", "infra", "accel\n-----", "NS-2"] {
+        let file = parse(&format!("{word}\n1\n2\n"), &options("", 0.01));
+        let file = file.or_else(|_| parse(&format!("{word}\n1\n2\n"), &options("g", 0.01)));
+        assert_eq!(file.map(|file| file.components[0].motion.accel_m_s2().len()), Ok(2), "{word}");
+    }
+    assert_eq!(parse("1st 2nd\n1 2\n3 4\n", &options("g", 0.01)).unwrap().components[0].name, "1st");
+}
+
 #[test]
 fn header_cells() {
     for (cell, name, unit) in [
