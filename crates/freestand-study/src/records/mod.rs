@@ -83,8 +83,8 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
     units::requested(options.unit.as_deref())?;
-    if let Some(dt_s) = options.dt_s.filter(|dt_s| !(*dt_s > 0.0 && dt_s.is_finite())) {
-        return Err(Problem::new(ProblemKind::Value, format!("the time step must be positive, not {dt_s} s")));
+    if let Some(dt_s) = options.dt_s {
+        check_step(dt_s, ProblemKind::Value)?;
     }
     let (format, components, notes) = if at2::is_at2(bytes) {
         at2::read(bytes, path, options).map(|component| ("PEER AT2", vec![component], Vec::new()))
@@ -144,8 +144,27 @@ impl MotionFile {
     }
 }
 
+/// Time steps that a record of the ground or of a floor may have \[s\]. Records have 1 ms to some
+/// tenths of a second. Far outside, the step was written in another unit or is damaged, and a building's floors at steps
+/// of nanoseconds would fill the memory.
+const STEPS_S: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
+
+fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
+    if STEPS_S.contains(&dt_s) {
+        return Ok(());
+    }
+    let (message, hint) = if dt_s > 0.0 {
+        let hint = if dt_s > 1.0 { "is it in ms?" } else { "is it in another unit?" };
+        (format!("the time step must be from 1e-6 s to 100 s, not {dt_s:?} s"), format!("{hint} state it in s"))
+    } else {
+        (format!("the time step must be positive, not {dt_s} s"), "write it in s or ms".to_owned())
+    };
+    Err(Problem::new(kind, message).hint(hint))
+}
+
 /// Samples in m/s² as a motion.
 fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
+    check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;
     Motion::new(dt_s, accel_m_s2).map_err(|error| {
         Problem::new(ProblemKind::Format, error.to_string()).at_line(line).hint("check that the record is complete")
     })
