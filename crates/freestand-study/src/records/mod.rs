@@ -9,6 +9,7 @@ mod table;
 mod units;
 mod write;
 
+pub(crate) use lines::load;
 pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
@@ -59,8 +60,7 @@ pub struct Component {
 /// A file that cannot be read, whose format is not known, that is broken or has gaps, or that leaves the unit or the time
 /// step open where the options do too. Nothing is guessed from the size of values.
 pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, StudyError> {
-    let bytes = lines::load(path)?;
-    Ok(read_bytes(&bytes, path, options)?)
+    parse_motions(load(path)?, path, options)
 }
 
 /// As [`read_motions`], from text in memory; `path` names it in messages.
