@@ -1,6 +1,8 @@
 //! The study as meant: defaults filled in, everything checked, files loaded; all problems at once.
 
 use std::collections::HashSet;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use freestand::block::Block;
@@ -67,16 +69,19 @@ pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, StudyError> {
     const LARGEST: u64 = 16 << 20;
     let unreadable =
         |message: String, hint: &str| StudyError::from(Problem::new(ProblemKind::Io, message).in_file(path).hint(hint));
-    let facts = std::fs::metadata(path)
-        .map_err(|error| unreadable(format!("cannot read the study: {error}"), "check the path"))?;
-    if facts.is_dir() {
+    let failed = |error: std::io::Error| {
+        unreadable(format!("cannot read the study: {error}"), "check the path and its permissions")
+    };
+    let file = File::open(path).map_err(failed)?;
+    if file.metadata().is_ok_and(|facts| facts.is_dir()) {
         return Err(unreadable("is a folder, not a study".to_owned(), "name the TOML file in it"));
     }
-    if facts.len() > LARGEST {
+    // A pipe or a device does not say how long it is: count what comes.
+    let mut bytes = Vec::new();
+    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > LARGEST {
         return Err(unreadable("is too large for a study".to_owned(), "a study is a TOML text of some lines"));
     }
-    let bytes = std::fs::read(path)
-        .map_err(|error| unreadable(format!("cannot read the study: {error}"), "check the path and its permissions"))?;
     let text = String::from_utf8(bytes).map_err(|_| {
         let problem = Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path);
         StudyError::from(problem.hint("a study is a TOML text; freestand run --dump-study prints one to start from"))

@@ -148,4 +148,6 @@ fn what_is_not_a_study_file_is_refused() {
     let binary = folder.path().join("b.toml");
     std::fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
     assert!(load(&binary, &none).unwrap_err().to_string().contains("is not text"));
+    #[cfg(unix)]
+    assert!(load(Path::new("/dev/zero"), &none).unwrap_err().to_string().contains("is too large"));
 }
