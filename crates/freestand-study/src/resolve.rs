@@ -323,10 +323,12 @@ impl Resolver<'_> {
             }
         };
         self.warnings.extend(minimum_governs_warning(&spectrum));
+        // Beyond, the count was refused above; its names are still listed.
+        let count = usize::try_from(or(&written.count, 10).min(MAX_MOTIONS)).unwrap_or_default();
         Some(Ground::Synthetic(SyntheticGround {
             spectrum,
             city,
-            count: usize::try_from(or(&written.count, 10)).unwrap_or(usize::MAX),
+            count,
             seed: overrides.seed.unwrap_or(or(&written.seed, 1)),
         }))
     }
@@ -599,15 +601,16 @@ impl Resolver<'_> {
                 }
             }
         }
-        if let (Some(motion), Some(Ground::Recorded(motions))) = (&written.motion, ground)
-            && !motions.iter().any(|one| one.name == motion.value)
-        {
-            let names: Vec<&str> = motions.iter().take(10).map(|motion| motion.name.as_str()).collect();
-            self.note(
-                Some(motion.line),
-                format!("history: no motion is called \"{}\"", shorten(&motion.value)),
-                format!("motions: {}", names.join(", ")),
-            );
+        if let (Some(motion), Some(ground)) = (&written.motion, ground) {
+            let mut names = ground.names();
+            if !names.contains(&motion.value) {
+                names.truncate(10);
+                self.note(
+                    Some(motion.line),
+                    format!("history: no motion is called \"{}\"", shorten(&motion.value)),
+                    format!("motions: {}", names.join(", ")),
+                );
+            }
         }
         Some(HistoryChoice {
             level: named?.name.clone(),

@@ -134,6 +134,19 @@ fn recorded_motions_are_named_and_fingerprinted() {
 }
 
 #[test]
+fn the_motion_of_the_history_is_one_of_the_study() {
+    let study = |name: &str| {
+        problems(&format!(
+            "[ground]\ncount = 3\n[outputs]\nhistory = {{ level = \"roof\", motion = \"{name}\", height = \"1.5 m\", thickness = \"300 mm\" }}\n"
+        ))
+    };
+    assert_eq!(study("synthetic-03"), [] as [String; 0]);
+    for name in ["nope", "synthetic-04", "synthetic-3"] {
+        assert_eq!(study(name), [format!("s.toml:4: history: no motion is called \"{name}\"")]);
+    }
+}
+
+#[test]
 fn a_seed_of_the_command_line_wins() {
     let study = builtin(&Overrides { seed: Some(7), motions: None }).unwrap();
     assert!(matches!(study.ground, Ground::Synthetic(ground) if ground.seed == 7));
