@@ -31,12 +31,13 @@ pub(crate) struct ReadArgs {
 impl ReadArgs {
     /// The files with what was said about them; what is wrong goes into `values`.
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
+        let dt_s = values.any("--dt", self.dt.as_deref(), Dimension::Time);
+        // Here and not file by file: a wrong flag is one fault, whatever the number of files.
+        values.keep("--unit", ReadOptions { unit: self.unit.clone(), dt_s: None }.check());
+        values.keep("--dt", ReadOptions { unit: None, dt_s }.check());
         MotionFiles {
             paths: paths.to_vec(),
-            read: ReadOptions {
-                unit: self.unit.clone(),
-                dt_s: values.positive("--dt", self.dt.as_deref(), Dimension::Time),
-            },
+            read: ReadOptions { unit: self.unit.clone(), dt_s },
             component: self.component.clone(),
             scale_ratio: values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0),
         }

@@ -41,6 +41,8 @@ pub(crate) struct GroundOptions {
     pub(crate) dt_s: Option<Written<f64>>,
     pub(crate) component: Option<Written<String>>,
     pub(crate) scale: Option<Written<f64>>,
+    /// Some key was refused: files cannot be read as they were meant to be.
+    pub(crate) is_incomplete: bool,
 }
 
 /// `[building]`, as written.
@@ -121,16 +123,28 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
     let (document, errors) = DeTable::parse_recoverable(text);
     for error in errors {
         let line = error.span().map(|span| reader.line_of(span.start));
+        // What else is wrong with the same line follows from the first.
+        if reader.problems.last().is_some_and(|last| last.line == line) {
+            continue;
+        }
         let problem = Problem::new(ProblemKind::Format, format!("not TOML: {}", one_line(error.message())));
-        reader.note(line, problem.hint("a table is written [ground], a key as name = value, and text in \"quotes\""));
+        let hint = if text.replace("\r\n", "").contains('\r') {
+            "save it with lines that end in LF or CR LF"
+        } else {
+            "a table is written [ground], a key as name = value, and text in \"quotes\""
+        };
+        reader.note(line, problem.hint(hint));
     }
-    let broken = !reader.problems.is_empty();
-
     let mut options = Options::default();
+    // In a text that is not TOML the rest may be rubbish: do not bury the cause under its consequences.
+    if !reader.problems.is_empty() {
+        return (options, reader.problems);
+    }
     let mut top = Section::new("", document.get_ref(), 1);
     if let Some(mut table) = top.table(&mut reader, "ground") {
         options.ground = ground(&mut reader, &mut table);
         table.finish(&mut reader);
+        options.ground.is_incomplete = !reader.problems.is_empty();
     }
     if let Some(mut table) = top.table(&mut reader, "building") {
         options.building = building(&mut reader, &mut table);
@@ -144,10 +158,7 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
         options.outputs = outputs(&mut reader, &mut table);
         table.finish(&mut reader);
     }
-    // In a text that is not TOML the rest may be rubbish: do not bury the cause under its consequences.
-    if !broken {
-        top.finish(&mut reader);
-    }
+    top.finish(&mut reader);
     (options, reader.problems)
 }
 
@@ -167,6 +178,7 @@ fn ground(reader: &mut Reader, table: &mut Section) -> GroundOptions {
         dt_s: table.quantity(reader, "dt", Dimension::Time),
         component: table.name_or_number(reader, "component"),
         scale: table.ratio(reader, "scale"),
+        is_incomplete: false,
     }
 }
 
@@ -635,6 +647,17 @@ mod tests {
     fn text_that_is_not_toml_is_one_message_with_its_line() {
         let got = problems("[ground]\ncount = = 3\n");
         assert!(got[0].starts_with("s.toml:2: not TOML: "), "{got:?}");
+        // One fault is one message: no key without a value, no table cut short, is reported beside it.
+        for text in [
+            "[ground]\nseed=\n",
+            "[ground]\nseed = \n[objects]\nmass = 3\n",
+            "[ground]\rcount = 3\r[objects]\rmass = \"150 kg\"\r",
+            "[ground\ncount = \"x\"\n",
+        ] {
+            let got = problems(text);
+            assert!(got.len() == 1 && got[0].contains("not TOML"), "{text:?}: {got:?}");
+        }
+        assert!(problems("[ground]\rcount = 3\r")[0].contains("CR LF"));
     }
 
     #[test]

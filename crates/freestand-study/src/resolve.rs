@@ -119,7 +119,8 @@ pub fn resolve_with(
     overrides: &Overrides,
 ) -> Result<Study, StudyError> {
     let (options, problems) = options::parse(text, source);
-    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new() };
+    let is_complete = problems.is_empty();
+    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete };
     let Options { ground, building, objects, outputs } = options;
     let ground = resolver.ground(&ground, overrides);
     let building_input = resolver.building(&building);
@@ -149,6 +150,8 @@ struct Resolver<'a> {
     base_dir: &'a Path,
     problems: Vec<Problem>,
     warnings: Vec<String>,
+    /// No key was refused when the text was read.
+    is_complete: bool,
 }
 
 /// The value, or the default where the key is missing. A key that was refused also comes here as the default: its
@@ -226,18 +229,27 @@ impl Resolver<'_> {
         self.exclusive(("edition", &written.edition), ("motions", &written.motions));
         self.exclusive(("count", &written.count), ("motions", &written.motions));
         self.exclusive(("seed", &written.seed), ("motions", &written.motions));
-        self.positive(&written.dt_s, "dt", Dimension::Time);
+        let before = self.problems.len();
+        let unit_only = ReadOptions { unit: written.unit.clone().map(|unit| unit.value), dt_s: None };
+        let dt_only = ReadOptions { unit: None, dt_s: written.dt_s.as_ref().map(|dt| dt.value) };
+        let lines = [written.unit.as_ref().map(|w| w.line), written.dt_s.as_ref().map(|w| w.line)];
+        for ((key, line), options) in ["unit", "dt"].into_iter().zip(lines).zip([&unit_only, &dt_only]) {
+            if let Err(problem) = options.check() {
+                self.note(line, format!("{key}: {}", problem.message), problem.hint.unwrap_or_default());
+            }
+        }
         self.require(&written.scale, |scale| scale != 0.0 && scale.is_finite(), "scale", "a number other than 0");
         if motions.value.is_empty() {
             self.note(Some(motions.line), "motions is empty", "name at least one file, or leave motions out");
             return None;
         }
+        // Files read without what was refused would only be refused for the lack of it.
+        if written.is_incomplete || self.problems.len() > before {
+            return None;
+        }
         let files = MotionFiles {
             paths: motions.value.iter().map(|file| self.base_dir.join(&file.value)).collect(),
-            read: ReadOptions {
-                unit: or(&written.unit.clone().map(|w| w.map(Some)), None),
-                dt_s: written.dt_s.as_ref().map(|w| w.value),
-            },
+            read: ReadOptions { unit: unit_only.unit, dt_s: dt_only.dt_s },
             component: written.component.as_ref().map(|w| w.value.clone()),
             scale_ratio: or(&written.scale, 1.0),
         };
@@ -248,6 +260,7 @@ impl Resolver<'_> {
     /// Reads files; a file that is missing is a fault of the study's line, one that is broken of the file's.
     fn recorded(&mut self, files: &MotionFiles, lines: Option<&[usize]>) -> Option<Ground> {
         let (motions, failures) = read_recorded(files);
+        let all_read = failures.is_empty();
         for (index, mut problem) in failures {
             if let (Some(line), Some(source), None) =
                 (lines.and_then(|lines| lines.get(index)), self.source, problem.line)
@@ -261,7 +274,7 @@ impl Resolver<'_> {
         for motion in &motions {
             self.warnings.extend(motion.notes.iter().map(|note| format!("{}: {note}", motion.motion.name)));
         }
-        Some(Ground::Recorded(motions.into_iter().map(|read| read.motion).collect()))
+        all_read.then(|| Ground::Recorded(motions.into_iter().map(|read| read.motion).collect()))
     }
 
     fn synthetic(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -568,6 +581,10 @@ impl Resolver<'_> {
         objects: Option<&Objects>,
         ground: Option<&Ground>,
     ) -> Option<HistoryChoice> {
+        // What it names may be what was refused.
+        if !self.is_complete {
+            return None;
+        }
         let (Some(level), Some(height), Some(thickness)) = (&written.level, &written.height_m, &written.thickness_m)
         else {
             let hint = "write history = { level = \"roof\", height = \"1.5 m\", thickness = \"300 mm\" }";

@@ -26,6 +26,17 @@ pub struct ReadOptions {
     pub dt_s: Option<f64>,
 }
 
+impl ReadOptions {
+    /// Whether they can be meant, whatever the file.
+    ///
+    /// # Errors
+    /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
+    pub fn check(&self) -> Result<(), Problem> {
+        units::requested(self.unit.as_deref())?;
+        self.dt_s.map_or(Ok(()), |dt_s| check_step(dt_s, ProblemKind::Value))
+    }
+}
+
 /// A record file, read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionFile {
@@ -82,10 +93,7 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
 
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
-    units::requested(options.unit.as_deref())?;
-    if let Some(dt_s) = options.dt_s {
-        check_step(dt_s, ProblemKind::Value)?;
-    }
+    options.check()?;
     let (format, components, notes) = if at2::is_at2(bytes) {
         at2::read(bytes, path, options).map(|component| ("PEER AT2", vec![component], Vec::new()))
     } else {
