@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand_study::quantity::Dimension;
-use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
+use freestand_study::recorded::{MotionFiles, ReadMotion, check_scale, read_recorded};
 use freestand_study::records::ReadOptions;
 
 use crate::failure::Failure;
@@ -35,11 +35,13 @@ impl ReadArgs {
         // Here and not file by file: a wrong flag is one fault, whatever the number of files.
         values.keep("--unit", ReadOptions { unit: self.unit.clone(), dt_s: None }.check());
         values.keep("--dt", ReadOptions { unit: None, dt_s }.check());
+        let scale_ratio = values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0);
+        values.keep("--scale", check_scale(scale_ratio));
         MotionFiles {
             paths: paths.to_vec(),
             read: ReadOptions { unit: self.unit.clone(), dt_s },
             component: self.component.clone(),
-            scale_ratio: values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0),
+            scale_ratio,
         }
     }
 

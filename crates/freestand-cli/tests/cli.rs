@@ -168,6 +168,22 @@ fn broken_records_are_refused() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
+/// A factor of zero makes a motion of nothing, from a flag as from a study; wrong flags are said once, not per file.
+#[test]
+fn wrong_reading_flags_are_refused() {
+    let study = "[ground]\nmotions = \"pulse.csv\"\nscale = 0\n";
+    let folder = folder(&[("pulse.csv", RECORD), ("study.toml", study)]);
+    let all = [
+        freestand_in(folder.path(), &["motion", "info", "pulse.csv", "--scale", "0"]),
+        freestand_in(folder.path(), &["check", "study.toml"]),
+        freestand_in(
+            folder.path(),
+            &["motion", "info", "pulse.csv", "pulse.csv", "--unit", "furlong", "--dt", "1000 s"],
+        ),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
 #[test]
 fn floors_are_written_into_a_folder_that_is_ours_only() {
     let folder = folder(&[("pulse.csv", RECORD)]);

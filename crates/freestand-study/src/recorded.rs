@@ -67,6 +67,18 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
     Ok(ReadMotion { motion, notes: file.notes.clone() })
 }
 
+/// Whether a factor on the samples leaves a motion; a negative one turns it round.
+///
+/// # Errors
+/// Zero, or a factor that is not finite.
+pub fn check_scale(scale_ratio: f64) -> Result<(), Problem> {
+    if scale_ratio != 0.0 && scale_ratio.is_finite() {
+        return Ok(());
+    }
+    let message = format!("scale must be a number other than 0, not {scale_ratio}");
+    Err(Problem::new(ProblemKind::Value, message).hint("leave it out for the record as it is"))
+}
+
 /// The component's motion times a factor.
 ///
 /// # Errors

@@ -19,7 +19,7 @@ use crate::options::{
     RestitutionOption, Written, nearest,
 };
 use crate::quantity::{Dimension, format_si, shorten};
-use crate::recorded::{MotionFiles, read_recorded};
+use crate::recorded::{MotionFiles, check_scale, read_recorded};
 use crate::records::ReadOptions;
 use crate::study::{BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, Study, SyntheticGround};
 
@@ -238,7 +238,11 @@ impl Resolver<'_> {
                 self.note(line, format!("{key}: {}", problem.message), problem.hint.unwrap_or_default());
             }
         }
-        self.require(&written.scale, |scale| scale != 0.0 && scale.is_finite(), "scale", "a number other than 0");
+        if let Some(Written { value, line }) = &written.scale
+            && let Err(problem) = check_scale(*value)
+        {
+            self.note(Some(*line), problem.message, problem.hint.unwrap_or_default());
+        }
         if motions.value.is_empty() {
             self.note(Some(motions.line), "motions is empty", "name at least one file, or leave motions out");
             return None;
