@@ -29,6 +29,16 @@ pub(crate) struct ReadArgs {
 }
 
 impl ReadArgs {
+    /// Refuses flags that no record is read with.
+    pub(crate) fn refuse_without_record(&self, hint: impl FnOnce(&str) -> String) -> Result<(), Failure> {
+        let flags = [("unit", &self.unit), ("dt", &self.dt), ("component", &self.component), ("scale", &self.scale)];
+        let given: Vec<&str> = flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
+        if given.is_empty() {
+            return Ok(());
+        }
+        let message = format!("--{} without --motion", given.join(", --"));
+        Err(Failure::usage(message, hint(&given.join(", "))))
+    }
     /// The files with what was said about them; what is wrong goes into `values`.
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
         let dt_s = values.any("--dt", self.dt.as_deref(), Dimension::Time);

@@ -168,6 +168,18 @@ fn broken_records_are_refused() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
+/// A flag that nothing is read with would be ignored in silence.
+#[test]
+fn reading_flags_need_a_record() {
+    let free = ["rock", "--height", "2 m", "--thickness", "0.5 m", "--initial-rotation", "1 deg", "--duration", "1 s"];
+    let all = [
+        freestand(&["run", "--scale", "2", "--unit", "g"]),
+        freestand(&["run", "--dump-study", "--dt", "0.01 s"]),
+        freestand(&[&free[..], &["--component", "1"]].concat()),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
 /// A factor of zero makes a motion of nothing, from a flag as from a study; wrong flags are said once, not per file.
 #[test]
 fn wrong_reading_flags_are_refused() {

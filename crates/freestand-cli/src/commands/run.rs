@@ -46,6 +46,11 @@ pub(crate) struct RunArgs {
 }
 
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if args.motion.is_empty() {
+        args.read.refuse_without_record(|keys| {
+            format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
+        })?;
+    }
     if args.dump_study {
         print_text(builtin_toml())?;
         return Ok(Done::OK);

@@ -133,7 +133,7 @@ impl MotionFile {
         };
         Err(Problem::new(ProblemKind::Value, problem)
             .in_file(&self.path)
-            .hint("choose one with --component NAME or --component NUMBER"))
+            .hint("choose one by name or number (--component, or component in the study)"))
     }
 
     fn listing(&self) -> String {
