@@ -115,6 +115,10 @@ fn usage_errors_have_an_error_and_a_hint() {
         freestand(&["shock", "--scenario", "flying"]),
         freestand(&["motion", "synth", "--count", "0"]),
         freestand(&["validate", "--threads", "0"]),
+        freestand(&["validate", "--threads", "-1"]),
+        freestand(&["validate", "--seed", "-1"]),
+        freestand(&["motion", "synth", "--count", "-1"]),
+        freestand(&["validate", "-1"]),
     ];
     insta::assert_snapshot!(all.join("\n\n"));
 }
@@ -166,6 +170,12 @@ fn broken_records_are_refused() {
         freestand_in(folder.path(), &["motion", "spectrum", "two.csv"]),
     ];
     insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn a_study_behind_the_records_is_told_from_a_record() {
+    let folder = folder(&[("pulse.csv", RECORD), ("study.toml", "[building]\nstoreys = 4\n")]);
+    insta::assert_snapshot!(freestand_in(folder.path(), &["run", "--motion", "pulse.csv", "study.toml"]));
 }
 
 /// A flag that nothing is read with would be ignored in silence.

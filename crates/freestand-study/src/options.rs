@@ -114,6 +114,13 @@ pub(crate) struct Options {
     pub(crate) outputs: OutputsOptions,
 }
 
+/// Whether a text is TOML and has a table of a study.
+pub(crate) fn has_table_of_ours(text: &str) -> bool {
+    let names = ["ground", "building", "objects", "outputs"];
+    DeTable::parse(text.trim_start_matches('\u{feff}'))
+        .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
+}
+
 /// Reads a study; what is wrong goes into the problems, what could be read into the options.
 pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>) {
     let mut reader = Reader::new(text, source);
@@ -527,7 +534,7 @@ impl<'t, 'i> Section<'t, 'i> {
         reader.quantity_value(&name, value, line, dimension, unit)
     }
 
-    /// A grid text, or a list of quantities (of bare numbers where the key states the unit).
+    /// A grid text, a list of quantities, or one; of bare numbers where the key states the unit.
     fn grid(&mut self, reader: &mut Reader, key: &'static str, dimension: Dimension) -> Option<Written<Vec<f64>>> {
         let (name, value, line, unit) = self.take_with_unit(reader, key, dimension)?;
         match (value, unit) {
@@ -543,8 +550,11 @@ impl<'t, 'i> Section<'t, 'i> {
                     .collect();
                 (reader.problems.len() == before).then_some(Written { value: values, line })
             }
-            (DeValue::String(text), None) => {
-                let result = quantity::parse_grid(text, dimension);
+            (DeValue::String(text), unit) => {
+                let result = match unit {
+                    Some(unit) => quantity::parse_grid_in_unit(text, unit),
+                    None => quantity::parse_grid(text, dimension),
+                };
                 reader.keep(&name, line, result)
             }
             _ => Some(reader.quantity_value(&name, value, line, dimension, unit)?.map(|value| vec![value])),
@@ -622,6 +632,28 @@ mod tests {
         assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
         assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
         assert_eq!(options.objects.stiffness_n_m.unwrap().value, 4.38e6);
+    }
+
+    #[test]
+    fn a_key_with_a_unit_takes_a_number_a_list_and_a_grid() {
+        for (value, expected) in [
+            ("500", &[0.5][..]),
+            ("\"500\"", &[0.5]),
+            ("[500, 1000]", &[0.5, 1.0]),
+            ("[\"500\", 1000.0]", &[0.5, 1.0]),
+            ("\"500, 1000\"", &[0.5, 1.0]),
+            ("\"500:1000:3\"", &[0.5, 0.75, 1.0]),
+        ] {
+            let (options, problems) = parse(&format!("[objects]\nheights_mm = {value}\n"), None);
+            assert_eq!(problems, []);
+            assert_eq!(options.objects.heights_m.unwrap().value, expected, "{value}");
+        }
+        assert_eq!(
+            problems("[objects]\nheights_mm = \"500 mm, 1 m\"\n"),
+            [
+                "s.toml:2: heights_mm: \"500 mm\" is not a number | the unit is stated already (mm): write the number alone"
+            ]
+        );
     }
 
     #[test]

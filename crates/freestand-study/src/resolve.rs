@@ -66,6 +66,16 @@ pub fn builtin(overrides: &Overrides) -> Result<Study, StudyError> {
 /// # Errors
 /// A file that cannot be read, or whatever [`resolve`] finds wrong with it.
 pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, StudyError> {
+    resolve_with(&read_text(path)?, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
+}
+
+/// Whether a file is a study by its name and what it holds, so that one given for a record can be told.
+pub fn is_study_file(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+        && read_text(path).is_ok_and(|text| options::has_table_of_ours(&text))
+}
+
+fn read_text(path: &Path) -> Result<String, StudyError> {
     const LARGEST: u64 = 16 << 20;
     let unreadable =
         |message: String, hint: &str| StudyError::from(Problem::new(ProblemKind::Io, message).in_file(path).hint(hint));
@@ -82,11 +92,10 @@ pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, StudyError> {
     if bytes.len() as u64 > LARGEST {
         return Err(unreadable("is too large for a study".to_owned(), "a study is a TOML text of some lines"));
     }
-    let text = String::from_utf8(bytes).map_err(|_| {
+    String::from_utf8(bytes).map_err(|_| {
         let problem = Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path);
         StudyError::from(problem.hint("a study is a TOML text; freestand run --dump-study prints one to start from"))
-    })?;
-    resolve_with(&text, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
+    })
 }
 
 /// The study of a TOML text; `source` names it in messages, paths in it are relative to `base_dir`.
