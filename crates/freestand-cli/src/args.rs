@@ -22,12 +22,21 @@ pub(crate) struct GlobalArgs {
     #[arg(short, long, global = true)]
     pub(crate) verbose: bool,
     /// Threads to compute on; results do not depend on it [default: one per core]
-    #[arg(long, value_name = "N", global = true)]
+    #[arg(long, value_name = "N", global = true, allow_negative_numbers = true, value_parser = at_least_one)]
     pub(crate) threads: Option<NonZeroUsize>,
     /// Seed of the random numbers, in place of the study's
-    #[arg(long, value_name = "N", global = true)]
+    #[arg(long, value_name = "N", global = true, allow_negative_numbers = true, value_parser = zero_or_more)]
     pub(crate) seed: Option<u64>,
     /// Write into an output folder that holds other files
     #[arg(long, global = true)]
     pub(crate) force: bool,
+}
+
+/// A count, from 1.
+pub(crate) fn at_least_one(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "a whole number is expected, at least 1".to_owned())
+}
+
+fn zero_or_more(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| "a whole number is expected, at least 0".to_owned())
 }

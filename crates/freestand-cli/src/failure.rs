@@ -60,7 +60,9 @@ pub(crate) fn usage(error: &clap::Error) -> Failure {
     let message = paragraphs.next().unwrap_or_default();
     let message = message.strip_prefix("error: ").unwrap_or(&message).to_owned();
     let rest: Vec<String> = paragraphs.collect();
-    let tip = rest.iter().find_map(|paragraph| paragraph.strip_prefix("tip: "));
+    // "to pass '-1' as a value, use '-- -1'" is true of no flag of ours.
+    let tip =
+        rest.iter().find_map(|paragraph| paragraph.strip_prefix("tip: ")).filter(|tip| !tip.starts_with("to pass "));
     let usage = rest.iter().find_map(|paragraph| paragraph.strip_prefix("Usage: "));
     let hint = match (tip, usage) {
         (Some(tip), _) => tip.replace(" tip: ", "; "),

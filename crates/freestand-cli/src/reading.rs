@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand_study::quantity::Dimension;
-use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
+use freestand_study::recorded::{MotionFiles, ReadMotion, check_scale, read_recorded};
 use freestand_study::records::ReadOptions;
 
 use crate::failure::Failure;
@@ -29,16 +29,29 @@ pub(crate) struct ReadArgs {
 }
 
 impl ReadArgs {
+    /// Refuses flags that no record is read with.
+    pub(crate) fn refuse_without_record(&self, hint: impl FnOnce(&str) -> String) -> Result<(), Failure> {
+        let flags = [("unit", &self.unit), ("dt", &self.dt), ("component", &self.component), ("scale", &self.scale)];
+        let given: Vec<&str> = flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
+        if given.is_empty() {
+            return Ok(());
+        }
+        let message = format!("--{} without --motion", given.join(", --"));
+        Err(Failure::usage(message, hint(&given.join(", "))))
+    }
     /// The files with what was said about them; what is wrong goes into `values`.
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
+        let dt_s = values.any("--dt", self.dt.as_deref(), Dimension::Time);
+        // Here and not file by file: a wrong flag is one fault, whatever the number of files.
+        values.keep("--unit", ReadOptions { unit: self.unit.clone(), dt_s: None }.check());
+        values.keep("--dt", ReadOptions { unit: None, dt_s }.check());
+        let scale_ratio = values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0);
+        values.keep("--scale", check_scale(scale_ratio));
         MotionFiles {
             paths: paths.to_vec(),
-            read: ReadOptions {
-                unit: self.unit.clone(),
-                dt_s: values.positive("--dt", self.dt.as_deref(), Dimension::Time),
-            },
+            read: ReadOptions { unit: self.unit.clone(), dt_s },
             component: self.component.clone(),
-            scale_ratio: values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0),
+            scale_ratio,
         }
     }
 

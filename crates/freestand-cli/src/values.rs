@@ -13,7 +13,8 @@ pub(crate) struct Values {
 }
 
 impl Values {
-    fn keep<T>(&mut self, flag: &str, result: Result<T, Problem>) -> Option<T> {
+    /// A value read elsewhere; what is wrong with it is named by its flag.
+    pub(crate) fn keep<T>(&mut self, flag: &str, result: Result<T, Problem>) -> Option<T> {
         match result {
             Ok(value) => Some(value),
             Err(mut problem) => {

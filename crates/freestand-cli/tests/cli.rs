@@ -115,6 +115,10 @@ fn usage_errors_have_an_error_and_a_hint() {
         freestand(&["shock", "--scenario", "flying"]),
         freestand(&["motion", "synth", "--count", "0"]),
         freestand(&["validate", "--threads", "0"]),
+        freestand(&["validate", "--threads", "-1"]),
+        freestand(&["validate", "--seed", "-1"]),
+        freestand(&["motion", "synth", "--count", "-1"]),
+        freestand(&["validate", "-1"]),
     ];
     insta::assert_snapshot!(all.join("\n\n"));
 }
@@ -164,6 +168,40 @@ fn broken_records_are_refused() {
             &["motion", "info", "empty.csv", "nan.csv", "one.csv", "bare.csv", "gone.csv", "."],
         ),
         freestand_in(folder.path(), &["motion", "spectrum", "two.csv"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn a_study_behind_the_records_is_told_from_a_record() {
+    let folder = folder(&[("pulse.csv", RECORD), ("study.toml", "[building]\nstoreys = 4\n")]);
+    insta::assert_snapshot!(freestand_in(folder.path(), &["run", "--motion", "pulse.csv", "study.toml"]));
+}
+
+/// A flag that nothing is read with would be ignored in silence.
+#[test]
+fn reading_flags_need_a_record() {
+    let free = ["rock", "--height", "2 m", "--thickness", "0.5 m", "--initial-rotation", "1 deg", "--duration", "1 s"];
+    let all = [
+        freestand(&["run", "--scale", "2", "--unit", "g"]),
+        freestand(&["run", "--dump-study", "--dt", "0.01 s"]),
+        freestand(&[&free[..], &["--component", "1"]].concat()),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+/// A factor of zero makes a motion of nothing, from a flag as from a study; wrong flags are said once, not per file.
+#[test]
+fn wrong_reading_flags_are_refused() {
+    let study = "[ground]\nmotions = \"pulse.csv\"\nscale = 0\n";
+    let folder = folder(&[("pulse.csv", RECORD), ("study.toml", study)]);
+    let all = [
+        freestand_in(folder.path(), &["motion", "info", "pulse.csv", "--scale", "0"]),
+        freestand_in(folder.path(), &["check", "study.toml"]),
+        freestand_in(
+            folder.path(),
+            &["motion", "info", "pulse.csv", "pulse.csv", "--unit", "furlong", "--dt", "1000 s"],
+        ),
     ];
     insta::assert_snapshot!(all.join("\n\n"));
 }

@@ -139,7 +139,7 @@ fn ground_motion(index: u32, study: &Study) -> GroundMotion {
         pgv_m_s: 0.17,
     };
     let misfit = matches!(study.ground, Ground::Synthetic(_)).then_some(misfit);
-    GroundMotion { name: format!("synthetic-{:02}", index + 1), motion, spectrum, misfit }
+    GroundMotion { name: crate::study::synthetic_name(index as usize), motion, spectrum, misfit }
 }
 
 fn spectrum(motion: &Motion) -> ResponseSpectrum {

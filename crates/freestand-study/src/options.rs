@@ -41,6 +41,8 @@ pub(crate) struct GroundOptions {
     pub(crate) dt_s: Option<Written<f64>>,
     pub(crate) component: Option<Written<String>>,
     pub(crate) scale: Option<Written<f64>>,
+    /// Some key was refused: files cannot be read as they were meant to be.
+    pub(crate) is_incomplete: bool,
 }
 
 /// `[building]`, as written.
@@ -112,6 +114,13 @@ pub(crate) struct Options {
     pub(crate) outputs: OutputsOptions,
 }
 
+/// Whether a text is TOML and has a table of a study.
+pub(crate) fn has_table_of_ours(text: &str) -> bool {
+    let names = ["ground", "building", "objects", "outputs"];
+    DeTable::parse(text.trim_start_matches('\u{feff}'))
+        .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
+}
+
 /// Reads a study; what is wrong goes into the problems, what could be read into the options.
 pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>) {
     let mut reader = Reader::new(text, source);
@@ -121,16 +130,28 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
     let (document, errors) = DeTable::parse_recoverable(text);
     for error in errors {
         let line = error.span().map(|span| reader.line_of(span.start));
+        // What else is wrong with the same line follows from the first.
+        if reader.problems.last().is_some_and(|last| last.line == line) {
+            continue;
+        }
         let problem = Problem::new(ProblemKind::Format, format!("not TOML: {}", one_line(error.message())));
-        reader.note(line, problem.hint("a table is written [ground], a key as name = value, and text in \"quotes\""));
+        let hint = if text.replace("\r\n", "").contains('\r') {
+            "save it with lines that end in LF or CR LF"
+        } else {
+            "a table is written [ground], a key as name = value, and text in \"quotes\""
+        };
+        reader.note(line, problem.hint(hint));
     }
-    let broken = !reader.problems.is_empty();
-
     let mut options = Options::default();
+    // In a text that is not TOML the rest may be rubbish: do not bury the cause under its consequences.
+    if !reader.problems.is_empty() {
+        return (options, reader.problems);
+    }
     let mut top = Section::new("", document.get_ref(), 1);
     if let Some(mut table) = top.table(&mut reader, "ground") {
         options.ground = ground(&mut reader, &mut table);
         table.finish(&mut reader);
+        options.ground.is_incomplete = !reader.problems.is_empty();
     }
     if let Some(mut table) = top.table(&mut reader, "building") {
         options.building = building(&mut reader, &mut table);
@@ -144,10 +165,7 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
         options.outputs = outputs(&mut reader, &mut table);
         table.finish(&mut reader);
     }
-    // In a text that is not TOML the rest may be rubbish: do not bury the cause under its consequences.
-    if !broken {
-        top.finish(&mut reader);
-    }
+    top.finish(&mut reader);
     (options, reader.problems)
 }
 
@@ -167,6 +185,7 @@ fn ground(reader: &mut Reader, table: &mut Section) -> GroundOptions {
         dt_s: table.quantity(reader, "dt", Dimension::Time),
         component: table.name_or_number(reader, "component"),
         scale: table.ratio(reader, "scale"),
+        is_incomplete: false,
     }
 }
 
@@ -515,7 +534,7 @@ impl<'t, 'i> Section<'t, 'i> {
         reader.quantity_value(&name, value, line, dimension, unit)
     }
 
-    /// A grid text, or a list of quantities (of bare numbers where the key states the unit).
+    /// A grid text, a list of quantities, or one; of bare numbers where the key states the unit.
     fn grid(&mut self, reader: &mut Reader, key: &'static str, dimension: Dimension) -> Option<Written<Vec<f64>>> {
         let (name, value, line, unit) = self.take_with_unit(reader, key, dimension)?;
         match (value, unit) {
@@ -531,8 +550,11 @@ impl<'t, 'i> Section<'t, 'i> {
                     .collect();
                 (reader.problems.len() == before).then_some(Written { value: values, line })
             }
-            (DeValue::String(text), None) => {
-                let result = quantity::parse_grid(text, dimension);
+            (DeValue::String(text), unit) => {
+                let result = match unit {
+                    Some(unit) => quantity::parse_grid_in_unit(text, unit),
+                    None => quantity::parse_grid(text, dimension),
+                };
                 reader.keep(&name, line, result)
             }
             _ => Some(reader.quantity_value(&name, value, line, dimension, unit)?.map(|value| vec![value])),
@@ -613,6 +635,28 @@ mod tests {
     }
 
     #[test]
+    fn a_key_with_a_unit_takes_a_number_a_list_and_a_grid() {
+        for (value, expected) in [
+            ("500", &[0.5][..]),
+            ("\"500\"", &[0.5]),
+            ("[500, 1000]", &[0.5, 1.0]),
+            ("[\"500\", 1000.0]", &[0.5, 1.0]),
+            ("\"500, 1000\"", &[0.5, 1.0]),
+            ("\"500:1000:3\"", &[0.5, 0.75, 1.0]),
+        ] {
+            let (options, problems) = parse(&format!("[objects]\nheights_mm = {value}\n"), None);
+            assert_eq!(problems, []);
+            assert_eq!(options.objects.heights_m.unwrap().value, expected, "{value}");
+        }
+        assert_eq!(
+            problems("[objects]\nheights_mm = \"500 mm, 1 m\"\n"),
+            [
+                "s.toml:2: heights_mm: \"500 mm\" is not a number | the unit is stated already (mm): write the number alone"
+            ]
+        );
+    }
+
+    #[test]
     fn every_problem_is_reported_with_its_line() {
         let got = problems(
             "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nstorey_height = 3.2\nlevels = 4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\n",
@@ -635,6 +679,17 @@ mod tests {
     fn text_that_is_not_toml_is_one_message_with_its_line() {
         let got = problems("[ground]\ncount = = 3\n");
         assert!(got[0].starts_with("s.toml:2: not TOML: "), "{got:?}");
+        // One fault is one message: no key without a value, no table cut short, is reported beside it.
+        for text in [
+            "[ground]\nseed=\n",
+            "[ground]\nseed = \n[objects]\nmass = 3\n",
+            "[ground]\rcount = 3\r[objects]\rmass = \"150 kg\"\r",
+            "[ground\ncount = \"x\"\n",
+        ] {
+            let got = problems(text);
+            assert!(got.len() == 1 && got[0].contains("not TOML"), "{text:?}: {got:?}");
+        }
+        assert!(problems("[ground]\rcount = 3\r")[0].contains("CR LF"));
     }
 
     #[test]

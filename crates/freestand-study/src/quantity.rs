@@ -310,16 +310,32 @@ pub const MAX_GRID_VALUES: usize = 1_000_000;
 /// # Ok::<(), freestand_study::Problem>(())
 /// ```
 pub fn parse_grid(text: &str, dimension: Dimension) -> Result<Vec<f64>, Problem> {
+    grid_of(text, dimension, |item| parse(item, dimension))
+}
+
+/// As [`parse_grid`], of bare numbers in a place whose key states the unit: `("500:1000:3", "mm")`, in SI.
+///
+/// # Errors
+/// As [`parse_grid`], with [`parse_in_unit`] for each value.
+pub fn parse_grid_in_unit(text: &str, unit: &Unit) -> Result<Vec<f64>, Problem> {
+    grid_of(text, unit.dimension, |item| parse_in_unit(item, unit))
+}
+
+fn grid_of(
+    text: &str,
+    dimension: Dimension,
+    value: impl Fn(&str) -> Result<f64, Problem>,
+) -> Result<Vec<f64>, Problem> {
     let text = text.trim();
     if !text.contains(':') {
-        return text.split(',').map(|item| parse(item, dimension)).collect();
+        return text.split(',').map(value).collect();
     }
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let &[from, to, count] = parts.as_slice() else {
         return Err(value_problem(format!("\"{}\" is not a grid", shorten(text)))
             .hint("write from:to:count, such as \"0.3 m:4 m:64\", or a list"));
     };
-    let (from_si, to_si) = (parse(from, dimension)?, parse(to, dimension)?);
+    let (from_si, to_si) = (value(from)?, value(to)?);
     if let (Some(per_octave), Dimension::Frequency) = (count.strip_suffix("/oct"), dimension) {
         return octave_grid(from_si, to_si, grid_count(per_octave.trim_end(), 1)?);
     }

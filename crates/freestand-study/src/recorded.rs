@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 use crate::error::{Problem, ProblemKind};
-use crate::records::{Component, MotionFile, ReadOptions, read_motions};
+use crate::records::{Component, MotionFile, ReadOptions, load, parse_motions};
 use crate::study::RecordedMotion;
 
 /// Files whose motions are used.
@@ -49,25 +49,34 @@ pub fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Probl
 }
 
 fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>> {
-    let file = read_motions(path, &files.read).map_err(|error| error.problems)?;
     let one = |problem: Problem| vec![problem];
+    let bytes = load(path).map_err(one)?;
+    let sha256 = sha256_hex(&bytes);
+    let file = parse_motions(bytes, path, &files.read).map_err(|error| error.problems)?;
     let component = file.select(files.component.as_deref()).map_err(one)?;
     let motion = scaled(component, files.scale_ratio, path).map_err(one)?;
-    let bytes = std::fs::read(path).map_err(|error| {
-        one(Problem::new(ProblemKind::Io, format!("cannot read the file: {error}"))
-            .in_file(path)
-            .hint("check the path"))
-    })?;
     let description = describe(&file, component);
     let motion = RecordedMotion {
         name: name_of(path),
         path: path.to_path_buf(),
-        sha256: sha256_hex(&bytes),
+        sha256,
         description,
         scale_ratio: files.scale_ratio,
         motion,
     };
     Ok(ReadMotion { motion, notes: file.notes.clone() })
+}
+
+/// Whether a factor on the samples leaves a motion; a negative one turns it round.
+///
+/// # Errors
+/// Zero, or a factor that is not finite.
+pub fn check_scale(scale_ratio: f64) -> Result<(), Problem> {
+    if scale_ratio != 0.0 && scale_ratio.is_finite() {
+        return Ok(());
+    }
+    let message = format!("scale must be a number other than 0, not {scale_ratio}");
+    Err(Problem::new(ProblemKind::Value, message).hint("leave it out for the record as it is"))
 }
 
 /// The component's motion times a factor.
@@ -125,4 +134,31 @@ fn unique(name: &str, taken: &mut HashSet<String>) -> String {
         number += 1;
     }
     candidate
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pipe gives its bytes once: they are read and fingerprinted from one reading, as they came.
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_read_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("pipe.csv");
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
+        let text = b"\xEF\xBB\xBFtime [s],a [g]\n0,0\n0.01,0.5\n";
+        let writer = std::thread::spawn({
+            let path = path.clone();
+            move || std::fs::write(path, text)
+        });
+        let files =
+            MotionFiles { paths: vec![path.clone()], read: ReadOptions::default(), component: None, scale_ratio: 1.0 };
+        let (sender, receiver) = std::sync::mpsc::channel();
+        std::thread::spawn(move || sender.send(read_recorded(&files)));
+        let (motions, failures) =
+            receiver.recv_timeout(std::time::Duration::from_secs(20)).expect("a second reading hangs");
+        writer.join().unwrap().unwrap();
+        assert_eq!((failures.len(), motions[0].motion.sha256.as_str()), (0, sha256_hex(text).as_str()));
+    }
 }

@@ -1,6 +1,8 @@
 //! The study as meant: defaults filled in, everything checked, files loaded; all problems at once.
 
 use std::collections::HashSet;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use freestand::block::Block;
@@ -17,7 +19,7 @@ use crate::options::{
     RestitutionOption, Written, nearest,
 };
 use crate::quantity::{Dimension, format_si, shorten};
-use crate::recorded::{MotionFiles, read_recorded};
+use crate::recorded::{MotionFiles, check_scale, read_recorded};
 use crate::records::ReadOptions;
 use crate::study::{BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, Study, SyntheticGround};
 
@@ -64,24 +66,36 @@ pub fn builtin(overrides: &Overrides) -> Result<Study, StudyError> {
 /// # Errors
 /// A file that cannot be read, or whatever [`resolve`] finds wrong with it.
 pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, StudyError> {
+    resolve_with(&read_text(path)?, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
+}
+
+/// Whether a file is a study by its name and what it holds, so that one given for a record can be told.
+pub fn is_study_file(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+        && read_text(path).is_ok_and(|text| options::has_table_of_ours(&text))
+}
+
+fn read_text(path: &Path) -> Result<String, StudyError> {
     const LARGEST: u64 = 16 << 20;
     let unreadable =
         |message: String, hint: &str| StudyError::from(Problem::new(ProblemKind::Io, message).in_file(path).hint(hint));
-    let facts = std::fs::metadata(path)
-        .map_err(|error| unreadable(format!("cannot read the study: {error}"), "check the path"))?;
-    if facts.is_dir() {
+    let failed = |error: std::io::Error| {
+        unreadable(format!("cannot read the study: {error}"), "check the path and its permissions")
+    };
+    let file = File::open(path).map_err(failed)?;
+    if file.metadata().is_ok_and(|facts| facts.is_dir()) {
         return Err(unreadable("is a folder, not a study".to_owned(), "name the TOML file in it"));
     }
-    if facts.len() > LARGEST {
+    // A pipe or a device does not say how long it is: count what comes.
+    let mut bytes = Vec::new();
+    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > LARGEST {
         return Err(unreadable("is too large for a study".to_owned(), "a study is a TOML text of some lines"));
     }
-    let bytes = std::fs::read(path)
-        .map_err(|error| unreadable(format!("cannot read the study: {error}"), "check the path and its permissions"))?;
-    let text = String::from_utf8(bytes).map_err(|_| {
+    String::from_utf8(bytes).map_err(|_| {
         let problem = Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path);
         StudyError::from(problem.hint("a study is a TOML text; freestand run --dump-study prints one to start from"))
-    })?;
-    resolve_with(&text, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
+    })
 }
 
 /// The study of a TOML text; `source` names it in messages, paths in it are relative to `base_dir`.
@@ -114,7 +128,8 @@ pub fn resolve_with(
     overrides: &Overrides,
 ) -> Result<Study, StudyError> {
     let (options, problems) = options::parse(text, source);
-    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new() };
+    let is_complete = problems.is_empty();
+    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete };
     let Options { ground, building, objects, outputs } = options;
     let ground = resolver.ground(&ground, overrides);
     let building_input = resolver.building(&building);
@@ -144,6 +159,8 @@ struct Resolver<'a> {
     base_dir: &'a Path,
     problems: Vec<Problem>,
     warnings: Vec<String>,
+    /// No key was refused when the text was read.
+    is_complete: bool,
 }
 
 /// The value, or the default where the key is missing. A key that was refused also comes here as the default: its
@@ -221,18 +238,31 @@ impl Resolver<'_> {
         self.exclusive(("edition", &written.edition), ("motions", &written.motions));
         self.exclusive(("count", &written.count), ("motions", &written.motions));
         self.exclusive(("seed", &written.seed), ("motions", &written.motions));
-        self.positive(&written.dt_s, "dt", Dimension::Time);
-        self.require(&written.scale, |scale| scale != 0.0 && scale.is_finite(), "scale", "a number other than 0");
+        let before = self.problems.len();
+        let unit_only = ReadOptions { unit: written.unit.clone().map(|unit| unit.value), dt_s: None };
+        let dt_only = ReadOptions { unit: None, dt_s: written.dt_s.as_ref().map(|dt| dt.value) };
+        let lines = [written.unit.as_ref().map(|w| w.line), written.dt_s.as_ref().map(|w| w.line)];
+        for ((key, line), options) in ["unit", "dt"].into_iter().zip(lines).zip([&unit_only, &dt_only]) {
+            if let Err(problem) = options.check() {
+                self.note(line, format!("{key}: {}", problem.message), problem.hint.unwrap_or_default());
+            }
+        }
+        if let Some(Written { value, line }) = &written.scale
+            && let Err(problem) = check_scale(*value)
+        {
+            self.note(Some(*line), problem.message, problem.hint.unwrap_or_default());
+        }
         if motions.value.is_empty() {
             self.note(Some(motions.line), "motions is empty", "name at least one file, or leave motions out");
             return None;
         }
+        // Files read without what was refused would only be refused for the lack of it.
+        if written.is_incomplete || self.problems.len() > before {
+            return None;
+        }
         let files = MotionFiles {
             paths: motions.value.iter().map(|file| self.base_dir.join(&file.value)).collect(),
-            read: ReadOptions {
-                unit: or(&written.unit.clone().map(|w| w.map(Some)), None),
-                dt_s: written.dt_s.as_ref().map(|w| w.value),
-            },
+            read: ReadOptions { unit: unit_only.unit, dt_s: dt_only.dt_s },
             component: written.component.as_ref().map(|w| w.value.clone()),
             scale_ratio: or(&written.scale, 1.0),
         };
@@ -243,6 +273,7 @@ impl Resolver<'_> {
     /// Reads files; a file that is missing is a fault of the study's line, one that is broken of the file's.
     fn recorded(&mut self, files: &MotionFiles, lines: Option<&[usize]>) -> Option<Ground> {
         let (motions, failures) = read_recorded(files);
+        let all_read = failures.is_empty();
         for (index, mut problem) in failures {
             if let (Some(line), Some(source), None) =
                 (lines.and_then(|lines| lines.get(index)), self.source, problem.line)
@@ -256,7 +287,7 @@ impl Resolver<'_> {
         for motion in &motions {
             self.warnings.extend(motion.notes.iter().map(|note| format!("{}: {note}", motion.motion.name)));
         }
-        Some(Ground::Recorded(motions.into_iter().map(|read| read.motion).collect()))
+        all_read.then(|| Ground::Recorded(motions.into_iter().map(|read| read.motion).collect()))
     }
 
     fn synthetic(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -318,10 +349,12 @@ impl Resolver<'_> {
             }
         };
         self.warnings.extend(minimum_governs_warning(&spectrum));
+        // Beyond, the count was refused above; its names are still listed.
+        let count = usize::try_from(or(&written.count, 10).min(MAX_MOTIONS)).unwrap_or_default();
         Some(Ground::Synthetic(SyntheticGround {
             spectrum,
             city,
-            count: usize::try_from(or(&written.count, 10)).unwrap_or(usize::MAX),
+            count,
             seed: overrides.seed.unwrap_or(or(&written.seed, 1)),
         }))
     }
@@ -561,6 +594,10 @@ impl Resolver<'_> {
         objects: Option<&Objects>,
         ground: Option<&Ground>,
     ) -> Option<HistoryChoice> {
+        // What it names may be what was refused.
+        if !self.is_complete {
+            return None;
+        }
         let (Some(level), Some(height), Some(thickness)) = (&written.level, &written.height_m, &written.thickness_m)
         else {
             let hint = "write history = { level = \"roof\", height = \"1.5 m\", thickness = \"300 mm\" }";
@@ -594,15 +631,16 @@ impl Resolver<'_> {
                 }
             }
         }
-        if let (Some(motion), Some(Ground::Recorded(motions))) = (&written.motion, ground)
-            && !motions.iter().any(|one| one.name == motion.value)
-        {
-            let names: Vec<&str> = motions.iter().take(10).map(|motion| motion.name.as_str()).collect();
-            self.note(
-                Some(motion.line),
-                format!("history: no motion is called \"{}\"", shorten(&motion.value)),
-                format!("motions: {}", names.join(", ")),
-            );
+        if let (Some(motion), Some(ground)) = (&written.motion, ground) {
+            let mut names = ground.names();
+            if !names.contains(&motion.value) {
+                names.truncate(10);
+                self.note(
+                    Some(motion.line),
+                    format!("history: no motion is called \"{}\"", shorten(&motion.value)),
+                    format!("motions: {}", names.join(", ")),
+                );
+            }
         }
         Some(HistoryChoice {
             level: named?.name.clone(),

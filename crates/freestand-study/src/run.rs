@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
-use crate::study::{Ground, Level, Study};
+use crate::study::{Ground, Level, Study, synthetic_name};
 
 /// Longest wait for a block to settle after the motion \[s\]; only a restitution of nearly 1 needs more.
 const LONGEST_TAIL_S: f64 = 120.0;
@@ -110,7 +110,7 @@ fn ground_motions(ground: &Ground) -> Result<Vec<GroundMotion>, StudyError> {
                 let options = SynthesisOptions::default();
                 let matched = synthesize(|t| synthetic.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
                     .map_err(failed("a synthetic motion"))?;
-                finish(format!("synthetic-{:02}", i + 1), matched.motion, Some(matched.misfit))
+                finish(synthetic_name(i), matched.motion, Some(matched.misfit))
             })
             .collect(),
         Ground::Recorded(records) => {

@@ -36,6 +36,21 @@ pub enum Ground {
     Recorded(Vec<RecordedMotion>),
 }
 
+impl Ground {
+    /// The names of the motions in the outputs.
+    pub fn names(&self) -> Vec<String> {
+        match self {
+            Self::Synthetic(synthetic) => (0..synthetic.count).map(synthetic_name).collect(),
+            Self::Recorded(motions) => motions.iter().map(|motion| motion.name.clone()).collect(),
+        }
+    }
+}
+
+/// The name of a synthetic motion, counted from 0.
+pub(crate) fn synthetic_name(index: usize) -> String {
+    format!("synthetic-{:02}", index + 1)
+}
+
 /// Motions matched to the AS 1170.4 spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SyntheticGround {

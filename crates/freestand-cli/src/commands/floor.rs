@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use super::Done;
 use super::motion::spectrum::upsampling;
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, at_least_one};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
@@ -34,7 +34,7 @@ pub(crate) struct FloorArgs {
     #[arg(long, value_name = "FILE")]
     motion: PathBuf,
     /// Storeys
-    #[arg(long, value_name = "N", default_value = "30", value_parser = clap::value_parser!(u32).range(1..=500))]
+    #[arg(long, value_name = "N", default_value = "30", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=500))]
     storeys: u32,
     /// Height of a storey
     #[arg(long, value_name = "LENGTH", default_value = "3.2 m", allow_hyphen_values = true)]
@@ -52,7 +52,7 @@ pub(crate) struct FloorArgs {
     #[arg(long, value_name = "RATIO", default_value = "5", allow_hyphen_values = true)]
     shear_flexure: String,
     /// Modes
-    #[arg(long, value_name = "N", default_value = "10")]
+    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true)]
     modes: usize,
     /// Levels as shares of the height, 0 ground and 1 roof
     #[arg(long, value_name = "GRID", default_value = "0.5, 1.0", allow_hyphen_values = true)]
@@ -61,7 +61,7 @@ pub(crate) struct FloorArgs {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     tail: Option<String>,
     /// Look for the peaks at N points in each sample interval
-    #[arg(long, value_name = "N", default_value = "1")]
+    #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = at_least_one)]
     upsample: NonZeroUsize,
     #[command(flatten)]
     read: ReadArgs,

@@ -119,6 +119,9 @@ fn request(args: &RockArgs, printer: &Printer) -> Result<RockRequest, Failure> {
         return Err(Failure::usage("the object has no size", "give --height and --thickness"));
     };
     let no_motion = args.motion.is_none() && args.vertical.is_none();
+    if no_motion {
+        args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;
+    }
     if no_motion && options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
         return Err(Failure::usage(
             "nothing moves the object",

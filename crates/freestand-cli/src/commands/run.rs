@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use freestand_study::output::OutputFolder;
 use freestand_study::outputs::write_outputs;
-use freestand_study::resolve::{Overrides, builtin, builtin_toml, load};
+use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -46,9 +46,22 @@ pub(crate) struct RunArgs {
 }
 
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if args.motion.is_empty() {
+        args.read.refuse_without_record(|keys| {
+            format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
+        })?;
+    }
     if args.dump_study {
         print_text(builtin_toml())?;
         return Ok(Done::OK);
+    }
+    // `--motion a.AT2 study.toml` makes the study a second record.
+    if let (None, Some(study)) = (&args.study, args.motion.iter().find(|path| is_study_file(path))) {
+        let study = study.display();
+        return Err(Failure::usage(
+            format!("--motion: {study} is a study, not a record"),
+            format!("the study goes first: freestand run {study} --motion FILE"),
+        ));
     }
     let start = Instant::now();
     let mut values = Values::default();

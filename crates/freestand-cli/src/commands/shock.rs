@@ -52,7 +52,7 @@ pub(crate) struct ShockArgs {
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
     pad_stiffness: Option<String>,
     /// Pads under one edge
-    #[arg(long, value_name = "N", help_heading = "The cushion")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, help_heading = "The cushion")]
     pads_per_edge: Option<u32>,
     /// Acts in series with the cushion: legs, floor covering (repeatable)
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]

@@ -114,7 +114,7 @@ fn check_dt(counts: &Counts, options: &ReadOptions) -> Result<(), Problem> {
             format!("the time step is {} s as the header says, not {dt_s} s", counts.dt_s),
         )
         .at_line(counts.line)
-        .hint("leave out --dt, or correct the file if it is wrong")),
+        .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong")),
         _ => Ok(()),
     }
 }

@@ -251,11 +251,11 @@ fn time_source(table: &Table, stating: &Stating, options: &ReadOptions) -> Resul
         Some(dt_s) if !named => Ok(Time::Step(dt_s)),
         _ if table.columns.len() == 1 => Err(Problem::new(ProblemKind::Value, "there is one column and no time step")
             .at_line(table.line_of_first_value)
-            .hint("give the step, such as --dt \"0.01 s\"")),
+            .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")),
         _ if first.and_then(|heading| heading.unit).is_some_and(|unit| unit.dimension != Dimension::Time) => {
             Err(Problem::new(ProblemKind::Format, "the first column is not the time")
                 .at_line(stating.line)
-                .hint("put the time first, or give --dt if there is none"))
+                .hint("put the time first; where there is none, give the step (--dt, or dt in the study)"))
         }
         _ => Ok(Time::Column),
     }
@@ -268,7 +268,7 @@ fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
     }
     Err(Problem::new(ProblemKind::Value, format!("the time step is {stated_s} s as the file says, not {given_s} s"))
         .at_line(line)
-        .hint("leave out --dt, or correct the file if it is wrong"))
+        .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"))
 }
 
 /// The step that the time column means, in seconds.
@@ -289,7 +289,7 @@ fn dt_of_column(
             format!("\"{}\" states no unit of time", shorten(&heading.name)),
         )
         .at_line(stating.line)
-        .hint("the first column is the time; write it in s or ms, or give --dt if there is none"));
+        .hint("the first column is the time; write it in s or ms; where there is none, give the step (--dt, or dt in the study)"));
     }
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {

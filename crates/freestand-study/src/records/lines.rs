@@ -8,8 +8,8 @@ use std::path::Path;
 /// Longest file that is read into memory: about a hundred million samples, far beyond any record.
 const MAX_BYTES: u64 = 2 << 30;
 
-/// The bytes of a text file, without byte-order mark and without the end-of-file character of DOS.
-pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
+/// The bytes of a file, read once: a pipe has them only once.
+pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     let io = |what: &str, error: &std::io::Error| {
         Problem::new(ProblemKind::Io, format!("{what}: {error}"))
             .in_file(path)
@@ -27,11 +27,10 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     if bytes.len() as u64 > MAX_BYTES {
         return Err(Problem::new(ProblemKind::Format, "is longer than 2 GiB").in_file(path).hint("split the record"));
     }
-    check_text(&mut bytes).map_err(|problem| problem.in_file(path))?;
     Ok(bytes)
 }
 
-/// Refuses what is not text, and removes what is not content.
+/// Refuses what is not text, and removes what is not content: a byte-order mark, the end-of-file character of DOS.
 pub(super) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
         return Err(Problem::new(ProblemKind::Format, "is UTF-16 text").hint("save it as UTF-8 or plain text"));

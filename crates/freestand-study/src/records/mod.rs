@@ -9,6 +9,7 @@ mod table;
 mod units;
 mod write;
 
+pub(crate) use lines::load;
 pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
@@ -23,6 +24,17 @@ pub struct ReadOptions {
     pub unit: Option<String>,
     /// Time step \[s\]. Columns without a header are then all components; otherwise the first is the time.
     pub dt_s: Option<f64>,
+}
+
+impl ReadOptions {
+    /// Whether they can be meant, whatever the file.
+    ///
+    /// # Errors
+    /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
+    pub fn check(&self) -> Result<(), Problem> {
+        units::requested(self.unit.as_deref())?;
+        self.dt_s.map_or(Ok(()), |dt_s| check_step(dt_s, ProblemKind::Value))
+    }
 }
 
 /// A record file, read.
@@ -59,8 +71,7 @@ pub struct Component {
 /// A file that cannot be read, whose format is not known, that is broken or has gaps, or that leaves the unit or the time
 /// step open where the options do too. Nothing is guessed from the size of values.
 pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, StudyError> {
-    let bytes = lines::load(path)?;
-    Ok(read_bytes(&bytes, path, options)?)
+    parse_motions(load(path)?, path, options)
 }
 
 /// As [`read_motions`], from text in memory; `path` names it in messages.
@@ -82,10 +93,7 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
 
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
-    units::requested(options.unit.as_deref())?;
-    if let Some(dt_s) = options.dt_s.filter(|dt_s| !(*dt_s > 0.0 && dt_s.is_finite())) {
-        return Err(Problem::new(ProblemKind::Value, format!("the time step must be positive, not {dt_s} s")));
-    }
+    options.check()?;
     let (format, components, notes) = if at2::is_at2(bytes) {
         at2::read(bytes, path, options).map(|component| ("PEER AT2", vec![component], Vec::new()))
     } else {
@@ -125,7 +133,7 @@ impl MotionFile {
         };
         Err(Problem::new(ProblemKind::Value, problem)
             .in_file(&self.path)
-            .hint("choose one with --component NAME or --component NUMBER"))
+            .hint("choose one by name or number (--component, or component in the study)"))
     }
 
     fn listing(&self) -> String {
@@ -144,8 +152,27 @@ impl MotionFile {
     }
 }
 
+/// Time steps that a record of the ground or of a floor may have \[s\]. Records have 1 ms to some
+/// tenths of a second. Far outside, the step was written in another unit or is damaged, and a building's floors at steps
+/// of nanoseconds would fill the memory.
+const STEPS_S: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
+
+fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
+    if STEPS_S.contains(&dt_s) {
+        return Ok(());
+    }
+    let (message, hint) = if dt_s > 0.0 {
+        let hint = if dt_s > 1.0 { "is it in ms?" } else { "is it in another unit?" };
+        (format!("the time step must be from 1e-6 s to 100 s, not {dt_s:?} s"), format!("{hint} state it in s"))
+    } else {
+        (format!("the time step must be positive, not {dt_s} s"), "write it in s or ms".to_owned())
+    };
+    Err(Problem::new(kind, message).hint(hint))
+}
+
 /// Samples in m/s² as a motion.
 fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
+    check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;
     Motion::new(dt_s, accel_m_s2).map_err(|error| {
         Problem::new(ProblemKind::Format, error.to_string()).at_line(line).hint("check that the record is complete")
     })

@@ -74,7 +74,7 @@ fn falling(times: &[f64], row: usize) -> Uneven {
     Uneven {
         row,
         message: format!("the time does not increase: {} after {}", times[row], times[row - 1]),
-        hint: "the first column must be the time; where there is none, give --dt",
+        hint: "the first column must be the time; where there is none, give the step (--dt, or dt in the study)",
     }
 }
 
@@ -90,7 +90,7 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
         return Uneven {
             row: found,
             message: format!("the times are printed too coarsely for a step of about {}", number(mean)),
-            hint: "drop the time column and give --dt",
+            hint: "drop the time column and give the step (--dt, or dt in the study)",
         };
     }
     let row = times.windows(2).position(|pair| is_odd(pair[1] - pair[0])).map_or(found, |i| i + 1);

@@ -5,7 +5,6 @@ use super::fortran::{BadField, Number, fields, is_missing_value, number};
 use super::lines::{Line, lines};
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::shorten;
 
 /// How far down the first row of numbers may stand.
 const HEADER_LINES: usize = 1000;
@@ -72,9 +71,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
             header.push((line.number, line.text().trim().to_owned()));
         }
     };
-    if let Some((number, text)) = header.last() {
-        check_not_a_broken_row(&dialect, *number, text, first.bytes)?;
-    }
+    check_not_a_broken_row(&dialect, &header, first.bytes)?;
     let rows = rest.filter(is_row);
     let mut table =
         Table { dialect, columns: Vec::new(), header, comments, line_of_first_value: first.number, series_dt_s: None };
@@ -214,29 +211,47 @@ fn cell(dialect: &Dialect, text: &[u8]) -> Result<Number, BadField> {
 }
 
 /// The last header line must not be a first row with a slip in it ("O.123"): that would lose a sample in silence.
-fn check_not_a_broken_row(dialect: &Dialect, line: usize, text: &str, first: &[u8]) -> Result<(), Problem> {
+fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: &[u8]) -> Result<(), Problem> {
+    let Some((line, text)) = header.last() else { return Ok(()) };
     let own = cells(dialect, text.as_bytes());
-    let numbers = own.iter().filter(|cell| cell.is_ok()).count();
-    // Prose with numbers in it ("Station 24278") has words without digits; a broken number has a digit left.
-    let broken = own.iter().find_map(|cell| match cell {
-        Err(BadField::NotANumber(text)) => Some(text),
-        _ => None,
-    });
-    let all_have_digits = own.iter().all(|cell| match cell {
-        Err(BadField::NotANumber(text)) => {
-            text.starts_with(|c: char| c.is_ascii_digit() || "+-.oO".contains(c))
-                && text.contains(|c: char| c.is_ascii_digit())
+    if own.len() != cells(dialect, first).len() {
+        return Ok(());
+    }
+    let (mut values, mut broken) = (0, None);
+    for cell in &own {
+        match cell {
+            Ok(_) => values += 1,
+            Err(BadField::Missing(text)) if text.is_empty() => {}
+            Err(bad @ BadField::Missing(_)) => {
+                values += 1;
+                broken.get_or_insert(bad);
+            }
+            // A lone dash or point stands for a missing value; dashes below other words underline them.
+            Err(bad @ BadField::NotANumber(text)) if is_damaged_number(text, own.len() == 1, header.len() == 1) => {
+                broken.get_or_insert(bad);
+            }
+            // Prose with numbers in it ("Station 24278") has words that were never numbers.
+            Err(BadField::NotANumber(_)) => return Ok(()),
         }
-        _ => true,
-    });
+    }
     match broken {
-        Some(text) if numbers > 0 && all_have_digits && own.len() == cells(dialect, first).len() => {
-            Err(Problem::new(ProblemKind::Format, format!("\"{}\" is not a number", shorten(text)))
-                .at_line(line)
-                .hint("correct the number, or put # in front of the line if it is a comment"))
+        // "1st" and "2nd" above two columns are names; a name alone above its column does not begin with a digit.
+        Some(bad) if values > 0 || own.len() == 1 => {
+            Err(bad_field(bad, *line).hint("correct the number, or put # in front of the line if it is a comment"))
         }
         _ => Ok(()),
     }
+}
+
+/// Whether a word that is no number looks like one that was damaged: `0.12O`, `-nan(ind)`, `O.123`.
+fn is_damaged_number(word: &str, is_alone: bool, is_first: bool) -> bool {
+    let unsigned = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    let has_digit = unsigned.contains(|c: char| c.is_ascii_digit());
+    let like_zero =
+        unsigned.starts_with('o') && (!is_alone || unsigned.starts_with("o.") || unsigned.starts_with("o,"));
+    let starts_as_number = word.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) || like_zero;
+    let placeholder = is_alone && is_first && word.chars().all(|c| "+-.".contains(c));
+    has_digit && starts_as_number || unsigned.starts_with("nan(") || placeholder
 }
 
 /// Pushes the rows into the columns.

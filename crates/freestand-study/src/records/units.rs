@@ -92,11 +92,11 @@ pub(super) fn decide(
             format!("{what} is in {} as the file says, not in {}", stated.unit.symbol, requested.symbol),
         )
         .at_line(stated.line)
-        .hint("leave out --unit, or correct the file if it is wrong")),
+        .hint("leave out the unit (--unit, or unit in the study), or correct the file if it is wrong")),
         (Some(stated), _) => Ok(stated.unit),
         (None, Some(requested)) => Ok(requested),
         (None, None) => Err(Problem::new(ProblemKind::Value, format!("the unit of {what} is not stated in the file"))
-            .hint("state it, such as --unit g, --unit m/s2 or --unit cm/s2")),
+            .hint("give it, such as g, m/s2 or cm/s2 (--unit, or unit in the study)")),
     }
 }
 

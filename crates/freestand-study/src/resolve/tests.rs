@@ -134,6 +134,45 @@ fn recorded_motions_are_named_and_fingerprinted() {
 }
 
 #[test]
+fn the_motion_of_the_history_is_one_of_the_study() {
+    let study = |name: &str| {
+        problems(&format!(
+            "[ground]\ncount = 3\n[outputs]\nhistory = {{ level = \"roof\", motion = \"{name}\", height = \"1.5 m\", thickness = \"300 mm\" }}\n"
+        ))
+    };
+    assert_eq!(study("synthetic-03"), [] as [String; 0]);
+    for name in ["nope", "synthetic-04", "synthetic-3"] {
+        assert_eq!(study(name), [format!("s.toml:4: history: no motion is called \"{name}\"")]);
+    }
+}
+
+/// The record has no step and no unit: only what was wrong in the study is said, not what follows from it.
+#[test]
+fn files_are_not_read_without_what_was_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("bare.txt"), "0\n1\n2\n").unwrap();
+    let found = |keys: &str| {
+        let text = format!("[ground]\nmotions = [\"bare.txt\", \"bare.txt\"]\n{keys}");
+        let error = resolve(&text, Some(Path::new("s.toml")), folder.path()).map(|_| ()).unwrap_err();
+        error.problems.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    for (keys, expected) in [
+        ("unit = \"g\"\ndt = 0.01\n", "s.toml:4: dt: \"0.01\" needs a unit"),
+        ("unit = 3\ndt = \"10 ms\"\n", "s.toml:3: unit must be text, not 3"),
+        ("unit = \"furlong\"\ndt = \"10 ms\"\n", "s.toml:3: unit: \"furlong\" is not a unit of an acceleration"),
+        ("unit = \"g\"\nstep = \"10 ms\"\n", "s.toml:4: unknown key step in [ground]"),
+        ("unit = \"g\"\ndt = \"1000 s\"\n", "s.toml:4: dt: the time step must be from 1e-6 s to 100 s, not 1000.0 s"),
+        (
+            "unit = \"g\"\ndt = \"0.01 s\"\n[objects]\nheights = 5\n[outputs]\n\
+             history = { level = \"roof\", height = \"5 m\", thickness = \"200 mm\" }\n",
+            "s.toml:6: heights: \"5\" needs a unit",
+        ),
+    ] {
+        assert_eq!(found(keys), [expected], "{keys}");
+    }
+}
+
+#[test]
 fn a_seed_of_the_command_line_wins() {
     let study = builtin(&Overrides { seed: Some(7), motions: None }).unwrap();
     assert!(matches!(study.ground, Ground::Synthetic(ground) if ground.seed == 7));
@@ -148,4 +187,6 @@ fn what_is_not_a_study_file_is_refused() {
     let binary = folder.path().join("b.toml");
     std::fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
     assert!(load(&binary, &none).unwrap_err().to_string().contains("is not text"));
+    #[cfg(unix)]
+    assert!(load(Path::new("/dev/zero"), &none).unwrap_err().to_string().contains("is too large"));
 }

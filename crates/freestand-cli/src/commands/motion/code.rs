@@ -32,7 +32,7 @@ pub(crate) struct CodeArgs {
     #[arg(long, value_name = "NAME")]
     city: Option<String>,
     /// Return period in years
-    #[arg(long, value_name = "YEARS", default_value = "500")]
+    #[arg(long, value_name = "YEARS", default_value = "500", allow_negative_numbers = true)]
     return_period: u32,
 }
 

@@ -10,6 +10,7 @@ use freestand_study::quantity::Dimension;
 use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
+use crate::args::at_least_one;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::printer::{Printer, significant, table};
@@ -33,7 +34,7 @@ pub(crate) struct SpectrumArgs {
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     periods: Option<String>,
     /// Look for the peaks at N points in each sample interval
-    #[arg(long, value_name = "N", default_value = "1")]
+    #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = at_least_one)]
     upsample: NonZeroUsize,
     #[command(flatten)]
     read: ReadArgs,

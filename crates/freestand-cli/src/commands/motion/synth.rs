@@ -28,7 +28,7 @@ pub(crate) struct SynthArgs {
     #[command(flatten)]
     code: CodeArgs,
     /// How many motions
-    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
 }
 

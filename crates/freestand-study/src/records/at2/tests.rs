@@ -116,6 +116,8 @@ fn what_is_refused() {
         (g("NPTS= 0, DT= .02\n"), 4, "at least 2 samples"),
         (g("NPTS= 2, DT= 0\n1 2"), 4, "not positive"),
         (g("NPTS= 2, DT= -.1\n1 2"), 4, "not positive"),
+        (g("NPTS= 2, DT= 1e-12\n1 2"), 4, "the time step must be from 1e-6 s to 100 s, not 1e-12 s"),
+        (g("NPTS= 2, DT= 2000\n1 2"), 4, "not 2000.0 s"),
         (g("NPTS= 2.5, DT= .1\n1 2"), 4, "not a whole number"),
         (g("NPTS= -2, DT= .1\n1 2"), 4, "not a whole number"),
         (g("NPTS= 2, DT= ?\n1 2"), 4, "is missing"),

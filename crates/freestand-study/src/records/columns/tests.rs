@@ -112,6 +112,9 @@ fn what_is_refused() {
         ("0 1\n1 2\n0 3\n", options("g", 0.0), Some(3), "does not increase"),
         ("0,0123\n0,0222\n-0,0100\n", options("g", 0.01), Some(1), "comma may be a decimal sign"),
         ("5 0.02\n1 2 3\n4\n", options("g", 0.0), Some(2), "the first row has 2 values, this one 3"),
+        ("t[s],a[g]\n0,1\n1e-9,2\n", none(), Some(2), "the time step must be from 1e-6 s to 100 s, not 1e-9 s"),
+        ("0 1\n1000 2\n", options("g", 0.0), Some(1), "from 1e-6 s to 100 s, not 1000.0 s"),
+        ("# units=g dt=1e-12\n0\n1\n", none(), Some(2), "not 1e-12 s"),
         ("time [min],a [g]\n0,1\n1,2\n", none(), Some(1), "\"time [min]\" states no unit of time"),
         ("nothing but words\n", none(), None, "no row of numbers"),
         ("# only comments\n", none(), None, "no row of numbers"),
@@ -121,9 +124,35 @@ fn what_is_refused() {
         assert_eq!(problem.line, line, "{text}: {problem}");
         assert!(problem.hint.is_some() && problem.path.is_some(), "{problem:?}");
     }
-    for dt_s in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(parse("1\n2\n", &ReadOptions { unit: Some("g".to_owned()), dt_s: Some(dt_s) }).is_err());
+    for dt_s in [-1.0, 0.0, f64::NAN, f64::INFINITY, 1e-9, 101.0] {
+        let problem =
+            parse("1\n2\n", &ReadOptions { unit: Some("g".to_owned()), dt_s: Some(dt_s) }).expect_err("a bad step");
+        assert!(problem.message.contains("time step") && problem.hint.is_some(), "{problem:?}");
     }
+}
+
+/// Above one column a damaged number must not pass as a header of one word: the sample would be lost in silence.
+#[test]
+fn a_header_of_one_word_is_told_from_a_damaged_number() {
+    for word in ["nan", "-inf", "*****", "0.12O", "O.12", "-nan(ind)", "1.#IND", ".", "-", "1.2.3", "+-1", "null"] {
+        for above in ["", "# comment\n", "accel\n"] {
+            let text = format!("{above}{word}\n1\n2\n");
+            // Below a heading a dash or a point may underline it.
+            if above == "accel\n" && matches!(word, "." | "-") {
+                continue;
+            }
+            let problem = parse(&text, &options("g", 0.01)).expect_err(&text);
+            assert_eq!(problem.line, Some(text.lines().count() - 2), "{text}");
+            assert!(problem.message.contains(word) && problem.hint.unwrap().contains('#'), "{text}");
+        }
+    }
+    assert_eq!(parse("nan,O.1\n0,1\n1,2\n", &options("g", 0.0)).unwrap_err().line, Some(1));
+    for word in ["accel", "acceleration_m_s2", "a [g]", "a[g]", "OHC1", "El_Centro", "infra", "accel\n-----", "NS-2"] {
+        let file = parse(&format!("{word}\n1\n2\n"), &options("", 0.01));
+        let file = file.or_else(|_| parse(&format!("{word}\n1\n2\n"), &options("g", 0.01)));
+        assert_eq!(file.map(|file| file.components[0].motion.accel_m_s2().len()), Ok(2), "{word}");
+    }
+    assert_eq!(parse("1st 2nd\n1 2\n3 4\n", &options("g", 0.01)).unwrap().components[0].name, "1st");
 }
 
 #[test]
@@ -148,7 +177,7 @@ fn header_cells() {
 
 #[test]
 fn our_own_files_read_back() {
-    for dt_s in [0.005, 0.01, 1.0 / 3.0, 1.0 / 256.0, 1e-7, 7.3e4] {
+    for dt_s in [0.005, 0.01, 1.0 / 3.0, 1.0 / 256.0, 1e-6, 73.0] {
         let samples: Vec<f64> = (0..2000).map(|i| (f64::from(i) * 0.7).sin() * 10f64.powi(i % 40 - 30)).collect();
         let motion = Motion::new(dt_s, samples).unwrap();
         let file = parse(&write_csv(&motion), &ReadOptions::default()).unwrap();
