@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use freestand::block::Block;
 use freestand::building::{Building, MAX_MODES};
 use freestand::code_spectrum::{
-    CodeSpectrum, Edition, FrameKind, SiteClass, fundamental_period_s, hazard_factor, hazard_factor_places, minimum_kpz,
+    CodeSpectrum, Edition, FrameKind, SiteClass, fundamental_period_s, hazard_factor, hazard_factor_places,
+    minimum_kpz, probability_factor,
 };
 use freestand::impact::{ValidityWarning, stiffness_warnings};
 use freestand::rocking::{Accuracy, Restitution};
@@ -339,15 +340,13 @@ impl Resolver<'_> {
         };
         // A number beyond u32 is no period of the code's table either.
         let years = u32::try_from(or(&written.return_period_years, 500)).unwrap_or(u32::MAX);
-        let spectrum = match CodeSpectrum::new(Edition::default(), site?, hazard?, years) {
-            Ok(spectrum) => spectrum,
-            Err(error) => {
-                let at = written.hazard_factor.as_ref().map(|w| w.line).filter(|_| hazard.is_none_or(|z| z <= 0.0));
-                let line = at.or(written.return_period_years.as_ref().map(|w| w.line)).or(written.line);
-                self.note(line, error.to_string(), "see Tables 3.1 and 3.2 of AS 1170.4");
-                return None;
-            }
-        };
+        // Each value on its own, so that one that is wrong does not hide another.
+        const TABLES: &str = "see Tables 3.1 and 3.2 of AS 1170.4";
+        if let Err(error) = probability_factor(years) {
+            self.note(written.return_period_years.as_ref().map(|w| w.line), error.to_string(), TABLES);
+        }
+        self.positive(&written.hazard_factor, "hazard_factor", Dimension::Ratio);
+        let spectrum = CodeSpectrum::new(Edition::default(), site?, hazard?, years).ok()?;
         self.warnings.extend(minimum_governs_warning(&spectrum));
         // Beyond, the count was refused above; its names are still listed.
         let count = usize::try_from(or(&written.count, 10).min(MAX_MOTIONS)).unwrap_or_default();
@@ -502,10 +501,10 @@ impl Resolver<'_> {
             .iter()
             .flat_map(|&height_m| thicknesses_m.iter().filter_map(move |&t| Block::uniform(height_m, t).ok()))
             .collect();
+        let restitution = self.restitution(written, &blocks);
         if blocks.len() != heights_m.len() * thicknesses_m.len() {
             return None;
         }
-        let restitution = self.restitution(written, &blocks);
         let (mass_kg, stiffness_n_m) = (or(&written.mass_kg, 150.0), or(&written.stiffness_n_m, 4.38e6));
         self.warnings.extend(stiffness_warnings(mass_kg, stiffness_n_m, None).iter().map(ToString::to_string));
         self.warnings.extend(squat_warning(&blocks));

@@ -9,7 +9,9 @@ use freestand::impact::impact_friction_needed_ratio;
 use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, bottoming_warning};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
-use freestand::rocking::{Base, HistoryRecorder, RockingModel, RockingOptions, StopReason, Until, rock_observed};
+use freestand::rocking::{
+    Base, HistoryRecorder, RockingError, RockingModel, RockingOptions, StopReason, Until, rock_observed,
+};
 use freestand::spectra::{Outcome, UpliftCell, uplift_spectrum};
 use freestand::synthesis::{self, SynthesisOptions, synthesize};
 use rayon::prelude::*;
@@ -85,9 +87,12 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, StudyError>
         let responses: Vec<_> = responses.by_ref().take(floors.len()).collect();
         levels.push(level_result(level, floors, responses)?);
     }
-    let history = example_history(study, &ground, &levels);
     let mut warnings = study.warnings.clone();
     warnings.extend(result_warnings(study, &ground, &levels));
+    let history = example_history(study, &ground, &levels).unwrap_or_else(|error| {
+        warnings.push(format!("the rocking history that was asked for cannot be drawn: {error}"));
+        None
+    });
     Ok(StudyResult { ground, modes: study.building.beam.modes().to_vec(), levels, history, warnings })
 }
 
@@ -185,8 +190,43 @@ fn level_result(
 
 /// The history that is drawn: the study's choice, or else the survivor with the largest shock on the highest floor
 /// under the first motion under which anything rocks.
-fn example_history(study: &Study, ground: &[GroundMotion], levels: &[LevelResult]) -> Option<ExampleHistory> {
-    let (level, motion, block) = match &study.outputs.history {
+fn example_history(
+    study: &Study,
+    ground: &[GroundMotion],
+    levels: &[LevelResult],
+) -> Result<Option<ExampleHistory>, RockingError> {
+    let Some((level, motion, block)) = history_choice(study, ground, levels) else { return Ok(None) };
+    let floor = &level.floors[motion];
+    let base = Base { horizontal: Some(floor), vertical: None };
+    let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
+    let rocking = rock_observed(&block, base, &options(study), |segment| recorder.observe(segment))?;
+    let points = recorder.finish(&rocking);
+    let landing = Landing::rocking(&block, ImpactModel::Paper);
+    let shock_g = |omega: f64| {
+        let (mass, stiffness) = (study.objects.mass_kg, study.objects.stiffness_n_m);
+        landing.impact_at_omega(mass, stiffness, omega, G0_M_S2).edge_acceleration_m_s2 / G0_M_S2
+    };
+    Ok(Some(ExampleHistory {
+        level: level.level.name.clone(),
+        motion: ground[motion].name.clone(),
+        height_m: block.height_m(),
+        thickness_m: block.thickness_m(),
+        slenderness_angle_rad: block.pivot().slenderness_angle_rad,
+        outcome: rocking.outcome,
+        time_s: points.iter().map(|p| p.time_s).collect(),
+        accel_m_s2: points.iter().map(|p| p.base_accel_m_s2).collect(),
+        theta_rad: points.iter().map(|p| p.theta_rad).collect(),
+        impacts: rocking.impacts.iter().map(|i| (i.time_s, shock_g(i.omega_before_rad_s))).collect(),
+    }))
+}
+
+/// Level, index of the motion and object of the history that is drawn; `None` where nothing rocks.
+fn history_choice<'a>(
+    study: &Study,
+    ground: &[GroundMotion],
+    levels: &'a [LevelResult],
+) -> Option<(&'a LevelResult, usize, Block)> {
+    Some(match &study.outputs.history {
         Some(choice) => {
             let level = levels.iter().find(|level| level.level.name == choice.level)?;
             let motion = match &choice.motion {
@@ -210,28 +250,6 @@ fn example_history(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
                 level.responses.iter().enumerate().find_map(|(motion, row)| Some((motion, hardest(row)?)))?;
             (level, motion, cell.block)
         }
-    };
-    let floor = &level.floors[motion];
-    let base = Base { horizontal: Some(floor), vertical: None };
-    let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
-    let rocking = rock_observed(&block, base, &options(study), |segment| recorder.observe(segment)).ok()?;
-    let points = recorder.finish(&rocking);
-    let landing = Landing::rocking(&block, ImpactModel::Paper);
-    let shock_g = |omega: f64| {
-        let (mass, stiffness) = (study.objects.mass_kg, study.objects.stiffness_n_m);
-        landing.impact_at_omega(mass, stiffness, omega, G0_M_S2).edge_acceleration_m_s2 / G0_M_S2
-    };
-    Some(ExampleHistory {
-        level: level.level.name.clone(),
-        motion: ground[motion].name.clone(),
-        height_m: block.height_m(),
-        thickness_m: block.thickness_m(),
-        slenderness_angle_rad: block.pivot().slenderness_angle_rad,
-        outcome: rocking.outcome,
-        time_s: points.iter().map(|p| p.time_s).collect(),
-        accel_m_s2: points.iter().map(|p| p.base_accel_m_s2).collect(),
-        theta_rad: points.iter().map(|p| p.theta_rad).collect(),
-        impacts: rocking.impacts.iter().map(|i| (i.time_s, shock_g(i.omega_before_rad_s))).collect(),
     })
 }
 

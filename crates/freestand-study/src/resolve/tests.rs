@@ -87,7 +87,10 @@ fn contradictions_and_products_are_refused() {
         problems("[ground]\nreturn_period_years = 475\n")[0]
             .starts_with("s.toml:2: no probability factor for 475 years")
     );
-    assert!(problems("[ground]\nhazard_factor = -0.1\n")[0].starts_with("s.toml:2: the hazard design factor"));
+    assert!(problems("[ground]\nhazard_factor = -0.1\n")[0].starts_with("s.toml:2: hazard_factor must be positive"));
+    // One that is wrong does not hide another.
+    assert_eq!(problems("[ground]\nsite = \"Q\"\nreturn_period_years = 501\nhazard_factor = 0\n").len(), 3);
+    assert_eq!(problems("[objects]\nheights = \"-1 m\"\nrestitution = 1.2\n").len(), 2);
 }
 
 #[test]
