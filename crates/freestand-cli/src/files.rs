@@ -17,10 +17,10 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Begins the folder of `--out`, before any work is done.
-    pub(crate) fn begin(global: &GlobalArgs) -> Result<Self, Failure> {
+    /// Begins the folder of `--out`, before any work is done; `inputs` are the files that the command reads.
+    pub(crate) fn begin(global: &GlobalArgs, inputs: &[PathBuf]) -> Result<Self, Failure> {
         let folder = match &global.out {
-            Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force)?)),
+            Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force, inputs)?)),
             None => None,
         };
         Ok(Self { folder })
@@ -33,11 +33,26 @@ impl Files {
         Ok(Some(path_text(&target.join(name))))
     }
 
-    /// Adds `manifest.json`, the document that is also printed, and puts the folder in its place.
+    /// Adds `manifest.json`, the document that is also printed with the names of all files, and puts the folder in its
+    /// place.
     pub(crate) fn finish<T: Serialize>(self, schema: &str, body: &T, warnings: &[String]) -> Result<(), Failure> {
         let Some((_, folder)) = self.folder else { return Ok(()) };
-        folder.write("manifest.json", printer::document(schema, body, warnings)?.as_bytes())?;
+        let mut names = folder.names()?;
+        names.push(MANIFEST.to_owned());
+        names.sort_unstable();
+        let manifest = Listed { body, files: names };
+        folder.write(MANIFEST, printer::document(schema, &manifest, warnings)?.as_bytes())?;
         folder.commit()?;
         Ok(())
     }
+}
+
+const MANIFEST: &str = "manifest.json";
+
+/// A document with the files that were written: by this list the next run knows what it may replace.
+#[derive(Debug, Serialize)]
+struct Listed<'a, T> {
+    #[serde(flatten)]
+    body: &'a T,
+    files: Vec<String>,
 }

@@ -262,3 +262,36 @@ fn a_reader_that_leaves_is_no_error() {
     let output = Command::new("sh").args(["-c", &script]).output().unwrap();
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
+
+/// A study of one record, one floor and one object: done in no time.
+const SMALL: &str = "[ground]\nmotions = [\"pulse.csv\"]\n[building]\nstoreys = 4\nperiod = \"0.5 s\"\nlevels = [{ name = \"roof\", level_ratio = 1.0 }]\n[objects]\nheights = \"1 m\"\nthicknesses = \"200 mm\"\n[outputs]\nfigures = false\nreport = false\n";
+
+/// Runs freestand in `folder` and expects an exit status.
+fn expect(folder: &tempfile::TempDir, args: &[&str], status: i32) -> String {
+    let shown = freestand_in(folder.path(), args);
+    assert!(shown.contains(&format!("\nexit status {status}\n")), "{shown}");
+    shown
+}
+
+#[test]
+fn a_run_replaces_its_own_files_only() {
+    let folder = folder(&[("pulse.csv", RECORD), ("s.toml", SMALL), ("thesis.doc", "years of work")]);
+    let exists = |name: &str| folder.path().join(name).exists();
+    expect(&folder, &["run", "s.toml", "--out", "."], 2);
+    expect(&folder, &["run", "s.toml", "--out", ".", "--force"], 0);
+    expect(&folder, &["run", "s.toml", "--out", "."], 0);
+    assert!(exists("thesis.doc") && exists("pulse.csv") && exists("s.toml") && exists("srs.csv"));
+    // The folder is ours; another command replaces what the run left, and lists what it leaves.
+    expect(&folder, &["motion", "convert", "pulse.csv", "--to", "at2", "--out", "."], 0);
+    assert!(exists("thesis.doc") && exists("pulse.AT2") && !exists("srs.csv") && !exists("motions"));
+    let manifest = std::fs::read_to_string(folder.path().join("manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    assert_eq!(manifest["files"], serde_json::json!(["manifest.json", "pulse.AT2"]));
+    // An output that would replace its own input is refused, whatever is allowed.
+    for force in [&[][..], &["--force"]] {
+        let shown =
+            expect(&folder, &[&["motion", "convert", "pulse.csv", "--to", "csv", "--out", "."][..], force].concat(), 2);
+        assert!(shown.contains("its output would replace it"), "{shown}");
+    }
+    assert_eq!(std::fs::read_to_string(folder.path().join("pulse.csv")).unwrap(), RECORD);
+}

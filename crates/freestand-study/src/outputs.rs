@@ -24,6 +24,26 @@ pub struct Written {
     pub summary: Value,
 }
 
+/// The names of the files that a run of `study` will write, but for the figures: these depend on the result.
+pub fn expected_names(study: &Study) -> Vec<String> {
+    let mut names: Vec<String> =
+        ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
+    names.extend(study.outputs.report.then(|| "report.html".to_owned()));
+    for motion in study.ground.names() {
+        names.push(ground_name(&motion));
+        names.extend(study.levels.iter().map(|level| floor_name(&motion, &level.name)));
+    }
+    names
+}
+
+fn ground_name(motion: &str) -> String {
+    format!("motions/{motion}.csv")
+}
+
+fn floor_name(motion: &str, level: &str) -> String {
+    format!("motions/{motion}_{level}.csv")
+}
+
 /// Writes the files of a run into `folder` and puts it in its place.
 ///
 /// # Errors
@@ -69,10 +89,11 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         .into_par_iter()
         .map(|i| {
             let name = &result.ground[i].name;
-            let floors = result.levels.iter().map(|level| {
-                (format!("motions/{name}_{}.csv", level.level.name), write_csv(&level.floors[i]).into_bytes())
-            });
-            let ground = (format!("motions/{name}.csv"), write_csv(&result.ground[i].motion).into_bytes());
+            let floors = result
+                .levels
+                .iter()
+                .map(|level| (floor_name(name, &level.level.name), write_csv(&level.floors[i]).into_bytes()));
+            let ground = (ground_name(name), write_csv(&result.ground[i].motion).into_bytes());
             std::iter::once(ground).chain(floors).collect()
         })
         .collect();

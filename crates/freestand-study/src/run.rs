@@ -104,13 +104,15 @@ fn ground_motions(ground: &Ground) -> Result<Vec<GroundMotion>, StudyError> {
         Ok(GroundMotion { name, motion, spectrum, misfit })
     };
     match ground {
-        Ground::Synthetic(synthetic) => (0..synthetic.count)
+        Ground::Synthetic(synthetic) => ground
+            .names()
             .into_par_iter()
-            .map(|i| {
+            .enumerate()
+            .map(|(i, name)| {
                 let options = SynthesisOptions::default();
                 let matched = synthesize(|t| synthetic.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
                     .map_err(failed("a synthetic motion"))?;
-                finish(format!("synthetic-{:02}", i + 1), matched.motion, Some(matched.misfit))
+                finish(name, matched.motion, Some(matched.misfit))
             })
             .collect(),
         Ground::Recorded(records) => {

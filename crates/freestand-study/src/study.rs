@@ -36,6 +36,16 @@ pub enum Ground {
     Recorded(Vec<RecordedMotion>),
 }
 
+impl Ground {
+    /// The names of the motions in the outputs, in order.
+    pub fn names(&self) -> Vec<String> {
+        match self {
+            Self::Synthetic(synthetic) => (1..=synthetic.count).map(|i| format!("synthetic-{i:02}")).collect(),
+            Self::Recorded(motions) => motions.iter().map(|motion| motion.name.clone()).collect(),
+        }
+    }
+}
+
 /// Motions matched to the AS 1170.4 spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SyntheticGround {

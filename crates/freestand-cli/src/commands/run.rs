@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use clap::Args;
 use freestand_study::output::OutputFolder;
-use freestand_study::outputs::write_outputs;
-use freestand_study::resolve::{Overrides, builtin, builtin_toml, load};
+use freestand_study::outputs::{expected_names, write_outputs};
+use freestand_study::resolve::{Overrides, builtin, builtin_toml, load, motion_paths};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -60,7 +60,9 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         None => builtin(&overrides)?,
     };
     let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
-    let folder = OutputFolder::stage(&out, global.force)?;
+    let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
+    let folder = OutputFolder::stage(&out, global.force, &inputs)?;
+    folder.check(&expected_names(&study))?;
 
     let bar = progress_bar(printer);
     let result = run_study(&study, &|step: Step| {

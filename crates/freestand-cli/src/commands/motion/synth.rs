@@ -75,7 +75,7 @@ const SCHEMA: &str = "freestand.motion-synth/1";
 
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (spectrum, warnings) = args.code.spectrum()?;
-    let files = Files::begin(global)?;
+    let files = Files::begin(global, &[])?;
     let seed = global.seed.unwrap_or(1);
     // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
     let matched: Vec<MatchedMotion> = (0..u64::from(args.count))
@@ -93,7 +93,7 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (spectrum, mut warnings) = args.code.spectrum()?;
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global)?;
+    let files = Files::begin(global, std::slice::from_ref(&args.file))?;
     let matched =
         match_motion(&read.motion.motion, |period_s| spectrum.sa_g(period_s), SynthesisOptions::default().passes)
             .map_err(|error| {
