@@ -295,3 +295,43 @@ fn a_run_replaces_its_own_files_only() {
     }
     assert_eq!(std::fs::read_to_string(folder.path().join("pulse.csv")).unwrap(), RECORD);
 }
+
+/// Ctrl-C and `kill`: one line, and nothing left behind.
+#[cfg(unix)]
+#[test]
+fn a_run_that_is_stopped_leaves_nothing() {
+    use std::time::{Duration, Instant};
+    let slow = "[ground]\ncount = 1000\n[objects]\naccuracy = \"tight\"\n";
+    let folder = folder(&[("slow.toml", slow), ("pulse.csv", RECORD), ("s.toml", SMALL)]);
+    let entries = || std::fs::read_dir(folder.path()).unwrap().count();
+    let stopped_by = |signal: &str| {
+        let run = Command::new(env!("CARGO_BIN_EXE_freestand"))
+            .args(["run", "slow.toml", "--out", "out"])
+            .current_dir(folder.path())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        let start = Instant::now();
+        while entries() == 3 {
+            assert!(start.elapsed() < Duration::from_secs(60), "the run does not begin");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        assert!(Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap().success());
+        let output = run.wait_with_output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    for signal in ["-INT", "-TERM"] {
+        let (code, message) = stopped_by(signal);
+        assert_eq!(code, Some(130), "{message}");
+        assert_eq!(message.lines().next(), Some("error: stopped"));
+        assert_eq!(entries(), 3);
+    }
+    // Nobody can tidy up behind SIGKILL but the next run.
+    assert_eq!(stopped_by("-KILL").0, None);
+    assert_eq!(entries(), 4);
+    expect(&folder, &["run", "s.toml", "--out", "out"], 0);
+    if cfg!(target_os = "linux") {
+        assert_eq!(entries(), 4);
+        assert!(folder.path().join("out/srs.csv").exists());
+    }
+}

@@ -56,6 +56,8 @@ pub struct OutputFolder {
     /// What the work was read from, and so must outlive it.
     inputs: Vec<PathBuf>,
     committed: bool,
+    /// Held while we live, so that nobody takes the staging folder for a leftover.
+    _lock: Option<fs::File>,
 }
 
 impl OutputFolder {
@@ -70,6 +72,7 @@ impl OutputFolder {
         // "out/." and "out/.." have no name that a sibling could be made from; absolute paths settle "." too.
         let target = real_path(&absolute(target)?);
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
+        clear_leftovers(&target);
         let place = check_replaceable(&target, force)?;
         let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
         for name in place.listed() {
@@ -86,7 +89,9 @@ impl OutputFolder {
         // One left over from a killed run that had our process number is ours to clear.
         remove_if_there(&staging).map_err(|error| io_problem(&staging, "cannot clear the folder", &error))?;
         fs::create_dir(&staging).map_err(|error| io_problem(&target, "cannot write the output folder", &error))?;
-        Ok(Self { target, staging, force, inputs, committed: false })
+        // Where a folder cannot be locked, the number of the process alone says whose it is.
+        let lock = fs::File::open(&staging).ok().filter(|folder| folder.try_lock().is_ok());
+        Ok(Self { target, staging, force, inputs, committed: false, _lock: lock })
     }
 
     /// Whether files of these names may be put into the folder. To be asked before long work.
@@ -245,6 +250,38 @@ impl Place {
     fn lists(&self, name: &Path) -> bool {
         self.listed().any(|listed| Path::new(listed) == name)
     }
+}
+
+/// Removes the staging folders of runs that were killed: those for `target` whose process is gone and whose lock is free.
+/// Either alone is not enough: another container's processes are not seen here, and not every file system can lock.
+fn clear_leftovers(target: &Path) {
+    let beside = target.file_name().map(|name| format!(".{}.partial-", name.to_string_lossy()));
+    for (folder, prefix) in [(Some(target), Some(STAGING_PREFIX.to_owned())), (target.parent(), beside)] {
+        let (Some(folder), Some(prefix)) = (folder, prefix) else { continue };
+        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+            let name = entry.file_name();
+            let process = name.to_str().and_then(|name| process_of(name.strip_prefix(&prefix)?));
+            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+            let free = || fs::File::open(entry.path()).is_ok_and(|folder| folder.try_lock().is_ok());
+            if is_folder && process.is_some_and(is_gone) && free() {
+                // A leftover that cannot be removed is untidy, not a failure of this run.
+                let _ = fs::remove_dir_all(entry.path());
+            }
+        }
+    }
+}
+
+/// The process of a name's `PID-N`.
+fn process_of(suffix: &str) -> Option<u32> {
+    let (process, count) = suffix.split_once('-')?;
+    count.parse::<u64>().ok()?;
+    process.parse().ok()
+}
+
+/// Whether no such process runs; where that cannot be known, it may run.
+fn is_gone(process: u32) -> bool {
+    let processes = Path::new("/proc");
+    cfg!(target_os = "linux") && processes.join("self").exists() && !processes.join(process.to_string()).exists()
 }
 
 /// Adds the names of all files below `folder`.
@@ -593,6 +630,32 @@ mod tests {
         folder.write("a", b"1").unwrap();
         folder.commit().unwrap();
         assert_eq!((facts(), names(&target)), (before, vec!["a".to_owned()]));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn leftovers_of_the_dead_are_cleared() {
+        let parent = tempfile::tempdir().unwrap();
+        let target = parent.path().join("out");
+        // No process has a number above 2^22, the kernel's limit.
+        let dead = ".out.partial-4194999-0";
+        let others = [".out.partial-1-0", ".out.partial-4194999", ".out2.partial-4194999-0", "out.partial-4194999-0"];
+        for name in others.iter().chain([&dead]) {
+            fs::create_dir(parent.path().join(name)).unwrap();
+            fs::write(parent.path().join(name).join("a"), "x").unwrap();
+        }
+        fs::write(parent.path().join(".out.partial-4194999-7"), "a file").unwrap();
+        drop(OutputFolder::stage(&target, false, &[]).unwrap());
+        let left = names(parent.path());
+        assert!(!left.contains(&dead.to_owned()) && left.len() == others.len() + 1, "{left:?}");
+        // Inside a target that exists they make no content of it, and a lock protects whoever has another kernel's view.
+        for name in [".freestand-partial-4194999-0", ".freestand-partial-4194998-0"] {
+            fs::create_dir_all(target.join(name)).unwrap();
+        }
+        let alive = fs::File::open(target.join(".freestand-partial-4194998-0")).unwrap();
+        alive.try_lock().unwrap();
+        drop(OutputFolder::stage(&target, false, &[]).unwrap());
+        assert_eq!(names(&target), [".freestand-partial-4194998-0"]);
     }
 
     #[test]

@@ -18,6 +18,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::{Printer, optional, print_text, significant, table};
 use crate::reading::ReadArgs;
+use crate::stop::Stop;
 use crate::values::Values;
 
 /// A whole study: motions, building, uplift and shock spectra of a grid of objects, figures and report
@@ -61,6 +62,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     };
     let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
+    let stop = Stop::listen();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?;
     folder.check(&expected_names(&study))?;
 
@@ -69,8 +71,13 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         bar.set_length(step.total as u64);
         bar.set_position(step.done as u64);
         bar.set_message(step.stage);
-        ControlFlow::Continue(())
-    })?;
+        if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    if stop.wanted() {
+        bar.finish_and_clear();
+        return Err(Failure::Stopped);
+    }
+    let result = result?;
     bar.set_message("writing");
     let written = write_outputs(folder, &study, &result)?;
     bar.finish_and_clear();
