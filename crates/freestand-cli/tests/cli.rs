@@ -335,3 +335,21 @@ fn a_run_that_is_stopped_leaves_nothing() {
         assert!(folder.path().join("out/srs.csv").exists());
     }
 }
+
+#[test]
+fn motions_do_not_overwrite_each_other() {
+    let other = RECORD.replace("0.5\n", "0.4\n");
+    let folder = folder(&[("rec.csv", RECORD), ("rec_roof.csv", &other), ("s.toml", SMALL)]);
+    expect(&folder, &["run", "s.toml", "--motion", "rec.csv", "rec_roof.csv", "--out", "out"], 0);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&read("summary.json")).unwrap();
+    let files: Vec<&str> = summary["files"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    let motions = ["motions/rec.csv", "motions/rec_roof.csv", "motions/roof/rec.csv", "motions/roof/rec_roof.csv"];
+    assert_eq!(files[..4], motions);
+    let contents: std::collections::HashSet<String> = motions.map(read).into();
+    assert_eq!(contents.len(), 4);
+    // A level whose folder would have the name of a motion's file.
+    std::fs::write(folder.path().join("clash.toml"), SMALL.replace("\"roof\"", "\"rec.csv\"")).unwrap();
+    let shown = expect(&folder, &["run", "clash.toml", "--motion", "rec.csv", "--out", "out"], 2);
+    assert!(shown.contains("cannot name a level"), "{shown}");
+}

@@ -41,7 +41,8 @@ fn ground_name(motion: &str) -> String {
 }
 
 fn floor_name(motion: &str, level: &str) -> String {
-    format!("motions/{motion}_{level}.csv")
+    // A folder for each level: "rec" on the level "roof" and the ground motion "rec_roof" are two files.
+    format!("motions/{level}/{motion}.csv")
 }
 
 /// Writes the files of a run into `folder` and puts it in its place.
