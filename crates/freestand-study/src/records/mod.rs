@@ -9,6 +9,7 @@ mod table;
 mod units;
 mod write;
 
+pub(crate) use write::{push_shortest, shortest};
 pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
