@@ -353,3 +353,38 @@ fn motions_do_not_overwrite_each_other() {
     let shown = expect(&folder, &["run", "clash.toml", "--motion", "rec.csv", "--out", "out"], 2);
     assert!(shown.contains("cannot name a level"), "{shown}");
 }
+
+/// `--out` is never ignored.
+#[test]
+fn every_command_writes_what_it_found() {
+    let folder = folder(&[("pulse.csv", RECORD), ("s.toml", SMALL)]);
+    let object = ["--height", "1 m", "--thickness", "200 mm"];
+    let cases: [(&[&str], &[&str]); 8] = [
+        (&[&CABINET[..], &["--stiffness", "4380 N/mm", "--cg-rise", "16 mm"]].concat(), &[]),
+        (&[&["rock", "--motion", "pulse.csv"], &object[..]].concat(), &["history.csv"]),
+        (&["spectrum", "--motion", "pulse.csv", "--heights", "1 m", "--thicknesses", "200 mm"], &["rows.csv"]),
+        (&["motion", "info", "pulse.csv"], &[]),
+        (&["motion", "spectrum", "pulse.csv"], &["spectrum.csv"]),
+        (&["motion", "code-spectrum"], &["spectrum.csv"]),
+        (&["validate"], &[]),
+        (&["check", "s.toml"], &[]),
+    ];
+    let json = |path: &str| -> serde_json::Value {
+        serde_json::from_str(&std::fs::read_to_string(folder.path().join(path)).unwrap()).unwrap()
+    };
+    for (command, tables) in cases {
+        // The same folder each time: the manifest of one lets the next replace its files.
+        let shown = expect(&folder, &[command, &["--json", "--out", "out"]].concat(), 0);
+        let files: Vec<&str> = tables.iter().chain(&["manifest.json", "result.json"]).copied().collect();
+        let mut sorted = files.clone();
+        sorted.sort_unstable();
+        assert_eq!(json("out/manifest.json")["files"], serde_json::json!(sorted), "{command:?}");
+        assert_eq!(std::fs::read_dir(folder.path().join("out")).unwrap().count(), files.len(), "{command:?}");
+        let result = std::fs::read_to_string(folder.path().join("out/result.json")).unwrap();
+        assert!(shown.contains(result.trim_end()), "{command:?}");
+        for table in tables {
+            let text = std::fs::read_to_string(folder.path().join("out").join(table)).unwrap();
+            assert!(text.lines().count() > 1 && !text.contains(",0.0,"), "{text}");
+        }
+    }
+}
