@@ -25,7 +25,8 @@ pub(crate) struct GlobalArgs {
     #[arg(long, value_name = "N", global = true)]
     pub(crate) threads: Option<NonZeroUsize>,
     /// Seed of the random numbers, in place of the study's
-    #[arg(long, value_name = "N", global = true)]
+    // A study, where it is kept, holds no larger number.
+    #[arg(long, value_name = "N", global = true, value_parser = clap::value_parser!(u64).range(..=i64::MAX as u64))]
     pub(crate) seed: Option<u64>,
     /// Write into an output folder that holds other files
     #[arg(long, global = true)]

@@ -388,3 +388,19 @@ fn every_command_writes_what_it_found() {
         }
     }
 }
+
+#[test]
+fn the_study_of_an_output_folder_runs_again() {
+    let folder = folder(&[("pulse.csv", RECORD), ("s.toml", SMALL)]);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    expect(&folder, &["run", "s.toml", "--motion", "pulse.csv", "--scale", "0.7", "--out", "a"], 0);
+    expect(&folder, &["run", "a/study.toml", "--out", "b"], 0);
+    assert!(read("a/srs.csv").contains("rocked") && read("a/srs.csv") == read("b/srs.csv"));
+    let synthetic = SMALL.replace("motions = [\"pulse.csv\"]", "count = 1 # one");
+    std::fs::write(folder.path().join("s.toml"), &synthetic).unwrap();
+    expect(&folder, &["run", "s.toml", "--seed", "9", "--out", "c"], 0);
+    expect(&folder, &["run", "c/study.toml", "--out", "d"], 0);
+    expect(&folder, &["run", "s.toml", "--out", "e"], 0);
+    assert!(read("c/srs.csv") == read("d/srs.csv") && read("c/srs.csv") != read("e/srs.csv"));
+    assert!(read("c/study.toml").contains("count = 1 # one\nseed = 9\n"));
+}

@@ -10,8 +10,9 @@ use crate::figures::figures;
 use crate::output::OutputFolder;
 use crate::records::write_csv;
 use crate::report::{provenance, report};
+use crate::rerun::{with_motions, with_seed};
 use crate::result::StudyResult;
-use crate::study::Study;
+use crate::study::{Ground, Study};
 use crate::summary::{SCHEMA, summary};
 use crate::tables::{srs_csv, statistics_csv, urs_csv};
 
@@ -78,10 +79,21 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
 
 type File = (String, Vec<u8>);
 
+/// The study, as it gives the same result from the output folder.
+fn rerun_toml(study: &Study) -> Result<String, Problem> {
+    match &study.ground {
+        Ground::Synthetic(synthetic) => with_seed(&study.toml, synthetic.seed),
+        Ground::Recorded(_) => {
+            let files: Vec<String> = study.ground.names().iter().map(|name| ground_name(name)).collect();
+            with_motions(&study.toml, &files)
+        }
+    }
+}
+
 /// The study, the tables and the motions.
 fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
     let mut files: Vec<File> = vec![
-        ("study.toml".to_owned(), study.toml.clone().into_bytes()),
+        ("study.toml".to_owned(), rerun_toml(study)?.into_bytes()),
         ("urs.csv".to_owned(), urs_csv(study, result)?),
         ("srs.csv".to_owned(), srs_csv(study, result)?),
         ("statistics.csv".to_owned(), statistics_csv(study, result)?),
