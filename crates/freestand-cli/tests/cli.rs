@@ -404,3 +404,19 @@ fn the_study_of_an_output_folder_runs_again() {
     assert!(read("c/srs.csv") == read("d/srs.csv") && read("c/srs.csv") != read("e/srs.csv"));
     assert!(read("c/study.toml").contains("count = 1 # one\nseed = 9\n"));
 }
+
+#[test]
+fn the_dumped_study_is_one_json_document_and_has_the_seed() {
+    let folder = folder(&[]);
+    let dump = |more: &[&str]| {
+        let args = [&["run", "--dump-study"], more].concat();
+        let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(&folder).output().unwrap();
+        assert!(output.status.success());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let text = dump(&["--seed", "7"]);
+    assert!(text.contains("\nseed = 7\n"));
+    let document: serde_json::Value = serde_json::from_str(&dump(&["--json", "--seed", "7", "--out", "out"])).unwrap();
+    assert_eq!(document, serde_json::json!({"schema": "freestand.study/1", "study": text, "warnings": []}));
+    assert_eq!(std::fs::read_to_string(folder.path().join("out/study.toml")).unwrap(), text);
+}

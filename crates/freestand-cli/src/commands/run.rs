@@ -7,6 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use freestand_study::output::OutputFolder;
 use freestand_study::outputs::{expected_names, write_outputs};
+use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, load, motion_paths};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
@@ -16,7 +17,8 @@ use serde_json::Value;
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::printer::{Printer, optional, print_text, significant, table};
+use crate::files::Files;
+use crate::printer::{Printer, optional, significant, table};
 use crate::reading::ReadArgs;
 use crate::stop::Stop;
 use crate::values::Values;
@@ -48,8 +50,7 @@ pub(crate) struct RunArgs {
 
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if args.dump_study {
-        print_text(builtin_toml())?;
-        return Ok(Done::OK);
+        return dump_study(global, printer);
     }
     let start = Instant::now();
     let mut values = Values::default();
@@ -96,6 +97,21 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     })?;
     let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
     Ok(Done { criterion_met: failed == 0 && !exceeded })
+}
+
+/// The built-in study as a text, with the seed of `--seed`.
+fn dump_study(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let study = match global.seed {
+        Some(seed) => with_seed(builtin_toml(), seed)?,
+        None => builtin_toml().to_owned(),
+    };
+    let files = Files::begin(global, &[])?;
+    files.write("study.toml", || &study)?;
+    const SCHEMA: &str = "freestand.study/1";
+    let body = serde_json::json!({"study": study});
+    files.finish(SCHEMA, &body, &[])?;
+    printer.result(SCHEMA, &body, &[], || study)?;
+    Ok(Done::OK)
 }
 
 /// A bar on standard error, hidden where nobody sees it.
