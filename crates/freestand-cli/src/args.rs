@@ -37,6 +37,8 @@ pub(crate) fn at_least_one(text: &str) -> Result<NonZeroUsize, String> {
     text.parse().map_err(|_| "a whole number is expected, at least 1".to_owned())
 }
 
+/// A seed; a study, where it is kept, holds no larger number than 2⁶³ − 1.
 fn zero_or_more(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| "a whole number is expected, at least 0".to_owned())
+    let seed = text.parse::<u64>().ok().filter(|&seed| i64::try_from(seed).is_ok());
+    seed.ok_or_else(|| format!("a whole number is expected, 0 to {}", i64::MAX))
 }

@@ -3,11 +3,13 @@
 use clap::error::ErrorKind;
 use freestand_study::{Problem, ProblemKind, StudyError};
 
-/// Ends a command with status 2, or quietly where nobody reads on.
+/// Ends a command with status 2 (130 when it was stopped), or quietly where nobody reads on.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// What is wrong, never empty.
     Problems(Vec<Problem>),
+    /// The user stopped it.
+    Stopped,
     /// Standard output was closed by its reader.
     BrokenPipe,
 }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::printer;
+use crate::printer::{self, Printer};
 use crate::reading::path_text;
 
 /// Files for `--out`, or nowhere without it.
@@ -17,27 +17,67 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Begins the folder of `--out`, before any work is done.
-    pub(crate) fn begin(global: &GlobalArgs) -> Result<Self, Failure> {
+    /// Begins the folder of `--out`, before any work is done; `inputs` are the files that the command reads.
+    pub(crate) fn begin(global: &GlobalArgs, inputs: &[PathBuf]) -> Result<Self, Failure> {
         let folder = match &global.out {
-            Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force)?)),
+            Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force, inputs)?)),
             None => None,
         };
         Ok(Self { folder })
     }
 
+    /// Whether there is a folder to write to.
+    pub(crate) fn wanted(&self) -> bool {
+        self.folder.is_some()
+    }
+
     /// Writes a file and returns where it will be; nothing without `--out`.
-    pub(crate) fn write(&self, name: &str, text: impl FnOnce() -> String) -> Result<Option<String>, Failure> {
+    pub(crate) fn write<B: AsRef<[u8]>>(
+        &self,
+        name: &str,
+        bytes: impl FnOnce() -> B,
+    ) -> Result<Option<String>, Failure> {
         let Some((target, folder)) = &self.folder else { return Ok(None) };
-        folder.write(name, text().as_bytes())?;
+        folder.write(name, bytes().as_ref())?;
         Ok(Some(path_text(&target.join(name))))
     }
 
-    /// Adds `manifest.json`, the document that is also printed, and puts the folder in its place.
+    /// Ends a command whose result is its document: adds that as `result.json`, with a short manifest, and prints it.
+    pub(crate) fn print<T: Serialize>(
+        self,
+        printer: &Printer,
+        schema: &str,
+        body: &T,
+        warnings: &[String],
+        text: impl FnOnce() -> String,
+    ) -> Result<(), Failure> {
+        if let Some((_, folder)) = &self.folder {
+            folder.write("result.json", printer::document(schema, body, warnings)?.as_bytes())?;
+        }
+        self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)?;
+        printer.result(schema, body, warnings, text)
+    }
+
+    /// Adds `manifest.json`, the document that is also printed with the names of all files, and puts the folder in its
+    /// place.
     pub(crate) fn finish<T: Serialize>(self, schema: &str, body: &T, warnings: &[String]) -> Result<(), Failure> {
         let Some((_, folder)) = self.folder else { return Ok(()) };
-        folder.write("manifest.json", printer::document(schema, body, warnings)?.as_bytes())?;
+        let mut names = folder.names()?;
+        names.push(MANIFEST.to_owned());
+        names.sort_unstable();
+        let manifest = Listed { body, files: names };
+        folder.write(MANIFEST, printer::document(schema, &manifest, warnings)?.as_bytes())?;
         folder.commit()?;
         Ok(())
     }
+}
+
+const MANIFEST: &str = "manifest.json";
+
+/// A document with the files that were written: by this list the next run knows what it may replace.
+#[derive(Debug, Serialize)]
+struct Listed<'a, T> {
+    #[serde(flatten)]
+    body: &'a T,
+    files: Vec<String>,
 }

@@ -6,6 +6,7 @@ mod failure;
 mod files;
 mod printer;
 mod reading;
+mod stop;
 mod values;
 
 use std::process::ExitCode;
@@ -22,7 +23,7 @@ use printer::Printer;
 #[command(name = "freestand", version, propagate_version = false, subcommand_required = true)]
 #[command(after_help = "\
 Quantities carry their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
-Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run.
+Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run; 130 stopped by Ctrl-C.
 
 Examples:
   freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
@@ -43,6 +44,13 @@ fn main() -> ExitCode {
         Ok(code) => code,
         // The reader of our output has gone (`freestand … | head`): nobody is left to be told.
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
+        Err(Failure::Stopped) => {
+            printer::print_failure(&Failure::usage(
+                "stopped",
+                "nothing was written; the results of an earlier run stay",
+            ));
+            ExitCode::from(stop::EXIT_STATUS)
+        }
         Err(failure) => {
             printer::print_failure(&failure);
             ExitCode::from(2)

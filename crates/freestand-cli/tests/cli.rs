@@ -300,3 +300,161 @@ fn a_reader_that_leaves_is_no_error() {
     let output = Command::new("sh").args(["-c", &script]).output().unwrap();
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
+
+/// A study of one record, one floor and one object: done in no time.
+const SMALL: &str = "[ground]\nmotions = [\"pulse.csv\"]\n[building]\nstoreys = 4\nperiod = \"0.5 s\"\nlevels = [{ name = \"roof\", level_ratio = 1.0 }]\n[objects]\nheights = \"1 m\"\nthicknesses = \"200 mm\"\n[outputs]\nfigures = false\nreport = false\n";
+
+/// Runs freestand in `folder` and expects an exit status.
+fn expect(folder: &tempfile::TempDir, args: &[&str], status: i32) -> String {
+    let shown = freestand_in(folder.path(), args);
+    assert!(shown.contains(&format!("\nexit status {status}\n")), "{shown}");
+    shown
+}
+
+#[test]
+fn a_run_replaces_its_own_files_only() {
+    let folder = folder(&[("pulse.csv", RECORD), ("s.toml", SMALL), ("thesis.doc", "years of work")]);
+    let exists = |name: &str| folder.path().join(name).exists();
+    expect(&folder, &["run", "s.toml", "--out", "."], 2);
+    expect(&folder, &["run", "s.toml", "--out", ".", "--force"], 0);
+    expect(&folder, &["run", "s.toml", "--out", "."], 0);
+    assert!(exists("thesis.doc") && exists("pulse.csv") && exists("s.toml") && exists("srs.csv"));
+    // The folder is ours; another command replaces what the run left, and lists what it leaves.
+    expect(&folder, &["motion", "convert", "pulse.csv", "--to", "at2", "--out", "."], 0);
+    assert!(exists("thesis.doc") && exists("pulse.AT2") && !exists("srs.csv") && !exists("motions"));
+    let manifest = std::fs::read_to_string(folder.path().join("manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    assert_eq!(manifest["files"], serde_json::json!(["manifest.json", "pulse.AT2"]));
+    // An output that would replace its own input is refused, whatever is allowed.
+    for force in [&[][..], &["--force"]] {
+        let shown =
+            expect(&folder, &[&["motion", "convert", "pulse.csv", "--to", "csv", "--out", "."][..], force].concat(), 2);
+        assert!(shown.contains("its output would replace it"), "{shown}");
+    }
+    assert_eq!(std::fs::read_to_string(folder.path().join("pulse.csv")).unwrap(), RECORD);
+}
+
+/// Ctrl-C and `kill`: one line, and nothing left behind.
+#[cfg(unix)]
+#[test]
+fn a_run_that_is_stopped_leaves_nothing() {
+    use std::time::{Duration, Instant};
+    let slow = "[ground]\ncount = 1000\n[objects]\naccuracy = \"tight\"\n";
+    let folder = folder(&[("slow.toml", slow), ("pulse.csv", RECORD), ("s.toml", SMALL)]);
+    let entries = || std::fs::read_dir(folder.path()).unwrap().count();
+    let stopped_by = |signal: &str| {
+        let run = Command::new(env!("CARGO_BIN_EXE_freestand"))
+            .args(["run", "slow.toml", "--out", "out"])
+            .current_dir(folder.path())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        let start = Instant::now();
+        while entries() == 3 {
+            assert!(start.elapsed() < Duration::from_secs(60), "the run does not begin");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        assert!(Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap().success());
+        let output = run.wait_with_output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    for signal in ["-INT", "-TERM"] {
+        let (code, message) = stopped_by(signal);
+        assert_eq!(code, Some(130), "{message}");
+        assert_eq!(message.lines().next(), Some("error: stopped"));
+        assert_eq!(entries(), 3);
+    }
+    // Nobody can tidy up behind SIGKILL but the next run.
+    assert_eq!(stopped_by("-KILL").0, None);
+    assert_eq!(entries(), 4);
+    expect(&folder, &["run", "s.toml", "--out", "out"], 0);
+    if cfg!(target_os = "linux") {
+        assert_eq!(entries(), 4);
+        assert!(folder.path().join("out/srs.csv").exists());
+    }
+}
+
+#[test]
+fn motions_do_not_overwrite_each_other() {
+    let other = RECORD.replace("0.5\n", "0.4\n");
+    let folder = folder(&[("rec.csv", RECORD), ("rec_roof.csv", &other), ("s.toml", SMALL)]);
+    expect(&folder, &["run", "s.toml", "--motion", "rec.csv", "rec_roof.csv", "--out", "out"], 0);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&read("summary.json")).unwrap();
+    let files: Vec<&str> = summary["files"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    let motions = ["motions/rec.csv", "motions/rec_roof.csv", "motions/roof/rec.csv", "motions/roof/rec_roof.csv"];
+    assert_eq!(files[..4], motions);
+    let contents: std::collections::HashSet<String> = motions.map(read).into();
+    assert_eq!(contents.len(), 4);
+    // A level whose folder would have the name of a motion's file.
+    std::fs::write(folder.path().join("clash.toml"), SMALL.replace("\"roof\"", "\"rec.csv\"")).unwrap();
+    let shown = expect(&folder, &["run", "clash.toml", "--motion", "rec.csv", "--out", "out"], 2);
+    assert!(shown.contains("cannot name a level"), "{shown}");
+}
+
+/// `--out` is never ignored.
+#[test]
+fn every_command_writes_what_it_found() {
+    let folder = folder(&[("pulse.csv", RECORD), ("s.toml", SMALL)]);
+    let object = ["--height", "1 m", "--thickness", "200 mm"];
+    let cases: [(&[&str], &[&str]); 8] = [
+        (&[&CABINET[..], &["--stiffness", "4380 N/mm", "--cg-rise", "16 mm"]].concat(), &[]),
+        (&[&["rock", "--motion", "pulse.csv"], &object[..]].concat(), &["history.csv"]),
+        (&["spectrum", "--motion", "pulse.csv", "--heights", "1 m", "--thicknesses", "200 mm"], &["rows.csv"]),
+        (&["motion", "info", "pulse.csv"], &[]),
+        (&["motion", "spectrum", "pulse.csv"], &["spectrum.csv"]),
+        (&["motion", "code-spectrum"], &["spectrum.csv"]),
+        (&["validate"], &[]),
+        (&["check", "s.toml"], &[]),
+    ];
+    let json = |path: &str| -> serde_json::Value {
+        serde_json::from_str(&std::fs::read_to_string(folder.path().join(path)).unwrap()).unwrap()
+    };
+    for (command, tables) in cases {
+        // The same folder each time: the manifest of one lets the next replace its files.
+        let shown = expect(&folder, &[command, &["--json", "--out", "out"]].concat(), 0);
+        let files: Vec<&str> = tables.iter().chain(&["manifest.json", "result.json"]).copied().collect();
+        let mut sorted = files.clone();
+        sorted.sort_unstable();
+        assert_eq!(json("out/manifest.json")["files"], serde_json::json!(sorted), "{command:?}");
+        assert_eq!(std::fs::read_dir(folder.path().join("out")).unwrap().count(), files.len(), "{command:?}");
+        let result = std::fs::read_to_string(folder.path().join("out/result.json")).unwrap();
+        assert!(shown.contains(result.trim_end()), "{command:?}");
+        for table in tables {
+            let text = std::fs::read_to_string(folder.path().join("out").join(table)).unwrap();
+            assert!(text.lines().count() > 1 && !text.contains(",0.0,"), "{text}");
+        }
+    }
+}
+
+#[test]
+fn the_study_of_an_output_folder_runs_again() {
+    let folder = folder(&[("pulse.csv", RECORD), ("s.toml", SMALL)]);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    expect(&folder, &["run", "s.toml", "--motion", "pulse.csv", "--scale", "0.7", "--out", "a"], 0);
+    expect(&folder, &["run", "a/study.toml", "--out", "b"], 0);
+    assert!(read("a/srs.csv").contains("rocked") && read("a/srs.csv") == read("b/srs.csv"));
+    let synthetic = SMALL.replace("motions = [\"pulse.csv\"]", "count = 1 # one");
+    std::fs::write(folder.path().join("s.toml"), &synthetic).unwrap();
+    expect(&folder, &["run", "s.toml", "--seed", "9", "--out", "c"], 0);
+    expect(&folder, &["run", "c/study.toml", "--out", "d"], 0);
+    expect(&folder, &["run", "s.toml", "--out", "e"], 0);
+    assert!(read("c/srs.csv") == read("d/srs.csv") && read("c/srs.csv") != read("e/srs.csv"));
+    assert!(read("c/study.toml").contains("count = 1 # one\nseed = 9\n"));
+}
+
+#[test]
+fn the_dumped_study_is_one_json_document_and_has_the_seed() {
+    let folder = folder(&[]);
+    let dump = |more: &[&str]| {
+        let args = [&["run", "--dump-study"], more].concat();
+        let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(&folder).output().unwrap();
+        assert!(output.status.success());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let text = dump(&["--seed", "7"]);
+    assert!(text.contains("\nseed = 7\n"));
+    let document: serde_json::Value = serde_json::from_str(&dump(&["--json", "--seed", "7", "--out", "out"])).unwrap();
+    assert_eq!(document, serde_json::json!({"schema": "freestand.study/1", "study": text, "warnings": []}));
+    assert_eq!(std::fs::read_to_string(folder.path().join("out/study.toml")).unwrap(), text);
+}

@@ -11,6 +11,7 @@ pub mod quantity;
 pub mod recorded;
 pub mod records;
 pub mod report;
+pub mod rerun;
 pub mod resolve;
 pub mod result;
 pub mod rock;

@@ -1,6 +1,7 @@
 //! Output that is either complete or not there: nothing half-written is ever found under the name that was asked for.
 
 use crate::error::{Problem, ProblemKind};
+use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io;
@@ -9,6 +10,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Files by which we know a folder as ours.
 const MANIFESTS: [&str; 2] = ["manifest.json", "summary.json"];
+
+/// Begins the name of a staging folder inside a target that exists; a number of the process and of the folder follow.
+const STAGING_PREFIX: &str = ".freestand-partial-";
 
 /// Most of a manifest that is read to see whose it is. Ours are far shorter; a stranger's may be of any size.
 const MANIFEST_BYTES: u64 = 64 << 20;
@@ -40,48 +44,107 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Problem> {
     result.map_err(failed)
 }
 
-/// An output folder in the making. What is written goes to a folder beside the target, which takes its place on
-/// [`commit`](OutputFolder::commit); dropped without it, everything is removed and the target is untouched.
+/// An output folder in the making. Everything is written to a staging folder first, and moves to the target on
+/// [`commit`](OutputFolder::commit); dropped without it, the staging folder goes and the target is as it was.
+///
+/// A manifest in the target lists the files of an earlier run. Those, and only those, are replaced.
 #[derive(Debug)]
 pub struct OutputFolder {
     target: PathBuf,
     staging: PathBuf,
     force: bool,
+    /// What the work was read from, and so must outlive it.
+    inputs: Vec<PathBuf>,
     committed: bool,
+    /// Held while we live, so that nobody takes the staging folder for a leftover.
+    _lock: Option<fs::File>,
 }
 
 impl OutputFolder {
-    /// Begins a folder that will be `target`. `force` allows to write into a folder with other
-    /// files, which stay.
+    /// Begins a folder that will be `target`. `force` allows to write into a folder with files that are not ours; they
+    /// stay, but for those that have the names of ours. No file of `inputs` is replaced, whatever is allowed.
     ///
     /// # Errors
-    /// A file in the target's place, a target with content that is not ours (without `force`), or a parent folder that
-    /// may not be written. All this is found now, before hours of work, and again on commit.
-    pub fn stage(target: &Path, force: bool) -> Result<Self, Problem> {
+    /// A file in the target's place, a target with content that is not ours (without `force`), a folder that may not be
+    /// written, or an input among the files to be replaced. All this is found now, before hours of work, and again on
+    /// commit.
+    pub fn stage(target: &Path, force: bool, inputs: &[PathBuf]) -> Result<Self, Problem> {
         // "out/." and "out/.." have no name that a sibling could be made from; absolute paths settle "." too.
         let target = real_path(&absolute(target)?);
-        check_replaceable(&target, force)?;
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
-        fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot make the folder", &error))?;
-        let staging = beside(&target, "partial").ok_or_else(|| no_name(&target))?;
+        clear_leftovers(&target);
+        let place = check_replaceable(&target, force)?;
+        let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
+        for name in place.listed() {
+            refuse_input(&inputs, &target.join(name))?;
+        }
+        // A folder that exists may be a mount point, or stand where nothing else may be written: we stay inside it.
+        let staging = match place {
+            Place::Absent => {
+                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot make the folder", &error))?;
+                beside(&target, "partial").ok_or_else(|| no_name(&target))?
+            }
+            Place::Folder { .. } => target.join(format!("{STAGING_PREFIX}{}", unique_suffix())),
+        };
         // One left over from a killed run that had our process number is ours to clear.
         remove_if_there(&staging).map_err(|error| io_problem(&staging, "cannot clear the folder", &error))?;
-        fs::create_dir(&staging).map_err(|error| io_problem(&target, "cannot make the folder", &error))?;
-        Ok(Self { target, staging, force, committed: false })
+        fs::create_dir(&staging).map_err(|error| io_problem(&target, "cannot write the output folder", &error))?;
+        // Where a folder cannot be locked, the number of the process alone says whose it is.
+        let lock = fs::File::open(&staging).ok().filter(|folder| folder.try_lock().is_ok());
+        Ok(Self { target, staging, force, inputs, committed: false, _lock: lock })
+    }
+
+    /// Whether files of these names may be put into the folder. To be asked before long work.
+    ///
+    /// # Errors
+    /// A name that would replace an input, or (without `force`) a file that is not ours.
+    pub fn check(&self, names: &[String]) -> Result<(), Problem> {
+        let place = check_replaceable(&self.target, self.force)?;
+        for name in names {
+            let path = self.target.join(name);
+            refuse_input(&self.inputs, &path)?;
+            let in_the_way = |what: &str| {
+                Problem::new(ProblemKind::Io, format!("{what}, an output is to be there"))
+                    .in_file(&path)
+                    .hint("name another folder with --out")
+            };
+            for above in Path::new(name).ancestors().skip(1).filter(|above| !above.as_os_str().is_empty()) {
+                let file = fs::symlink_metadata(self.target.join(above)).is_ok_and(|data| !data.is_dir());
+                if file && !place.lists(above) {
+                    return Err(in_the_way(&format!("{} is no folder", above.display())));
+                }
+            }
+            match fs::symlink_metadata(&path) {
+                Ok(data) if data.is_dir() => return Err(in_the_way("is a folder")),
+                Ok(_) if !self.force && !place.lists(Path::new(name)) => {
+                    return Err(in_the_way("is not a result of freestand")
+                        .hint("name another folder with --out, or replace the file with --force"));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
     }
 
     /// Writes a file in the folder; folders in `name` are made.
     ///
     /// # Errors
-    /// A name that leaves the folder, or a disk that is full.
+    /// A name that leaves the folder or was written before, or a disk that is full.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Problem> {
+        use std::io::Write;
         let path = self.path_of(name)?;
         // Errors name the place that the user knows, not the staging folder.
         let failed = |error: io::Error| io_problem(&self.target.join(name), "cannot write the file", &error);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(failed)?;
         }
-        fs::write(&path, bytes).map_err(failed)
+        let mut file = fs::File::create_new(&path).map_err(|error| match error.kind() {
+            io::ErrorKind::AlreadyExists => Problem::new(ProblemKind::Value, "two outputs have this name")
+                .in_file(&self.target.join(name))
+                .hint("ask for each output once"),
+            _ => failed(error),
+        })?;
+        file.write_all(bytes).map_err(failed)
     }
 
     /// Where a file of the folder is until the commit, for writers that need a path of their own.
@@ -89,68 +152,72 @@ impl OutputFolder {
     /// # Errors
     /// A name that leaves the folder.
     pub fn path_of(&self, name: &str) -> Result<PathBuf, Problem> {
-        let relative = Path::new(name);
-        let inside = relative.components().all(|part| matches!(part, Component::Normal(_)));
-        if name.is_empty() || !inside {
+        if !stays_inside(name) {
             return Err(Problem::new(ProblemKind::Value, format!("\"{name}\" is no name inside the output folder")));
         }
-        Ok(self.staging.join(relative))
+        Ok(self.staging.join(name))
     }
 
-    /// Puts the folder in its place and returns its path.
+    /// The names of the files that were written so far, sorted, with `/` between folder and file.
     ///
     /// # Errors
-    /// As [`stage`](OutputFolder::stage), if the target has changed since. The target is then as it was.
+    /// A staging folder that somebody has taken away.
+    pub fn names(&self) -> Result<Vec<String>, Problem> {
+        let mut names = Vec::new();
+        collect_names(&self.staging, "", &mut names)
+            .map_err(|error| io_problem(&self.target, "cannot read the output folder", &error))?;
+        names.sort_unstable();
+        Ok(names)
+    }
+
+    /// Puts the files in their place and returns the folder's path.
+    ///
+    /// # Errors
+    /// As [`stage`](OutputFolder::stage), if the target has changed since; it is then as it was. Where a file cannot be
+    /// moved although all that was checked, the manifest says that the folder is incomplete, and lists what is ours.
     pub fn commit(mut self) -> Result<PathBuf, Problem> {
-        let place = check_replaceable(&self.target, self.force)?;
-        let failed = |error: io::Error| io_problem(&self.target, "cannot put the folder in place", &error);
-        match place {
-            Place::Free => fs::rename(&self.staging, &self.target).map_err(failed)?,
-            Place::Ours => {
-                let old = beside(&self.target, "old").ok_or_else(|| no_name(&self.target))?;
-                remove_if_there(&old).map_err(failed)?;
-                fs::rename(&self.target, &old).map_err(failed)?;
-                if let Err(error) = fs::rename(&self.staging, &self.target) {
-                    // Back to what was there; if even that fails, the first error says where the trouble is.
-                    let _ = fs::rename(&old, &self.target);
-                    return Err(failed(error));
-                }
-                // The results are in place: an old folder that cannot be removed is untidy, not a failure of the run.
-                let _ = fs::remove_dir_all(&old);
+        let names = self.names()?;
+        self.check(&names)?;
+        match check_replaceable(&self.target, self.force)? {
+            Place::Absent => {
+                fs::rename(&self.staging, &self.target)
+                    .map_err(|error| io_problem(&self.target, "cannot put the folder in place", &error))?;
+                self.committed = true;
             }
-            // Somebody else's files stay: ours move in among them, one by one.
-            Place::Foreign => move_into(&self.staging, &self.target).map_err(failed)?,
+            // The emptied staging folder is left for `drop` to remove.
+            Place::Folder { listed } => self.move_in(&names, &listed)?,
         }
-        // With strangers' files the emptied staging folder is left for `drop` to remove.
-        self.committed = !matches!(place, Place::Foreign);
         Ok(self.target.clone())
     }
-}
 
-/// What stands where the output folder is to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
-    /// Nothing, or an empty folder.
-    Free,
-    /// Results of an earlier run.
-    Ours,
-    /// Other files, and leave to write among them.
-    Foreign,
-}
-
-/// Moves every file below `from` to the same place below `to`, replacing files of the same name.
-fn move_into(from: &Path, to: &Path) -> io::Result<()> {
-    fs::create_dir_all(to)?;
-    for entry in fs::read_dir(from)? {
-        let entry = entry?;
-        let target = to.join(entry.file_name());
-        if entry.file_type()?.is_dir() {
-            move_into(&entry.path(), &target)?;
-        } else {
-            fs::rename(entry.path(), &target)?;
+    /// Replaces the files of an earlier run by ours, the manifest last.
+    fn move_in(&self, names: &[String], listed: &BTreeSet<String>) -> Result<(), Problem> {
+        let failed = |name: &str, error: io::Error| {
+            io_problem(&self.target.join(name), "cannot put the file in place, the output is incomplete", &error)
+        };
+        let (manifests, others): (Vec<&String>, Vec<&String>) =
+            names.iter().partition(|name| MANIFESTS.contains(&name.as_str()));
+        if let Some(manifest) = manifests.first() {
+            // Until all is in place, whoever looks (the next run, too) sees old and new as ours and incomplete.
+            let all: BTreeSet<&String> = names.iter().chain(listed).collect();
+            let text = serde_json::json!({"schema": "freestand.incomplete/1", "files": all}).to_string();
+            let marker = self.staging.join(".incomplete");
+            fs::write(&marker, text)
+                .and_then(|()| fs::rename(&marker, self.target.join(manifest)))
+                .map_err(|error| failed(manifest, error))?;
         }
+        for name in listed.iter().filter(|name| !names.contains(name)) {
+            remove_listed(&self.target, name).map_err(|error| failed(name, error))?;
+        }
+        for name in others.into_iter().chain(manifests) {
+            let to = self.target.join(name);
+            to.parent()
+                .map_or(Ok(()), fs::create_dir_all)
+                .and_then(|()| fs::rename(self.staging.join(name), &to))
+                .map_err(|error| failed(name, error))?;
+        }
+        Ok(())
     }
-    Ok(())
 }
 
 impl Drop for OutputFolder {
@@ -161,11 +228,109 @@ impl Drop for OutputFolder {
     }
 }
 
-/// Whether `target` may become our output folder.
+/// What stands where the output folder is to be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Place {
+    Absent,
+    /// A folder that we may write into, with the files of it that are ours.
+    Folder {
+        listed: BTreeSet<String>,
+    },
+}
+
+impl Place {
+    fn listed(&self) -> impl Iterator<Item = &String> {
+        let listed = match self {
+            Self::Absent => None,
+            Self::Folder { listed } => Some(listed),
+        };
+        listed.into_iter().flatten()
+    }
+
+    fn lists(&self, name: &Path) -> bool {
+        self.listed().any(|listed| Path::new(listed) == name)
+    }
+}
+
+/// Removes the staging folders of runs that were killed: those for `target` whose process is gone and whose lock is free.
+/// Either alone is not enough: another container's processes are not seen here, and not every file system can lock.
+fn clear_leftovers(target: &Path) {
+    let beside = target.file_name().map(|name| format!(".{}.partial-", name.to_string_lossy()));
+    for (folder, prefix) in [(Some(target), Some(STAGING_PREFIX.to_owned())), (target.parent(), beside)] {
+        let (Some(folder), Some(prefix)) = (folder, prefix) else { continue };
+        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+            let name = entry.file_name();
+            let process = name.to_str().and_then(|name| process_of(name.strip_prefix(&prefix)?));
+            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+            let free = || fs::File::open(entry.path()).is_ok_and(|folder| folder.try_lock().is_ok());
+            if is_folder && process.is_some_and(is_gone) && free() {
+                // A leftover that cannot be removed is untidy, not a failure of this run.
+                let _ = fs::remove_dir_all(entry.path());
+            }
+        }
+    }
+}
+
+/// The process of a name's `PID-N`.
+fn process_of(suffix: &str) -> Option<u32> {
+    let (process, count) = suffix.split_once('-')?;
+    count.parse::<u64>().ok()?;
+    process.parse().ok()
+}
+
+/// Whether no such process runs; where that cannot be known, it may run.
+fn is_gone(process: u32) -> bool {
+    let processes = Path::new("/proc");
+    cfg!(target_os = "linux") && processes.join("self").exists() && !processes.join(process.to_string()).exists()
+}
+
+/// Adds the names of all files below `folder`.
+fn collect_names(folder: &Path, prefix: &str, names: &mut Vec<String>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            collect_names(&entry.path(), &format!("{name}/"), names)?;
+        } else {
+            names.push(name);
+        }
+    }
+    Ok(())
+}
+
+/// Whether a name can only be that of something below the folder that it is joined to.
+fn stays_inside(name: &str) -> bool {
+    !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
+}
+
+/// Removes a file that a manifest lists, and the folders that it leaves empty. What is gone already is no error.
+fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
+    match fs::remove_file(target.join(name)) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    for above in Path::new(name).ancestors().skip(1).filter(|above| !above.as_os_str().is_empty()) {
+        if fs::remove_dir(target.join(above)).is_err() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+fn refuse_input(inputs: &[PathBuf], output: &Path) -> Result<(), Problem> {
+    if inputs.is_empty() || !fs::canonicalize(output).is_ok_and(|output| inputs.contains(&output)) {
+        return Ok(());
+    }
+    Err(Problem::new(ProblemKind::Io, "is read by this command, and its output would replace it")
+        .in_file(output)
+        .hint("name another folder with --out"))
+}
+
+/// Whether `target` may become our output folder, and what of it is ours.
 fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     let data = match fs::symlink_metadata(target) {
         Ok(data) => data,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Place::Free),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Place::Absent),
         Err(error) => return Err(io_problem(target, "cannot look at the output folder", &error)),
     };
     if !data.is_dir() {
@@ -174,40 +339,50 @@ fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
             .in_file(target)
             .hint("name another folder with --out"));
     }
+    let manifests: Vec<BTreeSet<String>> = MANIFESTS.iter().filter_map(|name| listed_files(target, name)).collect();
     let mut entries =
         fs::read_dir(target).map_err(|error| io_problem(target, "cannot read the output folder", &error))?;
-    if entries.next().is_none() {
-        return Ok(Place::Free);
-    }
-    if MANIFESTS.iter().any(|name| is_our_manifest(&target.join(name))) {
-        return Ok(Place::Ours);
-    }
-    if force {
-        return Ok(Place::Foreign);
+    let staging = |name: &OsStr| name.to_string_lossy().starts_with(STAGING_PREFIX);
+    let empty = entries.all(|entry| entry.is_ok_and(|entry| staging(&entry.file_name())));
+    if empty || force || !manifests.is_empty() {
+        return Ok(Place::Folder { listed: manifests.into_iter().flatten().collect() });
     }
     Err(Problem::new(ProblemKind::Io, "the folder holds files that are not results of freestand")
         .in_file(target)
         .hint("name another folder with --out, or write among them with --force"))
 }
 
-/// Whether the file is a JSON object whose `"schema"` begins with `freestand.`.
-fn is_our_manifest(path: &Path) -> bool {
-    let small = fs::metadata(path).is_ok_and(|data| data.is_file() && data.len() <= MANIFEST_BYTES);
-    let Some(text) = small.then(|| fs::read(path).ok()).flatten() else { return false };
-    let value: Option<serde_json::Value> = serde_json::from_slice(&text).ok();
-    value.is_some_and(|value| {
-        value.get("schema").and_then(serde_json::Value::as_str).is_some_and(|schema| schema.starts_with("freestand."))
-    })
+/// The files that a manifest of ours lists, itself included; `None` if it is not ours. A manifest is a text that anybody
+/// can write: a name that leaves the folder, or passes through a link, is not believed.
+fn listed_files(target: &Path, manifest: &str) -> Option<BTreeSet<String>> {
+    let path = target.join(manifest);
+    let small = fs::metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= MANIFEST_BYTES);
+    let text = small.then(|| fs::read(&path).ok()).flatten()?;
+    let value: serde_json::Value = serde_json::from_slice(&text).ok()?;
+    value.get("schema")?.as_str().filter(|schema| schema.starts_with("freestand."))?;
+    let files = value.get("files").and_then(serde_json::Value::as_array).into_iter().flatten();
+    let in_real_folders = |name: &str| {
+        let mut above = Path::new(name).ancestors().skip(1).filter(|above| !above.as_os_str().is_empty());
+        above.all(|above| fs::symlink_metadata(target.join(above)).is_ok_and(|data| data.is_dir()))
+    };
+    let is_folder = |name: &str| fs::symlink_metadata(target.join(name)).is_ok_and(|data| data.is_dir());
+    let names = files.filter_map(serde_json::Value::as_str);
+    let believed = names.filter(|name| stays_inside(name) && in_real_folders(name) && !is_folder(name));
+    Some(believed.chain([manifest]).map(str::to_owned).collect())
 }
 
-/// `.NAME.KIND-PID-N` in the same folder: on the same file system, so that the renaming is one step. N keeps two threads
-/// apart that write to one name.
+/// `.NAME.KIND-PID-N` in the same folder: on the same file system, so that the renaming is one step.
 fn beside(path: &Path, kind: &str) -> Option<PathBuf> {
-    static COUNT: AtomicU64 = AtomicU64::new(0);
     let mut name = OsString::from(".");
     name.push(path.file_name()?);
-    name.push(OsStr::new(&format!(".{kind}-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed))));
+    name.push(OsStr::new(&format!(".{kind}-{}", unique_suffix())));
     Some(path.with_file_name(name))
+}
+
+/// `PID-N`: N keeps two threads apart that write to one name.
+fn unique_suffix() -> String {
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    format!("{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed))
 }
 
 /// What a link names, where there is one; the path itself otherwise.
@@ -288,22 +463,22 @@ mod tests {
     fn a_folder_appears_whole() {
         let parent = tempfile::tempdir().unwrap();
         let target = parent.path().join("deep/out");
-        let folder = OutputFolder::stage(&target, false).unwrap();
-        folder.write("summary.json", br#"{"schema":"freestand.run/1"}"#).unwrap();
+        let folder = OutputFolder::stage(&target, false, &[]).unwrap();
+        folder.write("summary.json", br#"{"schema":"freestand.run/1","files":["motions/a.csv"]}"#).unwrap();
         folder.write("motions/a.csv", b"1").unwrap();
         assert!(!target.exists());
         assert_eq!(folder.commit().unwrap(), target);
         assert_eq!(names(&target), ["motions", "summary.json"]);
         assert_eq!(names(target.parent().unwrap()), ["out"]);
 
-        // Ours is replaced as a whole; files of the old run do not stay.
-        let folder = OutputFolder::stage(&target, false).unwrap();
+        // The files that its manifest lists are replaced.
+        let folder = OutputFolder::stage(&target, false, &[]).unwrap();
         folder.write("manifest.json", br#"{"a":[1],"schema":"freestand.assess/1"}"#).unwrap();
         folder.commit().unwrap();
         assert_eq!(names(&target), ["manifest.json"]);
 
         // Dropped, it leaves the old one as it was.
-        let folder = OutputFolder::stage(&target, false).unwrap();
+        let folder = OutputFolder::stage(&target, false, &[]).unwrap();
         folder.write("x", b"1").unwrap();
         drop(folder);
         assert_eq!(
@@ -317,7 +492,7 @@ mod tests {
         let parent = tempfile::tempdir().unwrap();
         let target = parent.path().join("out");
         fs::create_dir(&target).unwrap();
-        OutputFolder::stage(&target, false).unwrap().commit().unwrap();
+        OutputFolder::stage(&target, false, &[]).unwrap().commit().unwrap();
         for (name, content) in [
             ("thesis.doc", &b"years of work"[..]),
             ("manifest.json", br#"{"schema":"other/1"}"#),
@@ -326,13 +501,13 @@ mod tests {
             ("summary.json", b""),
         ] {
             fs::write(target.join(name), content).unwrap();
-            let problem = OutputFolder::stage(&target, false).unwrap_err();
+            let problem = OutputFolder::stage(&target, false, &[]).unwrap_err();
             assert!(problem.hint.unwrap().contains("--force"), "{name}");
             assert_eq!(names(parent.path()), ["out"]);
             fs::remove_file(target.join(name)).unwrap();
         }
         // Something that came while we worked.
-        let folder = OutputFolder::stage(&target, false).unwrap();
+        let folder = OutputFolder::stage(&target, false, &[]).unwrap();
         fs::write(target.join("thesis.doc"), "years of work").unwrap();
         assert!(folder.commit().is_err());
         assert_eq!((names(&target), names(parent.path())), (vec!["thesis.doc".to_owned()], vec!["out".to_owned()]));
@@ -340,7 +515,7 @@ mod tests {
         fs::create_dir(target.join("motions")).unwrap();
         fs::write(target.join("motions/mine.csv"), "mine").unwrap();
         fs::write(target.join("a"), "old").unwrap();
-        let folder = OutputFolder::stage(&target, true).unwrap();
+        let folder = OutputFolder::stage(&target, true, &[]).unwrap();
         folder.write("a", b"1").unwrap();
         folder.write("motions/b", b"2").unwrap();
         folder.commit().unwrap();
@@ -354,10 +529,142 @@ mod tests {
         let file = parent.path().join("file");
         fs::write(&file, "x").unwrap();
         for force in [false, true] {
-            assert!(OutputFolder::stage(&file, force).unwrap_err().message.contains("is a file"));
-            assert!(OutputFolder::stage(&file.join("out"), force).is_err());
+            assert!(OutputFolder::stage(&file, force, &[]).unwrap_err().message.contains("is a file"));
+            assert!(OutputFolder::stage(&file.join("out"), force, &[]).is_err());
         }
         assert_eq!(fs::read(&file).unwrap(), b"x");
+    }
+
+    fn run(target: &Path, force: bool, files: &[&str]) -> Result<PathBuf, Problem> {
+        let folder = OutputFolder::stage(target, force, &[])?;
+        for name in files {
+            folder.write(name, b"new")?;
+        }
+        let list: Vec<&str> = files.iter().copied().chain(["summary.json"]).collect();
+        let summary = serde_json::json!({"schema": "freestand.run/1", "files": list}).to_string();
+        folder.write("summary.json", summary.as_bytes())?;
+        folder.commit()
+    }
+
+    #[test]
+    fn only_what_a_manifest_lists_is_replaced() {
+        let parent = tempfile::tempdir().unwrap();
+        let target = parent.path().join("out");
+        fs::create_dir_all(target.join("motions")).unwrap();
+        fs::write(target.join("thesis.doc"), "years of work").unwrap();
+        run(&target, true, &["srs.csv", "motions/a.csv", "old/deep/x"]).unwrap();
+        fs::write(target.join("notes.md"), "mine").unwrap();
+        fs::write(target.join("motions/mine.csv"), "mine").unwrap();
+        run(&target, false, &["srs.csv", "motions/b.csv"]).unwrap();
+        assert_eq!(names(&target), ["motions", "notes.md", "srs.csv", "summary.json", "thesis.doc"]);
+        assert_eq!(names(&target.join("motions")), ["b.csv", "mine.csv"]);
+        // A file that nobody listed is in the way: said before the work, and nothing has changed.
+        fs::write(target.join("urs.csv"), "mine").unwrap();
+        let folder = OutputFolder::stage(&target, false, &[]).unwrap();
+        assert!(folder.check(&["urs.csv".to_owned()]).unwrap_err().hint.unwrap().contains("--force"));
+        drop(folder);
+        assert!(run(&target, false, &["urs.csv", "motions/c.csv"]).is_err());
+        assert!(run(&target, true, &["thesis.doc/x"]).unwrap_err().message.contains("no folder"));
+        assert!(run(&target, true, &["motions"]).unwrap_err().message.contains("is a folder"));
+        assert_eq!(names(&target), ["motions", "notes.md", "srs.csv", "summary.json", "thesis.doc", "urs.csv"]);
+        assert_eq!(names(&target.join("motions")), ["b.csv", "mine.csv"]);
+        run(&target, true, &["urs.csv"]).unwrap();
+        assert_eq!(fs::read(target.join("urs.csv")).unwrap(), b"new");
+        assert_eq!(names(parent.path()), ["out"]);
+    }
+
+    #[test]
+    fn a_manifest_does_not_lead_out_of_its_folder() {
+        let parent = tempfile::tempdir().unwrap();
+        let (target, other) = (parent.path().join("out"), parent.path().join("other"));
+        for folder in [&target, &other] {
+            fs::create_dir(folder).unwrap();
+        }
+        fs::write(other.join("precious"), "x").unwrap();
+        let absolute = other.join("precious");
+        let mut files = vec!["../other/precious", "..", "", "sub", absolute.to_str().unwrap()];
+        fs::create_dir(target.join("sub")).unwrap();
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(&other, target.join("link")).unwrap();
+            files.push("link/precious");
+        }
+        let manifest = serde_json::json!({"schema": "freestand.run/1", "files": files}).to_string();
+        fs::write(target.join("summary.json"), manifest).unwrap();
+        run(&target, false, &["a"]).unwrap();
+        assert_eq!(names(&other), ["precious"]);
+        assert!(target.join("sub").is_dir());
+        #[cfg(unix)]
+        assert!(run(&target, true, &["link/a"]).is_err() && names(&other) == ["precious"]);
+    }
+
+    #[test]
+    fn inputs_are_not_replaced() {
+        let parent = tempfile::tempdir().unwrap();
+        let target = parent.path().join("y");
+        run(&target, false, &["rec.csv"]).unwrap();
+        fs::write(target.join("own.csv"), "mine").unwrap();
+        let listed = OutputFolder::stage(&target, true, &[target.join("rec.csv")]).unwrap_err();
+        assert!(listed.message.contains("read by this command"));
+        let folder = OutputFolder::stage(&target, true, &[target.join("../y/own.csv")]).unwrap();
+        assert!(folder.check(&["own.csv".to_owned()]).is_err());
+        folder.write("own.csv", b"new").unwrap();
+        assert!(folder.commit().is_err());
+        assert_eq!(fs::read(target.join("own.csv")).unwrap(), b"mine");
+        assert_eq!(names(&target), ["own.csv", "rec.csv", "summary.json"]);
+    }
+
+    /// It may be a mount point, which cannot be renamed, and its permissions are the user's.
+    #[cfg(unix)]
+    #[test]
+    fn an_empty_folder_stays_the_same_folder() {
+        use std::os::unix::fs::{MetadataExt, PermissionsExt};
+        let parent = tempfile::tempdir().unwrap();
+        let target = parent.path().join("out");
+        fs::create_dir(&target).unwrap();
+        fs::set_permissions(&target, fs::Permissions::from_mode(0o750)).unwrap();
+        let facts = || fs::metadata(&target).map(|data| (data.ino(), data.mode())).unwrap();
+        let before = facts();
+        let folder = OutputFolder::stage(&target, false, &[]).unwrap();
+        assert_eq!(names(parent.path()), ["out"]);
+        folder.write("a", b"1").unwrap();
+        folder.commit().unwrap();
+        assert_eq!((facts(), names(&target)), (before, vec!["a".to_owned()]));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn leftovers_of_the_dead_are_cleared() {
+        let parent = tempfile::tempdir().unwrap();
+        let target = parent.path().join("out");
+        // No process has a number above 2^22, the kernel's limit.
+        let dead = ".out.partial-4194999-0";
+        let others = [".out.partial-1-0", ".out.partial-4194999", ".out2.partial-4194999-0", "out.partial-4194999-0"];
+        for name in others.iter().chain([&dead]) {
+            fs::create_dir(parent.path().join(name)).unwrap();
+            fs::write(parent.path().join(name).join("a"), "x").unwrap();
+        }
+        fs::write(parent.path().join(".out.partial-4194999-7"), "a file").unwrap();
+        drop(OutputFolder::stage(&target, false, &[]).unwrap());
+        let left = names(parent.path());
+        assert!(!left.contains(&dead.to_owned()) && left.len() == others.len() + 1, "{left:?}");
+        // Inside a target that exists they make no content of it, and a lock protects whoever has another kernel's view.
+        for name in [".freestand-partial-4194999-0", ".freestand-partial-4194998-0"] {
+            fs::create_dir_all(target.join(name)).unwrap();
+        }
+        let alive = fs::File::open(target.join(".freestand-partial-4194998-0")).unwrap();
+        alive.try_lock().unwrap();
+        drop(OutputFolder::stage(&target, false, &[]).unwrap());
+        assert_eq!(names(&target), [".freestand-partial-4194998-0"]);
+    }
+
+    #[test]
+    fn an_output_has_one_name() {
+        let parent = tempfile::tempdir().unwrap();
+        let folder = OutputFolder::stage(&parent.path().join("out"), false, &[]).unwrap();
+        folder.write("motions/a", b"1").unwrap();
+        assert!(folder.write("motions/a", b"2").unwrap_err().message.contains("two outputs"));
+        assert_eq!(folder.names().unwrap(), ["motions/a"]);
     }
 
     #[cfg(unix)]
@@ -367,7 +674,7 @@ mod tests {
         let (real, link) = (parent.path().join("real"), parent.path().join("link"));
         fs::create_dir(&real).unwrap();
         std::os::unix::fs::symlink(&real, &link).unwrap();
-        let folder = OutputFolder::stage(&link, false).unwrap();
+        let folder = OutputFolder::stage(&link, false, &[]).unwrap();
         folder.write("a", b"1").unwrap();
         folder.commit().unwrap();
         assert_eq!((names(&real), fs::read_link(&link).unwrap()), (vec!["a".to_owned()], real.clone()));
@@ -375,18 +682,18 @@ mod tests {
         write_file(&parent.path().join("file"), b"2").unwrap();
         assert_eq!(fs::read(real.join("a")).unwrap(), b"2");
         std::os::unix::fs::symlink(parent.path().join("nothing"), parent.path().join("dangling")).unwrap();
-        let problem = OutputFolder::stage(&parent.path().join("dangling"), false).unwrap_err();
+        let problem = OutputFolder::stage(&parent.path().join("dangling"), false, &[]).unwrap_err();
         assert!(problem.message.contains("link to nothing"));
     }
 
     #[test]
     fn names_stay_inside() {
         let parent = tempfile::tempdir().unwrap();
-        let folder = OutputFolder::stage(&parent.path().join("out"), false).unwrap();
+        let folder = OutputFolder::stage(&parent.path().join("out"), false, &[]).unwrap();
         for name in ["", "..", "../x", "/etc/x", "a/../../x", "."] {
             assert!(folder.write(name, b"x").is_err(), "{name}");
         }
         assert_eq!(names(&folder.staging).len(), 0);
-        assert!(OutputFolder::stage(Path::new("/"), true).is_err());
+        assert!(OutputFolder::stage(Path::new("/"), true, &[]).is_err());
     }
 }

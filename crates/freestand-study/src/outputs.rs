@@ -10,8 +10,9 @@ use crate::figures::figures;
 use crate::output::OutputFolder;
 use crate::records::write_csv;
 use crate::report::{provenance, report};
+use crate::rerun::{with_motions, with_seed};
 use crate::result::StudyResult;
-use crate::study::Study;
+use crate::study::{Ground, Study};
 use crate::summary::{SCHEMA, summary};
 use crate::tables::{srs_csv, statistics_csv, urs_csv};
 
@@ -22,6 +23,27 @@ pub struct Written {
     pub folder: PathBuf,
     /// `summary.json` as it stands in it.
     pub summary: Value,
+}
+
+/// The names of the files that a run of `study` will write, but for the figures: these depend on the result.
+pub fn expected_names(study: &Study) -> Vec<String> {
+    let mut names: Vec<String> =
+        ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
+    names.extend(study.outputs.report.then(|| "report.html".to_owned()));
+    for motion in study.ground.names() {
+        names.push(ground_name(&motion));
+        names.extend(study.levels.iter().map(|level| floor_name(&motion, &level.name)));
+    }
+    names
+}
+
+fn ground_name(motion: &str) -> String {
+    format!("motions/{motion}.csv")
+}
+
+fn floor_name(motion: &str, level: &str) -> String {
+    // A folder for each level: "rec" on the level "roof" and the ground motion "rec_roof" are two files.
+    format!("motions/{level}/{motion}.csv")
 }
 
 /// Writes the files of a run into `folder` and puts it in its place.
@@ -57,10 +79,21 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
 
 type File = (String, Vec<u8>);
 
+/// The study, as it gives the same result from the output folder.
+fn rerun_toml(study: &Study) -> Result<String, Problem> {
+    match &study.ground {
+        Ground::Synthetic(synthetic) => with_seed(&study.toml, synthetic.seed),
+        Ground::Recorded(_) => {
+            let files: Vec<String> = study.ground.names().iter().map(|name| ground_name(name)).collect();
+            with_motions(&study.toml, &files)
+        }
+    }
+}
+
 /// The study, the tables and the motions.
 fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
     let mut files: Vec<File> = vec![
-        ("study.toml".to_owned(), study.toml.clone().into_bytes()),
+        ("study.toml".to_owned(), rerun_toml(study)?.into_bytes()),
         ("urs.csv".to_owned(), urs_csv(study, result)?),
         ("srs.csv".to_owned(), srs_csv(study, result)?),
         ("statistics.csv".to_owned(), statistics_csv(study, result)?),
@@ -69,10 +102,11 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         .into_par_iter()
         .map(|i| {
             let name = &result.ground[i].name;
-            let floors = result.levels.iter().map(|level| {
-                (format!("motions/{name}_{}.csv", level.level.name), write_csv(&level.floors[i]).into_bytes())
-            });
-            let ground = (format!("motions/{name}.csv"), write_csv(&result.ground[i].motion).into_bytes());
+            let floors = result
+                .levels
+                .iter()
+                .map(|level| (floor_name(name, &level.level.name), write_csv(&level.floors[i]).into_bytes()));
+            let ground = (ground_name(name), write_csv(&result.ground[i].motion).into_bytes());
             std::iter::once(ground).chain(floors).collect()
         })
         .collect();

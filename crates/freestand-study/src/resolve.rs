@@ -463,8 +463,8 @@ impl Resolver<'_> {
         if !is_file_name(&name) {
             self.note(
                 Some(entry.line),
-                format!("\"{}\" cannot name a level: it becomes part of file names", shorten(&name)),
-                "use letters, digits, spaces and - _ . only",
+                format!("\"{}\" cannot name a level: a folder of the outputs has its name", shorten(&name)),
+                "use letters, digits, spaces and - _ . only, and no \".csv\" at the end",
             );
         }
         Some(Level { name, level_ratio: ratio.value })
@@ -655,7 +655,7 @@ fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
     crate::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
 }
 
-/// Whether a name can be part of a file name on every system.
+/// Whether a name can be that of a folder on every system, and never that of a motion's file beside it.
 fn is_file_name(name: &str) -> bool {
     let allowed = |c: char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_' | '.');
     !name.is_empty()
@@ -663,6 +663,15 @@ fn is_file_name(name: &str) -> bool {
         && name.chars().all(allowed)
         && name.starts_with(char::is_alphanumeric)
         && !name.ends_with([' ', '.'])
+        && !name.to_lowercase().ends_with(".csv")
+        && !is_device(name)
+}
+
+/// Names that Windows keeps for devices, whatever follows a dot.
+fn is_device(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or(name).trim_end().to_lowercase();
+    let numbered = |prefix| stem.strip_prefix(prefix).is_some_and(|n: &str| matches!(n.as_bytes(), [b'1'..=b'9']));
+    matches!(stem.as_str(), "con" | "prn" | "aux" | "nul") || numbered("com") || numbered("lpt")
 }
 
 /// Says where the code's least kpZ took the place of the product.

@@ -13,6 +13,7 @@ use freestand::{G0_M_S2, rocking};
 use serde::Serialize;
 
 use crate::error::{Problem, ProblemKind};
+use crate::records::push_shortest;
 
 /// Sampling of a history without a motion \[s\].
 const FREE_HISTORY_DT_S: f64 = 0.005;
@@ -260,12 +261,16 @@ pub fn problem(error: RockingError) -> Problem {
 ///
 /// Samples at the steps of the motion, and a row just before and just after every impact.
 pub fn history_csv(block: &Block, history: &[HistoryPoint]) -> String {
-    use std::fmt::Write;
     let mut text = String::from("time_s,theta_rad,omega_rad_s,uplift_m,base_accel_m_s2\n");
     for p in history {
         let uplift_m = block.base_width_m() * p.theta_rad.abs().sin();
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "{},{},{},{uplift_m},{}", p.time_s, p.theta_rad, p.omega_rad_s, p.base_accel_m_s2);
+        for (i, value) in [p.time_s, p.theta_rad, p.omega_rad_s, uplift_m, p.base_accel_m_s2].into_iter().enumerate() {
+            if i > 0 {
+                text.push(',');
+            }
+            push_shortest(&mut text, value);
+        }
+        text.push('\n');
     }
     text
 }

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
-use crate::study::{Ground, Level, Study, synthetic_name};
+use crate::study::{Ground, Level, Study};
 
 /// Longest wait for a block to settle after the motion \[s\]; only a restitution of nearly 1 needs more.
 const LONGEST_TAIL_S: f64 = 120.0;
@@ -64,10 +64,8 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, StudyError>
             StudyError::from(Problem::new(ProblemKind::Computation, "the run was stopped before its end"))
         })
     };
-    tell("ground motions", 0)?;
-    let ground = ground_motions(&study.ground)?;
-    tell("floor motions", 0)?;
-    let floors = floors(study, &ground)?;
+    let ground = ground_motions(&study.ground, || tell("ground motions", 0))?;
+    let floors = floors(study, &ground, || tell("floor motions", 0))?;
 
     let finished = std::sync::atomic::AtomicUsize::new(0);
     let pairs: Vec<(usize, usize)> =
@@ -103,19 +101,26 @@ fn motion_count(ground: &Ground) -> usize {
     }
 }
 
-fn ground_motions(ground: &Ground) -> Result<Vec<GroundMotion>, StudyError> {
+/// Asks before each motion whether to `go_on`: a thousand of them take minutes.
+fn ground_motions(
+    ground: &Ground,
+    go_on: impl Fn() -> Result<(), StudyError> + Sync,
+) -> Result<Vec<GroundMotion>, StudyError> {
     let finish = |name: String, motion: Motion, misfit| -> Result<GroundMotion, StudyError> {
         let spectrum = spectrum_of(&motion)?;
         Ok(GroundMotion { name, motion, spectrum, misfit })
     };
     match ground {
-        Ground::Synthetic(synthetic) => (0..synthetic.count)
+        Ground::Synthetic(synthetic) => ground
+            .names()
             .into_par_iter()
-            .map(|i| {
+            .enumerate()
+            .map(|(i, name)| {
+                go_on()?;
                 let options = SynthesisOptions::default();
                 let matched = synthesize(|t| synthetic.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
                     .map_err(failed("a synthetic motion"))?;
-                finish(synthetic_name(i), matched.motion, Some(matched.misfit))
+                finish(name, matched.motion, Some(matched.misfit))
             })
             .collect(),
         Ground::Recorded(records) => {
@@ -133,12 +138,17 @@ fn failed<E: std::fmt::Display>(what: &'static str) -> impl Fn(E) -> StudyError 
 }
 
 /// Floor motions, `[level][motion]`, with the building's ring-down behind the ground motion.
-fn floors(study: &Study, ground: &[GroundMotion]) -> Result<Vec<Vec<Motion>>, StudyError> {
+fn floors(
+    study: &Study,
+    ground: &[GroundMotion],
+    go_on: impl Fn() -> Result<(), StudyError> + Sync,
+) -> Result<Vec<Vec<Motion>>, StudyError> {
     let beam = &study.building.beam;
     let ratios: Vec<f64> = study.levels.iter().map(|level| level.level_ratio).collect();
     let by_motion: Vec<Vec<Motion>> = ground
         .par_iter()
         .map(|g| {
+            go_on()?;
             let ground = g.motion.with_zero_tail(beam.tail_s()).map_err(failed("a floor motion"))?;
             floor_motions(&ground, beam, &ratios).map_err(failed("a floor motion"))
         })

@@ -85,7 +85,7 @@ impl Ranked {
     /// As a cell of a table: the number, `overturned`, or nothing.
     pub fn cell(self) -> String {
         match self {
-            Self::Value(value) => value.to_string(),
+            Self::Value(value) => crate::records::shortest(value),
             Self::Overturned => Outcome::Overturned.name().to_owned(),
             Self::NoData => String::new(),
         }

@@ -47,7 +47,7 @@ impl Ground {
 }
 
 /// The name of a synthetic motion, counted from 0.
-pub(crate) fn synthetic_name(index: usize) -> String {
+pub fn synthetic_name(index: usize) -> String {
     format!("synthetic-{:02}", index + 1)
 }
 

@@ -2,8 +2,10 @@
 //! empty field.
 
 use crate::error::{Problem, ProblemKind};
+use crate::records::shortest;
 use crate::result::{ObjectResponse, Ranked, StudyResult};
 use crate::study::Study;
+use serde_json::Value;
 
 /// Rows of text as CSV.
 ///
@@ -22,18 +24,60 @@ fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u
 /// Records of a serializable type as CSV: field names as the header, `None` as an empty field.
 ///
 /// # Errors
-/// None in practice: memory does not fail.
+/// None in practice: records are of numbers and texts, and memory does not fail.
+///
+/// # Example
+/// ```
+/// #[derive(serde::Serialize)]
+/// struct Row {
+///     count: usize,
+///     uplift_m: Option<f64>,
+/// }
+/// let rows = [Row { count: 1, uplift_m: Some(0.0) }, Row { count: 2, uplift_m: None }];
+/// assert_eq!(freestand_study::tables::records_csv(&rows)?, b"count,uplift_m\n1,0\n2,\n");
+/// # Ok::<(), freestand_study::Problem>(())
+/// ```
 pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Problem> {
-    let broken = |error: csv::Error| Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"));
-    let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new());
+    let mut header = Vec::new();
+    let mut rows = Vec::with_capacity(records.len());
     for record in records {
-        writer.serialize(record).map_err(broken)?;
+        // The csv crate would write its own numbers, `0.0` and `1e16`.
+        let Ok(Value::Object(fields)) = serde_json::to_value(record) else {
+            return Err(Problem::new(ProblemKind::Io, "a table cannot be written: its records have no fields"));
+        };
+        if rows.is_empty() {
+            header = fields.keys().cloned().collect();
+        }
+        rows.push(fields.values().map(cell).collect());
     }
-    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+    if rows.is_empty() {
+        return Ok(Vec::new());
+    }
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    csv(&header, rows.into_iter())
+}
+
+/// Named columns of numbers, all of one length, as CSV.
+///
+/// # Errors
+/// None in practice: memory does not fail.
+pub fn columns_csv(columns: &[(&str, &[f64])]) -> Result<Vec<u8>, Problem> {
+    let header: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+    let length = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
+    csv(&header, (0..length).map(|i| columns.iter().map(|(_, values)| shortest(values[i])).collect()))
+}
+
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        Value::Number(number) if number.is_f64() => optional(number.as_f64()),
+        other => other.to_string(),
+    }
 }
 
 fn optional(value: Option<f64>) -> String {
-    value.map_or_else(String::new, |value| value.to_string())
+    value.map_or_else(String::new, shortest)
 }
 
 /// One row for each motion, level and object, in this order; `extra` are the columns behind the common ones.
@@ -63,16 +107,16 @@ fn by_object(
                 let mut row = vec![
                     ground.name.clone(),
                     level.level.name.clone(),
-                    block.height_m().to_string(),
-                    block.thickness_m().to_string(),
+                    shortest(block.height_m()),
+                    shortest(block.thickness_m()),
                 ];
                 match response {
                     ObjectResponse::Done { uplift, shock } => row.extend([
                         uplift.outcome.name().to_owned(),
-                        uplift.uplift_m.to_string(),
-                        uplift.cg_rise_m.to_string(),
+                        shortest(uplift.uplift_m),
+                        shortest(uplift.cg_rise_m),
                         optional(shock.edge_acceleration_g),
-                        shock.ceiling_g.to_string(),
+                        shortest(shock.ceiling_g),
                     ]),
                     ObjectResponse::Failed(_) => {
                         row.push("failed".to_owned());
@@ -98,9 +142,9 @@ fn by_object(
 pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
     by_object(study, result, &["peak_rotation_rad", "impact_count", "impact_omega_rad_s"], |response| match response {
         ObjectResponse::Done { uplift, .. } => vec![
-            uplift.peak_rotation_rad.to_string(),
+            shortest(uplift.peak_rotation_rad),
             uplift.impact_count.to_string(),
-            uplift.impact_omega_rad_s().to_string(),
+            shortest(uplift.impact_omega_rad_s()),
         ],
         ObjectResponse::Failed(_) => vec![String::new(); 3],
     })
@@ -144,23 +188,57 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
     ];
     let rows = result.levels.iter().flat_map(|level| {
         study.objects.blocks.iter().zip(&level.statistics).map(|(block, statistics)| {
-            let mut row = vec![level.level.name.clone(), block.height_m().to_string(), block.thickness_m().to_string()];
+            let mut row = vec![level.level.name.clone(), shortest(block.height_m()), shortest(block.thickness_m())];
             let Some(s) = statistics else {
                 row.push("0".to_owned());
                 row.resize(header.len(), String::new());
                 return row;
             };
-            row.extend([s.motions.to_string(), s.uplift_share.to_string(), s.overturned_share.to_string()]);
+            row.extend([s.motions.to_string(), shortest(s.uplift_share), shortest(s.overturned_share)]);
             for quantiles in [s.uplift_m, s.edge_acceleration_g, s.edge_acceleration_impact_velocity_g] {
                 row.extend(quantiles.map(Ranked::cell));
             }
             row.extend([
                 optional(s.edge_acceleration_survivors_g),
                 optional(s.edge_acceleration_max_g),
-                s.ceiling_g.to_string(),
+                shortest(s.ceiling_g),
             ]);
             row
         })
     });
     csv(&header, rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1e-300 in full has 300 digits; a whole number needs no `.0`.
+    #[test]
+    fn every_table_writes_the_shortest_numbers() {
+        #[derive(serde::Serialize)]
+        struct Row {
+            x: f64,
+        }
+        let values = [0.0, 1.0, -1e-300, 0.1, 1e22];
+        let expected = b"x\n0\n1\n-1e-300\n0.1\n1e22\n";
+        assert_eq!(records_csv(&values.map(|x| Row { x })).unwrap(), expected);
+        assert_eq!(columns_csv(&[("x", &values)]).unwrap(), expected);
+        assert_eq!(Ranked::Value(1e-300).cell(), "1e-300");
+        let study = crate::fixture::study();
+        let mut result = crate::fixture::result(&study);
+        for response in result.levels.iter_mut().flat_map(|level| level.responses.iter_mut().flatten()) {
+            if let ObjectResponse::Done { uplift, shock } = response {
+                uplift.uplift_m = 1e-300;
+                uplift.cg_rise_m = 1e-300;
+                uplift.peak_rotation_rad = 1e-300;
+                shock.edge_acceleration_g = Some(1e-300);
+                shock.ceiling_g = 1e-300;
+            }
+        }
+        for table in [urs_csv(&study, &result).unwrap(), srs_csv(&study, &result).unwrap()] {
+            let text = String::from_utf8(table).unwrap();
+            assert!(text.contains(",1e-300,1e-300,1e-300,") && !text.contains(&"0".repeat(20)), "{text:.300}");
+        }
+    }
 }

@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand_study::quantity::{Dimension, format_si};
-use freestand_study::resolve::{Overrides, builtin, load};
+use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
 use freestand_study::study::{Ground, Study};
 use serde::Serialize;
 
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, pairs, significant};
 use crate::reading::path_text;
 
@@ -69,8 +70,10 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
     };
+    let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
+    let files = Files::begin(global, &inputs)?;
     let report = report(&study);
-    printer.result("freestand.check/1", &report, &study.warnings, || text(&study, &report))?;
+    files.print(printer, "freestand.check/1", &report, &study.warnings, || text(&study, &report))?;
     Ok(Done::OK)
 }
 

@@ -45,12 +45,12 @@ impl Command {
         match self {
             Self::Run(args) => run::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
-            Self::Shock(args) => shock::run(args, printer),
-            Self::Rock(args) => rock::run(args, printer),
-            Self::Spectrum(args) => spectrum::run(args, printer),
+            Self::Shock(args) => shock::run(args, global, printer),
+            Self::Rock(args) => rock::run(args, global, printer),
+            Self::Spectrum(args) => spectrum::run(args, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),
-            Self::Validate(_) => validate::run(printer),
+            Self::Validate(_) => validate::run(global, printer),
         }
     }
 }

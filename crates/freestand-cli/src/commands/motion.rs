@@ -37,12 +37,12 @@ enum MotionCommand {
 
 pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     match &args.command {
-        MotionCommand::Info(args) => info::run(args, printer),
-        MotionCommand::Spectrum(args) => spectrum::run(args, printer),
+        MotionCommand::Info(args) => info::run(args, global, printer),
+        MotionCommand::Spectrum(args) => spectrum::run(args, global, printer),
         MotionCommand::Convert(args) => convert::run(args, global, printer),
         MotionCommand::Synth(args) => synth::run(args, global, printer),
         MotionCommand::Match(args) => synth::run_match(args, global, printer),
-        MotionCommand::CodeSpectrum(args) => code::run(args, printer),
+        MotionCommand::CodeSpectrum(args) => code::run(args, global, printer),
     }
 }
 

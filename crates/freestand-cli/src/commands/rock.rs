@@ -12,7 +12,9 @@ use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
 
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
+use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
 use crate::reading::ReadArgs;
 use crate::values::Values;
@@ -80,13 +82,16 @@ pub(crate) struct RockArgs {
     history: Option<PathBuf>,
 }
 
-pub(crate) fn run(args: &RockArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args, printer)?;
-    let report = rock(&request, args.history.is_some())?;
+    let inputs: Vec<PathBuf> = args.motion.iter().chain(&args.vertical).cloned().collect();
+    let files = Files::begin(global, &inputs)?;
+    let report = rock(&request, args.history.is_some() || files.wanted())?;
+    files.write("history.csv", || history_csv(&request.block, &report.history))?;
     if let Some(path) = &args.history {
         write_file(path, history_csv(&request.block, &report.history).as_bytes())?;
     }
-    printer.result("freestand.rock/1", &report, &report.warnings, || text(&report, &request))?;
+    files.print(printer, "freestand.rock/1", &report, &report.warnings, || text(&report, &request))?;
     Ok(Done::OK)
 }
 

@@ -6,8 +6,9 @@ use std::time::Instant;
 
 use clap::Args;
 use freestand_study::output::OutputFolder;
-use freestand_study::outputs::write_outputs;
-use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load};
+use freestand_study::outputs::{expected_names, write_outputs};
+use freestand_study::rerun::with_seed;
+use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -16,8 +17,10 @@ use serde_json::Value;
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::printer::{Printer, optional, print_text, significant, table};
+use crate::files::Files;
+use crate::printer::{Printer, optional, significant, table};
 use crate::reading::ReadArgs;
+use crate::stop::Stop;
 use crate::values::Values;
 
 /// A whole study: motions, building, uplift and shock spectra of a grid of objects, figures and report
@@ -52,8 +55,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         })?;
     }
     if args.dump_study {
-        print_text(builtin_toml())?;
-        return Ok(Done::OK);
+        return dump_study(global, printer);
     }
     // `--motion a.AT2 study.toml` makes the study a second record.
     if let (None, Some(study)) = (&args.study, args.motion.iter().find(|path| is_study_file(path))) {
@@ -73,15 +75,23 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         None => builtin(&overrides)?,
     };
     let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
-    let folder = OutputFolder::stage(&out, global.force)?;
+    let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
+    let stop = Stop::listen();
+    let folder = OutputFolder::stage(&out, global.force, &inputs)?;
+    folder.check(&expected_names(&study))?;
 
     let bar = progress_bar(printer);
     let result = run_study(&study, &|step: Step| {
         bar.set_length(step.total as u64);
         bar.set_position(step.done as u64);
         bar.set_message(step.stage);
-        ControlFlow::Continue(())
-    })?;
+        if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    if stop.wanted() {
+        bar.finish_and_clear();
+        return Err(Failure::Stopped);
+    }
+    let result = result?;
     bar.set_message("writing");
     let written = write_outputs(folder, &study, &result)?;
     bar.finish_and_clear();
@@ -100,6 +110,21 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     })?;
     let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
     Ok(Done { criterion_met: failed == 0 && !exceeded })
+}
+
+/// The built-in study as a text, with the seed of `--seed`.
+fn dump_study(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let study = match global.seed {
+        Some(seed) => with_seed(builtin_toml(), seed)?,
+        None => builtin_toml().to_owned(),
+    };
+    let files = Files::begin(global, &[])?;
+    files.write("study.toml", || &study)?;
+    const SCHEMA: &str = "freestand.study/1";
+    let body = serde_json::json!({"study": study});
+    files.finish(SCHEMA, &body, &[])?;
+    printer.result(SCHEMA, &body, &[], || study)?;
+    Ok(Done::OK)
 }
 
 /// A bar on standard error, hidden where nobody sees it.

@@ -7,7 +7,9 @@ use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, shock}
 use freestand_study::{Problem, ProblemKind};
 
 use super::Done;
+use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
 use crate::values::Values;
 
@@ -181,10 +183,11 @@ impl From<ModelName> for ImpactModel {
     }
 }
 
-pub(crate) fn run(args: &ShockArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;
+    let files = Files::begin(global, &[])?;
     let report = shock(&request)?;
-    printer.result("freestand.shock/1", &report, &report.warnings, || text(&report))?;
+    files.print(printer, "freestand.shock/1", &report, &report.warnings, || text(&report))?;
     Ok(Done { criterion_met: !report.exceeded() })
 }
 

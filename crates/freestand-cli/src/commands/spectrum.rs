@@ -16,7 +16,9 @@ use serde::Serialize;
 
 use super::Done;
 use super::block::RockingArgs;
+use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, optional, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::Values;
@@ -83,7 +85,7 @@ struct Report {
     timing: Timing,
 }
 
-pub(crate) fn run(args: &SpectrumArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let heights = values.grid("--heights", &args.heights, Dimension::Length).unwrap_or_default();
     let thicknesses = values.grid("--thicknesses", &args.thicknesses, Dimension::Length).unwrap_or_default();
@@ -102,6 +104,7 @@ pub(crate) fn run(args: &SpectrumArgs, printer: &Printer) -> Result<Done, Failur
         options.restitution.ratios(block).map_err(problem)?;
     }
     let motions = args.read.read_all(&args.motion)?;
+    let files = Files::begin(global, &args.motion)?;
 
     let mut warnings = Vec::new();
     if let Some(block) = blocks.iter().find(|block| block.landing_ratio() < 0.0) {
@@ -149,12 +152,15 @@ pub(crate) fn run(args: &SpectrumArgs, printer: &Printer) -> Result<Done, Failur
     if failed > 0 {
         warnings.push(format!("{failed} of {} histories could not be followed: see their `reason`", rows.len()));
     }
-    if let Some(path) = &args.csv {
+    if args.csv.is_some() || files.wanted() {
         let columns = freestand_study::tables::records_csv(&rows)?;
-        write_file(path, &columns)?;
+        if let Some(path) = &args.csv {
+            write_file(path, &columns)?;
+        }
+        files.write("rows.csv", || columns)?;
     }
     let report = Report { rows, timing: Timing { solve_s, block_steps } };
-    printer.result("freestand.spectrum/1", &report, &warnings, || text(&report))?;
+    files.print(printer, "freestand.spectrum/1", &report, &warnings, || text(&report))?;
     Ok(Done { criterion_met: failed == 0 })
 }
 

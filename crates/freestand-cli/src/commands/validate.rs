@@ -4,7 +4,9 @@ use clap::Args;
 use freestand_study::validate::{Validation, validate};
 
 use super::Done;
+use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 
 /// Hold the models against the paper's Table I and every closed form that is built in
@@ -17,14 +19,15 @@ Examples:
   freestand validate --json")]
 pub(crate) struct ValidateArgs {}
 
-pub(crate) fn run(printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let files = Files::begin(global, &[])?;
     let validation = validate()?;
     let failed = validation.checks.iter().filter(|check| !check.ok).count();
     let mut warnings = Vec::new();
     if failed > 0 {
         warnings.push(format!("{failed} of {} checks do not hold", validation.checks.len()));
     }
-    printer.result("freestand.validate/1", &validation, &warnings, || text(&validation))?;
+    files.print(printer, "freestand.validate/1", &validation, &warnings, || text(&validation))?;
     Ok(Done { criterion_met: validation.ok() })
 }
 

@@ -10,6 +10,7 @@ mod units;
 mod write;
 
 pub(crate) use lines::load;
+pub(crate) use write::{push_shortest, shortest};
 pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};

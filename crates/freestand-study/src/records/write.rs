@@ -49,8 +49,15 @@ pub fn write_at2(motion: &Motion, title: &str) -> String {
     out
 }
 
+/// A number of a CSV: the shortest text that reads back as `value`.
+pub(crate) fn shortest(value: f64) -> String {
+    let mut text = String::new();
+    push_shortest(&mut text, value);
+    text
+}
+
 /// The shortest text that reads back as `value`; plain where that is short. (Writing to a `String` cannot fail.)
-fn push_shortest(out: &mut String, value: f64) {
+pub(crate) fn push_shortest(out: &mut String, value: f64) {
     let size = value.abs();
     let _ = if size == 0.0 || (1e-5..1e16).contains(&size) { write!(out, "{value}") } else { write!(out, "{value:e}") };
 }

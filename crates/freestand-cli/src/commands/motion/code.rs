@@ -4,11 +4,14 @@ use clap::{Args, ValueEnum};
 use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass, hazard_factor};
 use freestand_study::quantity::Dimension;
 use freestand_study::resolve::minimum_governs_warning;
+use freestand_study::tables::columns_csv;
 use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
+use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::values::Values;
 
@@ -112,7 +115,7 @@ struct CodeSpectrumReport {
     sa_g: Vec<f64>,
 }
 
-pub(crate) fn run(args: &CodeSpectrumArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (spectrum, warnings) = args.code.spectrum()?;
     let mut values = Values::default();
     let periods_s = super::periods(args.periods.as_deref(), &mut values);
@@ -123,7 +126,10 @@ pub(crate) fn run(args: &CodeSpectrumArgs, printer: &Printer) -> Result<Done, Fa
     values.finish()?;
     let sa_g = periods_s.iter().map(|&period| spectrum.sa_g(period)).collect();
     let report = CodeSpectrumReport { code: CodeReport::from(&spectrum), periods_s, sa_g };
-    printer.result("freestand.code-spectrum/1", &report, &warnings, || {
+    let files = Files::begin(global, &[])?;
+    let columns = columns_csv(&[("period_s", &report.periods_s), ("sa_g", &report.sa_g)])?;
+    files.write("spectrum.csv", || columns)?;
+    files.print(printer, "freestand.code-spectrum/1", &report, &warnings, || {
         let rows: Vec<Vec<String>> = report
             .periods_s
             .iter()

@@ -9,8 +9,10 @@ use freestand_study::recorded::scaled;
 use freestand_study::records::{Component, MotionFile, read_motions};
 use serde::Serialize;
 
+use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::{ReadArgs, path_text};
 use crate::values::Values;
@@ -58,7 +60,7 @@ struct MotionInfo {
     processing: Vec<String>,
 }
 
-pub(crate) fn run(args: &InfoArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let files = args.read.files(&args.files, &mut values);
     values.finish()?;
@@ -86,7 +88,8 @@ pub(crate) fn run(args: &InfoArgs, printer: &Printer) -> Result<Done, Failure> {
         return Err(Failure::Problems(problems));
     }
     let report = InfoReport { motions };
-    printer.result("freestand.motion-info/1", &report, &warnings, || text(&report.motions))?;
+    Files::begin(global, &args.files)?
+        .print(printer, "freestand.motion-info/1", &report, &warnings, || text(&report.motions))?;
     Ok(Done::OK)
 }
 

@@ -7,12 +7,14 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::oscillator::response_spectrum;
 use freestand_study::quantity::Dimension;
+use freestand_study::tables::columns_csv;
 use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
-use crate::args::at_least_one;
+use crate::args::{GlobalArgs, at_least_one};
 use crate::commands::Done;
 use crate::failure::Failure;
+use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::{ReadArgs, path_text};
 use crate::values::Values;
@@ -53,7 +55,7 @@ struct SpectrumReport {
     sa_g: Vec<f64>,
 }
 
-pub(crate) fn run(args: &SpectrumArgs, printer: &Printer) -> Result<Done, Failure> {
+pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let damping = values.non_negative("--damping", Some(&args.damping), Dimension::Ratio);
     let periods_s = super::periods(args.periods.as_deref(), &mut values);
@@ -77,7 +79,16 @@ pub(crate) fn run(args: &SpectrumArgs, printer: &Printer) -> Result<Done, Failur
         sd_m: spectrum.sd_m,
         psv_m_s: spectrum.psv_m_s,
     };
-    printer.result("freestand.motion-spectrum/1", &report, &read.notes, || text(&report))?;
+    let files = Files::begin(global, std::slice::from_ref(&args.file))?;
+    let columns = columns_csv(&[
+        ("period_s", &report.periods_s),
+        ("sd_m", &report.sd_m),
+        ("psv_m_s", &report.psv_m_s),
+        ("psa_g", &report.psa_g),
+        ("sa_g", &report.sa_g),
+    ])?;
+    files.write("spectrum.csv", || columns)?;
+    files.print(printer, "freestand.motion-spectrum/1", &report, &read.notes, || text(&report))?;
     Ok(Done::OK)
 }
 

@@ -6,6 +6,7 @@ use clap::Args;
 use freestand::synthesis::{GENERATOR, MatchedMotion, SynthesisError, SynthesisOptions, match_motion, synthesize};
 use freestand_study::recorded::name_of;
 use freestand_study::records::write_csv;
+use freestand_study::study::synthetic_name;
 use freestand_study::{Problem, ProblemKind};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -75,7 +76,7 @@ const SCHEMA: &str = "freestand.motion-synth/1";
 
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (spectrum, warnings) = args.code.spectrum()?;
-    let files = Files::begin(global)?;
+    let files = Files::begin(global, &[])?;
     let seed = global.seed.unwrap_or(1);
     // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
     let matched: Vec<MatchedMotion> = (0..u64::from(args.count))
@@ -83,7 +84,7 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
         .map(|index| synthesize(|period_s| spectrum.sa_g(period_s), seed, index, &SynthesisOptions::default()))
         .collect::<Result<_, SynthesisError>>()
         .map_err(|error| Failure::computation(error.to_string()))?;
-    let named = matched.into_iter().enumerate().map(|(i, one)| (format!("synthetic-{:03}", i + 1), one));
+    let named = matched.into_iter().enumerate().map(|(i, one)| (synthetic_name(i), one));
     let motions = written(named, &files)?;
     let report =
         SynthReport { code: CodeReport::from(&spectrum), seed: Some(seed), generator: Some(GENERATOR), motions };
@@ -93,7 +94,7 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (spectrum, mut warnings) = args.code.spectrum()?;
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global)?;
+    let files = Files::begin(global, std::slice::from_ref(&args.file))?;
     let matched =
         match_motion(&read.motion.motion, |period_s| spectrum.sa_g(period_s), SynthesisOptions::default().passes)
             .map_err(|error| {

@@ -1,0 +1,102 @@
+//! A study's text with the ground motions that were used, so that it runs again where its outputs are.
+
+use toml_edit::{Array, DocumentMut, Item, Table, value};
+
+use crate::error::{Problem, ProblemKind};
+
+/// The text with this seed of the synthetic motions; all else, comments too, stays.
+///
+/// # Errors
+/// A text that is not TOML, or a seed that TOML cannot hold.
+///
+/// # Example
+/// ```
+/// use freestand_study::rerun::with_seed;
+/// let text = with_seed("[ground]\nseed = 1 # drawn by lot\n", 7)?;
+/// assert_eq!(text, "[ground]\nseed = 7 # drawn by lot\n");
+/// # Ok::<(), freestand_study::Problem>(())
+/// ```
+pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let seed = i64::try_from(seed).map_err(|_| broken(format!("{seed} is more than TOML holds")))?;
+    let ground = study.entry("ground").or_insert_with(toml_edit::table);
+    let Some(ground) = ground.as_table_like_mut() else { return Err(broken("ground is no table")) };
+    match ground.get_mut("seed").and_then(Item::as_value_mut) {
+        Some(old) if old.as_integer() == Some(seed) => {}
+        Some(old) => {
+            let decor = old.decor().clone();
+            *old = seed.into();
+            *old.decor_mut() = decor;
+        }
+        None => {
+            ground.insert("seed", value(seed));
+        }
+    }
+    Ok(study.to_string())
+}
+
+/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled.
+///
+/// # Errors
+/// A text that is not TOML.
+pub fn with_motions(toml: &str, files: &[String]) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let mut motions: Array = files.iter().collect();
+    for motion in motions.iter_mut() {
+        motion.decor_mut().set_prefix("\n    ");
+    }
+    motions.set_trailing("\n");
+    motions.set_trailing_comma(true);
+    let mut ground = Table::new();
+    ground.insert("motions", value(motions));
+    if let Some(mut key) = ground.key_mut("motions") {
+        key.leaf_decor_mut().set_prefix("# As the run used them: component chosen, scaled, in m/s2.\n");
+    }
+    if let Some(old) = study.get("ground").and_then(Item::as_table) {
+        *ground.decor_mut() = old.decor().clone();
+        ground.set_position(old.position());
+    }
+    study.insert("ground", Item::Table(ground));
+    Ok(study.to_string())
+}
+
+fn parse(toml: &str) -> Result<DocumentMut, Problem> {
+    toml.parse().map_err(|error: toml_edit::TomlError| broken(error.message()))
+}
+
+fn broken(why: impl std::fmt::Display) -> Problem {
+    Problem::new(ProblemKind::Format, format!("the study cannot be written: {why}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::resolve::builtin_toml;
+
+    #[test]
+    fn only_the_ground_changes() {
+        assert_eq!(with_seed(builtin_toml(), 1).unwrap(), builtin_toml());
+        assert_eq!(with_seed(builtin_toml(), 7).unwrap(), builtin_toml().replace("\nseed = 1\n", "\nseed = 7\n"));
+        assert_eq!(with_seed("", 7).unwrap(), "[ground]\nseed = 7\n");
+        assert!(with_seed("", u64::MAX).is_err());
+        let ground = "[ground]\n# As the run used them: component chosen, scaled, in m/s2.\nmotions = [\n    \"motions/a.csv\",\n]\n";
+        let study = "# mine\n[ground]\nmotions = [\"/x/a\"]\nscale = 2.0\n# hers\n[objects]\nmass = \"1 kg\" # 1\n";
+        let text = with_motions(study, &["motions/a.csv".to_owned()]).unwrap();
+        assert_eq!(text, format!("# mine\n{ground}# hers\n[objects]\nmass = \"1 kg\" # 1\n"));
+        // Other spellings of a table, and none.
+        for study in [
+            "",
+            "ground = { seed = 3 }\nobjects.mass_kg = 1\n",
+            "ground.seed = 3\nobjects.mass_kg = 1\n",
+            "[objects]\n",
+        ] {
+            let text = with_motions(study, &["motions/a.csv".to_owned()]).unwrap();
+            let (options, problems) = crate::options::parse(&text, None);
+            assert_eq!(problems, [], "{text}");
+            assert!(
+                options.ground.motions.is_some_and(|files| files.value.len() == 1) && options.ground.seed.is_none()
+            );
+            assert_eq!(options.objects.mass_kg.is_some(), study.contains("mass"), "{text}");
+        }
+    }
+}
