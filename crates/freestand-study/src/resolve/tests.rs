@@ -48,7 +48,7 @@ fn every_value_is_checked_and_every_problem_reported() {
         "s.toml:12: damping must be a ratio from 0 to below 1, not 1",
         "s.toml:13: shear_flexure must be 0 or more, not -1",
         "s.toml:14: modes must be a whole number from 1 to 50, not 51",
-        "s.toml:15: \"a/b\" cannot name a level: it becomes part of file names",
+        "s.toml:15: \"a/b\" cannot name a level: a folder of the outputs has its name",
         "s.toml:15: level_ratio must be from 0 (ground) to 1 (roof), not 1.5",
         "s.toml:15: two levels are called \"Roof\"",
         "s.toml:15: the level has no level_ratio",
