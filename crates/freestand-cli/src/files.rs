@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use freestand_study::output::OutputFolder;
+use freestand_study::output::{OutputFolder, document};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::printer::{self, Printer};
+use crate::printer::Printer;
 use crate::reading::path_text;
 
 /// Files for `--out`, or nowhere without it.
@@ -52,7 +52,7 @@ impl Files {
         text: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
         if let Some((_, folder)) = &self.folder {
-            folder.write("result.json", printer::document(schema, body, warnings)?.as_bytes())?;
+            folder.write("result.json", document(schema, body, warnings)?.as_bytes())?;
         }
         self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)?;
         printer.result(schema, body, warnings, text)
@@ -66,7 +66,7 @@ impl Files {
         names.push(MANIFEST.to_owned());
         names.sort_unstable();
         let manifest = Listed { body, files: names };
-        folder.write(MANIFEST, printer::document(schema, &manifest, warnings)?.as_bytes())?;
+        folder.write(MANIFEST, document(schema, &manifest, warnings)?.as_bytes())?;
         folder.commit()?;
         Ok(())
     }

@@ -4,8 +4,8 @@ use std::io::{self, IsTerminal, Write};
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use freestand_study::ProblemKind;
+use freestand_study::output::document;
 use serde::Serialize;
-use serde_json::{Map, Value};
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -55,23 +55,6 @@ impl Printer {
     pub(crate) fn progress(&self) -> bool {
         !self.quiet && io::stderr().is_terminal()
     }
-}
-
-/// One JSON document; a number that is not finite is `null`.
-pub(crate) fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Failure> {
-    let not_json = |error: serde_json::Error| Failure::computation(format!("the result is not JSON: {error}"));
-    let mut all = Map::new();
-    all.insert("schema".to_owned(), Value::from(schema));
-    match serde_json::to_value(body).map_err(not_json)? {
-        Value::Object(keys) => all.extend(keys),
-        other => {
-            all.insert("result".to_owned(), other);
-        }
-    }
-    all.insert("warnings".to_owned(), Value::from(warnings));
-    let mut text = serde_json::to_string_pretty(&all).map_err(not_json)?;
-    text.push('\n');
-    Ok(text)
 }
 
 /// Writes to standard output, at once and to its end.

@@ -1,6 +1,8 @@
 //! Output that is either complete or not there: nothing half-written is ever found under the name that was asked for.
 
 use crate::error::{Problem, ProblemKind};
+use serde::Serialize;
+use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
 use std::fs;
@@ -16,6 +18,29 @@ const STAGING_PREFIX: &str = ".freestand-partial-";
 
 /// Most of a manifest that is read to see whose it is. Ours are far shorter; a stranger's may be of any size.
 const MANIFEST_BYTES: u64 = 64 << 20;
+
+/// One JSON document: the keys of `body` between `schema` and `warnings`; a number that is not finite is `null`.
+///
+/// # Errors
+/// A body that is no JSON: a defect.
+pub fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Problem> {
+    let not_json = |error: serde_json::Error| {
+        Problem::new(ProblemKind::Computation, format!("the result is not JSON: {error}"))
+            .hint("this is a defect of freestand; please report it")
+    };
+    let mut all = Map::new();
+    all.insert("schema".to_owned(), Value::from(schema));
+    match serde_json::to_value(body).map_err(not_json)? {
+        Value::Object(keys) => all.extend(keys),
+        other => {
+            all.insert("result".to_owned(), other);
+        }
+    }
+    all.insert("warnings".to_owned(), Value::from(warnings));
+    let mut text = serde_json::to_string_pretty(&all).map_err(not_json)?;
+    text.push('\n');
+    Ok(text)
+}
 
 /// Writes a file under a temporary name beside `path`, then gives it its name. A file that was there is replaced; if
 /// anything fails it stays as it was.

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::figures::figures;
-use crate::output::OutputFolder;
+use crate::output::{OutputFolder, document};
 use crate::records::write_csv;
 use crate::report::{provenance, report};
 use crate::rerun::{with_motions, with_seed};
@@ -21,8 +21,10 @@ use crate::tables::{srs_csv, statistics_csv, urs_csv};
 pub struct Written {
     /// The folder.
     pub folder: PathBuf,
-    /// `summary.json` as it stands in it.
-    pub summary: Value,
+    /// The names of its files.
+    pub files: Vec<String>,
+    /// `summary.json` without its schema and warnings.
+    pub body: Value,
 }
 
 /// The names of the files that a run of `study` will write, but for the figures: these depend on the result.
@@ -58,23 +60,14 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
     let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
     names.push("summary.json".to_owned());
     names.sort_unstable();
-    let mut document = Map::new();
-    document.insert("schema".to_owned(), Value::from(SCHEMA));
-    if let Value::Object(keys) = summary(study, result, &names) {
-        document.extend(keys);
-    }
-    document.insert("warnings".to_owned(), Value::from(result.warnings.clone()));
-    let document = Value::Object(document);
-    let mut text = serde_json::to_vec_pretty(&document)
-        .map_err(|error| Problem::new(ProblemKind::Io, format!("summary.json cannot be written: {error}")))?;
-    text.push(b'\n');
-    files.push(("summary.json".to_owned(), text));
+    let body = summary(study, result, &names);
+    files.push(("summary.json".to_owned(), document(SCHEMA, &body, &result.warnings)?.into_bytes()));
 
     files.sort_unstable_by(|a, b| a.0.cmp(&b.0));
     for (name, bytes) in &files {
         folder.write(name, bytes)?;
     }
-    Ok(Written { folder: folder.commit()?, summary: document })
+    Ok(Written { folder: folder.commit()?, files: names, body })
 }
 
 type File = (String, Vec<u8>);

@@ -98,15 +98,14 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
 
     let levels = level_summaries(&study, &result);
     let failed: usize = levels.iter().map(|level| level.failed).sum();
-    let mut body = written.summary;
+    let mut body = written.body;
     if let Value::Object(keys) = &mut body {
-        // The printer adds these two.
-        keys.remove("schema");
-        keys.remove("warnings");
         keys.insert("out".to_owned(), Value::from(written.folder.display().to_string()));
     }
     printer.result(freestand_study::summary::SCHEMA, &body, &result.warnings, || {
-        text(&levels, result.ground.len(), &out.display().to_string(), start.elapsed().as_secs_f64())
+        let files = written.files.iter().filter(|name| !name.contains('/')).count();
+        text(&levels, result.ground.len(), start.elapsed().as_secs_f64())
+            + &format!("{files} files and motions/ in {}\n", out.display())
     })?;
     let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
     Ok(Done { criterion_met: failed == 0 && !exceeded })
@@ -136,29 +135,28 @@ fn progress_bar(printer: &Printer) -> ProgressBar {
     ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "))
 }
 
-fn text(levels: &[LevelSummary], motions: usize, folder: &str, seconds: f64) -> String {
+fn text(levels: &[LevelSummary], motions: usize, seconds: f64) -> String {
+    let criterion = levels.iter().any(|level| level.exceeded_objects.is_some());
     let rows: Vec<Vec<String>> = levels
         .iter()
         .map(|level| {
-            vec![
+            let mut row = vec![
                 level.level.clone(),
                 significant(level.pfa_g_median, 3),
                 format!("{:.1} %", 100.0 * level.uplift_share),
                 format!("{:.1} %", 100.0 * level.overturned_share),
-                level.exceeded_objects.map_or_else(|| "-".to_owned(), |objects| objects.to_string()),
                 optional(level.edge_acceleration_g_median, 3, ""),
                 optional(level.edge_acceleration_g_max, 3, ""),
                 level.failed.to_string(),
-            ]
+            ];
+            row.extend(level.exceeded_objects.map(|objects| objects.to_string()));
+            row
         })
         .collect();
-    let headings =
-        ["level", "median PFA g", "uplift", "overturned", "largest median shock g", "largest shock g", "failed"];
+    let mut headings =
+        vec!["level", "median PFA g", "uplift", "overturned", "largest median shock g", "largest shock g", "failed"];
+    headings.extend(criterion.then_some("objects above tolerance"));
     let histories: usize = levels.iter().map(|level| level.histories).sum();
     let motions = if motions == 1 { "1 motion".to_owned() } else { format!("{motions} motions") };
-    format!(
-        "{}\n{motions}, {histories} rocking histories, {seconds:.1} s\nresults in {folder}: report.html, urs.csv, srs.csv, \
-         statistics.csv, summary.json, motions/, figures\n",
-        table(&headings, &rows)
-    )
+    format!("{}\n{motions}, {histories} rocking histories, {seconds:.1} s\n", table(&headings, &rows))
 }
