@@ -16,6 +16,7 @@ pub mod resolve;
 pub mod result;
 pub mod rock;
 pub mod run;
+pub mod shape;
 pub mod shock;
 pub mod statistics;
 pub mod study;

@@ -71,20 +71,10 @@ pub enum Energy {
 /// A landing to be evaluated: SI units, `None` where nobody says.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShockRequest {
-    /// Height of the object \[m\].
-    pub height_m: f64,
-    /// Its width in the plane of motion \[m\].
-    pub thickness_m: f64,
+    /// The object; it tilts to the left and lands on its right edge.
+    pub block: Block,
     /// Its mass \[kg\].
     pub mass_kg: f64,
-    /// Distance between the pivot edges, where the feet are set in \[m\].
-    pub base_width_m: Option<f64>,
-    /// Height of the centre of gravity, where it is not in the middle \[m\].
-    pub cg_height_m: Option<f64>,
-    /// Horizontal offset of the centre of gravity, positive towards the landing edge \[m\].
-    pub cg_offset_m: Option<f64>,
-    /// Inertia about the pivot edge, where it is not that of a uniform block \[kg·m²\].
-    pub inertia_kg_m2: Option<f64>,
     /// Stiffness of all the cushion under one edge \[N/m\].
     pub stiffness_n_m: Option<f64>,
     /// Stiffness of one pad \[N/m\], with [`ShockRequest::pads_per_edge`].
@@ -124,16 +114,11 @@ pub struct ShockRequest {
 }
 
 impl ShockRequest {
-    /// A uniform block; everything else is not yet said.
-    pub fn new(height_m: f64, thickness_m: f64, mass_kg: f64) -> Self {
+    /// An object and its mass; everything else is not yet said.
+    pub fn new(block: Block, mass_kg: f64) -> Self {
         Self {
-            height_m,
-            thickness_m,
+            block,
             mass_kg,
-            base_width_m: None,
-            cg_height_m: None,
-            cg_offset_m: None,
-            inertia_kg_m2: None,
             stiffness_n_m: None,
             pad_stiffness_n_m: None,
             pads_per_edge: None,
@@ -288,47 +273,29 @@ fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
 /// Test 1 of Table I of Al Abadi et al., with g = 9.81 m/s² as the paper has it:
 /// ```
 /// use freestand_study::shock::{Energy, ShockRequest, shock};
-/// let mut cabinet = ShockRequest::new(2.3, 0.6, 140.0);
+/// let mut cabinet = ShockRequest::new(freestand::block::Block::uniform(2.3, 0.6)?, 140.0);
 /// cabinet.stiffness_n_m = Some(4.38e6);
 /// cabinet.energy = Some(Energy::CgRise(0.016));
 /// let report = shock(&cabinet)?;
 /// assert!((report.edge_acceleration_g - 4.526).abs() < 1e-3);
 /// assert_eq!(report.verdict, "no-verdict");
-/// # Ok::<(), freestand_study::StudyError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn shock(request: &ShockRequest) -> Result<ShockReport, StudyError> {
     let mut problems = Vec::new();
-    let block = keep(&mut problems, block(request));
     let cushion = cushion(request, &mut problems);
     check_combinations(request, &mut problems);
-    let landing = block.and_then(|block| keep(&mut problems, landing(request, &block)).map(|landing| (block, landing)));
-    let Some((block, landing)) = landing else { return Err(StudyError { problems }) };
-    let energy = keep(&mut problems, fall(request, &block, &landing));
+    let block = &request.block;
+    let Some(landing) = keep(&mut problems, landing(request, block)) else { return Err(StudyError { problems }) };
+    let energy = keep(&mut problems, fall(request, block, &landing));
     match (cushion, energy) {
-        (Some(cushion), Some(fall)) if problems.is_empty() => Ok(report(request, &block, &landing, &cushion, &fall)?),
+        (Some(cushion), Some(fall)) if problems.is_empty() => Ok(report(request, block, &landing, &cushion, &fall)?),
         _ => Err(StudyError { problems }),
     }
 }
 
 fn keep<T>(problems: &mut Vec<Problem>, result: Result<T, Problem>) -> Option<T> {
     result.map_err(|problem| problems.push(problem)).ok()
-}
-
-fn block(request: &ShockRequest) -> Result<Block, Problem> {
-    let mut block = Block::uniform(request.height_m, request.thickness_m);
-    if let Some(base_width_m) = request.base_width_m {
-        block = block.and_then(|block| block.with_base_width(base_width_m));
-    }
-    if let Some(cg_height_m) = request.cg_height_m {
-        block = block.and_then(|block| block.with_cg_height(cg_height_m));
-    }
-    if let Some(cg_offset_m) = request.cg_offset_m {
-        block = block.and_then(|block| block.with_cg_offset(cg_offset_m));
-    }
-    if let Some(inertia_kg_m2) = request.inertia_kg_m2 {
-        block = block.and_then(|block| block.with_inertia_per_mass(inertia_kg_m2 / request.mass_kg));
-    }
-    block.map_err(|error| problem(error.to_string(), "check the dimensions of the object"))
 }
 
 fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {

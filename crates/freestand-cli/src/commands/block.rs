@@ -1,9 +1,10 @@
-//! Flags that describe the object and its motion, shared by `rock` and `spectrum`.
+//! Flags that describe the object and its motion, shared by `rock`, `spectrum` and `shock`.
 
 use clap::{Args, ValueEnum};
 use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
 use freestand_study::quantity::Dimension;
+use freestand_study::shape::Shape;
 use freestand_study::{Problem, ProblemKind};
 
 use crate::values::Values;
@@ -91,7 +92,7 @@ pub(crate) struct ShapeArgs {
     /// Height of the centre of gravity, where it is not in the middle
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     cg_height: Option<String>,
-    /// Horizontal offset of the centre of gravity, positive to the right
+    /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the landing edge)
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     cg_offset: Option<String>,
     /// Moment of inertia about the left pivot edge, such as "120 kg m2"; needs --mass
@@ -108,27 +109,14 @@ impl ShapeArgs {
         mass_kg: Option<f64>,
         values: &mut Values,
     ) -> Option<Block> {
-        let base_width = values.positive("--base-width", self.base_width.as_deref(), Dimension::Length);
-        let cg_height = values.positive("--cg-height", self.cg_height.as_deref(), Dimension::Length);
-        let cg_offset = values.any("--cg-offset", self.cg_offset.as_deref(), Dimension::Length);
         let inertia = values.positive("--inertia", self.inertia.as_deref(), Dimension::Inertia);
-        let shaped = || {
-            let mut block = Block::uniform(height_m, thickness_m)?;
-            if let Some(base_width_m) = base_width {
-                block = block.with_base_width(base_width_m)?;
-            }
-            if let Some(cg_height_m) = cg_height {
-                block = block.with_cg_height(cg_height_m)?;
-            }
-            if let Some(cg_offset_m) = cg_offset {
-                block = block.with_cg_offset(cg_offset_m)?;
-            }
-            match (inertia, mass_kg) {
-                (Some(inertia_kg_m2), Some(mass_kg)) => block.with_inertia_per_mass(inertia_kg_m2 / mass_kg),
-                _ => Ok(block),
-            }
+        let shape = Shape {
+            base_width_m: values.positive("--base-width", self.base_width.as_deref(), Dimension::Length),
+            cg_height_m: values.positive("--cg-height", self.cg_height.as_deref(), Dimension::Length),
+            cg_offset_m: values.any("--cg-offset", self.cg_offset.as_deref(), Dimension::Length),
+            inertia_kg_m2: inertia.zip(mass_kg),
         };
-        match shaped() {
+        match shape.block(height_m, thickness_m) {
             Ok(block) => Some(block),
             Err(error) => {
                 values.push(Problem::new(ProblemKind::Value, error.to_string()).hint("check the sizes of the object"));

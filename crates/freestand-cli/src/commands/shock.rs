@@ -7,6 +7,7 @@ use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, shock}
 use freestand_study::{Problem, ProblemKind};
 
 use super::Done;
+use super::block::ShapeArgs;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -34,18 +35,8 @@ pub(crate) struct ShockArgs {
     /// Mass
     #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
     mass: String,
-    /// Distance between the pivot edges, where the feet are set in
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The general block")]
-    base_width: Option<String>,
-    /// Height of the centre of gravity, where it is not in the middle
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The general block")]
-    cg_height: Option<String>,
-    /// Horizontal offset of the centre of gravity, positive towards the landing edge
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The general block")]
-    cg_offset: Option<String>,
-    /// Moment of inertia about the pivot edge, such as "120 kg m2"
-    #[arg(long, value_name = "INERTIA", allow_hyphen_values = true, help_heading = "The general block")]
-    inertia: Option<String>,
+    #[command(flatten)]
+    shape: ShapeArgs,
 
     /// Stiffness of ALL the cushion under one edge
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
@@ -197,9 +188,6 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
     let mass = values.positive("--mass", Some(&args.mass), Dimension::Mass);
     let mut positive = |flag: &str, text: &Option<String>, dimension| values.positive(flag, text.as_deref(), dimension);
-    let base_width_m = positive("--base-width", &args.base_width, Dimension::Length);
-    let cg_height_m = positive("--cg-height", &args.cg_height, Dimension::Length);
-    let inertia_kg_m2 = positive("--inertia", &args.inertia, Dimension::Inertia);
     let stiffness_n_m = positive("--stiffness", &args.stiffness, Dimension::Stiffness);
     let pad_stiffness_n_m = positive("--pad-stiffness", &args.pad_stiffness, Dimension::Stiffness);
     let pad_thickness_m = positive("--pad-thickness", &args.pad_thickness, Dimension::Length);
@@ -218,7 +206,10 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
         .iter()
         .filter_map(|text| values.positive("--series-stiffness", Some(text), Dimension::Stiffness))
         .collect();
-    let cg_offset_m = values.any("--cg-offset", args.cg_offset.as_deref(), Dimension::Length);
+    let block = match (height, thickness) {
+        (Some(height_m), Some(thickness_m)) => args.shape.block(height_m, thickness_m, mass, &mut values),
+        _ => None,
+    };
     let at_m = values.point("--at", args.at.as_deref());
     let energy = energy(args, &mut values);
     if args.pads_per_edge == Some(0) {
@@ -226,15 +217,11 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
         values.push(problem.hint("a cabinet on four feet has 2 under each edge"));
     }
     values.finish()?;
-    let (Some(height_m), Some(thickness_m), Some(mass_kg)) = (height, thickness, mass) else {
+    let (Some(block), Some(mass_kg)) = (block, mass) else {
         return Err(Failure::usage("the object has no size", "give --height, --thickness and --mass"));
     };
-    let bare = ShockRequest::new(height_m, thickness_m, mass_kg);
+    let bare = ShockRequest::new(block, mass_kg);
     Ok(ShockRequest {
-        base_width_m,
-        cg_height_m,
-        cg_offset_m,
-        inertia_kg_m2,
         stiffness_n_m,
         pad_stiffness_n_m,
         pads_per_edge: args.pads_per_edge,

@@ -5,7 +5,7 @@ fn cabinet() -> ShockRequest {
         stiffness_n_m: Some(4.38e6),
         energy: Some(Energy::CgRise(0.016)),
         gravity_m_s2: 9.81,
-        ..ShockRequest::new(2.3, 0.6, 140.0)
+        ..ShockRequest::new(Block::uniform(2.3, 0.6).unwrap(), 140.0)
     }
 }
 
@@ -29,7 +29,8 @@ fn table_one_test_one() {
 fn ceilings_of_three_objects() {
     for (h, t, ceiling) in [(1.5, 0.2, 1.45), (1.5, 0.4, 5.72), (2.0, 0.6, 8.32)] {
         let request = ShockRequest { mass_kg: 150.0, gravity_m_s2: G0_M_S2, ..cabinet() };
-        let request = ShockRequest { height_m: h, thickness_m: t, energy: Some(Energy::CgRise(1e-3)), ..request };
+        let request =
+            ShockRequest { block: Block::uniform(h, t).unwrap(), energy: Some(Energy::CgRise(1e-3)), ..request };
         assert!((shock(&request).unwrap().ceiling_g.unwrap() - ceiling).abs() < 5.1e-3);
     }
 }
@@ -122,7 +123,7 @@ fn overturning_lands_on_its_side() {
 
 #[test]
 fn squat_objects_are_halted_with_a_warning() {
-    let request = ShockRequest { height_m: 0.6, thickness_m: 1.0, ..cabinet() };
+    let request = ShockRequest { block: Block::uniform(0.6, 1.0).unwrap(), ..cabinet() };
     let report = shock(&request).unwrap();
     assert_eq!((report.model, report.models.paper_g), ("halted", None));
     assert!(report.landing_ratio < 0.0 && report.warnings[0].contains("squat"));
@@ -171,6 +172,8 @@ fn a_point_of_the_object() {
 
 #[test]
 fn all_problems_come_at_once() {
-    let request = ShockRequest { height_m: -1.0, gap_m: Some(1.0), ..ShockRequest::new(1.0, 1.0, f64::NAN) };
+    let cube = Block::uniform(1.0, 1.0).unwrap();
+    let request = ShockRequest { gap_m: Some(1.0), ..ShockRequest::new(cube, f64::NAN) };
+    // The mass, the gap without an obstacle, the cushion and the fall that nobody gives.
     assert_eq!(shock(&request).unwrap_err().problems.len(), 4);
 }
