@@ -5,6 +5,7 @@ use std::io::{self, IsTerminal, Write};
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use freestand_study::ProblemKind;
 use freestand_study::output::document;
+pub(crate) use freestand_study::words::significant;
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -113,21 +114,7 @@ pub(crate) fn pairs(rows: &[(&str, String)]) -> String {
     rows.iter().map(|(name, value)| format!("{name}{}  {value}\n", " ".repeat(width - name.chars().count()))).collect()
 }
 
-/// A number with `digits` significant digits, without an exponent between 1e-3 and 1e6.
-pub(crate) fn significant(value: f64, digits: usize) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 { "0".to_owned() } else { "-".to_owned() };
-    }
-    let exponent = value.abs().log10().floor();
-    if (-3.0..6.0).contains(&exponent) {
-        let decimals = (digits as f64 - 1.0 - exponent).max(0.0) as usize;
-        format!("{value:.decimals$}")
-    } else {
-        format!("{value:.*e}", digits.saturating_sub(1))
-    }
-}
-
-/// The same, with `-` for a value that is missing.
+/// Significant digits and a unit, or `-` for a value that is missing.
 pub(crate) fn optional(value: Option<f64>, digits: usize, unit: &str) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{} {unit}", significant(value, digits)).trim_end().to_owned())
 }

@@ -23,7 +23,7 @@ pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod validate;
-mod words;
+pub mod words;
 
 /// The design document: its examples are compiled and run.
 #[cfg(doctest)]

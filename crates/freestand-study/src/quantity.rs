@@ -4,6 +4,7 @@
 //! next. Ratios are bare, or percentages.
 
 use crate::error::{Problem, ProblemKind};
+use crate::words::number;
 use freestand::G0_M_S2;
 
 /// What a quantity measures.
@@ -401,28 +402,10 @@ pub fn format_si(value_si: f64, dimension: Dimension) -> String {
         Dimension::AngularVelocity => "rad/s",
         Dimension::Velocity => "m/s",
         Dimension::Inertia => "kg·m2",
-        Dimension::Ratio => return format_digits(value_si),
+        Dimension::Ratio => return number(value_si, 6),
     };
     let value = lookup(symbol).map_or(value_si, |unit| unit.from_si(value_si));
-    format!("{} {}", format_digits(value), symbol.replace("m2", "m²"))
-}
-
-/// Six significant digits without trailing zeros; an exponent only where the plain form would be long.
-fn format_digits(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 { "0".to_owned() } else { value.to_string() };
-    }
-    let exponent = value.abs().log10().floor() as i32;
-    if !(-4..9).contains(&exponent) {
-        let text = format!("{value:.5e}");
-        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        return format!("{}e{power}", trim_zeros(digits));
-    }
-    trim_zeros(&format!("{value:.*}", usize::try_from(5 - exponent).unwrap_or(0))).to_owned()
-}
-
-fn trim_zeros(digits: &str) -> &str {
-    if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits }
+    format!("{} {}", number(value, 6), symbol.replace("m2", "m²"))
 }
 
 /// A number in its parts, with what follows it.

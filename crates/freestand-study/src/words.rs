@@ -1,24 +1,31 @@
 //! Numbers and texts as people read them.
 
-/// A number with at most `digits` significant digits and no trailing zeros: `300`, `1.5`, `0.196`; `–` where it is not
-/// finite.
-pub(crate) fn number(value: f64, digits: usize) -> String {
+/// A number with `digits` significant digits: `300.0`, `1.500`, `1.50e-5`; an exponent only where the plain form would be
+/// long, `–` where it is not finite.
+pub fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
     if value == 0.0 {
         return "0".to_owned();
     }
-    let exponent = value.abs().log10().floor();
-    if !(-4.0..9.0).contains(&exponent) {
-        return format!("{value:.*e}", digits.saturating_sub(1));
+    // The exponent after rounding: 9.9996 with four digits is 10.00.
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let exponent = scientific.split_once('e').and_then(|(_, power)| power.parse::<i32>().ok()).unwrap_or(0);
+    if (-4..9).contains(&exponent) {
+        let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
+        format!("{value:.decimals$}")
+    } else {
+        scientific
     }
-    let decimals = (digits as f64 - 1.0 - exponent).max(0.0) as usize;
-    let text = format!("{value:.decimals$}");
-    if !text.contains('.') {
-        return text;
-    }
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// The same without trailing zeros: `300`, `1.5`, `0.196`.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = significant(value, digits);
+    let (mantissa, power) = text.split_once('e').map_or((text.as_str(), None), |(m, p)| (m, Some(p)));
+    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    power.map_or_else(|| mantissa.to_owned(), |power| format!("{mantissa}e{power}"))
 }
 
 /// A number with a fixed count of decimals; `–` where it is not finite.
@@ -64,11 +71,18 @@ mod tests {
             (12345.0, 3, "12345"),
             (0.0, 3, "0"),
             (-0.083, 2, "-0.083"),
-            (1e-7, 2, "1.0e-7"),
+            (1e-7, 2, "1e-7"),
+            (9.99996, 4, "10"),
             (f64::NAN, 3, "–"),
         ] {
             assert_eq!(number(value, digits), expected);
         }
+    }
+
+    #[test]
+    fn rounding_up_a_decade_adds_no_digit() {
+        assert_eq!((significant(9.99996, 4), significant(0.0999999, 3)), ("10.00".to_owned(), "0.100".to_owned()));
+        assert_eq!((significant(2.7835e-5, 4), significant(4.38e6, 3)), ("2.784e-5".to_owned(), "4380000".to_owned()));
     }
 
     #[test]
