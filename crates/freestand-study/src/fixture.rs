@@ -10,8 +10,9 @@ use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::oscillator::{ResponseSpectrum, response_spectrum};
+use freestand::rocking::Outcome;
 use freestand::rocking::{Accuracy, Restitution, SideExtremes, StopReason};
-use freestand::spectra::{Outcome, UpliftCell};
+use freestand::spectra::UpliftCell;
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 

@@ -3,7 +3,8 @@
 use freestand::building::Mode;
 use freestand::motion::Motion;
 use freestand::oscillator::ResponseSpectrum;
-use freestand::spectra::{Outcome, ShockCell, UpliftCell};
+use freestand::rocking::Outcome;
+use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
 
 use crate::study::Level;

@@ -5,10 +5,11 @@ use freestand::impact::{
     ASSUMED_FRICTION, ImpactModel, ValidityWarning, bottoming_warning, impact_friction_needed_ratio, stiffness_warnings,
 };
 use freestand::motion::{MAX_SAMPLES, Motion};
+use freestand::rocking::Outcome;
 use freestand::rocking::{
     Base, HistoryPoint, HistoryRecorder, Rocking, RockingError, RockingOptions, Until, rock_observed,
 };
-use freestand::spectra::{Outcome, UpliftCell, landings};
+use freestand::spectra::{UpliftCell, landings};
 use freestand::{G0_M_S2, rocking};
 use serde::Serialize;
 

@@ -9,10 +9,11 @@ use freestand::impact::impact_friction_needed_ratio;
 use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, bottoming_warning};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
+use freestand::rocking::Outcome;
 use freestand::rocking::{
     Base, HistoryRecorder, RockingError, RockingModel, RockingOptions, StopReason, Until, rock_observed,
 };
-use freestand::spectra::{Outcome, UpliftCell, uplift_spectrum};
+use freestand::spectra::{UpliftCell, uplift_spectrum};
 use freestand::synthesis::{self, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 

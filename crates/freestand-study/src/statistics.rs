@@ -1,6 +1,7 @@
 //! Quantiles over motions in which an overturned object ranks above every number.
 
-use freestand::spectra::{Outcome, UpliftCell};
+use freestand::rocking::Outcome;
+use freestand::spectra::UpliftCell;
 
 use crate::result::{ObjectResponse, ObjectStatistics, Ranked};
 

@@ -1,6 +1,6 @@
 //! `summary.json`: the key figures of each level, and where they come from.
 
-use freestand::spectra::Outcome;
+use freestand::rocking::Outcome;
 use freestand::synthesis;
 use serde_json::{Value, json};
 

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use freestand::block::Block;
 use freestand::motion::Motion;
+use freestand::rocking::Outcome;
 use freestand::rocking::{Accuracy, Base, Restitution, Rocking, RockingModel, RockingOptions, rock};
-use freestand::spectra::Outcome;
 use serde_json::Value;
 
 fn workspace() -> PathBuf {

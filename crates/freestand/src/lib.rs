@@ -28,8 +28,8 @@
 //! use freestand::block::Block;
 //! use freestand::impact::ImpactModel;
 //! use freestand::motion::Motion;
-//! use freestand::rocking::{Base, RockingOptions, Until, rock};
-//! use freestand::spectra::{Outcome, UpliftCell};
+//! use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
+//! use freestand::spectra::UpliftCell;
 //!
 //! let cabinet = Block::uniform(2.3, 0.6)?;
 //! let cycle = (0..=200).map(|i| 0.35 * 9.80665 * (std::f64::consts::TAU * f64::from(i) / 200.0).sin());

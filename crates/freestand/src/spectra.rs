@@ -8,29 +8,7 @@ use rayon::prelude::*;
 use crate::G0_M_S2;
 use crate::block::Block;
 use crate::impact::{ImpactModel, Landing};
-use crate::rocking::{Base, Rocking, RockingError, RockingOptions, SideExtremes, StopReason, rock};
-
-/// What an object did.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// The base never passed the uplift threshold.
-    NoUplift,
-    /// It rocked and did not fall.
-    Rocked,
-    /// |θ| reached π/2.
-    Overturned,
-}
-
-impl Outcome {
-    /// The word for it in every output: `no-uplift`, `rocked`, `overturned`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NoUplift => "no-uplift",
-            Self::Rocked => "rocked",
-            Self::Overturned => "overturned",
-        }
-    }
-}
+use crate::rocking::{Base, Outcome, Rocking, RockingError, RockingOptions, SideExtremes, StopReason, rock};
 
 /// One cell of an uplift response spectrum: an object under a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

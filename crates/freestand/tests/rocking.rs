@@ -9,11 +9,12 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
+use freestand::rocking::Outcome;
 use freestand::rocking::{
     Accuracy, Base, HistoryPoint, HistoryRecorder, Restitution, Rocking, RockingError, RockingModel, RockingOptions,
     StopReason, Until, rock, rock_observed,
 };
-use freestand::spectra::{Outcome, UpliftCell};
+use freestand::spectra::UpliftCell;
 use proptest::prelude::*;
 
 /// A block of slenderness angle `alpha` and half diagonal 1 m.

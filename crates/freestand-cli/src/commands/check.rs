@@ -36,7 +36,7 @@ struct CheckReport {
     building_height_m: f64,
     period_s: f64,
     damping_ratio: f64,
-    shear_flexure: f64,
+    shear_flexure_ratio: f64,
     modes: usize,
     levels: Vec<LevelReport>,
     heights_m: Vec<f64>,
@@ -116,7 +116,7 @@ fn report(study: &Study) -> CheckReport {
         building_height_m: building.storeys as f64 * building.storey_height_m,
         period_s: building.beam.period_s(),
         damping_ratio: building.beam.damping_ratio(),
-        shear_flexure: building.beam.shear_flexure_ratio(),
+        shear_flexure_ratio: building.beam.shear_flexure_ratio(),
         modes: building.beam.modes().len(),
         levels: study
             .levels
@@ -155,7 +155,7 @@ fn text(study: &Study, report: &CheckReport) -> String {
         format!(
             "damping {} %, shear-flexure {}, {} modes",
             significant(100.0 * report.damping_ratio, 3),
-            report.shear_flexure,
+            report.shear_flexure_ratio,
             report.modes
         ),
     ));

@@ -84,7 +84,7 @@ struct FloorReport {
     motion: String,
     building_height_m: f64,
     damping_ratio: f64,
-    shear_flexure: f64,
+    shear_flexure_ratio: f64,
     pga_g: f64,
     modes: Vec<ModeReport>,
     levels: Vec<LevelReport>,
@@ -165,7 +165,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         motion: read.motion.name,
         building_height_m,
         damping_ratio: beam.damping_ratio(),
-        shear_flexure: beam.shear_flexure_ratio(),
+        shear_flexure_ratio: beam.shear_flexure_ratio(),
         pga_g: ground.peak_m_s2() / G0_M_S2,
         modes: beam
             .modes()

@@ -4,7 +4,7 @@ use kuva::plot::scatter::MarkerShape;
 use kuva::render::annotations::ReferenceLine;
 use kuva::render::layout::Layout;
 
-use freestand::spectra::Outcome;
+use freestand::rocking::Outcome;
 
 use crate::result::{ExampleHistory, StudyResult};
 use crate::words::number;

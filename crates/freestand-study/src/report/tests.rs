@@ -190,7 +190,7 @@ fn many_levels_and_thicknesses_and_a_fall_are_drawn() {
     }
     let mut result = fixture::result(&study);
     let history = result.history.as_mut().unwrap();
-    history.outcome = freestand::spectra::Outcome::Overturned;
+    history.outcome = freestand::rocking::Outcome::Overturned;
     let topples = |t: &f64| if *t < 6.0 { 0.0 } else { ((t - 6.0) * 0.5).min(std::f64::consts::FRAC_PI_2) };
     history.theta_rad = history.time_s.iter().map(topples).collect();
     history.impacts.clear();

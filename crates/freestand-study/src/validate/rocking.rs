@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::motion::Motion;
+use freestand::rocking::Outcome;
 use freestand::rocking::{Base, Restitution, RockingModel, RockingOptions, Until, rock, rock_observed};
-use freestand::spectra::Outcome;
 
 use super::{Check, check, defect};
 use crate::error::Problem;

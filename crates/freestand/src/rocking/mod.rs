@@ -24,7 +24,6 @@ use thiserror::Error;
 
 use crate::block::Block;
 use crate::motion::Motion;
-use crate::spectra::Outcome;
 
 pub use equation::Segment;
 pub use history::{HistoryPoint, HistoryRecorder};
@@ -177,6 +176,28 @@ pub struct RockingImpact {
     pub omega_before_rad_s: f64,
     /// ω⁺ = r ω⁻ \[rad/s\].
     pub omega_after_rad_s: f64,
+}
+
+/// What an object did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// The base never passed the uplift threshold.
+    NoUplift,
+    /// It rocked and did not fall.
+    Rocked,
+    /// |θ| reached π/2.
+    Overturned,
+}
+
+impl Outcome {
+    /// The word for it in every output: `no-uplift`, `rocked`, `overturned`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::NoUplift => "no-uplift",
+            Self::Rocked => "rocked",
+            Self::Overturned => "overturned",
+        }
+    }
 }
 
 /// Why a history stopped.

@@ -4,13 +4,12 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::equation::{Edge, Ground, Segment};
 use super::{
-    Base, MAX_IMPACTS, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, STEADY_IMPACTS,
+    Base, MAX_IMPACTS, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, STEADY_IMPACTS,
     SideExtremes, StopReason, Until,
 };
 use crate::block::Block;
 use crate::motion::Motion;
 use crate::polynomial::{first_root, roots, value};
-use crate::spectra::Outcome;
 
 /// Follows `block` through the motion of its base.
 ///
