@@ -43,11 +43,13 @@ pub fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Re
 }
 
 /// Writes a file under a temporary name beside `path`, then gives it its name. A file that was there is replaced; if
-/// anything fails it stays as it was.
+/// anything fails it stays as it was. No file of `inputs` is replaced.
 ///
 /// # Errors
 /// A folder that is absent or may not be written, a full disk, or a folder in the file's place.
-pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Problem> {
+pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), Problem> {
+    let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
+    refuse_input(&inputs, path)?;
     let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
     if path.is_dir() {
         return Err(Problem::new(ProblemKind::Io, "is a folder, a file is to be written there")
@@ -463,14 +465,14 @@ mod tests {
     fn a_file_is_whole_or_not_there() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        write_file(&path, b"one").unwrap();
-        write_file(&path, b"two").unwrap();
+        write_file(&path, b"one", &[]).unwrap();
+        write_file(&path, b"two", &[]).unwrap();
         assert_eq!((fs::read(&path).unwrap(), names(folder.path())), (b"two".to_vec(), vec!["a.csv".to_owned()]));
         let absent = folder.path().join("absent/a.csv");
-        let problem = write_file(&absent, b"x").unwrap_err();
+        let problem = write_file(&absent, b"x", &[]).unwrap_err();
         assert_eq!((problem.path.as_deref(), problem.kind), (Some(absent.as_path()), ProblemKind::Io));
         assert!(problem.hint.unwrap().contains("folder exists"));
-        assert!(write_file(folder.path(), b"x").unwrap_err().message.contains("is a folder"));
+        assert!(write_file(folder.path(), b"x", &[]).unwrap_err().message.contains("is a folder"));
         assert_eq!(names(folder.path()), ["a.csv"]);
     }
 
@@ -479,7 +481,7 @@ mod tests {
     fn a_full_disk_is_said() {
         let full = Path::new("/dev/full");
         if full.exists() {
-            let problem = write_file(full, b"x").unwrap_err();
+            let problem = write_file(full, b"x", &[]).unwrap_err();
             assert!(problem.hint.unwrap().contains("make room"), "{}", problem.message);
         }
     }
@@ -624,6 +626,16 @@ mod tests {
     }
 
     #[test]
+    fn an_input_is_no_place_for_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let record = folder.path().join("record.csv");
+        fs::write(&record, "recorded").unwrap();
+        let problem = write_file(&record, b"computed", std::slice::from_ref(&record)).unwrap_err();
+        assert!(problem.message.contains("is read by this command"), "{problem}");
+        assert_eq!(fs::read(&record).unwrap(), b"recorded");
+    }
+
+    #[test]
     fn inputs_are_not_replaced() {
         let parent = tempfile::tempdir().unwrap();
         let target = parent.path().join("y");
@@ -704,7 +716,7 @@ mod tests {
         folder.commit().unwrap();
         assert_eq!((names(&real), fs::read_link(&link).unwrap()), (vec!["a".to_owned()], real.clone()));
         std::os::unix::fs::symlink(real.join("a"), parent.path().join("file")).unwrap();
-        write_file(&parent.path().join("file"), b"2").unwrap();
+        write_file(&parent.path().join("file"), b"2", &[]).unwrap();
         assert_eq!(fs::read(real.join("a")).unwrap(), b"2");
         std::os::unix::fs::symlink(parent.path().join("nothing"), parent.path().join("dangling")).unwrap();
         let problem = OutputFolder::stage(&parent.path().join("dangling"), false, &[]).unwrap_err();

@@ -516,10 +516,11 @@ fn report(
     {
         warnings.push("the point of --at lies outside the object".to_owned());
     }
-    let max_stiffness = request
-        .tolerance_m_s2
-        .zip(fall.rise_m)
-        .map(|(tolerance, rise_m)| landing.max_stiffness_n_m(mass_kg, rise_m, gravity, tolerance));
+    let (max_stiffness_n_m, stiffness_note) = match request.tolerance_m_s2.zip(fall.rise_m) {
+        Some((tolerance, rise_m)) => max_stiffness(request, landing, rise_m, tolerance),
+        None => (None, None),
+    };
+    notes.extend(stiffness_note.map(str::to_owned));
     Ok(ShockReport {
         scenario: request.scenario.name(),
         model: model_name(landing.model),
@@ -561,7 +562,7 @@ fn report(
         demand_capacity_ratio: verdict.map(|verdict| verdict.1),
         governing: verdict.map(|verdict| verdict.2),
         verdict: verdict.map_or("no-verdict", |(_, ratio, _)| if ratio > 1.0 { "exceeded" } else { "ok" }),
-        max_stiffness_n_m: max_stiffness.filter(|k| k.is_finite()),
+        max_stiffness_n_m,
         notes,
         warnings,
     })
@@ -612,6 +613,40 @@ fn verdict(
         (Some(boundary), None) => (boundary, "damage-boundary"),
     };
     Some((all, ratio, name))
+}
+
+/// The largest stiffness at which the verdict still is `ok` for this rise, or why there is none.
+///
+/// By the peak alone it is m_eff (a/v)². The other criteria grow with the stiffness too (the peak rises, the pulse
+/// shortens, the velocity change stays), so their limit is found by bisection of the verdict's own ratio.
+fn max_stiffness(
+    request: &ShockRequest,
+    landing: &Landing,
+    rise_m: f64,
+    tolerance_m_s2: f64,
+) -> (Option<f64>, Option<&'static str>) {
+    let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
+    if request.tolerance_duration_s.is_none() && request.tolerance_velocity_change_m_s.is_none() {
+        let largest = landing.max_stiffness_n_m(mass_kg, rise_m, gravity, tolerance_m_s2);
+        return (Some(largest).filter(|k| k.is_finite()), None);
+    }
+    let exceeded = |log_k: f64| {
+        let impact = landing.impact(mass_kg, log_k.exp(), rise_m, gravity);
+        verdict(request, impact.edge_acceleration_m_s2, Some(&impact)).is_some_and(|(_, ratio, _)| ratio > 1.0)
+    };
+    // From a feather to a thousand times the stiffest steel column.
+    let (mut low, mut high) = (1e-2f64.ln(), 1e14f64.ln());
+    if exceeded(low) {
+        return (None, Some("no stiffness brings the verdict to ok: the velocity change does not depend on it"));
+    }
+    if !exceeded(high) {
+        return (None, Some("no stiffness takes the verdict beyond ok: the velocity change is below its limit"));
+    }
+    while high - low > 1e-12 {
+        let middle = 0.5 * (low + high);
+        if exceeded(middle) { high = middle } else { low = middle }
+    }
+    (Some(low.exp()), None)
 }
 
 #[cfg(test)]

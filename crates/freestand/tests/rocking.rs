@@ -377,7 +377,7 @@ fn a_recorded_history_passes_through_the_reported_events() {
     assert!(points.windows(2).all(|w| w[0].time_s <= w[1].time_s));
     assert_eq!((points[0].time_s, points.last().unwrap().time_s), (0.0, got.end_s));
     let top = points.iter().fold(0.0, |m: f64, p| m.max(p.theta_rad.abs()));
-    assert!(top <= got.peak_rotation_rad && top > 0.99 * got.peak_rotation_rad);
+    assert_eq!(top, got.peak_rotation_rad);
     for impact in &got.impacts {
         // Roundings of the sum of a start and a step, and of a velocity times and over the step.
         let same = |p: &HistoryPoint| {

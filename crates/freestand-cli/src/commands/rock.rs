@@ -89,7 +89,7 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let report = rock(&request, args.history.is_some() || files.wanted())?;
     files.write("history.csv", || history_csv(&request.block, &report.history))?;
     if let Some(path) = &args.history {
-        write_file(path, history_csv(&request.block, &report.history).as_bytes())?;
+        write_file(path, history_csv(&request.block, &report.history).as_bytes(), &inputs)?;
     }
     files.print(printer, "freestand.rock/1", &report, &report.warnings, || text(&report, &request))?;
     Ok(Done::OK)

@@ -155,7 +155,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     if args.csv.is_some() || files.wanted() {
         let columns = freestand_study::tables::records_csv(&rows)?;
         if let Some(path) = &args.csv {
-            write_file(path, &columns)?;
+            write_file(path, &columns, &args.motion)?;
         }
         files.write("rows.csv", || columns)?;
     }

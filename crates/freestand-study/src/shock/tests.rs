@@ -177,3 +177,29 @@ fn all_problems_come_at_once() {
     // The mass, the gap without an obstacle, the cushion and the fall that nobody gives.
     assert_eq!(shock(&request).unwrap_err().problems.len(), 4);
 }
+
+/// The largest stiffness is where the verdict turns, by whatever criterion; where none turns it, a note says so.
+#[test]
+fn the_largest_stiffness_is_where_the_verdict_turns() {
+    let with = |duration_s, velocity_change_m_s| ShockRequest {
+        energy: Some(Energy::CgRise(0.027)),
+        tolerance_m_s2: Some(5.0 * G0_M_S2),
+        tolerance_duration_s: duration_s,
+        tolerance_velocity_change_m_s: velocity_change_m_s,
+        ..cabinet()
+    };
+    for request in [with(None, None), with(Some(0.025), None), with(None, Some(0.5)), with(Some(0.03), Some(0.5))] {
+        let largest = shock(&request).unwrap().max_stiffness_n_m.unwrap();
+        let at =
+            |factor: f64| shock(&ShockRequest { stiffness_n_m: Some(factor * largest), ..request.clone() }).unwrap();
+        assert_eq!((at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict), ("ok", "exceeded"), "{largest}");
+    }
+    // 5 g for 11 ms carry less velocity than the landing; a limit of 1 m/s carries more.
+    for (request, said) in
+        [(with(Some(0.011), None), "no stiffness brings"), (with(None, Some(1.0)), "no stiffness takes")]
+    {
+        let report = shock(&request).unwrap();
+        assert_eq!(report.max_stiffness_n_m, None);
+        assert!(report.notes.iter().any(|note| note.contains(said)), "{:?}", report.notes);
+    }
+}

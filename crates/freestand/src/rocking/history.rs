@@ -16,7 +16,7 @@ pub struct HistoryPoint {
     pub base_accel_m_s2: f64,
 }
 
-/// Collects a history at a fixed step, and the instants just before and after every impact, from the pieces that
+/// Collects a history at a fixed step, with the instants just before and after every impact and that of the peak, from the pieces that
 /// [`super::rock_observed`] shows.
 #[derive(Debug, Clone)]
 pub struct HistoryRecorder<'a> {
@@ -65,6 +65,17 @@ impl<'a> HistoryRecorder<'a> {
         }
     }
 
+    /// The instant of the largest rotation, unless a sample is there already: so that the points hold the peak.
+    fn peak(&mut self, time_s: f64, rotation_rad: f64) {
+        let next = self.points.partition_point(|p| p.time_s < time_s);
+        let near = |index: usize| self.points.get(index).filter(|p| (p.time_s - time_s).abs() < 1e-9 * self.dt_s);
+        if near(next).is_some() || next.checked_sub(1).and_then(near).is_some() {
+            return;
+        }
+        let side = self.points.get(next).map_or(1.0, |p| p.theta_rad);
+        self.points.insert(next, self.point(time_s, (rotation_rad.copysign(side), 0.0)));
+    }
+
     /// The history, filled up to the end that the solver reports.
     pub fn finish(mut self, rocking: &Rocking) -> Vec<HistoryPoint> {
         if rocking.at_rest {
@@ -72,6 +83,9 @@ impl<'a> HistoryRecorder<'a> {
         }
         let last = (rocking.final_rotation_rad, rocking.final_omega_rad_s);
         self.points.push(self.point(rocking.end_s, last));
+        if let Some(time_s) = rocking.peak_rotation_time_s {
+            self.peak(time_s, rocking.peak_rotation_rad);
+        }
         // An overturned block ends on an event that is there already.
         self.points.dedup_by(|b, a| a.time_s == b.time_s && a.omega_rad_s == b.omega_rad_s);
         self.points
