@@ -33,13 +33,6 @@ pub const MAX_STOREYS: u64 = 500;
 /// Most levels of a study.
 pub const MAX_LEVELS: usize = 100;
 
-const FRAMES: [(&str, FrameKind); 4] = [
-    ("steel-moment", FrameKind::MomentSteel),
-    ("concrete-moment", FrameKind::MomentConcrete),
-    ("steel-braced", FrameKind::EccentricallyBracedSteel),
-    ("other", FrameKind::Other),
-];
-
 /// What the command line puts in place of what the study says.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Overrides {
@@ -367,9 +360,9 @@ impl Resolver<'_> {
         self.require(&written.modes, |n| (1..=MAX_MODES as u64).contains(&n), "modes", "a whole number from 1 to 50");
         self.exclusive(("period", &written.period_s), ("frame", &written.frame));
         let frame = match &written.frame {
-            None => Some(FRAMES[3]),
+            None => Some(FrameKind::Other),
             Some(Written { value, line }) => {
-                let found = FRAMES.into_iter().find(|(name, _)| name.eq_ignore_ascii_case(value.trim()));
+                let found = FrameKind::parse(value);
                 if found.is_none() {
                     let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
                     self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
@@ -383,7 +376,8 @@ impl Resolver<'_> {
         let (period_s, period_note) = match &written.period_s {
             Some(period) => (period.value, "as given".to_owned()),
             None => {
-                let (name, kind) = frame?;
+                let kind = frame?;
+                let name = kind.name();
                 let period_s = fundamental_period_s(kind, height_m).ok()?;
                 let kt = kind.period_factor();
                 (

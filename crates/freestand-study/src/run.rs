@@ -134,7 +134,7 @@ fn spectrum_of(motion: &Motion) -> Result<freestand::oscillator::ResponseSpectru
     response_spectrum(motion, SPECTRUM_DAMPING_RATIO, &spectrum_periods_s()).map_err(failed("a response spectrum"))
 }
 
-fn failed<E: std::fmt::Display>(what: &'static str) -> impl Fn(E) -> StudyError {
+fn failed<E: std::fmt::Display>(what: impl std::fmt::Display) -> impl Fn(E) -> StudyError {
     move |error| Problem::new(ProblemKind::Computation, format!("{what} cannot be computed: {error}")).into()
 }
 
@@ -150,9 +150,13 @@ fn floors(
         .par_iter()
         .map(|g| {
             go_on()?;
-            let ground = g.motion.with_zero_tail(beam.tail_s()).map_err(failed("a floor motion"))?;
-            floor_motions(&ground, beam, &ratios).map_err(failed("a floor motion"))
+            let what = || format!("the floor motion under {}", g.name);
+            let ground = g.motion.with_zero_tail(beam.tail_s()).map_err(failed(what()))?;
+            floor_motions(&ground, beam, &ratios).map_err(failed(what()))
         })
+        // The first error in the order of the motions, whichever thread met one first.
+        .collect::<Vec<Result<_, StudyError>>>()
+        .into_iter()
         .collect::<Result<_, _>>()?;
     let mut by_level = vec![Vec::with_capacity(ground.len()); ratios.len()];
     for floors in by_motion {

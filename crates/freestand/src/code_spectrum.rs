@@ -354,6 +354,24 @@ pub enum FrameKind {
 }
 
 impl FrameKind {
+    /// Every kind.
+    pub const ALL: [Self; 4] = [Self::MomentSteel, Self::MomentConcrete, Self::EccentricallyBracedSteel, Self::Other];
+
+    /// The word for it in flags and studies.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::MomentSteel => "steel-moment",
+            Self::MomentConcrete => "concrete-moment",
+            Self::EccentricallyBracedSteel => "steel-braced",
+            Self::Other => "other",
+        }
+    }
+
+    /// The kind of that name, whatever its capitals.
+    pub fn parse(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name().eq_ignore_ascii_case(name.trim()))
+    }
+
     /// The factor kt of clause 6.2.3.
     pub fn period_factor(self) -> f64 {
         match self {

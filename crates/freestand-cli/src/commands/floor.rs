@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::G0_M_S2;
 use freestand::building::{Building, floor_motions};
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
@@ -42,9 +42,9 @@ pub(crate) struct FloorArgs {
     /// Fundamental period [default: by AS 1170.4, from the height]
     #[arg(long, value_name = "TIME", conflicts_with = "frame", allow_hyphen_values = true)]
     period: Option<String>,
-    /// Structure, for the period of AS 1170.4 [default: other]
-    #[arg(long, value_enum)]
-    frame: Option<FrameName>,
+    /// Structure, for the period of AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
+    #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
+    frame: Option<FrameKind>,
     /// Damping ratio of every mode
     #[arg(long, value_name = "RATIO", default_value = "5 %", allow_hyphen_values = true)]
     damping: String,
@@ -65,18 +65,6 @@ pub(crate) struct FloorArgs {
     upsample: NonZeroUsize,
     #[command(flatten)]
     read: ReadArgs,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum FrameName {
-    /// Moment-resisting steel frames
-    SteelMoment,
-    /// Moment-resisting concrete frames
-    ConcreteMoment,
-    /// Eccentrically braced steel frames
-    SteelBraced,
-    /// All other structures
-    Other,
 }
 
 #[derive(Debug, Serialize)]
@@ -132,7 +120,8 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let wrong = |error: String| Failure::usage(error, "--help shows the ranges");
     let period_s = match period {
         Some(period_s) => period_s,
-        None => fundamental_period_s(frame(args.frame), building_height_m).map_err(|error| wrong(error.to_string()))?,
+        None => fundamental_period_s(args.frame.unwrap_or(FrameKind::Other), building_height_m)
+            .map_err(|error| wrong(error.to_string()))?,
     };
     let beam = Building::new(period_s, damping.unwrap_or(0.05), shear_flexure.unwrap_or(5.0), args.modes)
         .map_err(|error| wrong(error.to_string()))?;
@@ -193,13 +182,8 @@ fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Failure> {
     })
 }
 
-fn frame(name: Option<FrameName>) -> FrameKind {
-    match name {
-        Some(FrameName::SteelMoment) => FrameKind::MomentSteel,
-        Some(FrameName::ConcreteMoment) => FrameKind::MomentConcrete,
-        Some(FrameName::SteelBraced) => FrameKind::EccentricallyBracedSteel,
-        Some(FrameName::Other) | None => FrameKind::Other,
-    }
+fn frame_kind(name: &str) -> Result<FrameKind, String> {
+    FrameKind::parse(name).ok_or_else(|| format!("known: {}", FrameKind::ALL.map(FrameKind::name).join(", ")))
 }
 
 /// The floor goes on moving when the record ends; say so where its peak is still to come.
