@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_study::processing::{Processing, check_scale};
 use freestand_study::quantity::Dimension;
-use freestand_study::recorded::{MotionFiles, ReadMotion, check_scale, read_recorded};
+use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
 use freestand_study::records::ReadOptions;
 
 use crate::failure::Failure;
@@ -23,6 +24,12 @@ pub(crate) struct ReadArgs {
     /// Component of a file with several: its name or its number from 1
     #[arg(long, value_name = "NAME|NUMBER")]
     pub(crate) component: Option<String>,
+    /// StationXML with the sensitivity of a miniSEED file [default: one beside the file]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) station_xml: Option<PathBuf>,
+    /// Keep the mean of raw records (counts, miniSEED, SAC), which is removed otherwise
+    #[arg(long)]
+    pub(crate) keep_mean: bool,
     /// Factor on the samples [default: 1]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub(crate) scale: Option<String>,
@@ -32,7 +39,10 @@ impl ReadArgs {
     /// Refuses flags that no record is read with.
     pub(crate) fn refuse_without_record(&self, hint: impl FnOnce(&str) -> String) -> Result<(), Failure> {
         let flags = [("unit", &self.unit), ("dt", &self.dt), ("component", &self.component), ("scale", &self.scale)];
-        let given: Vec<&str> = flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
+        let mut given: Vec<&str> =
+            flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
+        given.extend(self.station_xml.is_some().then_some("station-xml"));
+        given.extend(self.keep_mean.then_some("keep-mean"));
         if given.is_empty() {
             return Ok(());
         }
@@ -43,15 +53,20 @@ impl ReadArgs {
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
         let dt_s = values.any("--dt", self.dt.as_deref(), Dimension::Time);
         // Here and not file by file: a wrong flag is one fault, whatever the number of files.
-        values.keep("--unit", ReadOptions { unit: self.unit.clone(), dt_s: None }.check());
-        values.keep("--dt", ReadOptions { unit: None, dt_s }.check());
+        values.keep("--unit", ReadOptions { unit: self.unit.clone(), ..ReadOptions::default() }.check());
+        values.keep("--dt", ReadOptions { dt_s, ..ReadOptions::default() }.check());
         let scale_ratio = values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0);
         values.keep("--scale", check_scale(scale_ratio));
         MotionFiles {
             paths: paths.to_vec(),
-            read: ReadOptions { unit: self.unit.clone(), dt_s },
+            read: ReadOptions {
+                unit: self.unit.clone(),
+                dt_s,
+                resample_dt_s: None,
+                station_xml: self.station_xml.clone(),
+            },
             component: self.component.clone(),
-            scale_ratio,
+            processing: Processing { keep_mean: self.keep_mean, scale_ratio },
         }
     }
 

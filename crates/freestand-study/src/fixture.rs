@@ -80,6 +80,7 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
         sha256: "ab".repeat(32),
         description: "PEER AT2 & more".into(),
         scale_ratio: 1.25,
+        processing: vec!["multiplied by 1.25".to_owned()],
         motion: g.motion.clone(),
     });
     study.ground = Ground::Recorded(motions.collect());

@@ -7,6 +7,7 @@ mod fixture;
 mod options;
 pub mod output;
 pub mod outputs;
+pub mod processing;
 pub mod quantity;
 pub mod recorded;
 pub mod records;

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use crate::error::{Problem, ProblemKind};
+use crate::error::Problem;
+use crate::processing::{Processing, process};
 use crate::records::{Component, MotionFile, ReadOptions, load, parse_motions};
 use crate::study::RecordedMotion;
 
@@ -19,8 +20,8 @@ pub struct MotionFiles {
     pub read: ReadOptions,
     /// Which component of each; `None`: each has only one.
     pub component: Option<String>,
-    /// Factor on the samples.
-    pub scale_ratio: f64,
+    /// What is done to the samples.
+    pub processing: Processing,
 }
 
 /// A motion, and what its reader noted.
@@ -54,42 +55,18 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
     let sha256 = sha256_hex(&bytes);
     let file = parse_motions(bytes, path, &files.read).map_err(|error| error.problems)?;
     let component = file.select(files.component.as_deref()).map_err(one)?;
-    let motion = scaled(component, files.scale_ratio, path).map_err(one)?;
+    let processed = process(component, &files.processing).map_err(|problem| one(problem.in_file(path)))?;
     let description = describe(&file, component);
     let motion = RecordedMotion {
         name: name_of(path),
         path: path.to_path_buf(),
         sha256,
         description,
-        scale_ratio: files.scale_ratio,
-        motion,
+        scale_ratio: files.processing.scale_ratio,
+        processing: processed.steps,
+        motion: processed.motion,
     };
     Ok(ReadMotion { motion, notes: file.notes.clone() })
-}
-
-/// Whether a factor on the samples leaves a motion; a negative one turns it round.
-///
-/// # Errors
-/// Zero, or a factor that is not finite.
-pub fn check_scale(scale_ratio: f64) -> Result<(), Problem> {
-    if scale_ratio != 0.0 && scale_ratio.is_finite() {
-        return Ok(());
-    }
-    let message = format!("scale must be a number other than 0, not {scale_ratio}");
-    Err(Problem::new(ProblemKind::Value, message).hint("leave it out for the record as it is"))
-}
-
-/// The component's motion times a factor.
-///
-/// # Errors
-/// A factor that makes a sample infinite.
-pub fn scaled(component: &Component, scale_ratio: f64, path: &Path) -> Result<freestand::motion::Motion, Problem> {
-    if scale_ratio == 1.0 {
-        return Ok(component.motion.clone());
-    }
-    component.motion.scaled(scale_ratio).map_err(|error| {
-        Problem::new(ProblemKind::Value, format!("times {scale_ratio}: {error}")).in_file(path).hint("check the scale")
-    })
 }
 
 /// Format and component, in words.
@@ -152,8 +129,12 @@ mod tests {
             let path = path.clone();
             move || std::fs::write(path, text)
         });
-        let files =
-            MotionFiles { paths: vec![path.clone()], read: ReadOptions::default(), component: None, scale_ratio: 1.0 };
+        let files = MotionFiles {
+            paths: vec![path.clone()],
+            read: ReadOptions::default(),
+            component: None,
+            processing: Processing::default(),
+        };
         let (sender, receiver) = std::sync::mpsc::channel();
         std::thread::spawn(move || sender.send(read_recorded(&files)));
         let (motions, failures) =

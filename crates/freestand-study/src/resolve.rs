@@ -19,8 +19,9 @@ use crate::options::{
     self, BuildingOptions, GroundOptions, HistoryOptions, LevelOptions, ObjectsOptions, Options, OutputsOptions,
     RestitutionOption, Written, nearest,
 };
+use crate::processing::{Processing, check_scale};
 use crate::quantity::{Dimension, format_si, shorten};
-use crate::recorded::{MotionFiles, check_scale, read_recorded};
+use crate::recorded::{MotionFiles, read_recorded};
 use crate::records::ReadOptions;
 use crate::study::{BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, Study, SyntheticGround};
 
@@ -233,8 +234,8 @@ impl Resolver<'_> {
         self.exclusive(("count", &written.count), ("motions", &written.motions));
         self.exclusive(("seed", &written.seed), ("motions", &written.motions));
         let before = self.problems.len();
-        let unit_only = ReadOptions { unit: written.unit.clone().map(|unit| unit.value), dt_s: None };
-        let dt_only = ReadOptions { unit: None, dt_s: written.dt_s.as_ref().map(|dt| dt.value) };
+        let unit_only = ReadOptions { unit: written.unit.clone().map(|unit| unit.value), ..ReadOptions::default() };
+        let dt_only = ReadOptions { dt_s: written.dt_s.as_ref().map(|dt| dt.value), ..ReadOptions::default() };
         let lines = [written.unit.as_ref().map(|w| w.line), written.dt_s.as_ref().map(|w| w.line)];
         for ((key, line), options) in ["unit", "dt"].into_iter().zip(lines).zip([&unit_only, &dt_only]) {
             if let Err(problem) = options.check() {
@@ -256,9 +257,9 @@ impl Resolver<'_> {
         }
         let files = MotionFiles {
             paths: motions.value.iter().map(|file| self.base_dir.join(&file.value)).collect(),
-            read: ReadOptions { unit: unit_only.unit, dt_s: dt_only.dt_s },
+            read: ReadOptions { unit: unit_only.unit, ..dt_only },
             component: written.component.as_ref().map(|w| w.value.clone()),
-            scale_ratio: or(&written.scale, 1.0),
+            processing: Processing { scale_ratio: or(&written.scale, 1.0), ..Processing::default() },
         };
         let lines: Vec<usize> = motions.value.iter().map(|file| file.line).collect();
         self.recorded(&files, Some(&lines))

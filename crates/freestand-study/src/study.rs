@@ -77,7 +77,9 @@ pub struct RecordedMotion {
     pub description: String,
     /// Factor that the samples were multiplied by.
     pub scale_ratio: f64,
-    /// The samples, scaled.
+    /// What was done to the samples, one step each, in words.
+    pub processing: Vec<String>,
+    /// The samples, as used.
     pub motion: Motion,
 }
 

@@ -202,6 +202,7 @@ fn ground_inputs(ground: &Ground) -> Value {
                     "sha256": record.sha256,
                     "description": record.description,
                     "scale_ratio": record.scale_ratio,
+                    "processing": record.processing,
                 })
             })
             .collect(),

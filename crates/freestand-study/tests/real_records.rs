@@ -24,7 +24,7 @@ fn shared() -> Option<PathBuf> {
 }
 
 fn read(path: &Path, unit: Option<&str>, dt_s: Option<f64>) -> MotionFile {
-    let options = ReadOptions { unit: unit.map(str::to_owned), dt_s };
+    let options = ReadOptions { unit: unit.map(str::to_owned), dt_s, ..ReadOptions::default() };
     read_motions(path, &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -86,7 +86,7 @@ fn records_that_leave_unit_or_step_open_are_refused() {
     let path = shared.join("records/tabasFN.txt");
     for (unit, dt_s, wanted) in [(None, None, "time step"), (Some("g"), None, "time step"), (None, Some(0.02), "unit")]
     {
-        let options = ReadOptions { unit: unit.map(str::to_owned), dt_s };
+        let options = ReadOptions { unit: unit.map(str::to_owned), dt_s, ..ReadOptions::default() };
         let error = read_motions(&path, &options).unwrap_err();
         assert!(error.problems[0].message.contains(wanted), "{error}");
     }

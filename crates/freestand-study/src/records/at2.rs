@@ -3,7 +3,7 @@
 use super::fortran::{BadField, fields, is_missing_value, scan};
 use super::lines::{Line, lines};
 use super::units::{Stated, decide, missing, requested, unit_in_prose};
-use super::{Component, ReadOptions, motion};
+use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, shorten};
 use std::path::Path;
@@ -51,7 +51,7 @@ fn find_word(text: &str, word: &str) -> Option<usize> {
 }
 
 /// Reads an AT2 file.
-pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Component, Problem> {
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let Some(header_line) = header_end(bytes) else {
         return Err(Problem::new(ProblemKind::Format, "no line names NPTS and DT").hint("an AT2 header has four lines"));
     };
@@ -79,7 +79,10 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<C
     }
     let motion = motion(counts.dt_s, accel_m_s2, counts.line)?;
     let (name, station) = name_and_station(header.get(1).map_or("", String::as_str), path);
-    Ok(Component { name, station, unit: unit.symbol, motion, line_of_first_value })
+    let direction = station.as_ref().and_then(|_| Direction::parse(&name));
+    let component =
+        Component { name, station, direction, unit: unit.symbol, is_raw: false, motion, line_of_first_value };
+    Ok(Reading { format: "PEER AT2", components: vec![component], notes: Vec::new() })
 }
 
 /// VT2 and DT2 look the same and hold velocity and displacement.

@@ -4,7 +4,7 @@ use super::fortran::is_missing_value;
 use super::sampling::time_step;
 use super::table::{self, Separator, Table};
 use super::units::{Stated, decide, missing, record_unit, requested, unit_in_prose};
-use super::{Component, ReadOptions, motion};
+use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{self, Dimension, Unit, lookup, shorten};
 use std::path::Path;
@@ -32,9 +32,6 @@ enum Time {
     /// A step from outside the columns: every column is a component.
     Step(f64),
 }
-
-/// The name of the format, the components and what was done to get them.
-pub(super) type Reading = (&'static str, Vec<Component>, Vec<String>);
 
 /// Reads text with columns.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
@@ -79,7 +76,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             name => name.to_owned(),
         };
         let line_of_first_value = table.line_of_first_value;
-        components.push(Component { name, station: None, unit: unit.symbol, motion, line_of_first_value });
+        let (direction, unit) = (Direction::parse(&heading.name), unit.symbol);
+        components.push(Component { name, station: None, direction, unit, is_raw: false, motion, line_of_first_value });
     }
     if components.is_empty() {
         let what = refused.unwrap_or("a time");
@@ -87,7 +85,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             .at_line(table.line_of_first_value)
             .hint("a column of acceleration beside the time is needed"));
     }
-    Ok((format, components, notes))
+    Ok(Reading { format, components, notes })
 }
 
 fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Problem> {

@@ -69,6 +69,18 @@ pub(super) fn lines(bytes: &[u8]) -> Lines<'_> {
     Lines { rest: bytes, number: 0 }
 }
 
+impl Lines<'_> {
+    /// Bytes that are not read yet.
+    pub(super) fn bytes_left(&self) -> usize {
+        self.rest.len()
+    }
+
+    /// Number of the line that was read last, counted from 1; 0 before the first.
+    pub(super) fn line_number(&self) -> usize {
+        self.number
+    }
+}
+
 impl<'a> Iterator for Lines<'a> {
     type Item = Line<'a>;
 

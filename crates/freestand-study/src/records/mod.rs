@@ -2,13 +2,17 @@
 
 mod at2;
 mod columns;
+mod direction;
+mod format;
 mod fortran;
 mod lines;
 mod sampling;
+mod smc;
 mod table;
 mod units;
 mod write;
 
+pub use direction::Direction;
 pub(crate) use lines::load;
 pub(crate) use write::{push_shortest, shortest};
 pub use write::{write_at2, write_csv};
@@ -25,6 +29,11 @@ pub struct ReadOptions {
     pub unit: Option<String>,
     /// Time step \[s\]. Columns without a header are then all components; otherwise the first is the time.
     pub dt_s: Option<f64>,
+    /// Step \[s\] to which unevenly spaced samples are interpolated on the straight lines between them; without it they
+    /// are refused.
+    pub resample_dt_s: Option<f64>,
+    /// StationXML with the sensitivity of a miniSEED file; without it one is looked for beside the file.
+    pub station_xml: Option<PathBuf>,
 }
 
 impl ReadOptions {
@@ -34,7 +43,8 @@ impl ReadOptions {
     /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
     pub fn check(&self) -> Result<(), Problem> {
         units::requested(self.unit.as_deref())?;
-        self.dt_s.map_or(Ok(()), |dt_s| check_step(dt_s, ProblemKind::Value))
+        let steps = [self.dt_s, self.resample_dt_s];
+        steps.into_iter().flatten().try_for_each(|dt_s| check_step(dt_s, ProblemKind::Value))
     }
 }
 
@@ -43,7 +53,7 @@ impl ReadOptions {
 pub struct MotionFile {
     /// Where it was read.
     pub path: PathBuf,
-    /// What it is: `PEER AT2`, `columns` or `CSV`.
+    /// What it is, such as `PEER AT2`, `COSMOS V1`, `columns` or `CSV`.
     pub format: &'static str,
     /// Its motions, in the order of the file; never empty.
     pub components: Vec<Component>,
@@ -58,9 +68,14 @@ pub struct Component {
     pub name: String,
     /// Station, where the file names it.
     pub station: Option<String>,
+    /// Which way it points, where the file says so.
+    pub direction: Option<Direction>,
     /// The unit in the file; the motion itself is in m/s².
     pub unit: &'static str,
-    /// The motion.
+    /// Whether these are an instrument's own values, with its offset in them: K-NET, miniSEED, SAC, COSMOS V0. Their mean
+    /// is removed before use, unless the user keeps it.
+    pub is_raw: bool,
+    /// The motion, as the file has it.
     pub motion: Motion,
     /// Line of the first value, counted from 1.
     pub line_of_first_value: usize,
@@ -92,15 +107,30 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     Ok(read_bytes(&bytes, path, options)?)
 }
 
+/// What a reader finds in a file.
+struct Reading {
+    format: &'static str,
+    components: Vec<Component>,
+    notes: Vec<String>,
+}
+
+/// A family of formats that share a layout.
+struct Family {
+    /// Looks at the first lines; the first family that says yes reads the file.
+    recognises: fn(&[u8]) -> bool,
+    read: fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>,
+}
+
+/// From the most particular signature to the least; what none recognises is columns.
+const FAMILIES: &[Family] =
+    &[Family { recognises: smc::is_smc, read: smc::read }, Family { recognises: at2::is_at2, read: at2::read }];
+
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
     options.check()?;
-    let (format, components, notes) = if at2::is_at2(bytes) {
-        at2::read(bytes, path, options).map(|component| ("PEER AT2", vec![component], Vec::new()))
-    } else {
-        columns::read(bytes, path, options)
-    }
-    .map_err(|problem| problem.in_file(path))?;
+    let read =
+        FAMILIES.iter().find(|family| (family.recognises)(bytes)).map_or(columns::read as _, |family| family.read);
+    let Reading { format, components, notes } = read(bytes, path, options).map_err(|problem| problem.in_file(path))?;
     Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
 }
 
@@ -169,6 +199,77 @@ fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
         (format!("the time step must be positive, not {dt_s} s"), "write it in s or ms".to_owned())
     };
     Err(Problem::new(kind, message).hint(hint))
+}
+
+/// One component as a reader finds it in an agency's file, where unit and step are never open.
+struct Found {
+    name: String,
+    station: Option<String>,
+    direction: Option<Direction>,
+    /// Name of the unit in the file.
+    unit: &'static str,
+    /// What one of it is worth \[m/s²\].
+    unit_m_s2: f64,
+    dt_s: f64,
+    values: Vec<f64>,
+    /// Line of the first value, counted from 1.
+    line: usize,
+    is_raw: bool,
+}
+
+impl Found {
+    /// The component in SI.
+    ///
+    /// # Errors
+    /// A user's unit or time step that contradicts the file's, a step outside 1e-6 s to 100 s, fewer than two values.
+    fn component(mut self, options: &ReadOptions) -> Result<Component, Problem> {
+        if let Some(unit) = units::requested(options.unit.as_deref())?
+            // The last bit may differ where a factor is composed, as in counts times a scale.
+            && (unit.to_si(1.0) - self.unit_m_s2).abs() > 1e-12 * self.unit_m_s2
+            && unit.symbol != self.unit
+        {
+            let message = format!("the record is in {} as the file says, not in {}", self.unit, unit.symbol);
+            return Err(Problem::new(ProblemKind::Value, message)
+                .at_line(self.line)
+                .hint("leave out the unit (--unit, or unit in the study), or correct the file if it is wrong"));
+        }
+        if let Some(dt_s) = options.dt_s
+            // One part in a million is a difference in printing, not in meaning.
+            && (dt_s - self.dt_s).abs() > 1e-6 * self.dt_s
+        {
+            let message = format!("the time step is {} s as the header says, not {dt_s} s", self.dt_s);
+            return Err(Problem::new(ProblemKind::Value, message)
+                .at_line(self.line)
+                .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"));
+        }
+        for value in &mut self.values {
+            *value *= self.unit_m_s2;
+        }
+        Ok(Component {
+            name: self.name,
+            station: self.station,
+            direction: self.direction,
+            unit: self.unit,
+            is_raw: self.is_raw,
+            motion: motion(self.dt_s, self.values, self.line)?,
+            line_of_first_value: self.line,
+        })
+    }
+}
+
+/// What is to be said where the largest value is not the one that the header states \[m/s², any sign\].
+///
+/// Some agencies print the peak with the opposite sign, and most with three digits: 1 % is what rounding of three can
+/// make of it.
+fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
+    let found = component.motion.peak_m_s2();
+    let stated = header_peak_m_s2.abs();
+    // A header without a peak has 0 or a value that stands for a missing one.
+    let is_stated = stated > 0.0 && stated < 1e4;
+    (is_stated && (found - stated).abs() > 0.01 * stated).then(|| {
+        let name = shorten(&component.name);
+        format!("{name}: the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2")
+    })
 }
 
 /// Samples in m/s² as a motion.

@@ -60,7 +60,9 @@ fn samples() -> Vec<Vec<u8>> {
 
 /// Whatever a file is, it is read or refused with a message of one line, and what is read is finite.
 fn survives(bytes: Vec<u8>) -> Result<(), TestCaseError> {
-    for options in [ReadOptions::default(), ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01) }] {
+    for options in
+        [ReadOptions::default(), ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() }]
+    {
         match parse_motions(bytes.clone(), "x".as_ref(), &options) {
             Ok(file) => {
                 prop_assert!(!file.components.is_empty());

@@ -130,7 +130,7 @@ fn recorded_motions_are_named_and_fingerprinted() {
         paths: vec![folder.path().join("quake one.csv")],
         read: ReadOptions::default(),
         component: None,
-        scale_ratio: 1.0,
+        processing: Processing::default(),
     };
     let study = builtin(&Overrides { seed: Some(7), motions: Some(files) }).unwrap();
     assert!(matches!(study.ground, Ground::Recorded(motions) if motions.len() == 1));

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::measures::measures;
-use freestand_study::recorded::scaled;
+use freestand_study::processing::{Processed, Processing, process};
 use freestand_study::records::{Component, MotionFile, read_motions};
 use serde::Serialize;
 
@@ -72,7 +72,7 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
                 match chosen(&file, files.component.as_deref()) {
                     Ok(components) => {
                         for component in components {
-                            match info(&file, component, files.scale_ratio) {
+                            match info(&file, component, &files.processing) {
                                 Ok(one) => motions.push(one),
                                 Err(problem) => problems.push(problem),
                             }
@@ -101,13 +101,13 @@ fn chosen<'f>(file: &'f MotionFile, component: Option<&str>) -> Result<Vec<&'f C
     }
 }
 
-fn info(file: &MotionFile, component: &Component, scale_ratio: f64) -> Result<MotionInfo, freestand_study::Problem> {
-    let motion = scaled(component, scale_ratio, &file.path)?;
+fn info(
+    file: &MotionFile,
+    component: &Component,
+    processing: &Processing,
+) -> Result<MotionInfo, freestand_study::Problem> {
+    let Processed { motion, steps } = process(component, processing).map_err(|problem| problem.in_file(&file.path))?;
     let m = measures(&motion);
-    let mut processing = Vec::new();
-    if scale_ratio != 1.0 {
-        processing.push(format!("multiplied by {scale_ratio}"));
-    }
     Ok(MotionInfo {
         path: path_text(&file.path),
         format: file.format,
@@ -126,8 +126,8 @@ fn info(file: &MotionFile, component: &Component, scale_ratio: f64) -> Result<Mo
         cav_m_s: m.cav_m_s,
         d5_75_s: m.d5_75_s,
         d5_95_s: m.d5_95_s,
-        first_values_m_s2: motion.accel_m_s2().iter().take(5).copied().collect(),
-        processing,
+        first_values_m_s2: component.motion.accel_m_s2().iter().take(5).copied().collect(),
+        processing: steps,
     })
 }
 

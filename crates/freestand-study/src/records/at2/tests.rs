@@ -91,14 +91,14 @@ fn the_unit_is_never_guessed() {
     let text = "a\nb\nc\nNPTS= 2, DT= .02\n1 2";
     let problem = read(text).unwrap_err();
     assert!(problem.message.contains("not stated") && problem.hint.unwrap().contains("--unit"));
-    let options = ReadOptions { unit: Some("cm/s2".to_owned()), dt_s: None };
+    let options = ReadOptions { unit: Some("cm/s2".to_owned()), ..ReadOptions::default() };
     assert_eq!(read_with(text.as_bytes(), &options).unwrap().motion.accel_m_s2(), [0.01, 0.02]);
     let problem = read_with(format!("{TITLE}NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();
     assert_eq!(
         (problem.line, problem.message.as_str()),
         (Some(3), "the record is in g as the file says, not in cm/s2")
     );
-    let options = ReadOptions { unit: Some("furlong".to_owned()), dt_s: None };
+    let options = ReadOptions { unit: Some("furlong".to_owned()), ..ReadOptions::default() };
     assert_eq!(read_with(text.as_bytes(), &options).unwrap_err().path, None, "a wrong flag is no fault of the file");
 }
 
@@ -139,7 +139,7 @@ fn what_is_refused() {
         assert!(problem.path.is_some());
         assert_eq!(problem.kind, ProblemKind::Format);
     }
-    let options = ReadOptions { unit: None, dt_s: Some(0.005) };
+    let options = ReadOptions { dt_s: Some(0.005), ..ReadOptions::default() };
     let problem = read_with(g("NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();
     assert!(problem.message.contains("0.02 s as the header says, not 0.005 s"));
 }

@@ -4,7 +4,11 @@ use freestand::G0_M_S2;
 use freestand::motion::Motion;
 
 fn options(unit: &str, dt_s: f64) -> ReadOptions {
-    ReadOptions { unit: (!unit.is_empty()).then(|| unit.to_owned()), dt_s: (dt_s > 0.0).then_some(dt_s) }
+    ReadOptions {
+        unit: (!unit.is_empty()).then(|| unit.to_owned()),
+        dt_s: (dt_s > 0.0).then_some(dt_s),
+        ..ReadOptions::default()
+    }
 }
 
 fn parse(text: &str, options: &ReadOptions) -> Result<MotionFile, Problem> {
@@ -126,7 +130,8 @@ fn what_is_refused() {
     }
     for dt_s in [-1.0, 0.0, f64::NAN, f64::INFINITY, 1e-9, 101.0] {
         let problem =
-            parse("1\n2\n", &ReadOptions { unit: Some("g".to_owned()), dt_s: Some(dt_s) }).expect_err("a bad step");
+            parse("1\n2\n", &ReadOptions { unit: Some("g".to_owned()), dt_s: Some(dt_s), ..ReadOptions::default() })
+                .expect_err("a bad step");
         assert!(problem.message.contains("time step") && problem.hint.is_some(), "{problem:?}");
     }
 }

@@ -1,0 +1,111 @@
+//! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component a file, cm/s².
+
+use super::format::Format;
+use super::fortran::is_missing_value;
+use super::lines::{Line, lines};
+use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::error::{Problem, ProblemKind};
+use crate::quantity::shorten;
+use std::path::Path;
+
+const INTEGERS: Format = Format::new(8, 10);
+const REALS: Format = Format::new(5, 15);
+const VALUES: Format = Format::new(8, 10);
+const TEXT_LINES: usize = 11;
+
+/// What the first line says the file holds.
+fn kind(line: &Line<'_>) -> Option<&'static str> {
+    let text = line.text();
+    let (number, words) = text.trim_start().split_at_checked(1)?;
+    let words = words.trim_start().to_ascii_uppercase();
+    match number {
+        "1" if words.starts_with("UNCORRECTED") => Some("SMC, uncorrected"),
+        "2" if words.starts_with("CORRECTED") => Some("SMC, corrected"),
+        "3" | "4" | "5" | "6" if ["VELOCITY", "DISPLACEMENT", "RESPONSE"].iter().any(|w| words.starts_with(w)) => {
+            Some("other")
+        }
+        _ => None,
+    }
+}
+
+/// Whether the text is an SMC file: its kind on line 1, and an asterisk where line 2 says nothing.
+pub(super) fn is_smc(bytes: &[u8]) -> bool {
+    let mut head = lines(bytes);
+    let kind = head.next().and_then(|line| kind(&line));
+    kind.is_some() && head.next().is_some_and(|line| line.bytes.trim_ascii_start().starts_with(b"*"))
+}
+
+/// Reads an SMC file: 11 lines of text, 48 integers, 50 reals, comments, the values.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let text: Vec<String> = rest.by_ref().take(TEXT_LINES).map(|line| line.text()).collect();
+    let format = lines(bytes).next().and_then(|line| kind(&line)).unwrap_or("SMC");
+    if format == "other" {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("holds \"{}\", an acceleration record is expected", shorten(text[0].trim())),
+        )
+        .at_line(1)
+        .hint("use the acceleration file of the same record"));
+    }
+    let integers = INTEGERS.read(&mut rest, 48, "the integer header")?;
+    let reals = REALS.read(&mut rest, 50, "the real header")?;
+    let count = |at: usize, what: &str| {
+        let value = integers.values[at];
+        if value >= 0.0 && value.fract() == 0.0 && value < 1e9 {
+            return Ok(value as usize);
+        }
+        Err(Problem::new(ProblemKind::Format, format!("the number of {what} is {value}"))
+            .at_line(integers.first_line + at / INTEGERS.per_line)
+            .hint("the file is damaged: fetch it again"))
+    };
+    let comments = count(15, "comment lines")?;
+    let npts = count(16, "values")?;
+    let rate_hz = reals.values[1];
+    let line_of_rate = reals.first_line;
+    // Instruments sample at 50 to 1000 Hz; some files hold rates of 1e30.
+    if !(rate_hz > 0.0 && rate_hz <= 1e5) {
+        return Err(Problem::new(ProblemKind::Format, format!("the sampling rate is {rate_hz} per second"))
+            .at_line(line_of_rate)
+            .hint("real header 2 is the rate in samples per second: correct it"));
+    }
+    for _ in 0..comments {
+        rest.next();
+    }
+    let block = VALUES.read(&mut rest, npts, "acceleration")?;
+    block.refuse_missing(VALUES, is_missing_value)?;
+    let (station, name) = station_and_component(&text, path);
+    let direction = Direction::parse(&name);
+    let component = Found {
+        name,
+        station,
+        direction,
+        unit: "cm/s2",
+        unit_m_s2: 0.01,
+        dt_s: 1.0 / rate_hz,
+        values: block.values,
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)?;
+    // Real headers 29 and 31 are the largest and the smallest value.
+    let peak = reals.values[28..=30].iter().step_by(2).filter(|value| value.abs() < 1e30);
+    let notes = peak_note(&component, 0.01 * peak.fold(0.0, |a: f64, b| a.max(b.abs()))).into_iter().collect();
+    Ok(Reading { format, components: vec![component], notes })
+}
+
+/// `station = San Francisco, 1295 Shafter, F component=    360`.
+fn station_and_component(text: &[String], path: &Path) -> (Option<String>, String) {
+    let line = text.iter().find(|line| line.contains("component"));
+    let Some((station, component)) = line.and_then(|line| line.split_once("component")) else {
+        return (None, super::file_stem(path));
+    };
+    let value = |text: &str| text.trim().trim_start_matches(['=', ' ']).trim().to_owned();
+    let station = value(station.trim_start().strip_prefix("station").unwrap_or(station));
+    let component = value(component);
+    let name = if component.is_empty() { super::file_stem(path) } else { component };
+    ((!station.is_empty()).then_some(station), name)
+}
+
+#[cfg(test)]
+mod tests;
