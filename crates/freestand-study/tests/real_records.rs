@@ -9,6 +9,7 @@
     reason = "the lint configuration exempts test functions, but not the helpers of an integration test"
 )]
 
+use freestand_study::processing::{Processing, process};
 use freestand_study::records::{MotionFile, ReadOptions, read_motions};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -78,6 +79,41 @@ fn records_agree_with_their_facts() {
     let rsn = read(&shared.join("records/RSN175_IMPVALL.H_H-E12140.AT2"), None, None);
     assert_eq!(rsn.components[0].name, "140");
     assert_eq!(rsn.components[0].station.as_deref(), Some("El Centro Array #12"));
+}
+
+/// Counts with the instrument's offset in them: as they are read, and about their mean as they are used.
+#[test]
+fn counts_agree_with_their_facts() {
+    let Some(shared) = shared() else { return };
+    let index: Value = serde_json::from_slice(&std::fs::read(shared.join("records/index.json")).unwrap()).unwrap();
+    for (name, format, component) in [("AOM0011801241951.NS", "K-NET", "N-S"), ("AICH040010061330.NS2", "K-NET", "NS2")]
+    {
+        let record = index["records"].as_array().unwrap().iter().find(|record| record["file"] == name).expect(name);
+        let file = read(&shared.join("records").join(name), None, None);
+        // The header's peak, to three decimals, is the one about the mean: no note says otherwise.
+        assert_eq!((file.format, &file.notes), (format, &Vec::new()), "{name}");
+        let one = file.select(Some(component)).unwrap();
+        let fact = &record["channels"][0];
+        assert_eq!(Some(one.motion.accel_m_s2().len() as u64), fact["npts"].as_u64(), "{name}");
+        assert_eq!(Some(one.motion.dt_s()), fact["dt_s"].as_f64(), "{name}");
+        assert_eq!((Some(one.unit), one.is_raw), (fact["unit"].as_str(), true), "{name}");
+        let to_m_s2 = fact["to_m_per_s2"].as_f64().unwrap();
+        let as_given: Vec<f64> = one.motion.accel_m_s2().iter().map(|a| a / to_m_s2).collect();
+        let processed = process(one, &Processing::default()).unwrap().motion;
+        let centred: Vec<f64> = processed.accel_m_s2().iter().map(|a| a / to_m_s2).collect();
+        // The facts have 7 significant digits: half of 1e-6 of the leading digit.
+        for (values, basis) in [(&as_given, "pga_as_given"), (&centred, "pga_mean_removed")] {
+            let peak = (0..values.len()).max_by(|&i, &j| values[i].abs().total_cmp(&values[j].abs())).unwrap();
+            assert_eq!(Some(peak as u64), fact[format!("{basis}_index")].as_u64(), "{name}");
+            assert_close(values[peak], &fact[basis], 5.1e-7);
+        }
+        assert_close(processed.peak_m_s2(), &Value::from(fact["pga_m_per_s2"].as_f64().unwrap().abs()), 5.1e-7);
+        assert_close(as_given.iter().map(|a| a.abs()).sum(), &fact["sum_abs"], 5.1e-7);
+        let first = fact["first4"].as_array().unwrap().iter().zip(&as_given);
+        for (fact, a) in first.chain(fact["last2"].as_array().unwrap().iter().zip(&as_given[as_given.len() - 2..])) {
+            assert_close(*a, fact, 5.1e-7);
+        }
+    }
 }
 
 #[test]

@@ -89,7 +89,7 @@ impl Format {
         Ok(Block { values, first_line })
     }
 
-    fn read_line(self, line: &Line<'_>, wanted: usize, values: &mut Vec<f64>) -> Result<(), Problem> {
+    pub(super) fn read_line(self, line: &Line<'_>, wanted: usize, values: &mut Vec<f64>) -> Result<(), Problem> {
         let text = line.bytes.trim_ascii_end();
         let before = values.len();
         let by_column = text.len() <= wanted * self.width

@@ -2,13 +2,17 @@
 
 mod at2;
 mod columns;
+mod cwa;
 mod direction;
 mod format;
 mod fortran;
+mod knet;
 mod lines;
+mod rows;
 mod sampling;
 mod smc;
 mod table;
+mod unam;
 mod units;
 mod write;
 
@@ -122,8 +126,13 @@ struct Family {
 }
 
 /// From the most particular signature to the least; what none recognises is columns.
-const FAMILIES: &[Family] =
-    &[Family { recognises: smc::is_smc, read: smc::read }, Family { recognises: at2::is_at2, read: at2::read }];
+const FAMILIES: &[Family] = &[
+    Family { recognises: smc::is_smc, read: smc::read },
+    Family { recognises: knet::is_knet, read: knet::read },
+    Family { recognises: cwa::is_cwa, read: cwa::read },
+    Family { recognises: unam::is_unam, read: unam::read },
+    Family { recognises: at2::is_at2, read: at2::read },
+];
 
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.

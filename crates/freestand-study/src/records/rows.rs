@@ -1,0 +1,73 @@
+//! Columns of a Fortran format, one row a line, to the end of the file.
+
+use super::format::Format;
+use super::fortran::is_missing_value;
+use super::lines::Lines;
+use super::units::missing;
+use crate::error::{Problem, ProblemKind};
+
+/// Columns of equal length.
+pub(super) struct Rows {
+    pub(super) columns: Vec<Vec<f64>>,
+    /// Line of the first row, counted from 1.
+    pub(super) first_line: usize,
+}
+
+/// Reads every line that is left as one row of `format`; blank lines hold none.
+///
+/// # Errors
+/// A field that is no number, a value that stands for a missing one, a row with more or fewer values.
+pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Problem> {
+    let mut columns: Vec<Vec<f64>> = vec![Vec::new(); format.per_line];
+    let (mut row, mut first_line) = (Vec::new(), 0);
+    for line in lines {
+        if line.is_blank() {
+            continue;
+        }
+        row.clear();
+        format.read_line(&line, format.per_line, &mut row)?;
+        if row.len() != columns.len() {
+            let message = format!("a row has {} values, this one {}", columns.len(), row.len());
+            return Err(Problem::new(ProblemKind::Format, message)
+                .at_line(line.number)
+                .hint("the file may be cut off or damaged: fetch it again"));
+        }
+        if let Some(gap) = row.iter().find(|&&value| is_missing_value(value)) {
+            return Err(missing(&gap.to_string(), line.number));
+        }
+        if first_line == 0 {
+            first_line = line.number;
+        }
+        for (column, value) in columns.iter_mut().zip(&row) {
+            column.push(*value);
+        }
+    }
+    Ok(Rows { columns, first_line })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::records::lines::lines;
+
+    #[test]
+    fn rows_are_read_by_column_and_odd_ones_refused() {
+        let read = |text: &str| {
+            read(&mut lines(text.as_bytes()), Format::new(2, 8))
+                .map(|rows| (rows.columns, rows.first_line))
+                .map_err(|problem| problem.to_string())
+        };
+        // Exact: each value is the nearest f64 to the decimal number.
+        let touching = "\n   0.000-999.999\r\n   0.0051234.567\n\n";
+        assert_eq!(read(touching), Ok((vec![vec![0.0, 0.005], vec![-999.999, 1234.567]], 2)));
+        assert_eq!(read(""), Ok((vec![vec![], vec![]], 0)));
+        for (text, line) in [
+            ("   0.000   1.000\n   0.005\n", "line 2: a row has 2 values"),
+            ("   0.000   1.000\n   0.005   1.000   1.000\n", "line 2: a row has 2 values"),
+            ("   0.000   1.000\n   0.005-999.000\n", "line 2: \"-999\" stands for a missing value"),
+            ("   0.000     x\n", "line 1: "),
+        ] {
+            assert!(read(text).unwrap_err().starts_with(line), "{text}");
+        }
+    }
+}
