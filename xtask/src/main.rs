@@ -25,7 +25,7 @@ const CHECKS: &[Check] = &[
         environment: &[],
     },
     Check {
-        title: "reference histories and records: what was held, what was skipped",
+        title: "reference histories, records and damaged records: what was held, what was skipped",
         command: &[
             "cargo",
             "test",
@@ -36,6 +36,8 @@ const CHECKS: &[Check] = &[
             "rocking_cases",
             "--test",
             "real_records",
+            "--test",
+            "mutations",
             "--",
             "--nocapture",
         ],

@@ -134,11 +134,16 @@ const FAMILIES: &[Family] = &[
     Family { recognises: at2::is_at2, read: at2::read },
 ];
 
+/// How much of a file is looked at to tell its format: more than the longest header, 300 lines of 80 characters.
+const SNIFFED_BYTES: usize = 64 << 10;
+
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
     options.check()?;
+    // Signatures stand at the start; a file of one endless line must not be searched for each of them.
+    let head = &bytes[..bytes.len().min(SNIFFED_BYTES)];
     let read =
-        FAMILIES.iter().find(|family| (family.recognises)(bytes)).map_or(columns::read as _, |family| family.read);
+        FAMILIES.iter().find(|family| (family.recognises)(head)).map_or(columns::read as _, |family| family.read);
     let Reading { format, components, notes } = read(bytes, path, options).map_err(|problem| problem.in_file(path))?;
     Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
 }

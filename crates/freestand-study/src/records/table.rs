@@ -8,6 +8,9 @@ use crate::error::{Problem, ProblemKind};
 
 /// How far down the first row of numbers may stand.
 const HEADER_LINES: usize = 1000;
+/// Longest line \[bytes\]: some hundred thousand numbers, far beyond any table. A longer one would take many times the
+/// file's size in memory, only to be refused.
+const LONGEST_LINE: usize = 4 << 20;
 
 /// What stands between the columns.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,6 +56,12 @@ fn is_row(line: &Line<'_>) -> bool {
 
 /// Reads a table.
 pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
+    if let Some(line) = lines(bytes).find(|line| line.bytes.len() > LONGEST_LINE) {
+        let message = format!("a line of {} MB is no row of a table", line.bytes.len() >> 20);
+        return Err(Problem::new(ProblemKind::Format, message)
+            .at_line(line.number)
+            .hint("write one row a line, or the values of one series under an AT2 header (NPTS, DT)"));
+    }
     let (mut header, mut comments) = (Vec::new(), Vec::new());
     let mut rest = lines(bytes);
     let (dialect, first) = loop {
