@@ -22,7 +22,7 @@ pub(super) fn is_cwa(bytes: &[u8]) -> bool {
         key_is(&first, "#Earthquake Information") || key_is(&first, "#StationCode")
     }) && head.any(|line| {
         let text = line.text();
-        ["#AmplitudeUnit", "#DataSequence", "#SampleRate"].iter().any(|key| key_is(&text, key))
+        ["#AmplitudeUnit", "#DataSequence"].iter().any(|key| key_is(&text, key))
     })
 }
 

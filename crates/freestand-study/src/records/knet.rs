@@ -74,9 +74,10 @@ fn value_of<'a>(line: &'a str, key: &str) -> Option<&'a str> {
     if rest.starts_with(char::is_alphabetic) {
         return None;
     }
-    let rest = rest.trim_start_matches(['.', ' ']);
+    // Only the point that ends the name: the value may begin with one of its own, as .000634 does.
+    let rest = rest.strip_prefix('.').unwrap_or(rest).trim_start();
     let rest = rest.strip_prefix('(').and_then(|unit| unit.split_once(')')).map_or(rest, |(_, value)| value);
-    Some(rest.trim_start_matches(['.', ':']).trim())
+    Some(rest.trim_start_matches(':').trim())
 }
 
 /// The lines above the counts, with their numbers.

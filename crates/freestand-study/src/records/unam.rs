@@ -103,20 +103,20 @@ impl Header {
     /// Takes the lines down to the first row: the first line of numbers below the heading of the data, or below the line
     /// that states their format where there is no heading.
     fn read(rest: &mut Lines<'_>) -> Self {
-        let mut header = Self { lines: Vec::new() };
-        let mut data_may_follow = false;
+        let begins = |line: &Line<'_>, name: &str| plain(line.text().trim_start()).starts_with(name);
+        let last_before = |name: &str| rest.clone().take(HEADER_LINES).find(|line| begins(line, name));
+        let above = last_before("DATOS DE ACELERACION").or_else(|| last_before("FORMATO DATOS"));
+        let above = above.map_or(usize::MAX, |line| line.number);
         let is_row = |line: &Line<'_>| !line.is_blank() && fields(line.bytes, |_| ()).is_ok();
+        let mut header = Self { lines: Vec::new() };
         for _ in 0..HEADER_LINES {
             let before = rest.clone();
             let Some(line) = rest.next() else { break };
-            if data_may_follow && is_row(&line) {
+            if line.number > above && is_row(&line) {
                 *rest = before;
                 break;
             }
-            let text = line.text();
-            let name = plain(&text);
-            data_may_follow |= name.contains("DATOS DE ACELERACION") || name.contains("FORMATO DATOS");
-            header.lines.push((line.number, text));
+            header.lines.push((line.number, line.text()));
         }
         header
     }

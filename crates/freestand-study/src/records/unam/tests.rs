@@ -92,6 +92,8 @@ fn headers_of_other_hands() {
         ("/100/100/100/", "100/100/100"),
         ("DATOS DE ACELERACION:", "datos de aceleraci\u{f3}n:"),
         ("comentario", "1.000 2.000 tres"),
+        ("comentario", "1.000 2.000 3.000"),
+        ("DATOS DE ACELERACION:", "------------------------------"),
         (
             "NOMBRE DE LA ESTACION                   : UNA ESTACI\u{d3}N\n",
             "NOMBRE DE LA ESTACION                   : UNA ESTACI\u{d3}N\n : \n",
