@@ -1,12 +1,18 @@
 //! Ground and floor motions from record files: which format a file has is told from its content, never from its name.
 
 mod at2;
+mod bhrc;
 mod columns;
 mod direction;
+mod dyna;
 mod format;
 mod fortran;
+mod geonet;
+mod keyed;
 mod lines;
+mod nsmn;
 mod sampling;
+mod sigma;
 mod smc;
 mod table;
 mod units;
@@ -122,8 +128,15 @@ struct Family {
 }
 
 /// From the most particular signature to the least; what none recognises is columns.
-const FAMILIES: &[Family] =
-    &[Family { recognises: smc::is_smc, read: smc::read }, Family { recognises: at2::is_at2, read: at2::read }];
+const FAMILIES: &[Family] = &[
+    Family { recognises: smc::is_smc, read: smc::read },
+    Family { recognises: geonet::is_geonet, read: geonet::read },
+    Family { recognises: bhrc::is_bhrc, read: bhrc::read },
+    Family { recognises: dyna::is_dyna, read: dyna::read },
+    Family { recognises: nsmn::is_nsmn, read: nsmn::read },
+    Family { recognises: sigma::is_sigma, read: sigma::read },
+    Family { recognises: at2::is_at2, read: at2::read },
+];
 
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
