@@ -3,6 +3,8 @@
 mod at2;
 mod columns;
 mod direction;
+#[allow(dead_code, reason = "the readers that call it come next")]
+mod even_grid;
 mod format;
 mod fortran;
 mod lines;
