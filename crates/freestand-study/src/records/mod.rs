@@ -5,6 +5,7 @@ mod bhrc;
 mod columns;
 mod direction;
 mod dyna;
+mod even_grid;
 mod format;
 mod fortran;
 mod geonet;
