@@ -10,7 +10,7 @@
 )]
 
 use freestand_study::processing::{Processing, process};
-use freestand_study::records::{MotionFile, ReadOptions, read_motions};
+use freestand_study::records::{Direction, MotionFile, ReadOptions, read_motions};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -46,6 +46,8 @@ fn records_agree_with_their_facts() {
         ("RSN175_IMPVALL.H_H-E12140.AT2", "PEER AT2", None, None),
         ("tabasFN.txt", "columns", Some("g"), Some(0.02)),
         ("Northridge.dat", "columns", None, None),
+        ("20180212_211557_WPWS_20.V2A", "GeoNet V2A", None, None),
+        ("HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC", "DYNA", None, None),
     ] {
         let record = index["records"].as_array().unwrap().iter().find(|record| record["file"] == name).expect(name);
         let file = read(&shared.join("records").join(name), unit, dt_s);
@@ -57,28 +59,40 @@ fn records_agree_with_their_facts() {
             // Exact: both are the f64 nearest to the printed decimal.
             assert_eq!(Some(component.motion.dt_s()), fact["dt_s"].as_f64(), "{name}");
             assert_eq!(Some(component.unit), fact["unit"].as_str());
+            let unit_m_s2 = fact["to_m_per_s2"].as_f64().unwrap();
             let peak = fact["pga_as_given_index"].as_u64().unwrap() as usize;
             // The facts have 7 significant digits: half of 1e-6 of the leading digit.
-            assert_close(accel[peak] / freestand::G0_M_S2, &fact["pga_as_given"], 5.1e-7);
+            assert_close(accel[peak] / unit_m_s2, &fact["pga_as_given"], 5.1e-7);
             assert_close(
                 component.motion.peak_m_s2(),
                 &Value::from(fact["pga_m_per_s2"].as_f64().unwrap().abs()),
                 5.1e-7,
             );
-            let sum: f64 = accel.iter().map(|a| a.abs() / freestand::G0_M_S2).sum();
+            let sum: f64 = accel.iter().map(|a| a.abs() / unit_m_s2).sum();
             assert_close(sum, &fact["sum_abs"], 5.1e-7);
             let first = fact["first4"].as_array().unwrap().iter().zip(accel);
             let last = fact["last2"].as_array().unwrap().iter().zip(&accel[accel.len() - 2..]);
             for (fact, a) in first.chain(last) {
-                assert_close(a / freestand::G0_M_S2, fact, 5.1e-7);
+                assert_close(a / unit_m_s2, fact, 5.1e-7);
             }
         }
         read_files += 1;
     }
-    assert_eq!(read_files, 4);
+    assert_eq!(read_files, 6);
     let rsn = read(&shared.join("records/RSN175_IMPVALL.H_H-E12140.AT2"), None, None);
     assert_eq!(rsn.components[0].name, "140");
     assert_eq!(rsn.components[0].station.as_deref(), Some("El Centro Array #12"));
+    let esm = read(&shared.join("records/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC"), None, None);
+    let station = esm.components[0].station.as_deref();
+    assert_eq!(
+        (esm.components[0].name.as_str(), station),
+        ("HNE", Some("HI.ARS1 Town Hall,Argos,Argolis,Peloponnese"))
+    );
+    let geonet = read(&shared.join("records/20180212_211557_WPWS_20.V2A"), None, None);
+    let directions: Vec<_> = geonet.components.iter().map(|component| component.direction).collect();
+    assert_eq!(directions, [Some(Direction::Azimuth(196.0)), Some(Direction::Azimuth(106.0)), Some(Direction::Up)]);
+    // The headers' peaks are those of the values.
+    assert!(esm.notes.is_empty() && geonet.notes.is_empty(), "{:?} {:?}", esm.notes, geonet.notes);
 }
 
 /// Counts with the instrument's offset in them: as they are read, and about their mean as they are used.

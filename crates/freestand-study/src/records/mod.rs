@@ -1,15 +1,22 @@
 //! Ground and floor motions from record files: which format a file has is told from its content, never from its name.
 
 mod at2;
+mod bhrc;
 mod columns;
 mod cwa;
 mod direction;
+mod dyna;
+mod even_grid;
 mod format;
 mod fortran;
+mod geonet;
+mod keyed;
 mod knet;
 mod lines;
+mod nsmn;
 mod rows;
 mod sampling;
+mod sigma;
 mod smc;
 mod table;
 mod unam;
@@ -131,6 +138,11 @@ const FAMILIES: &[Family] = &[
     Family { recognises: knet::is_knet, read: knet::read },
     Family { recognises: cwa::is_cwa, read: cwa::read },
     Family { recognises: unam::is_unam, read: unam::read },
+    Family { recognises: geonet::is_geonet, read: geonet::read },
+    Family { recognises: bhrc::is_bhrc, read: bhrc::read },
+    Family { recognises: dyna::is_dyna, read: dyna::read },
+    Family { recognises: nsmn::is_nsmn, read: nsmn::read },
+    Family { recognises: sigma::is_sigma, read: sigma::read },
     Family { recognises: at2::is_at2, read: at2::read },
 ];
 

@@ -110,7 +110,7 @@ fn not_acceleration(stated: Stated, what: &str) -> Problem {
         ),
     )
     .at_line(stated.line)
-    .hint("use the acceleration record (AT2) of the same station")
+    .hint("use the acceleration record of the same station")
 }
 
 /// A value that stands for one that is missing.

@@ -1,0 +1,201 @@
+//! GeoNet's V1A (uncorrected) and V2A (corrected), New Zealand: up to three components a file, mm/s².
+//!
+//! For each component 16 lines of text, 40 integers (10I8), 60 reals (10F8) and the accelerations (10F8); a V2A file
+//! has the velocities and displacements behind them. Source: GeoNet, "Strong motion file formats".
+
+use super::format::{Block, Format};
+use super::fortran::{fields, is_missing_value};
+use super::lines::{Line, Lines, lines};
+use super::{Component, Direction, Found, ReadOptions, Reading, peak_note};
+use crate::error::{Problem, ProblemKind};
+use crate::quantity::shorten;
+use std::path::Path;
+
+const INTEGERS: Format = Format::new(10, 8);
+const REALS: Format = Format::new(10, 8);
+const VALUES: Format = Format::new(10, 8);
+const TEXT_LINES: usize = 16;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Volume {
+    Uncorrected,
+    Corrected,
+}
+
+/// What the first line of a component says it is.
+fn volume(line: &Line<'_>) -> Option<Volume> {
+    let title = line.text().trim_start().to_ascii_lowercase();
+    if title.starts_with("uncorrected accelerogram") {
+        return Some(Volume::Uncorrected);
+    }
+    title.starts_with("corrected accelerogram").then_some(Volume::Corrected)
+}
+
+/// Whether the text is a GeoNet file. Other agencies call their records corrected accelerograms, too: GNS Science must
+/// be named, or the second line must begin with the site.
+pub(super) fn is_geonet(bytes: &[u8]) -> bool {
+    let mut head = lines(bytes).take(20).filter(|line| !line.is_blank());
+    let Some(title) = head.next().filter(|line| volume(line).is_some()) else { return false };
+    let title = title.text().to_ascii_lowercase();
+    let site = head.next().is_some_and(|line| line.text().trim_start().to_ascii_lowercase().starts_with("site "));
+    site || title.contains("gns science") || title.contains("geonet")
+}
+
+/// Reads a GeoNet file.
+pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let (mut components, mut notes) = (Vec::new(), Vec::new());
+    let mut format = "GeoNet V2A";
+    while let Some(title) = next_title(&mut rest, &mut notes)? {
+        let Some(volume) = volume(&title) else { break };
+        if components.is_empty() && volume == Volume::Uncorrected {
+            format = "GeoNet V1A";
+        }
+        let number = components.len() + 1;
+        components.push(component(&mut rest, volume, number, options, &mut notes)?);
+    }
+    Ok(Reading { format, components, notes })
+}
+
+/// The first line of the next component.
+///
+/// # Errors
+/// Numbers where a component should begin: the header declared fewer than there are.
+fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<Option<Line<'a>>, Problem> {
+    let mut ignored = 0;
+    let mut title = None;
+    for line in rest.by_ref().filter(|line| !line.is_blank()) {
+        if volume(&line).is_some() {
+            title = Some(line);
+            break;
+        }
+        if fields(line.bytes, |_| {}).is_ok() {
+            return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
+                .at_line(line.number)
+                .hint("the number of values in the header does not fit the file: fetch it again"));
+        }
+        ignored += 1;
+    }
+    if ignored > 0 {
+        notes.push(format!("{ignored} lines of text between or behind the components were not read"));
+    }
+    Ok(title)
+}
+
+/// Reads what follows the first line of a component.
+fn component(
+    rest: &mut Lines<'_>,
+    volume: Volume,
+    number: usize,
+    options: &ReadOptions,
+    notes: &mut Vec<String>,
+) -> Result<Component, Problem> {
+    let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
+    let integers = INTEGERS.read(rest, 40, "the integer header")?;
+    let reals = REALS.read(rest, 60, "the real header")?;
+    let count = |at: usize, what: &str| {
+        let value = integers.values[at];
+        if value >= 0.0 && value.fract() == 0.0 && value < 1e9 {
+            return Ok(value as usize);
+        }
+        Err(Problem::new(ProblemKind::Format, format!("the number of {what} is {value}"))
+            .at_line(integers.first_line + at / INTEGERS.per_line)
+            .hint("the file is damaged: fetch it again"))
+    };
+    // Integers 31 and 34 to 36: samples digitised, and in the blocks of acceleration, velocity and displacement. An
+    // uncorrected record has all that was digitised; where its two numbers differ, the block that ends well decides.
+    let accelerations = count(33, "accelerations")?;
+    let counts = match volume {
+        Volume::Corrected => vec![accelerations],
+        Volume::Uncorrected => vec![count(30, "samples")?, accelerations],
+    };
+    let others = [count(34, "velocities")?, count(35, "displacements")?];
+    let (block, is_complete) = data(rest, &counts, others)?;
+    block.refuse_missing(VALUES, is_missing_value)?;
+
+    let name = name(&text).unwrap_or_else(|| format!("component {number}"));
+    if !is_complete {
+        notes.push(format!(
+            "{}: the file ends within the velocities or displacements, which are not used",
+            shorten(&name)
+        ));
+    }
+    // Real 8 makes mm/s² of the readings of an uncorrected record; it is 1 wherever they are in mm/s² already.
+    let factor = reals.values[7];
+    let is_scaled = volume == Volume::Uncorrected && factor > 0.0 && (factor - 1.0).abs() > 1e-9;
+    if is_scaled {
+        notes.push(format!("{}: the readings are in units of {factor} mm/s2, as the header says", shorten(&name)));
+    }
+    let scale = if is_scaled { factor } else { 1.0 };
+    // Real 26 is the interval of the samples in the file; real 25 that of the instrument, which may be finer.
+    let dt_s = reals.values[25];
+    super::check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(reals.first_line + 2))?;
+    let component = Found {
+        direction: Direction::parse(&name),
+        name,
+        station: station(&text),
+        unit: "mm/s2",
+        unit_m_s2: 1e-3,
+        dt_s,
+        values: block.values.into_iter().map(|value| value * scale).collect(),
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)?;
+    // Reals 31 and 36: the peaks of the unfiltered and of the filtered record.
+    let peak = if volume == Volume::Uncorrected { reals.values[30] } else { reals.values[35] };
+    notes.extend(peak_note(&component, 1e-3 * peak));
+    Ok(component)
+}
+
+/// The accelerations, and whether the velocities and displacements behind them are complete. The first of `counts` for
+/// which a component or the end of the file follows is the number of accelerations.
+fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<(Block, bool), Problem> {
+    let mut refused = None;
+    for &count in counts {
+        let mut tail = rest.clone();
+        let block = match VALUES.read(&mut tail, count, "acceleration") {
+            Ok(block) => block,
+            Err(problem) => {
+                refused.get_or_insert(problem);
+                continue;
+            }
+        };
+        let mut is_complete = true;
+        for count in others {
+            // Only their extent matters, so that a value too large for its field does no harm here.
+            let wanted = count.div_ceil(VALUES.per_line);
+            is_complete &= tail.by_ref().filter(|line| !line.is_blank()).take(wanted).count() == wanted;
+        }
+        match next_title(&mut tail.clone(), &mut Vec::new()) {
+            Ok(_) => {
+                *rest = tail;
+                return Ok((block, is_complete));
+            }
+            Err(problem) => {
+                refused.get_or_insert(problem);
+            }
+        }
+    }
+    Err(refused.unwrap_or_else(|| Problem::new(ProblemKind::Format, "the header declares no values")))
+}
+
+/// `Component S16W  Longitudinal Accelerometer Axis`.
+fn name(text: &[String]) -> Option<String> {
+    let mut words = text.iter().map(|line| line.split_whitespace());
+    words.find_map(|mut words| {
+        words.next().filter(|word| word.eq_ignore_ascii_case("component"))?;
+        words.next().map(str::to_owned)
+    })
+}
+
+/// The code of the site on the second line, and its name on the third.
+fn station(text: &[String]) -> Option<String> {
+    let mut site = text.first()?.split_whitespace();
+    site.next().filter(|word| word.eq_ignore_ascii_case("site"))?;
+    let name = text.get(1).map_or("", |line| line.trim());
+    Some(format!("{} {name}", site.next()?).trim_end().to_owned())
+}
+
+#[cfg(test)]
+mod tests;

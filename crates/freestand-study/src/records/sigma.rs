@@ -1,0 +1,84 @@
+//! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values a line that may touch.
+
+use super::format::Format;
+use super::fortran::is_missing_value;
+use super::keyed::{Header, entry, no_step, refuse_more_values};
+use super::lines::lines;
+use super::units::{Stated, decide, requested, unit_in_prose};
+use super::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use crate::error::{Problem, ProblemKind};
+use crate::quantity::shorten;
+use std::path::Path;
+
+const VALUES: Format = Format::new(5, 14);
+
+/// Whether the text is such a file.
+pub(super) fn is_sigma(bytes: &[u8]) -> bool {
+    let first = lines(bytes).take(20).find(|line| !line.is_blank());
+    first.is_some_and(|line| entry(&line).is("Event Date & Time"))
+}
+
+/// Reads such a file.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let header = Header::read(&mut rest);
+    refuse_other_series(&header)?;
+    // The title of the series states the unit; the peak has it too.
+    let stated = header.entries.iter().rev().find_map(|entry| {
+        let unit = unit_in_prose(&entry.key).filter(|_| entry.value.is_empty() || entry.is("PGA"))?;
+        Some(Stated { unit, line: entry.line })
+    });
+    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let dt_s = match header.step_s("Time Increment")? {
+        Some((dt_s, line)) => {
+            super::check_step(dt_s, ProblemKind::Format).map(|()| dt_s).map_err(|p| p.at_line(line))?
+        }
+        None => options.dt_s.ok_or_else(|| no_step("Time Increment"))?,
+    };
+    let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
+        Problem::new(ProblemKind::Format, "the header has no number of values (Number of Data)")
+            .at_line(1)
+            .hint("the file may be damaged: fetch it again")
+    })?;
+    let mut notes = Vec::new();
+    let block = VALUES.read(&mut rest, npts, "acceleration")?;
+    block.refuse_missing(VALUES, is_missing_value)?;
+    refuse_more_values(&mut rest, &mut notes)?;
+    let name = match header.text("Orientation") {
+        "" => file_stem(path),
+        name => name.to_owned(),
+    };
+    let station = Some(header.text("Station Code / Name").to_owned()).filter(|name| !name.is_empty());
+    let component = Found {
+        direction: Direction::parse(&name),
+        name,
+        station,
+        unit: unit.symbol,
+        unit_m_s2: unit.to_si(1.0),
+        dt_s,
+        values: block.values,
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)?;
+    if let Some((peak, _)) = header.number("PGA")? {
+        notes.extend(peak_note(&component, unit.to_si(peak)));
+    }
+    Ok(Reading { format: "SIGMA/RESORCE", components: vec![component], notes })
+}
+
+/// The line above the values says of what they are.
+fn refuse_other_series(header: &Header) -> Result<(), Problem> {
+    let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else { return Ok(()) };
+    let lower = title.key.to_ascii_lowercase();
+    if ["veloc", "displ", "spectr"].iter().any(|word| lower.contains(word)) {
+        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&title.key));
+        return Err(Problem::new(ProblemKind::Format, message)
+            .at_line(title.line)
+            .hint("use the acceleration file (.acc) of the same record"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;
