@@ -44,10 +44,22 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         Separator::Byte(b',' | b';') => "CSV",
         _ => "columns",
     };
-    let time = time_source(&table, &stating, options)?;
+    let first = usize::from(counts_rows(&table, &stating, options));
+    if first > 0 {
+        notes.push("column 1 counts the rows and was not read".to_owned());
+    }
+    let time = time_source(&table, first, &stating, options)?;
     let (spacing, skip) = match time {
-        Time::Step(dt_s) => (Spacing { dt_s, uneven_s: None }, 0),
-        Time::Column => (spacing_of_column(&table, bytes, &stating, options, &mut notes)?, 1),
+        Time::Step(dt_s) => {
+            if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
+                notes.push(format!(
+                    "column {} rises by {dt_s} from row to row: if it is the time, leave out the step (--dt)",
+                    first + 1
+                ));
+            }
+            (Spacing { dt_s, uneven_s: None }, first)
+        }
+        Time::Column => (spacing_of_column(&table, bytes, first, &stating, options, &mut notes)?, first + 1),
     };
     let requested = requested(options.unit.as_deref())?;
     let mut components = Vec::new();
@@ -192,17 +204,15 @@ fn says_unit(text: &str) -> bool {
 }
 
 /// With a step from the flag or the file every column is a component, unless the header says that the first is the time.
-fn time_source(table: &Table, stating: &Stating, options: &ReadOptions) -> Result<Time, Problem> {
-    let first = stating.headings.as_ref().and_then(|headings| headings.first());
-    let named = first.is_some_and(|heading| match heading.unit {
-        Some(unit) => unit.dimension == Dimension::Time,
-        None => is_time_name(&heading.name),
-    });
+fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOptions) -> Result<Time, Problem> {
+    let first = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    let named = names_time(stating, at);
     if let (Some(dt_s), Some((stated_s, line))) = (options.dt_s, stating.dt_s) {
         agree(dt_s, stated_s, line)?;
     }
     // A step in a comment does not make a component of a column that counts the time in just that step.
-    let counts_time = |dt_s: f64| options.dt_s.is_none() && table.columns.len() > 1 && is_time(table, dt_s);
+    let counts_time =
+        |dt_s: f64| options.dt_s.is_none() && table.columns.len() > at + 1 && is_time(table, at, Some(dt_s));
     let step = options.dt_s.or(stating.dt_s.map(|(dt_s, _)| dt_s));
     match step {
         Some(dt_s) if counts_time(dt_s) => Ok(Time::Column),
@@ -219,12 +229,29 @@ fn time_source(table: &Table, stating: &Stating, options: &ReadOptions) -> Resul
     }
 }
 
-/// Whether the first column rises from 0 or `dt_s` in steps of `dt_s`, as no motion does.
-fn is_time(table: &Table, dt_s: f64) -> bool {
-    let Some(column) = table.columns.first().filter(|column| column.values.len() > 2) else { return false };
-    let starts = column.values.first().is_some_and(|first| *first == 0.0 || (first - dt_s).abs() <= 1e-3 * dt_s);
+fn names_time(stating: &Stating, at: usize) -> bool {
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    heading.is_some_and(|heading| match heading.unit {
+        Some(unit) => unit.dimension == Dimension::Time,
+        None => is_time_name(&heading.name),
+    })
+}
+
+/// Whether a column rises in equal steps from 0 or from one step, as no motion does: steps of `dt_s`, where it is given.
+fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
+    let Some(column) = table.columns.get(at).filter(|column| column.values.len() > 2) else { return false };
+    let Ok(step) = time_step(&column.values, column.last_digit_exponent) else { return false };
     // One part in a thousand, as for a step that is stated beside printed times.
-    starts && time_step(&column.values, column.last_digit_exponent).is_ok_and(|step| (step - dt_s).abs() <= 1e-3 * dt_s)
+    let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
+    column.values.first().is_some_and(|first| *first == 0.0 || is_step(*first)) && dt_s.is_none_or(is_step)
+}
+
+/// Whether the first column is 1, 2, 3 … and the second the time: the first would make a step of one second.
+fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool {
+    let [numbers, _, _, ..] = table.columns.as_slice() else { return false };
+    let counts = numbers.last_digit_exponent == 0 && numbers.values.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
+    let is_named = names_time(stating, 1);
+    counts && !names_time(stating, 0) && (is_named || options.dt_s.is_none() && is_time(table, 1, None))
 }
 
 fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
@@ -241,14 +268,15 @@ fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
 fn spacing_of_column(
     table: &Table,
     bytes: &[u8],
+    at: usize,
     stating: &Stating,
     options: &ReadOptions,
     notes: &mut Vec<String>,
 ) -> Result<Spacing, Problem> {
-    let Some(column) = table.columns.first() else {
+    let Some(column) = table.columns.get(at) else {
         return Err(Problem::new(ProblemKind::Format, "there are no columns"));
     };
-    let heading = stating.headings.as_ref().and_then(|headings| headings.first());
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
     if let Some(heading) = heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '('])) {
         return Err(Problem::new(
             ProblemKind::Format,
@@ -259,7 +287,8 @@ fn spacing_of_column(
     }
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
-        notes.push("the first column is read as time in seconds".to_owned());
+        let column = if at == 0 { "the first column".to_owned() } else { format!("column {}", at + 1) };
+        notes.push(format!("{column} is read as time in seconds"));
     }
     let to_si = |time: f64| stated.map_or(time, |unit| unit.to_si(time));
     let step = match (time_step(&column.values, column.last_digit_exponent), options.resample_dt_s) {

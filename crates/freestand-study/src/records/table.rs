@@ -36,7 +36,7 @@ pub(super) struct Column {
     pub(super) values: Vec<f64>,
     /// The finest last digit printed in it counts 10^this.
     pub(super) last_digit_exponent: i32,
-    /// Some whole number in it begins with a zero: `0123`.
+    /// Some whole number in it begins with a zero, `0123`, or is `-0`.
     zero_padded: bool,
 }
 
@@ -323,7 +323,9 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
             if let Some(column) = columns.get_mut(at) {
                 column.values.push(number.value);
                 column.last_digit_exponent = column.last_digit_exponent.min(number.last_digit_exponent);
-                column.zero_padded |= number.zero_padded;
+                // Nor is -0 a whole number.
+                let is_minus_zero = number.value == 0.0 && number.value.is_sign_negative();
+                column.zero_padded |= number.zero_padded || is_minus_zero && number.last_digit_exponent == 0;
             }
             at += 1;
         };

@@ -27,6 +27,11 @@ fn assert_one(bytes: &[u8], options: &ReadOptions) {
     assert_eq!(file.components[0].motion.dt_s(), 0.01, "{text}");
 }
 
+/// With the number of each row before it.
+fn numbered(csv: &str) -> String {
+    csv.lines().zip(1..).map(|(row, number)| format!("{number},{row}\n")).collect()
+}
+
 #[test]
 fn time_and_acceleration() {
     let rows = "0.00 0.5\n0.01 -0.25\n0.02 0.001\n0.03 -0.0\n";
@@ -53,6 +58,7 @@ fn time_and_acceleration() {
         format!("time [s] a [m/s2]\n\n\n{}\n\n  \n", rows.replace('\n', "\n\n")),
         format!("Units: m/s2\nStation 24278, 12.3 km\n{rows}"),
         format!("{}time [s] a [m/s2]\n{rows}", "A line of prose with 3 numbers, 1.5 and 7\n".repeat(5000)),
+        format!("No,t [s],a [m/s2]\n{}", numbered(&csv)),
         format!("Original sampling rate: 200 Hz\ntime [s] a [m/s2]\n{rows}"),
     ] {
         for ending in ["\n", "\r\n", "\r", "\r\r\n"] {
@@ -79,6 +85,7 @@ fn time_and_acceleration() {
         format!("time,a\n{csv}"),
         format!("4 0.01\n{rows}"),
         format!("0.01, 4\n{rows}"),
+        numbered(&csv),
         // Time begins at the step.
         rows.replace("0.03", "0.04").replace("0.02", "0.03").replace("0.01", "0.02").replace("0.00 ", "0.01 "),
         // Four decimals, and a clock that jitters by less than 1 % of the step.
@@ -109,6 +116,9 @@ fn one_column_or_a_series() {
     assert_eq!(read(b"0.5 -0.25\n0.001 -0.0\n", &both).unwrap().components.len(), 2);
     let ragged = read(b"0.5 -0.25 1\n0.001 -0.0\n", &both).unwrap_err();
     assert!(ragged.hint.unwrap().contains("NPTS, DT"));
+    // Decimal commas in one column look like two columns of whole numbers, but for -0.
+    let comma = read(b"1,5\n-0,25\n2,1\n", &both).unwrap_err();
+    assert!(comma.message.contains("decimal sign"), "{comma}");
     // A whole number above whole numbers may be a value.
     assert_eq!(read(b"2\n1\n3\n", &both).unwrap().components[0].motion.accel_m_s2().len(), 3);
     let file = read(b"4\n0.5\n-0.25\n0.001\n-0.0\n", &both).unwrap();
@@ -134,7 +144,8 @@ fn several_components() {
     let timed = "# dt=0.01 units=g\n0.00,0.5\n0.01,-0.25\n0.02,0.001\n0.03,-0.0\n";
     assert_eq!(read(timed.as_bytes(), &ReadOptions::default()).unwrap().components.len(), 1);
     // The flag does: that is what it is for.
-    assert_eq!(read(timed.as_bytes(), &options("", 0.01)).unwrap().components.len(), 2);
+    let file = read(timed.as_bytes(), &options("", 0.01)).unwrap();
+    assert!(file.components.len() == 2 && file.notes.iter().any(|note| note.contains("if it is the time")));
     // Prose that speaks of a step says nothing against a time column.
     let other = "dt = 0.5 s in another file\nunit g\n0.00,0.5\n0.01,-0.25\n0.02,0.001\n";
     assert_eq!(read(other.as_bytes(), &ReadOptions::default()).unwrap().components[0].motion.dt_s(), 0.01);
