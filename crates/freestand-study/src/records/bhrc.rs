@@ -168,4 +168,4 @@ fn station(title: &Line<'_>, text: &[String]) -> Option<String> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

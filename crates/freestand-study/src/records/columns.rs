@@ -1,20 +1,16 @@
 //! Motions in columns: with or without a time column, a header, units.
 
+use super::even_grid::on_even_grid;
 use super::fortran::is_missing_value;
-use super::sampling::time_step;
+use super::headings::{Heading, heading, is_time_name, other_quantity};
+use super::sampling::{Uneven, even_step, time_step};
+use super::stated_step::{dt_in_comment, step_in_prose};
 use super::table::{self, Separator, Table};
 use super::units::{Stated, decide, missing, record_unit, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::{self, Dimension, Unit, lookup, shorten};
+use crate::quantity::{Dimension, shorten};
 use std::path::Path;
-
-/// What a header cell says about its column.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct Heading {
-    name: String,
-    unit: Option<&'static Unit>,
-}
 
 /// What is stated above the numbers.
 struct Stating {
@@ -33,6 +29,12 @@ enum Time {
     Step(f64),
 }
 
+/// The step of the samples; and the times \[s\] of the rows, where these must be brought to it.
+struct Spacing {
+    dt_s: f64,
+    uneven_s: Option<Vec<f64>>,
+}
+
 /// Reads text with columns.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut table = table::read(bytes)?;
@@ -42,10 +44,22 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         Separator::Byte(b',' | b';') => "CSV",
         _ => "columns",
     };
-    let time = time_source(&table, &stating, options)?;
-    let (dt_s, skip) = match time {
-        Time::Step(dt_s) => (dt_s, 0),
-        Time::Column => (dt_of_column(&table, bytes, &stating, options, &mut notes)?, 1),
+    let first = usize::from(counts_rows(&table, &stating, options));
+    if first > 0 {
+        notes.push("column 1 counts the rows and was not read".to_owned());
+    }
+    let time = time_source(&table, first, &stating, options)?;
+    let (spacing, skip) = match time {
+        Time::Step(dt_s) => {
+            if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
+                notes.push(format!(
+                    "column {} rises by {dt_s} from row to row: if it is the time, leave out the step (--dt)",
+                    first + 1
+                ));
+            }
+            (Spacing { dt_s, uneven_s: None }, first)
+        }
+        Time::Column => (spacing_of_column(&table, bytes, first, &stating, options, &mut notes)?, first + 1),
     };
     let requested = requested(options.unit.as_deref())?;
     let mut components = Vec::new();
@@ -68,7 +82,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         for value in &mut values {
             *value = unit.to_si(*value);
         }
-        let motion = motion(dt_s, values, table.line_of_first_value)?;
+        if let Some(times_s) = &spacing.uneven_s {
+            values = resampled(times_s, &values, spacing.dt_s, &mut notes)
+                .map_err(|uneven| uneven_problem(uneven, &table, bytes))?;
+        }
+        let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
             "" if count == 1 => super::file_stem(path),
             // Numbered as --component counts them, which is not how the columns are counted.
@@ -93,14 +111,16 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
     if let Some(dt_s) = table.series_dt_s {
         stating.dt_s = Some((dt_s, table.line_of_first_value));
         notes.push(format!("the first row is read as the number of values and the time step, {dt_s} s"));
+    } else if table.has_row_of_counts {
+        notes.push("the first row is read as the number of values".to_owned());
     }
     for (line, text) in &table.comments {
         if let Some(unit) = unit_in_prose(text) {
             stating.unit = Some(Stated { unit, line: *line });
             notes.push(format!("the unit {} is taken from the comment on line {line}", unit.symbol));
         }
-        if let Some(value) = assigned(text, "dt") {
-            let dt_s = parse_dt(value).map_err(|problem| problem.at_line(*line))?;
+        if let Some(dt_s) = dt_in_comment(text) {
+            let dt_s = dt_s.map_err(|problem| problem.at_line(*line))?;
             stating.dt_s = Some((dt_s, *line));
             notes.push(format!("the time step {dt_s} s is taken from the comment on line {line}"));
         }
@@ -118,39 +138,56 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
             notes.push(format!("the unit {} is taken from line {}", stated.unit.symbol, stated.line));
         }
     }
+    if stating.dt_s.is_none() && has_no_time(table, &stating) {
+        stating.dt_s = table.header.iter().find_map(|(line, text)| Some((step_in_prose(text)?, *line)));
+        if let Some((dt_s, line)) = stating.dt_s {
+            notes.push(format!("the time step {dt_s} s is taken from line {line}"));
+        }
+    }
     Ok(stating)
+}
+
+/// Whether the columns cannot have a time among them: prose may speak of a step that is not theirs, and counts only here.
+fn has_no_time(table: &Table, stating: &Stating) -> bool {
+    let first = stating.headings.as_ref().and_then(|headings| headings.first());
+    // Names of directions, "NS,EW,UD", or accelerations.
+    let is_acceleration = first.is_some_and(|heading| {
+        Direction::parse(&heading.name).is_some()
+            || heading.unit.is_some_and(|unit| unit.dimension == Dimension::Acceleration)
+    });
+    table.columns.len() == 1 || is_acceleration
 }
 
 /// The headings are the last header line, or the one above a line of units; in their absence a comment will do, if it
 /// names units, because a comment that happens to have as many words as there are columns is no header.
 fn take_headings(table: &Table, stating: &mut Stating) {
+    // Other programs' marks of a comment do not belong to the first heading.
+    let unmarked = |text: &str| text.trim_start_matches(['%', '!', '*', '/']).trim().to_owned();
     let from = |text: &str| -> Option<Vec<Heading>> {
+        let text = &unmarked(text);
         let headings: Vec<Heading> = table.names(text)?.iter().map(|cell| heading(cell)).collect();
         // "Units: cm/s2" above two columns has two words and is no header.
         let statement = says_unit(text) && headings.iter().all(|heading| heading.unit.is_none());
         (!statement).then_some(headings)
     };
-    let mut lines = table.header.iter().rev();
-    if let Some((line, text)) = lines.next() {
-        let units: Option<Vec<_>> =
-            table.names(text).and_then(|cells| cells.iter().map(|cell| record_unit(cell)).collect());
-        match (units, lines.next().and_then(|(line, text)| Some((line, from(text)?)))) {
-            (Some(units), Some((_, mut headings))) => {
-                for (heading, unit) in headings.iter_mut().zip(units) {
-                    heading.unit = Some(unit);
-                }
-                (stating.headings, stating.line) = (Some(headings), *line);
-            }
-            (Some(units), None) => {
-                let headings = units.iter().map(|unit| Heading { name: String::new(), unit: Some(unit) }).collect();
-                (stating.headings, stating.line) = (Some(headings), *line);
-            }
-            _ => {
-                if let Some(headings) = from(text) {
-                    (stating.headings, stating.line) = (Some(headings), *line);
-                }
-            }
+    // A line of dashes underlines the headings.
+    let lines: Vec<_> =
+        table.header.iter().rev().filter(|(_, text)| text.contains(char::is_alphanumeric)).take(4).collect();
+    let units_of =
+        |text: &str| -> Option<Vec<_>> { table.names(&unmarked(text))?.iter().map(|cell| record_unit(cell)).collect() };
+    // Plotting programs write a line of remarks below names and units.
+    let units = lines.iter().enumerate().find_map(|(i, (line, text))| Some((i, *line, units_of(text)?)));
+    if let Some((i, line, units)) = units {
+        let above = lines.get(i + 1).and_then(|(above, text)| Some((*above, from(text)?)));
+        let (line, mut headings) = above.unwrap_or_else(|| (line, vec![Heading::default(); units.len()]));
+        for (heading, unit) in headings.iter_mut().zip(units) {
+            heading.unit = Some(unit);
         }
+        (stating.headings, stating.line) = (Some(headings), line);
+    } else if let Some((line, text)) = lines.first()
+        && let Some(headings) = from(text)
+    {
+        (stating.headings, stating.line) = (Some(headings), *line);
     }
     if stating.headings.is_none()
         && let Some((line, text)) = table.comments.last()
@@ -166,86 +203,19 @@ fn says_unit(text: &str) -> bool {
     text.to_ascii_lowercase().contains("unit") && unit_in_prose(text).is_some()
 }
 
-/// `time [ms]`, `Accel[g]`, `accel (m/s2)`, and the unit suffixes of our own files, `time_s` and `accel_m_s2`.
-fn heading(cell: &str) -> Heading {
-    let cell = cell.trim().trim_matches('"').trim();
-    if let (Some(open), Some(close)) = (cell.rfind(['[', '(']), cell.rfind([']', ')']))
-        && open < close
-    {
-        // Brackets that hold no unit belong to the name: "a (NS)", "a (EW)".
-        let unit = record_unit(&cell[open + 1..close]);
-        let name = if unit.is_some() { cell[..open].trim() } else { cell };
-        return Heading { name: name.to_owned(), unit };
-    }
-    let suffixes = [("_m_s2", "m/s2"), ("_m_s", "m/s"), ("_rad_s", "rad/s"), ("_m", "m"), ("_g", "g")];
-    let suffix = suffixes.iter().find(|(suffix, _)| cell.ends_with(suffix));
-    let unit = match suffix {
-        // `_g` and `_m` end ordinary names too; only on names of what they measure are they units.
-        Some(("_g", _)) if !cell.to_ascii_lowercase().starts_with("accel") => None,
-        Some(("_m", _)) if !is_other_name(cell) => None,
-        Some((_, symbol)) => lookup(symbol),
-        None if matches!(cell, "time_s" | "t_s") => lookup("s"),
-        None => None,
-    };
-    Heading { name: cell.to_owned(), unit }
-}
-
-fn is_time_name(name: &str) -> bool {
-    matches!(name.to_ascii_lowercase().as_str(), "time" | "t" | "time_s" | "t_s" | "zeit" | "temps" | "tiempo")
-}
-
-fn is_other_name(name: &str) -> bool {
-    let lower = name.to_ascii_lowercase();
-    lower.starts_with("vel") || lower.starts_with("disp")
-}
-
-/// What a column is, if it is no acceleration.
-fn other_quantity(heading: &Heading) -> Option<&'static str> {
-    match heading.unit {
-        Some(unit) if unit.dimension != Dimension::Acceleration => Some(unit.dimension.with_article()),
-        Some(_) => None,
-        None => {
-            let name = heading.name.to_ascii_lowercase();
-            let others = [("vel", "a velocity"), ("disp", "a displacement"), ("force", "a force"), ("load", "a force")];
-            others.iter().find(|(start, _)| name.starts_with(start)).map(|(_, what)| *what)
-        }
-    }
-}
-
-/// `dt=0.005` in a comment: the text after the equals sign, as far as the next blank that no unit follows.
-fn assigned<'a>(text: &'a str, key: &str) -> Option<&'a str> {
-    text.match_indices('=').find_map(|(at, _)| {
-        let name = text[..at].trim_end().rsplit(|c: char| c.is_whitespace() || ",;(".contains(c)).next()?;
-        let value = text[at + 1..].trim_start();
-        name.eq_ignore_ascii_case(key).then(|| value.split([' ', '\t', ',', ';', ')']).next().unwrap_or(value))
-    })
-}
-
-/// A step that its key states to be in seconds, or one with a unit.
-fn parse_dt(text: &str) -> Result<f64, Problem> {
-    let seconds = quantity::find_unit("s", Dimension::Time)?;
-    let bare = text.bytes().all(|b| b.is_ascii_digit() || b"+-.eE".contains(&b));
-    let dt_s = if bare { quantity::parse_in_unit(text, seconds)? } else { quantity::parse(text, Dimension::Time)? };
-    if dt_s > 0.0 {
-        Ok(dt_s)
-    } else {
-        Err(Problem::new(ProblemKind::Value, format!("dt must be positive, not {dt_s} s"))
-            .hint("write it as \"dt=0.005\", in seconds"))
-    }
-}
-
 /// With a step from the flag or the file every column is a component, unless the header says that the first is the time.
-fn time_source(table: &Table, stating: &Stating, options: &ReadOptions) -> Result<Time, Problem> {
-    let first = stating.headings.as_ref().and_then(|headings| headings.first());
-    let named = first.is_some_and(|heading| match heading.unit {
-        Some(unit) => unit.dimension == Dimension::Time,
-        None => is_time_name(&heading.name),
-    });
+fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOptions) -> Result<Time, Problem> {
+    let first = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    let named = names_time(stating, at);
     if let (Some(dt_s), Some((stated_s, line))) = (options.dt_s, stating.dt_s) {
         agree(dt_s, stated_s, line)?;
     }
+    // A step in a comment does not make a component of a column that counts the time in just that step.
+    let counts_time =
+        |dt_s: f64| options.dt_s.is_none() && table.columns.len() > at + 1 && is_time(table, at, Some(dt_s));
     let step = options.dt_s.or(stating.dt_s.map(|(dt_s, _)| dt_s));
     match step {
+        Some(dt_s) if counts_time(dt_s) => Ok(Time::Column),
         Some(dt_s) if !named => Ok(Time::Step(dt_s)),
         _ if table.columns.len() == 1 => Err(Problem::new(ProblemKind::Value, "there is one column and no time step")
             .at_line(table.line_of_first_value)
@@ -259,6 +229,31 @@ fn time_source(table: &Table, stating: &Stating, options: &ReadOptions) -> Resul
     }
 }
 
+fn names_time(stating: &Stating, at: usize) -> bool {
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    heading.is_some_and(|heading| match heading.unit {
+        Some(unit) => unit.dimension == Dimension::Time,
+        None => is_time_name(&heading.name),
+    })
+}
+
+/// Whether a column rises in equal steps from 0 or from one step, as no motion does: steps of `dt_s`, where it is given.
+fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
+    let Some(column) = table.columns.get(at).filter(|column| column.values.len() > 2) else { return false };
+    let Ok(step) = time_step(&column.values, column.last_digit_exponent) else { return false };
+    // One part in a thousand, as for a step that is stated beside printed times.
+    let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
+    column.values.first().is_some_and(|first| *first == 0.0 || is_step(*first)) && dt_s.is_none_or(is_step)
+}
+
+/// Whether the first column is 1, 2, 3 … and the second the time: the first would make a step of one second.
+fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool {
+    let [numbers, _, _, ..] = table.columns.as_slice() else { return false };
+    let counts = numbers.last_digit_exponent == 0 && numbers.values.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
+    let is_named = names_time(stating, 1);
+    counts && !names_time(stating, 0) && (is_named || options.dt_s.is_none() && is_time(table, 1, None))
+}
+
 fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
     // One part in a thousand: a step read from printed times may carry their rounding.
     if (given_s - stated_s).abs() <= 1e-3 * stated_s {
@@ -270,17 +265,18 @@ fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
 }
 
 /// The step that the time column means, in seconds.
-fn dt_of_column(
+fn spacing_of_column(
     table: &Table,
     bytes: &[u8],
+    at: usize,
     stating: &Stating,
     options: &ReadOptions,
     notes: &mut Vec<String>,
-) -> Result<f64, Problem> {
-    let Some(column) = table.columns.first() else {
+) -> Result<Spacing, Problem> {
+    let Some(column) = table.columns.get(at) else {
         return Err(Problem::new(ProblemKind::Format, "there are no columns"));
     };
-    let heading = stating.headings.as_ref().and_then(|headings| headings.first());
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
     if let Some(heading) = heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '('])) {
         return Err(Problem::new(
             ProblemKind::Format,
@@ -291,19 +287,63 @@ fn dt_of_column(
     }
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
-        notes.push("the first column is read as time in seconds".to_owned());
+        let column = if at == 0 { "the first column".to_owned() } else { format!("column {}", at + 1) };
+        notes.push(format!("{column} is read as time in seconds"));
     }
-    let step = time_step(&column.values, column.last_digit_exponent).map_err(|uneven| {
-        Problem::new(ProblemKind::Format, uneven.message)
-            .at_line(table.line_of_row(bytes, uneven.row))
-            .hint(uneven.hint)
-    })?;
-    let dt_s = stated.map_or(step, |unit| unit.to_si(step));
+    let to_si = |time: f64| stated.map_or(time, |unit| unit.to_si(time));
+    let step = match (time_step(&column.values, column.last_digit_exponent), options.resample_dt_s) {
+        (Ok(step), _) => step,
+        (Err(_), Some(dt_s)) => {
+            let times_s: Vec<f64> = column.values.iter().copied().map(to_si).collect();
+            return Ok(Spacing { dt_s, uneven_s: Some(times_s) });
+        }
+        (Err(uneven), None) => {
+            let problem = uneven_problem(uneven, table, bytes);
+            return Err(match even_step(&column.values, column.last_digit_exponent) {
+                Some(step) => problem.hint(format!(
+                    "interpolate on straight lines to equal steps (--resample {}s), or repair the gap",
+                    to_si(step)
+                )),
+                None => problem,
+            });
+        }
+    };
+    let dt_s = to_si(step);
     for (other_s, line) in options.dt_s.map(|dt_s| (dt_s, stating.line)).into_iter().chain(stating.dt_s) {
         agree(other_s, dt_s, line)?;
     }
-    Ok(dt_s)
+    Ok(Spacing { dt_s, uneven_s: None })
 }
 
+fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {
+    Problem::new(ProblemKind::Format, uneven.message).at_line(table.line_of_row(bytes, uneven.row)).hint(uneven.hint)
+}
+
+/// A component on equal steps, with notes of what that did to it.
+fn resampled(times_s: &[f64], values: &[f64], dt_s: f64, notes: &mut Vec<String>) -> Result<Vec<f64>, Uneven> {
+    let samples = on_even_grid(times_s, values, dt_s)?;
+    let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
+    let (before, after) = (peak(values), peak(&samples));
+    let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));
+    let note = format!(
+        "uneven times are interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps were \
+         off by up to {furthest:.3e} s",
+        values.len(),
+        samples.len()
+    );
+    // Several components share their times.
+    if !notes.contains(&note) {
+        notes.push(note);
+    }
+    // A peak between two samples is cut; a step that has every time on its grid cuts none.
+    if after < before * (1.0 - 1e-9) {
+        notes
+            .push(format!("interpolation reduced a peak from {before:.5} to {after:.5} m/s2: a shorter step keeps it"));
+    }
+    Ok(samples)
+}
+
+#[cfg(test)]
+mod dialects;
 #[cfg(test)]
 mod tests;

@@ -198,4 +198,4 @@ fn station(text: &[String]) -> Option<String> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

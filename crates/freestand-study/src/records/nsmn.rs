@@ -84,4 +84,4 @@ fn station(header: &Header) -> Option<String> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

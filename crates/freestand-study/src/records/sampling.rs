@@ -1,5 +1,6 @@
 //! The time step that a column of printed times means.
 
+use super::even_grid::common_step;
 use crate::quantity::shorten;
 
 /// Why times are not equally spaced.
@@ -104,6 +105,19 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
         ),
         hint: "resample the record to equal time steps, or repair the gap",
     }
+}
+
+/// A step to which unevenly spaced `times` can be brought: the longest that has them all on its grid, unless that is
+/// far below the usual step, which is then taken. `None` if they do not rise.
+pub(super) fn even_step(times: &[f64], last_digit_exponent: i32) -> Option<f64> {
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    if steps.is_empty() || !steps.iter().all(|step| *step > 0.0 && step.is_finite()) {
+        return None;
+    }
+    let middle = steps.len() / 2;
+    let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let common = common_step(times, last_digit_exponent).filter(|step| *step >= 0.1 * usual);
+    common.or_else(|| format!("{usual:.2e}").parse().ok())
 }
 
 fn number(value: f64) -> String {

@@ -81,4 +81,4 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -6,11 +6,16 @@ use super::lines::{Line, lines};
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 
-/// How far down the first row of numbers may stand.
-const HEADER_LINES: usize = 1000;
-/// Longest line \[bytes\]: some hundred thousand numbers, far beyond any table. A longer one would take many times the
-/// file's size in memory, only to be refused.
-const LONGEST_LINE: usize = 4 << 20;
+/// How far down the first row of numbers may stand; files with thousands of lines above it are met.
+const HEADER_LINES: usize = 20_000;
+
+/// Of the lines above the numbers so many are kept, half of them the first and half the last: units and steps are stated
+/// at the top, headings at the bottom.
+const KEPT_LINES: usize = 1000;
+
+/// Longest line \[bytes\]: some hundred thousand numbers, far beyond any table. A longer one would take ten times the
+/// memory of its text, only to be refused.
+const LONGEST_ROW: usize = 4 << 20;
 
 /// What stands between the columns.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +37,7 @@ pub(super) struct Column {
     pub(super) values: Vec<f64>,
     /// The finest last digit printed in it counts 10^this.
     pub(super) last_digit_exponent: i32,
-    /// Some whole number in it begins with a zero: `0123`.
+    /// Some whole number in it begins with a zero, `0123`, or is `-0`.
     zero_padded: bool,
 }
 
@@ -47,6 +52,8 @@ pub(super) struct Table {
     pub(super) line_of_first_value: usize,
     /// The step of the old dialect whose first row is `npts dt`; the values are then one series.
     pub(super) series_dt_s: Option<f64>,
+    /// Whether the first row said how many there are, and is not one of them.
+    pub(super) has_row_of_counts: bool,
 }
 
 /// Whether a line holds data: neither blank nor comment.
@@ -56,7 +63,7 @@ fn is_row(line: &Line<'_>) -> bool {
 
 /// Reads a table.
 pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
-    if let Some(line) = lines(bytes).find(|line| line.bytes.len() > LONGEST_LINE) {
+    if let Some(line) = lines(bytes).find(|line| line.bytes.len() > LONGEST_ROW) {
         let message = format!("a line of {} MB is no row of a table", line.bytes.len() >> 20);
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(line.number)
@@ -72,22 +79,36 @@ pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
         };
         if line.is_comment() {
             let text = line.text();
-            comments.push((line.number, text.trim_start().trim_start_matches('#').trim().to_owned()));
+            keep(&mut comments, (line.number, text.trim_start().trim_start_matches('#').trim().to_owned()));
         } else if let Some(dialect) = dialect_of(line.bytes) {
             rest = before;
             break (dialect, line);
         } else if !line.is_blank() {
-            header.push((line.number, line.text().trim().to_owned()));
+            keep(&mut header, (line.number, line.text().trim().to_owned()));
         }
     };
     check_not_a_broken_row(&dialect, &header, first.bytes)?;
     let rows = rest.filter(is_row);
-    let mut table =
-        Table { dialect, columns: Vec::new(), header, comments, line_of_first_value: first.number, series_dt_s: None };
+    let mut table = Table {
+        dialect,
+        columns: Vec::new(),
+        header,
+        comments,
+        line_of_first_value: first.number,
+        series_dt_s: None,
+        has_row_of_counts: false,
+    };
     if !read_as_series(&mut table, rows.clone())? {
         read_rows(&mut table, rows)?;
     }
     Ok(table)
+}
+
+fn keep(lines: &mut Vec<(usize, String)>, line: (usize, String)) {
+    if lines.len() == KEPT_LINES {
+        lines.remove(KEPT_LINES / 2);
+    }
+    lines.push(line);
 }
 
 impl Table {
@@ -106,14 +127,16 @@ impl Table {
             Separator::Blank => None,
         };
         // The header of a table with tabs is often typed with blanks, and so on.
-        own.into_iter().chain([b',', b';', b'\t']).map(|byte| quoted_cells(text, byte)).chain([words(text)]).find_map(
-            |mut cells| {
+        own.into_iter()
+            .chain([b',', b';', b'\t'])
+            .map(|byte| quoted_cells(text, byte))
+            .chain([words(text), gaps(text)])
+            .find_map(|mut cells| {
                 if cells.len() == wanted + 1 && cells.last().is_some_and(String::is_empty) {
                     cells.pop();
                 }
                 (cells.len() == wanted).then_some(cells)
-            },
-        )
+            })
     }
 }
 
@@ -128,6 +151,16 @@ fn quoted_cells(text: &str, separator: u8) -> Vec<String> {
         Ok(true) => record.iter().map(str::to_owned).collect(),
         _ => Vec::new(),
     }
+}
+
+/// What stands between gaps of two blanks or more: `Acc. NS (g)   Acc. EW (g)`.
+fn gaps(text: &str) -> Vec<String> {
+    text.split(['\t'])
+        .flat_map(|part| part.split("  "))
+        .map(str::trim)
+        .filter(|part| !part.is_empty())
+        .map(str::to_owned)
+        .collect()
 }
 
 /// Words between blanks; a unit in brackets belongs to the word before it.
@@ -154,6 +187,7 @@ fn dialect_of(line: &[u8]) -> Option<Dialect> {
         (has(b';'), Separator::Byte(b';'), has(b',') && !has(b'.')),
         (has(b'\t') && has(b','), Separator::Byte(b'\t'), true),
         (has(b','), Separator::Byte(b','), false),
+        (has(b',') && has(b'"') && !has(b'.'), Separator::Byte(b','), true),
         (has(b'\t'), Separator::Byte(b'\t'), false),
         (has(b','), Separator::Blank, true),
         (true, Separator::Blank, false),
@@ -200,7 +234,18 @@ fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadField>> {
                 line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
             );
         }
-        Separator::Byte(byte) => out.extend(line.split(|&b| b == byte).map(|text| cell(dialect, text))),
+        // Tabs before the first column and behind the last align, and hold no cells.
+        Separator::Byte(b'\t') => {
+            out.extend(line.trim_ascii().split(|&b| b == b'\t').map(|text| cell(dialect, text)));
+        }
+        Separator::Byte(byte) => {
+            let mut quoted = false;
+            let parts = line.split(|&b| {
+                quoted ^= b == b'"';
+                b == byte && !quoted
+            });
+            out.extend(parts.map(|text| cell(dialect, text)));
+        }
     }
     out
 }
@@ -277,7 +322,9 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
             if let Some(column) = columns.get_mut(at) {
                 column.values.push(number.value);
                 column.last_digit_exponent = column.last_digit_exponent.min(number.last_digit_exponent);
-                column.zero_padded |= number.zero_padded;
+                // Nor is -0 a whole number.
+                let is_minus_zero = number.value == 0.0 && number.value.is_sign_negative();
+                column.zero_padded |= number.zero_padded || is_minus_zero && number.last_digit_exponent == 0;
             }
             at += 1;
         };
@@ -330,35 +377,63 @@ fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
     Ok(())
 }
 
-/// The old dialect whose first row is `npts dt` and whose values follow in any number a line. Taken only where the rows
-/// below have another width and hold exactly npts values: then nothing else can be meant.
+/// Old dialects whose first row is `npts dt`, `dt npts` or `npts` alone, and no row of the record. Taken only where the
+/// rows below have another width and hold exactly npts values, or are npts rows whose time has that step: then nothing
+/// else can be meant.
 fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>> + Clone) -> Result<bool, Problem> {
-    let dialect = table.dialect;
     let Some(first) = rows.next() else { return Ok(false) };
-    let pair = cells(&dialect, first.bytes);
-    let (Some(second), [Ok(npts), Ok(dt)]) = (rows.clone().next(), pair.as_slice()) else {
-        return Ok(false);
-    };
-    let counts = npts.last_digit_exponent == 0 && npts.value >= 2.0 && dt.value > 0.0 && dt.value.is_finite();
+    let Some((npts, dt)) = counts(&cells(&table.dialect, first.bytes)) else { return Ok(false) };
+    let Some(second) = rows.clone().next() else { return Ok(false) };
     let Some(own) = dialect_of(second.bytes) else { return Ok(false) };
-    if !counts || cells(&own, second.bytes).len() == 2 {
-        return Ok(false);
-    }
-    let mut column = Column::default();
-    for line in rows {
-        for cell in cells(&own, line.bytes) {
-            let value = cell.map_err(|bad| empty_or_bad(&bad, line.number))?.value;
-            if is_missing_value(value) {
-                return Err(missing(&value.to_string(), line.number));
+    let width = cells(&own, second.bytes).len();
+    match dt {
+        Some(dt) if width == 2 => {
+            let time =
+                |line: Line<'a>| cells(&own, line.bytes).first().and_then(|cell| Some(cell.as_ref().ok()?.value));
+            let times: Vec<f64> = rows.clone().take(2).filter_map(time).collect();
+            let fits = matches!(times.as_slice(), [t0, t1] if (t1 - t0 - dt).abs() <= 1e-3 * dt);
+            if !fits || rows.clone().count() as f64 != npts {
+                return Ok(false);
             }
-            column.values.push(value);
+            table.dialect = own;
+            read_rows(table, rows)?;
+        }
+        None if width != 1 => return Ok(false),
+        _ => {
+            let mut column = Column { last_digit_exponent: i32::MAX, ..Column::default() };
+            for line in rows {
+                for cell in cells(&own, line.bytes) {
+                    let number = cell.map_err(|bad| empty_or_bad(&bad, line.number))?;
+                    if is_missing_value(number.value) {
+                        return Err(missing(&number.value.to_string(), line.number));
+                    }
+                    column.values.push(number.value);
+                    column.last_digit_exponent = column.last_digit_exponent.min(number.last_digit_exponent);
+                }
+            }
+            // A number alone counts only above values with decimals, which tell it from them.
+            if column.values.len() as f64 != npts || dt.is_none() && column.last_digit_exponent >= 0 {
+                return Ok(false);
+            }
+            table.columns = vec![column];
+            table.series_dt_s = dt;
         }
     }
-    if column.values.len() as f64 != npts.value {
-        return Ok(false);
-    }
-    table.columns = vec![column];
-    table.series_dt_s = Some(dt.value);
+    table.has_row_of_counts = true;
     table.line_of_first_value = second.number;
     Ok(true)
+}
+
+/// The number of values that a row states, and the step, if it does.
+fn counts(row: &[Result<Number, BadField>]) -> Option<(f64, Option<f64>)> {
+    let is_count = |number: &Number| number.last_digit_exponent == 0 && number.value >= 2.0;
+    match row {
+        [Ok(npts)] => is_count(npts).then_some((npts.value, None)),
+        [Ok(a), Ok(b)] => {
+            let (npts, dt) = if is_count(a) { (a, b) } else { (b, a) };
+            let is_step = dt.value > 0.0 && dt.value.is_finite();
+            (is_count(npts) && is_step).then_some((npts.value, Some(dt.value)))
+        }
+        _ => None,
+    }
 }

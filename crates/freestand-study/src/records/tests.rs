@@ -55,14 +55,19 @@ fn samples() -> Vec<Vec<u8>> {
         write_csv(&motion).replace(',', ";").replace('.', ",").into_bytes(),
         b"# units=g dt=0.01\n 1.0E-01-2.0D-01 3.0-003\n-.1 -.2 -.3\n".to_vec(),
         b"3 0.02\n1\n2\n3\n".to_vec(),
+        geonet::tests::sample(),
+        bhrc::tests::sample(),
+        dyna::tests::sample(),
+        nsmn::tests::sample(),
+        sigma::tests::sample(),
     ]
 }
 
 /// Whatever a file is, it is read or refused with a message of one line, and what is read is finite.
 fn survives(bytes: Vec<u8>) -> Result<(), TestCaseError> {
-    for options in
-        [ReadOptions::default(), ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() }]
-    {
+    let given = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
+    let resampled = ReadOptions { unit: Some("g".to_owned()), resample_dt_s: Some(0.01), ..ReadOptions::default() };
+    for options in [ReadOptions::default(), given, resampled] {
         match parse_motions(bytes.clone(), "x".as_ref(), &options) {
             Ok(file) => {
                 prop_assert!(!file.components.is_empty());
@@ -82,7 +87,7 @@ proptest! {
 
     #[test]
     fn damaged_files_are_read_or_refused(
-        which in 0..5usize,
+        which in 0..10usize,
         cut in 0.0..1.0f64,
         damage in prop::collection::vec((0.0..1.0f64, any::<u8>()), 0..6),
         characters in prop::collection::vec((0.0..1.0f64, prop::sample::select(b"+-.eEdD0 9,;\t\n\r#\"[(NPTS=\xff\xc3".to_vec())), 0..6),

@@ -18,6 +18,11 @@ fn part(name: &str, points: &str, values: &[f64]) -> String {
     text + "-END OF RECORD-\n"
 }
 
+pub(crate) fn sample() -> Vec<u8> {
+    let points = "NO OF POINTS = 24  DURATION = 0.120 SEC";
+    (part("L", points, &values()) + &part("V", points, &values())).into_bytes()
+}
+
 fn read(text: &str) -> Result<MotionFile, String> {
     parse_motions(text.as_bytes().to_vec(), "x.v1".as_ref(), &ReadOptions::default())
         .map_err(|error| error.problems[0].to_string())

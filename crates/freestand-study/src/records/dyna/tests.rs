@@ -18,6 +18,10 @@ fn file() -> String {
     text
 }
 
+pub(crate) fn sample() -> Vec<u8> {
+    file().into_bytes()
+}
+
 fn read_with(text: &str, options: &ReadOptions) -> Result<MotionFile, String> {
     parse_motions(text.as_bytes().to_vec(), "x.asc".as_ref(), options).map_err(|error| error.problems[0].to_string())
 }

@@ -65,6 +65,11 @@ fn part<'a>(title: &'a str, name: &'a str, values: &'a [f64]) -> Part<'a> {
     Part { title, name, counts: (values.len(), values.len()), others, factor: 1.0, values }
 }
 
+pub(crate) fn sample() -> Vec<u8> {
+    let values = values();
+    (part("Corrected", "N", &values).text() + &part("Uncorrected", "Up", &values).text()).into_bytes()
+}
+
 fn read(text: &str) -> Result<MotionFile, String> {
     parse_motions(text.as_bytes().to_vec(), "x.V1A".as_ref(), &ReadOptions::default())
         .map_err(|error| error.problems[0].to_string())
@@ -130,8 +135,8 @@ fn what_is_refused() {
         ("      23", "      29", "ends after 23 of 29"),
         ("      23", "      -1", "x.V1A:20: the number of accelerations is -1"),
         ("  0.0200", "  0.0000", "x.V1A:23: the time step must be positive"),
-        ("\n-10000.0", "\n********", "x.V1A:27: \"********\" stands for a missing value"),
-        ("\n-10000.0", "\n  -999.0", "x.V1A:27: \"-999\" stands for a missing value"),
+        ("-10000.0 -9208.1", "******** -9208.1", "x.V1A:27: \"********\" stands for a missing value"),
+        ("-10000.0 -9208.1", "  -999.0 -9208.1", "x.V1A:27: \"-999\" stands for a missing value"),
     ] {
         let problem = read(&text.replace(from, to)).expect_err(message);
         assert!(problem.contains(message), "{problem}");

@@ -21,6 +21,10 @@ fn file() -> Vec<u8> {
     text.bytes().map(|byte| if byte == b'#' { 0xD6 } else { byte }).map(|b| if b == b'@' { 0xDD } else { b }).collect()
 }
 
+pub(crate) fn sample() -> Vec<u8> {
+    file()
+}
+
 fn replace(from: &str, to: &str) -> Vec<u8> {
     let bytes = file();
     let at = bytes.windows(from.len()).position(|part| part == from.as_bytes()).unwrap();

@@ -27,6 +27,10 @@ fn file(values: &[f64]) -> String {
     text
 }
 
+pub(crate) fn sample() -> Vec<u8> {
+    file(&values()).into_bytes()
+}
+
 fn read(text: &str) -> Result<MotionFile, String> {
     parse_motions(text.as_bytes().to_vec(), "x.cor.acc".as_ref(), &ReadOptions::default())
         .map_err(|error| error.problems[0].to_string())
