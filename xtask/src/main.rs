@@ -36,6 +36,8 @@ const CHECKS: &[Check] = &[
             "rocking_cases",
             "--test",
             "real_records",
+            "--test",
+            "record_measures",
             "--",
             "--nocapture",
         ],

@@ -103,7 +103,9 @@ fn check(what: &str, one: &MotionInfo, fact: &Value) {
     assert_close(what, one.d5_75_s, &im["d5_75_s"], DIGITS);
     assert_close(what, one.d5_95_s, &im["d5_95_s"], DIGITS);
     assert_close(what, one.pgv_m_s, &im["pgv_m_per_s_trapz_no_correction"], DIGITS);
-    assert!(one.cav_std_m_s <= one.cav_m_s && one.uniform_duration_s <= one.bracketed_duration_s, "{what}");
+    // Where every second counts they are two sums of the same terms, in another order.
+    assert!(one.cav_std_m_s <= one.cav_m_s * (1.0 + 1e-12), "{what}");
+    assert!(one.uniform_duration_s <= one.bracketed_duration_s * (1.0 + 1e-12), "{what}");
 }
 
 #[test]
