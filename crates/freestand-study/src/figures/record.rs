@@ -58,7 +58,7 @@ pub(super) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
     );
     Page {
         name: id,
-        title: plain(&shorten(words.name)),
+        title: plain(&format!("Motion {}", shorten(words.name))),
         caption,
         panels,
         columns: 1,
