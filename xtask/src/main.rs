@@ -37,6 +37,8 @@ const CHECKS: &[Check] = &[
             "--test",
             "real_records",
             "--test",
+            "record_measures",
+            "--test",
             "mutations",
             "--",
             "--nocapture",

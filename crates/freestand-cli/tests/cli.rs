@@ -153,6 +153,66 @@ fn motion_info_and_spectrum() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
+/// The block of 2 m × 0.5 m uplifts at 0.25 g.
+#[test]
+fn motion_info_of_several_and_for_a_block() {
+    let two = "time [s],ns [g],up [g]\n0,0,0\n0.25,0.5,0.1\n0.5,0,-0.1\n0.75,-0.5,0\n1,0,0\n";
+    let folder = folder(&[("pulse.csv", RECORD), ("two.csv", two)]);
+    let block = ["--height", "2 m", "--thickness", "0.5 m"];
+    let info = |more: &[&str]| freestand_in(folder.path(), &[&["motion", "info"], more].concat());
+    let all = [
+        info(&["two.csv", "pulse.csv"]),
+        info(&[&["two.csv", "pulse.csv"], &block[..]].concat()),
+        info(&[&["two.csv", "--component", "ns"], &block[..]].concat()),
+        info(&["two.csv", "--height", "2 m"]),
+        info(&["two.csv", "--height", "-2 m", "--thickness", "0.5"]),
+        info(&["two.csv", "gone.csv", "none.csv"]),
+        freestand_in(
+            folder.path(),
+            &["motion", "spectrum", "pulse.csv", "--damping", "2 %, 5 %", "--periods", "1 s, 2 s"],
+        ),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn pictures_of_motions_go_where_they_are_sent() {
+    let two = "time [s],ns [g],up [g]\n0,0,0\n0.25,0.5,0.1\n0.5,0,-0.1\n0.75,-0.5,0\n1,0,0\n";
+    let folder = folder(&[("pulse.csv", RECORD), ("two.csv", two), ("record.svg", RECORD)]);
+    let motion = |args: &[&str]| freestand_in(folder.path(), &[&["motion"], args].concat());
+    let all = [
+        motion(&["info", "pulse.csv", "--plot"]),
+        motion(&["info", "--plot", "pulse.csv", "two.csv"]),
+        motion(&["info", "pulse.csv", "two.csv", "--plot", "x.svg"]),
+        motion(&["info", "two.csv", "--plot", "x.svg"]),
+        motion(&["info", "record.svg", "--plot", "record.svg"]),
+        motion(&["spectrum", "record.svg", "--plot", "record.svg"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+    // Nothing was written by what was refused.
+    assert_eq!(names(folder.path()), ["pulse.csv", "record.svg", "two.csv"]);
+    assert_eq!(std::fs::read_to_string(folder.path().join("record.svg")).unwrap(), RECORD);
+
+    motion(&["info", "two.csv", "--component", "up", "--plot", "up.svg"]);
+    motion(&["spectrum", "pulse.csv", "--plot", "s.PNG", "--json"]);
+    let json = motion(&["info", "two.csv", "pulse.csv", "--plot", "--out", "out", "--json"]);
+    assert!(std::fs::read(folder.path().join("up.svg")).unwrap().starts_with(b"<svg"));
+    assert!(std::fs::read(folder.path().join("s.PNG")).unwrap().starts_with(b"\x89PNG"));
+    let pictures = ["pulse.png", "pulse.svg", "two_ns.png", "two_ns.svg", "two_up.png", "two_up.svg"];
+    let mut expected = vec!["manifest.json", "measures.csv", "result.json"];
+    expected.extend(pictures);
+    expected.sort_unstable();
+    assert_eq!(names(&folder.path().join("out")), expected);
+    assert!(pictures.iter().all(|name| json.contains(&format!("\"out/{name}\""))), "{json}");
+}
+
+fn names(path: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort_unstable();
+    names
+}
+
 #[test]
 fn broken_records_are_refused() {
     let folder = folder(&[
@@ -401,7 +461,7 @@ fn every_command_writes_what_it_found() {
         (&[&CABINET[..], &["--stiffness", "4380 N/mm", "--cg-rise", "16 mm"]].concat(), &[]),
         (&[&["rock", "--motion", "pulse.csv"], &object[..]].concat(), &["history.csv"]),
         (&["spectrum", "--motion", "pulse.csv", "--heights", "1 m", "--thicknesses", "200 mm"], &["rows.csv"]),
-        (&["motion", "info", "pulse.csv"], &[]),
+        (&["motion", "info", "pulse.csv"], &["measures.csv"]),
         (&["motion", "spectrum", "pulse.csv"], &["spectrum.csv"]),
         (&["motion", "code-spectrum"], &["spectrum.csv"]),
         (&["validate"], &[]),

@@ -103,7 +103,7 @@ pub fn name_of(path: &Path) -> String {
 }
 
 /// The name, or the name with the first free number from 2; capitals do not tell names apart, as in some file systems.
-fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+pub(crate) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let mut candidate = name.to_owned();
     let mut number = 2;
     while !taken.insert(candidate.to_lowercase()) {

@@ -14,6 +14,7 @@
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
 //! | severity of a half-sine pulse | [`shock_response`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
+//! | baseline, filter, time step, direction and scale of a record | [`signal`] |
 //!
 //! **Signs**: a rotation is positive when the object tilts to the right (clockwise), about its right edge; a positive
 //! horizontal acceleration of the base, to the right, drives it negative. Vertical acceleration is positive upward.
@@ -56,6 +57,7 @@ pub mod oscillator;
 mod polynomial;
 pub mod rocking;
 pub mod shock_response;
+pub mod signal;
 pub mod spectra;
 pub mod synthesis;
 

@@ -112,6 +112,10 @@ impl Motion {
 
     /// The same motion with `factor` samples in place of each, linear between them as the motion is by definition; 0 and
     /// 1 change nothing.
+    ///
+    /// It is the same motion still: a response to it has the same values at the old samples, and its peaks are looked for
+    /// between them as well. What a digitised record was between its samples is
+    /// [`upsampled_sinc`](crate::signal::resample::upsampled_sinc).
     pub fn upsampled(&self, factor: usize) -> Self {
         let factor = factor.max(1);
         let mut accel_m_s2 = Vec::with_capacity((self.accel_m_s2.len() - 1) * factor + 1);

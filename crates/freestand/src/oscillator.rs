@@ -249,7 +249,8 @@ pub struct ResponseSpectrum {
 /// Nigam and Jennings (1969).
 ///
 /// # Limitation
-/// Peaks between samples are not seen: below T ≈ 10 dt sample the motion more finely first. Free vibration after the
+/// Peaks between samples are not seen, and below T ≈ 10 dt straight lines are no record of the ground: upsample such a
+/// motion first ([`upsampled_sinc`](crate::signal::resample::upsampled_sinc)). Free vibration after the
 /// last sample counts only if the caller adds a zero tail.
 ///
 /// # Errors

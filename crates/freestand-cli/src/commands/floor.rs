@@ -9,13 +9,13 @@ use freestand::building::{Building, floor_motions};
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 use freestand::measures::measures;
 use freestand::motion::Motion;
+use freestand_study::inspect::check_upsampling;
 use freestand_study::quantity::Dimension;
 use freestand_study::records::write_csv;
 use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
 use super::Done;
-use super::motion::spectrum::upsampling;
 use crate::args::{GlobalArgs, at_least_one};
 use crate::failure::Failure;
 use crate::files::Files;
@@ -60,7 +60,7 @@ pub(crate) struct FloorArgs {
     /// Zeros behind the record, in which the building rings down [default: none]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     tail: Option<String>,
-    /// Look for the peaks at N points in each sample interval
+    /// Look for the floors' peaks at N points in each sample interval; the ground stays linear between its samples
     #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = at_least_one)]
     upsample: NonZeroUsize,
     #[command(flatten)]
@@ -127,7 +127,8 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         .map_err(|error| wrong(error.to_string()))?;
     let read = args.read.read_one(&args.motion)?;
     let ground = &with_tail(&read.motion.motion, tail_s)?;
-    let factor = upsampling(args.upsample, ground.accel_m_s2().len())?;
+    let factor = args.upsample.get();
+    check_upsampling(factor, ground.accel_m_s2().len())?;
     let files = Files::begin(global, std::slice::from_ref(&args.motion))?;
     let failed = |error: freestand::building::BuildingError| Failure::computation(error.to_string());
     let floors = floor_motions(ground, &beam, &levels).map_err(failed)?;

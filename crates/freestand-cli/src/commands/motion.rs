@@ -3,7 +3,8 @@
 mod code;
 mod convert;
 mod info;
-pub(super) mod spectrum;
+mod plot;
+mod spectrum;
 mod synth;
 
 use clap::{Args, Subcommand};

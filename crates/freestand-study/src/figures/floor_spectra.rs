@@ -58,7 +58,7 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
         legend.push(Entry { sign, words: "target: code spectrum".into() });
     }
     Page {
-        kind: FigureKind::FloorSpectra,
+        name: FigureKind::FloorSpectra.name(),
         title: "Acceleration spectra of the ground and the floors".into(),
         caption:
             "Pseudo-spectral acceleration at 5 % damping against period, the ground and each floor on a scale of its \

@@ -2,7 +2,6 @@
 
 use kuva::plot::scatter::MarkerShape;
 use kuva::render::annotations::ReferenceLine;
-use kuva::render::layout::Layout;
 
 use freestand::rocking::Outcome;
 
@@ -11,13 +10,12 @@ use crate::words::number;
 
 use super::FigureKind;
 use super::legend::{Entry, Sign};
-use super::page::{Page, Panel, panel_width_px};
-use super::style::{Axis, DARK, LABELS_PX, axes, curve_style, in_g, line, markers, plain, round_step};
+use super::page::{Page, Panel};
+use super::style::{Axis, DARK, curve_style, in_g, line, markers, plain};
+use super::time::{pixel, stacked, symmetric, thin, time_axis};
 
 /// Heights of the three panels \[px\].
 const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
-/// Margins that make the time axes of the panels agree \[px\].
-const MARGINS_PX: (f64, f64) = (76.0, 18.0);
 /// Quiet time that is shown before the first and after the last rotation \[s\].
 const QUIET_S: f64 = 2.0;
 /// Rotation at which an object has fallen \[rad\], a little less than π/2.
@@ -74,7 +72,7 @@ pub(super) fn history(result: &StudyResult) -> Option<Page> {
         number(h.slenderness_angle_rad, 3),
     );
     Some(Page {
-        kind: FigureKind::History,
+        name: FigureKind::History.name(),
         title: plain(&title),
         caption,
         panels,
@@ -100,22 +98,6 @@ fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
     (to > from).then_some((from, to))
 }
 
-/// The time axis; only the lowest panel writes its label.
-fn time_axis(from: f64, to: f64) -> Axis {
-    Axis { from, to, step: Some(round_step((to - from) / 8.0)), label: "Time (s)".into() }
-}
-
-fn stacked(x: Axis, y: Axis, lowest: bool) -> Layout {
-    let mut layout = axes(x, y).with_force_margins(MARGINS_PX.0, MARGINS_PX.1);
-    if !lowest {
-        layout.x_label = None;
-        layout.suppress_x_ticks = true;
-        layout.with_force_margins_y(8.0, 10.0)
-    } else {
-        layout.with_force_margins_y(8.0, LABELS_PX)
-    }
-}
-
 fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {
     let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
     let reach = (1.1 * largest).clamp(1.15, HIGHEST_RATIO);
@@ -138,9 +120,7 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {
 
 fn accel_panel(points: &[(f64, f64)], x: Axis) -> Panel {
     let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
-    let mut y = Axis::from_zero(1.05 * largest, "Floor accel. (g)");
-    y.from = -y.to;
-    y.step = y.step.map(|step| round_step(2.0 * step));
+    let y = symmetric(largest, "Floor accel. (g)");
     Panel { plots: vec![line(points, "#555555", 0.9, None)], layout: stacked(x, y, false) }
 }
 
@@ -155,37 +135,6 @@ fn impact_panel(impacts: &[(f64, f64)], x: Axis) -> Panel {
     let heads: Vec<(f64, f64)> = shown.iter().copied().filter(|p| p.1 > 0.02 * highest).collect();
     let plots = vec![line(&base, colour, 1.4, None), markers(&heads, colour, MarkerShape::Circle, 3.0)];
     Panel { plots, layout: stacked(x, y, true) }
-}
-
-fn pixel(t: f64, from: f64, to: f64) -> usize {
-    ((t - from) / (to - from) * (panel_width_px(1) - MARGINS_PX.0 - MARGINS_PX.1)) as usize
-}
-
-/// At most four points for each pixel column: first, lowest, highest, last, so that the drawing looks the same.
-fn thin(points: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Vec<(f64, f64)> {
-    let mut thinned: Vec<(f64, f64)> = Vec::new();
-    let mut column: Vec<(f64, f64)> = Vec::new();
-    let mut at = usize::MAX;
-    for point in points {
-        let now = pixel(point.0, from, to);
-        if now != at {
-            flush(&mut column, &mut thinned);
-            at = now;
-        }
-        column.push(point);
-    }
-    flush(&mut column, &mut thinned);
-    thinned
-}
-
-fn flush(column: &mut Vec<(f64, f64)>, thinned: &mut Vec<(f64, f64)>) {
-    let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
-    let extremes = [column.first(), column.iter().min_by(by_value), column.iter().max_by(by_value), column.last()];
-    let mut kept: Vec<(f64, f64)> = extremes.into_iter().flatten().copied().collect();
-    kept.sort_by(|a, b| a.0.total_cmp(&b.0));
-    kept.dedup();
-    thinned.append(&mut kept);
-    column.clear();
 }
 
 /// The largest impact of each pixel column.
@@ -207,18 +156,6 @@ fn highest_of_each_pixel(impacts: &[(f64, f64)], from: f64, to: f64) -> Vec<(f64
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn thinning_keeps_the_extremes() {
-        let n = 100_000;
-        let points: Vec<(f64, f64)> = (0..=n).map(|i| (i as f64 / n as f64, (i as f64 * 0.37).sin())).collect();
-        let thinned = thin(points.iter().copied(), 0.0, 1.0);
-        assert!(thinned.len() <= 4 * (panel_width_px(1) as usize + 1), "{}", thinned.len());
-        assert_eq!((thinned[0], thinned[thinned.len() - 1]), (points[0], points[n]));
-        let top = |p: &[(f64, f64)]| p.iter().map(|p| p.1).fold(f64::MIN, f64::max);
-        assert_eq!(top(&thinned), top(&points));
-        assert!(thinned.windows(2).all(|w| w[0].0 < w[1].0));
-    }
 
     #[test]
     fn the_largest_impact_of_a_pixel_is_kept() {

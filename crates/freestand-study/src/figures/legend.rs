@@ -21,6 +21,8 @@ pub(super) enum Sign {
     Line { colour: &'static str, width_px: f64, dash: Option<&'static str> },
     /// A band.
     Band,
+    /// A light area.
+    Shade { colour: &'static str, opacity: f64 },
     /// The cross of an overturned object.
     Cross,
     /// A filled dot.
@@ -81,16 +83,8 @@ fn add_sign(scene: &mut Scene, sign: Sign, x: f64, y: f64) {
             add_marker(scene, style.marker, middle, y, style.colour);
         }
         Sign::Line { colour, width_px, dash } => add_line(scene, x, y, colour, width_px, dash),
-        Sign::Band => scene.add(Primitive::Rect {
-            x,
-            y: y - 6.0,
-            width: SIGN_PX,
-            height: 12.0,
-            fill: DARK.into(),
-            stroke: None,
-            stroke_width: None,
-            opacity: Some(0.2),
-        }),
+        Sign::Band => add_area(scene, x, y, DARK, 0.2),
+        Sign::Shade { colour, opacity } => add_area(scene, x, y, colour, opacity),
         Sign::Cross => {
             for side in [-4.0, 4.0] {
                 scene.add(Primitive::Line {
@@ -106,6 +100,19 @@ fn add_sign(scene: &mut Scene, sign: Sign, x: f64, y: f64) {
         }
         Sign::Dot { colour } => add_marker(scene, MarkerShape::Circle, middle, y, colour),
     }
+}
+
+fn add_area(scene: &mut Scene, x: f64, y: f64, fill: &str, opacity: f64) {
+    scene.add(Primitive::Rect {
+        x,
+        y: y - 6.0,
+        width: SIGN_PX,
+        height: 12.0,
+        fill: fill.into(),
+        stroke: None,
+        stroke_width: None,
+        opacity: Some(opacity),
+    });
 }
 
 fn add_line(scene: &mut Scene, x: f64, y: f64, colour: &str, width_px: f64, dash: Option<&str>) {

@@ -1,26 +1,32 @@
 //! The figures of a study, as SVG and PNG.
 //!
 //! Curves of the paper's Fig. 7 (uplift and shock against height), the share of motions that overturn, floor spectra,
-//! and one rocking history. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
+//! one rocking history, recorded motions, and the response spectrum of a motion. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
 
 mod floor_spectra;
 mod history;
 mod legend;
 mod page;
+mod record;
 mod response;
+mod response_spectrum;
 mod style;
+mod time;
 
 use rayon::prelude::*;
 use thiserror::Error;
 
+use freestand::motion::Motion;
+
+use crate::inspect::DampedSpectrum;
 use crate::result::StudyResult;
-use crate::study::Study;
+use crate::study::{Ground, RecordedMotion, Study};
 
 /// A figure in both of its forms.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// Name for files: `urs`, `srs`, `overturning`, `floor_spectra`, `history`.
-    pub name: &'static str,
+    /// Name for files: `urs`, `srs`, `overturning`, `floor_spectra`, `history`, `record_01`.
+    pub name: String,
     /// What it shows, in a line; also written above the drawing.
     pub title: String,
     /// How to read it, in sentences.
@@ -44,17 +50,23 @@ pub enum FigureKind {
     FloorSpectra,
     /// One rocking history.
     History,
+    /// A recorded ground motion, counted from 0.
+    Record(usize),
 }
+
+/// Recorded ground motions that a study draws; with more of them, the first.
+pub const MOST_RECORDS: usize = 6;
 
 impl FigureKind {
     /// Its name for files.
-    pub fn name(self) -> &'static str {
+    pub fn name(self) -> String {
         match self {
-            Self::Urs => "urs",
-            Self::Srs => "srs",
-            Self::Overturning => "overturning",
-            Self::FloorSpectra => "floor_spectra",
-            Self::History => "history",
+            Self::Urs => "urs".to_owned(),
+            Self::Srs => "srs".to_owned(),
+            Self::Overturning => "overturning".to_owned(),
+            Self::FloorSpectra => "floor_spectra".to_owned(),
+            Self::History => "history".to_owned(),
+            Self::Record(index) => format!("record_{:02}", index + 1),
         }
     }
 }
@@ -64,13 +76,14 @@ impl FigureKind {
 #[error("the figure {figure} could not be drawn: {reason}")]
 pub struct FigureError {
     /// Its name.
-    pub figure: &'static str,
+    pub figure: String,
     /// What the plot library said.
     pub reason: String,
 }
 
-/// The figures that a result has, in the order of the report: `history` only where an object uplifted.
-pub fn figure_kinds(result: &StudyResult) -> Vec<FigureKind> {
+/// The figures that a result has, in the order of the report: `history` only where an object uplifted, and the first
+/// [`MOST_RECORDS`] of recorded ground motions.
+pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     let mut kinds = Vec::new();
     if !result.levels.is_empty() {
         kinds.extend([FigureKind::Urs, FigureKind::Srs, FigureKind::Overturning]);
@@ -80,6 +93,9 @@ pub fn figure_kinds(result: &StudyResult) -> Vec<FigureKind> {
     }
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {
         kinds.push(FigureKind::History);
+    }
+    if let Ground::Recorded(records) = &study.ground {
+        kinds.extend((0..records.len().min(MOST_RECORDS)).map(FigureKind::Record));
     }
     kinds
 }
@@ -98,8 +114,51 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
             figure: kind.name(),
             reason: "no object uplifted, so there is no history".into(),
         })?,
+        FigureKind::Record(index) => match &study.ground {
+            Ground::Recorded(records) if index < records.len() => study_record(index, &records[index]),
+            _ => {
+                let reason = format!("there is no recorded motion {}", index + 1);
+                return Err(FigureError { figure: kind.name(), reason });
+            }
+        },
     };
     page::draw(page)
+}
+
+fn study_record(index: usize, record: &RecordedMotion) -> page::Page {
+    let words = Words { name: &record.name, description: &record.description, processing: &record.processing };
+    record::record(FigureKind::Record(index).name(), words, &record.motion)
+}
+
+/// What is said about a motion in its figure.
+#[derive(Debug, Clone, Copy)]
+pub struct Words<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Format, component, station; may be empty.
+    pub description: &'a str,
+    /// What was done to the samples, one step each.
+    pub processing: &'a [String],
+}
+
+/// Draws a motion: acceleration, velocity and displacement with their peaks, and its Husid curve.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn record_figure(words: Words<'_>, motion: &Motion) -> Result<Figure, FigureError> {
+    page::draw(record::record("record".to_owned(), words, motion))
+}
+
+/// Draws response spectra of one motion at one or several dampings: PSA, PSV and SD against period.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn response_spectrum_figure(
+    words: Words<'_>,
+    periods_s: &[f64],
+    spectra: &[&DampedSpectrum],
+) -> Result<Figure, FigureError> {
+    page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
 }
 
 /// Draws every figure of [`figure_kinds`], on the threads of the current pool; the figures do not depend on them.
@@ -107,5 +166,5 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
 /// # Errors
 /// The first figure that cannot be drawn.
 pub fn figures(study: &Study, result: &StudyResult) -> Result<Vec<Figure>, FigureError> {
-    figure_kinds(result).into_par_iter().map(|kind| figure(kind, study, result)).collect()
+    figure_kinds(study, result).into_par_iter().map(|kind| figure(kind, study, result)).collect()
 }

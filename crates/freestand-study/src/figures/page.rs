@@ -9,7 +9,7 @@ use kuva::render::render::{Primitive, Scene};
 
 use super::legend::{Entry, add_legend};
 use super::style::{TEXT_PX, WIDTH_PX};
-use super::{Figure, FigureError, FigureKind};
+use super::{Figure, FigureError};
 
 /// One set of axes and what is in it.
 pub(super) struct Panel {
@@ -19,7 +19,8 @@ pub(super) struct Panel {
 
 /// Everything that a figure shows.
 pub(super) struct Page {
-    pub(super) kind: FigureKind,
+    /// The figure's name, with which its ids begin.
+    pub(super) name: String,
     pub(super) title: String,
     pub(super) caption: String,
     /// Row by row.
@@ -70,12 +71,12 @@ pub(super) fn draw(page: Page) -> Result<Figure, FigureError> {
     }
     let mut scene = grid.render();
     add_legend(&mut scene, &page.legend);
-    let name = page.kind.name();
-    name_clips(&mut scene, name);
+    let name = page.name;
+    name_clips(&mut scene, &name);
     let png = PngBackend::new()
         .with_scale(PNG_SCALE)
         .render_scene(&scene)
-        .map_err(|reason| FigureError { figure: name, reason })?;
+        .map_err(|reason| FigureError { figure: name.clone(), reason })?;
     let svg = with_view_box(SvgBackend::new().render_scene(&scene), scene.width, scene.height);
     Ok(Figure { name, title: page.title, caption: page.caption, svg, png })
 }

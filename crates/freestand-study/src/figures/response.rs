@@ -100,7 +100,7 @@ pub(super) fn overturning(study: &Study, result: &StudyResult) -> Page {
     let panels: Vec<Panel> = panels.collect();
     let (columns, row_heights_px) = grid(panels.len(), 0.85 * PANEL_PX);
     Page {
-        kind: FigureKind::Overturning,
+        name: FigureKind::Overturning.name(),
         title: "Share of the motions that overturn the object".into(),
         caption:
             "Share of the ground motions under which an object of this height and thickness overturns. Overturning \
@@ -165,7 +165,7 @@ fn spectra(
         1 => title.to_owned(),
         n => format!("{title}: median of {n} motions"),
     };
-    Page { kind, title, caption, panels, columns, row_heights_px, legend }
+    Page { name: kind.name(), title, caption, panels, columns, row_heights_px, legend }
 }
 
 const CEILING_DASH: &str = "1 4";

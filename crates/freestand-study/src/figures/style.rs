@@ -1,10 +1,14 @@
 //! What all figures share: colours, line styles, markers, sizes.
 
+use std::sync::Arc;
+
 use freestand::G0_M_S2;
 use kuva::plot::line::{LinePlot, LineStyle};
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
-use kuva::render::layout::{Layout, TickAlign};
+use kuva::render::layout::{Layout, TickAlign, TickFormat};
 use kuva::render::plots::Plot;
+
+use crate::words::number;
 
 /// Width of every figure \[px\]. At 180 mm in print a pixel is 0.64 pt, so that [`TEXT_PX`] is 8.3 pt.
 pub(super) const WIDTH_PX: f64 = 800.0;
@@ -130,6 +134,21 @@ pub(super) fn plain(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).collect::<String>().replace('$', "\\$")
 }
 
+/// Tick labels of an axis over `span` in plain digits, `0.0125` and not `0.013` or `1.25e-2`.
+pub(super) fn plain_ticks(span: f64) -> TickFormat {
+    TickFormat::Custom(Arc::new(move |value| {
+        // The zero of an axis may be what is left of a subtraction.
+        if value.abs() < 1e-9 * span { "0".to_owned() } else { number(value, 4) }
+    }))
+}
+
+/// A factor and a unit in which values up to `largest` are neither 0.001 nor 1e-5: `units` are the unit, a thousandth and
+/// a millionth of it.
+pub(super) fn readable(largest: f64, units: [&'static str; 3]) -> (f64, &'static str) {
+    let power = [0.02, 0.02e-3].iter().filter(|&&least| largest != 0.0 && largest.abs() < least).count();
+    (1e3_f64.powi(power as i32), units[power.min(2)])
+}
+
 /// Accelerations \[m/s²\] in g.
 pub(super) fn in_g(accel_m_s2: f64) -> f64 {
     accel_m_s2 / G0_M_S2
@@ -144,6 +163,13 @@ mod tests {
         for (step, expected) in [(0.11, 0.2), (0.2, 0.2), (0.21, 0.25), (3.0, 5.0), (7.0, 10.0), (1.0, 1.0)] {
             assert!((round_step(step) / expected - 1.0f64).abs() < 1e-12, "{step}");
         }
+    }
+
+    #[test]
+    fn small_values_get_a_small_unit() {
+        let unit = |largest| readable(largest, ["m", "mm", "µm"]);
+        assert_eq!((unit(0.3), unit(0.0)), ((1.0, "m"), (1.0, "m")));
+        assert_eq!((unit(-0.019), unit(1e-5), unit(1e-9)), ((1e3, "mm"), (1e6, "µm"), (1e6, "µm")));
     }
 
     #[test]

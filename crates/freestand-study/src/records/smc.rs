@@ -88,8 +88,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         is_raw: false,
     }
     .component(options)?;
-    // Real headers 29 and 31 are the largest and the smallest value.
-    let peak = reals.values[28..=30].iter().step_by(2).filter(|value| value.abs() < 1e30);
+    // Real headers 30 and 32 are the largest and the smallest value, 29 and 31 their times.
+    let peak = reals.values[29..=31].iter().step_by(2).filter(|value| value.abs() < 1e30);
     let notes = peak_note(&component, 0.01 * peak.fold(0.0, |a: f64, b| a.max(b.abs()))).into_iter().collect();
     Ok(Reading { format, components: vec![component], notes })
 }

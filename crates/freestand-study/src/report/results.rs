@@ -1,8 +1,8 @@
 //! Figures, and a table of every object for each level.
 
-use crate::figures::Figure;
+use crate::figures::{Figure, MOST_RECORDS};
 use crate::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
-use crate::study::Study;
+use crate::study::{Ground, Study};
 use crate::words::{escape, fixed, number, percent};
 
 use super::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
@@ -16,6 +16,7 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
     for (index, figure) in figures.iter().enumerate() {
         html.push_str(&framed(index + 1, figure));
     }
+    html.push_str(&records_words(study));
     html.push_str(&paragraph(&how_to_read(study)));
     for level in &result.levels {
         html.push_str(&heading(&format!("Median edge shock at the level {}", level.level.name)));
@@ -26,6 +27,17 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
         }
     }
     html
+}
+
+/// Which of the recorded motions were drawn, where not all of them were.
+fn records_words(study: &Study) -> String {
+    match &study.ground {
+        Ground::Recorded(records) if records.len() > MOST_RECORDS => paragraph(&format!(
+            "Of the {} recorded ground motions the first {MOST_RECORDS} are drawn; freestand motion info --plot draws any.",
+            records.len()
+        )),
+        _ => String::new(),
+    }
 }
 
 fn framed(number: usize, figure: &Figure) -> String {

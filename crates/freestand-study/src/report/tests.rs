@@ -144,6 +144,30 @@ fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
     assert!(html.contains("roof &amp; &lt;i&gt;mast&lt;/i&gt;"));
     assert!(html.contains("▲") && html.contains("tolerance of 2 g"));
     assert!(!html.contains("target: code spectrum"));
+    // Ten recorded motions: the first six are drawn, each with its steps, and it is said so.
+    let records: Vec<_> = figures.iter().filter(|figure| figure.name.starts_with("record_")).collect();
+    assert_eq!((records.len(), records[5].name.as_str()), (6, "record_06"));
+    assert!(records.iter().all(|figure| figure.caption.contains("what was done to it: multiplied by 1.25")));
+    assert!(html.contains("Of the 10 recorded ground motions the first 6 are drawn"));
+}
+
+/// Everything of a motion that may be drawn: nothing but zeros, two samples, a drift, a million samples.
+#[test]
+fn records_of_every_kind_are_drawn_small() {
+    let million: Vec<f64> = (0..1_000_000).map(|i| (i as f64 * 0.7).sin() * 1e-6).collect();
+    for accel in [vec![0.0; 3], vec![0.0, 1.0], vec![9.0; 5000], million] {
+        let motion = freestand::motion::Motion::new(0.005, accel).unwrap();
+        let words = crate::figures::Words { name: "a <b> $x$", description: "CSV", processing: &[] };
+        let figure = crate::figures::record_figure(words, &motion).unwrap();
+        let document = roxmltree::Document::parse(&figure.svg).unwrap();
+        let texts = texts(&document);
+        for label in ["Time (s)", "\u{222b}a\u{b2} dt (%)", "largest value"] {
+            assert!(texts.contains(label), "{label}");
+        }
+        assert!(!figure.svg.contains("NaN") && !figure.svg.contains("inf\""));
+        // Four points a pixel column of 20 characters in three panels of 694 columns, and the Husid curve: 250 kB.
+        assert!(figure.svg.len() < 300_000, "{}", figure.svg.len());
+    }
 }
 
 /// One motion, one height, one thickness, no history, nothing uplifts: still a report.

@@ -3,136 +3,165 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::G0_M_S2;
-use freestand::measures::measures;
-use freestand_study::processing::{Processed, Processing, process};
-use freestand_study::records::{Component, MotionFile, read_motions};
+use freestand::block::Block;
+use freestand_study::figures::Figure;
+use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, info};
+use freestand_study::quantity::Dimension;
+use freestand_study::{Problem, ProblemKind};
+use rayon::prelude::*;
 use serde::Serialize;
 
+use super::plot::{PlotArgs, failed, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, significant, table};
-use crate::reading::{ReadArgs, path_text};
+use crate::printer::{Printer, optional, pairs, significant, table};
+use crate::reading::ReadArgs;
 use crate::values::Values;
 
-/// What is in record files: every component with its peaks, intensities and duration
+/// What is in record files: every component with its peaks, intensities, durations and periods
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion info record.AT2
-  freestand motion info columns.txt --unit gal --dt \"0.01 s\"
-  freestand motion info a.csv b.csv --json")]
+  freestand motion info columns.txt --unit gal --dt \"0.01 s\" --plot record.svg
+  freestand motion info *.AT2 --height \"2 m\" --thickness \"500 mm\" --json
+  freestand motion info *.AT2 --plot --out records")]
 pub(crate) struct InfoArgs {
     /// Record files
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
+    /// Height of a block, for what the motions are to it
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "thickness")]
+    height: Option<String>,
+    /// Thickness of the block in the plane of motion
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "height")]
+    thickness: Option<String>,
+    #[command(flatten)]
+    plot: PlotArgs,
     #[command(flatten)]
     read: ReadArgs,
 }
 
 #[derive(Debug, Serialize)]
-struct InfoReport {
-    motions: Vec<MotionInfo>,
-}
-
-#[derive(Debug, Serialize)]
-struct MotionInfo {
-    path: String,
-    format: &'static str,
-    component: String,
-    station: Option<String>,
-    unit: &'static str,
-    dt_s: f64,
-    npts: usize,
-    duration_s: f64,
-    pga_m_s2: f64,
-    pga_g: f64,
-    pga_time_s: f64,
-    pgv_m_s: f64,
-    pgd_m: f64,
-    arias_m_s: f64,
-    cav_m_s: f64,
-    d5_75_s: f64,
-    d5_95_s: f64,
-    first_values_m_s2: Vec<f64>,
-    processing: Vec<String>,
+struct Document<'a> {
+    #[serde(flatten)]
+    report: &'a InfoReport,
+    /// The pictures that were written.
+    plots: Vec<String>,
 }
 
 pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let files = args.read.files(&args.files, &mut values);
+    let block = block(args, &mut values);
     values.finish()?;
-    let (mut motions, mut warnings, mut problems) = (Vec::new(), Vec::new(), Vec::new());
-    for path in &files.paths {
-        match read_motions(path, &files.read) {
-            Ok(file) => {
-                warnings.extend(file.notes.iter().map(|note| format!("{}: {note}", path.display())));
-                match chosen(&file, files.component.as_deref()) {
-                    Ok(components) => {
-                        for component in components {
-                            match info(&file, component, &files.processing) {
-                                Ok(one) => motions.push(one),
-                                Err(problem) => problems.push(problem),
-                            }
-                        }
-                    }
-                    Err(problem) => problems.push(problem),
-                }
-            }
-            Err(error) => problems.extend(error.problems),
-        }
+    let target = args.plot.target(global)?;
+    if let Some(target) = target.as_ref().filter(|_| args.files.len() > 1) {
+        target.check(args.files.len())?;
     }
-    if !problems.is_empty() {
-        return Err(Failure::Problems(problems));
+    let report = info(&InfoRequest { files, block, keep_motions: target.is_some() }).map_err(Failure::Problems)?;
+    let out = Files::begin(global, &args.files)?;
+    let mut plots = Vec::new();
+    if let Some(target) = target {
+        target.check(report.motions.len())?;
+        plots = place(&target, figures(&report)?, &out, &args.files)?;
     }
-    let report = InfoReport { motions };
-    Files::begin(global, &args.files)?
-        .print(printer, "freestand.motion-info/1", &report, &warnings, || text(&report.motions))?;
+    if out.wanted() {
+        let csv = report.measures_csv()?;
+        out.write("measures.csv", || csv)?;
+    }
+    let document = Document { report: &report, plots };
+    out.print(printer, "freestand.motion-info/1", &document, &report.warnings, || text(&report.motions))?;
     Ok(Done::OK)
 }
 
-/// All components, or the one that was asked for.
-fn chosen<'f>(file: &'f MotionFile, component: Option<&str>) -> Result<Vec<&'f Component>, freestand_study::Problem> {
-    match component {
-        Some(_) => file.select(component).map(|one| vec![one]),
-        None => Ok(file.components.iter().collect()),
+fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
+    let height_m = values.positive("--height", args.height.as_deref(), Dimension::Length)?;
+    let thickness_m = values.positive("--thickness", args.thickness.as_deref(), Dimension::Length)?;
+    match Block::uniform(height_m, thickness_m) {
+        Ok(block) => Some(block),
+        Err(error) => {
+            values.push(Problem::new(ProblemKind::Value, error.to_string()).hint("check the sizes of the object"));
+            None
+        }
     }
 }
 
-fn info(
-    file: &MotionFile,
-    component: &Component,
-    processing: &Processing,
-) -> Result<MotionInfo, freestand_study::Problem> {
-    let Processed { motion, steps } = process(component, processing).map_err(|problem| problem.in_file(&file.path))?;
-    let m = measures(&motion);
-    Ok(MotionInfo {
-        path: path_text(&file.path),
-        format: file.format,
-        component: component.name.clone(),
-        station: component.station.clone(),
-        unit: component.unit,
-        dt_s: motion.dt_s(),
-        npts: motion.accel_m_s2().len(),
-        duration_s: motion.duration_s(),
-        pga_m_s2: m.pga_m_s2,
-        pga_g: m.pga_m_s2 / G0_M_S2,
-        pga_time_s: m.pga_index as f64 * motion.dt_s(),
-        pgv_m_s: m.pgv_m_s,
-        pgd_m: m.pgd_m,
-        arias_m_s: m.arias_m_s,
-        cav_m_s: m.cav_m_s,
-        d5_75_s: m.d5_75_s,
-        d5_95_s: m.d5_95_s,
-        first_values_m_s2: component.motion.accel_m_s2().iter().take(5).copied().collect(),
-        processing: steps,
-    })
+fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
+    let drawn: Vec<Result<_, _>> = report
+        .motions
+        .par_iter()
+        .filter_map(|one| one.figure().map(|figure| figure.map(|figure| (one.name.clone(), figure))).transpose())
+        .collect();
+    drawn.into_iter().collect::<Result<_, _>>().map_err(failed)
 }
 
 fn text(motions: &[MotionInfo]) -> String {
-    let headings = [
+    match motions {
+        [one] => one_motion(one),
+        several => many_motions(several),
+    }
+}
+
+/// One motion from top to bottom.
+fn one_motion(one: &MotionInfo) -> String {
+    let with = |value: f64, unit: &str| format!("{} {unit}", significant(value, 4));
+    let direction = match (one.direction, one.azimuth_deg) {
+        (_, Some(degrees)) => format!("{degrees} deg from north"),
+        (Some(direction), None) => direction.to_owned(),
+        (None, None) => "-".to_owned(),
+    };
+    let mut rows = vec![
+        ("file", one.path.clone()),
+        ("format", one.format.to_owned()),
+        ("component", one.component.clone()),
+        ("station", one.station.clone().unwrap_or_else(|| "-".to_owned())),
+        ("direction", direction),
+        ("samples", format!("{} every {} s: {}", one.npts, one.dt_s, with(one.duration_s, "s"))),
+        ("unit in the file", format!("{}{}", one.unit, if one.is_raw { ", raw" } else { "" })),
+        ("processing", if one.processing.is_empty() { "none".to_owned() } else { one.processing.join("; ") }),
+        (
+            "PGA",
+            format!(
+                "{} ({}) at {} s",
+                with(one.pga_g, "g"),
+                with(one.pga_signed_m_s2, "m/s2"),
+                significant(one.pga_time_s, 4)
+            ),
+        ),
+        ("PGV", with(one.pgv_m_s, "m/s")),
+        ("PGD", with(one.pgd_m, "m")),
+        ("RMS acceleration", with(one.rms_m_s2, "m/s2")),
+        ("Arias intensity", with(one.arias_m_s, "m/s")),
+        ("CAV", with(one.cav_m_s, "m/s")),
+        ("CAV, standardised", with(one.cav_std_m_s, "m/s")),
+        ("specific energy", with(one.specific_energy_density_m2_s, "m2/s")),
+        ("D5-75", with(one.d5_75_s, "s")),
+        ("D5-95", with(one.d5_95_s, "s")),
+        ("bracketed, 0.05 g", with(one.bracketed_duration_s, "s")),
+        ("uniform, 0.05 g", with(one.uniform_duration_s, "s")),
+        ("Housner intensity", with(one.housner_m, "m")),
+        ("ASI", with(one.asi_m_s, "m/s")),
+        ("mean period", optional(one.mean_period_s, 4, "s")),
+        ("predominant period", optional(one.predominant_period_s, 4, "s")),
+    ];
+    if one.uplift_threshold_g.is_some() {
+        let excursions = one.excursions_above_threshold.unwrap_or(0);
+        rows.extend([
+            ("uplift at g tan a", optional(one.uplift_threshold_g, 4, "g")),
+            ("PGA/(g tan a)", optional(one.pga_over_threshold_ratio, 4, "")),
+            ("p PGV/(g tan a)", optional(one.pgv_over_threshold_ratio, 4, "")),
+            ("time above", format!("{} in {excursions} excursions", optional(one.time_above_threshold_s, 4, "s"))),
+        ]);
+    }
+    pairs(&rows)
+}
+
+/// Many motions, one a line.
+fn many_motions(motions: &[MotionInfo]) -> String {
+    let mut headings = vec![
         "file",
         "format",
         "component",
@@ -145,11 +174,17 @@ fn text(motions: &[MotionInfo]) -> String {
         "Arias [m/s]",
         "CAV [m/s]",
         "D5-95 [s]",
+        "SI [m]",
+        "Tm [s]",
     ];
+    let with_block = motions.iter().any(|one| one.uplift_threshold_g.is_some());
+    if with_block {
+        headings.extend(["PGA/(g tan a)", "p PGV/(g tan a)", "above [s]"]);
+    }
     let rows: Vec<Vec<String>> = motions
         .iter()
         .map(|one| {
-            vec![
+            let mut row = vec![
                 one.path.clone(),
                 one.format.to_owned(),
                 one.component.clone(),
@@ -162,7 +197,17 @@ fn text(motions: &[MotionInfo]) -> String {
                 significant(one.arias_m_s, 4),
                 significant(one.cav_m_s, 4),
                 significant(one.d5_95_s, 4),
-            ]
+                significant(one.housner_m, 4),
+                optional(one.mean_period_s, 4, ""),
+            ];
+            if with_block {
+                row.extend([
+                    optional(one.pga_over_threshold_ratio, 4, ""),
+                    optional(one.pgv_over_threshold_ratio, 4, ""),
+                    optional(one.time_above_threshold_s, 4, ""),
+                ]);
+            }
+            row
         })
         .collect();
     table(&headings, &rows)

@@ -17,8 +17,8 @@ fn file(values: &[f64], peaks: (f64, f64)) -> String {
     for i in 0..50 {
         let value = match i {
             1 => "  0.2000000E+03".to_owned(),
-            28 => format!("{:>15}", format!("{:.7E}", peaks.0)),
-            30 => format!("{:>15}", format!("{:.7E}", peaks.1)),
+            29 => format!("{:>15}", format!("{:.7E}", peaks.0)),
+            31 => format!("{:>15}", format!("{:.7E}", peaks.1)),
             _ => "  0.1700000E+39".to_owned(),
         };
         let _ = write!(text, "{value}{}", if i % 5 == 4 { "\n" } else { "" });

@@ -1,0 +1,99 @@
+//! `--plot`: where the pictures of motions go.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand_study::figures::{Figure, FigureError};
+use freestand_study::output::write_file;
+
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::files::Files;
+use crate::reading::path_text;
+
+/// Whether and where to draw.
+#[derive(Debug, Args)]
+pub(super) struct PlotArgs {
+    /// Draw it: to FILE.svg or FILE.png, or without a name as both into the folder of --out
+    #[arg(long, value_name = "FILE", num_args = 0..=1)]
+    plot: Option<Option<PathBuf>>,
+}
+
+/// Where the pictures go.
+#[derive(Debug)]
+pub(super) enum Target {
+    Svg(PathBuf),
+    Png(PathBuf),
+    /// The folder of `--out`.
+    Folder,
+}
+
+impl PlotArgs {
+    /// Where the pictures go; `None`: nothing is drawn.
+    pub(super) fn target(&self, global: &GlobalArgs) -> Result<Option<Target>, Failure> {
+        let Some(name) = &self.plot else { return Ok(None) };
+        let Some(path) = name else {
+            if global.out.is_none() {
+                return Err(Failure::usage(
+                    "--plot has nowhere to write to",
+                    "name a picture, --plot FILE.svg or FILE.png, or a folder with --out",
+                ));
+            }
+            return Ok(Some(Target::Folder));
+        };
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            Some("svg") => Ok(Some(Target::Svg(path.clone()))),
+            Some("png") => Ok(Some(Target::Png(path.clone()))),
+            _ => Err(Failure::usage(
+                format!("--plot {}: a picture is .svg or .png", path.display()),
+                "write --plot FILE.svg; without a name, --plot stands behind the record files, with --out",
+            )),
+        }
+    }
+}
+
+/// Puts figures, each with its name, in their place and returns where they are.
+pub(super) fn place(
+    target: &Target,
+    figures: Vec<(String, Figure)>,
+    files: &Files,
+    inputs: &[PathBuf],
+) -> Result<Vec<String>, Failure> {
+    let mut paths = Vec::new();
+    for (name, figure) in figures {
+        match target {
+            Target::Svg(path) => {
+                write_file(path, figure.svg.as_bytes(), inputs)?;
+                paths.push(path_text(path));
+            }
+            Target::Png(path) => {
+                write_file(path, &figure.png, inputs)?;
+                paths.push(path_text(path));
+            }
+            Target::Folder => {
+                paths.extend(files.write(&format!("{name}.svg"), || figure.svg)?);
+                paths.extend(files.write(&format!("{name}.png"), || figure.png)?);
+            }
+        }
+    }
+    Ok(paths)
+}
+
+impl Target {
+    /// Refuses one name for several pictures.
+    pub(super) fn check(&self, count: usize) -> Result<(), Failure> {
+        if count == 1 || matches!(self, Self::Folder) {
+            return Ok(());
+        }
+        Err(Failure::usage(
+            format!("--plot names one picture, but there are {count} motions"),
+            "choose one with --component, or write --plot without a name and a folder with --out",
+        ))
+    }
+}
+
+/// A figure that could not be drawn.
+pub(super) fn failed(error: FigureError) -> Failure {
+    Failure::computation(error.to_string())
+}

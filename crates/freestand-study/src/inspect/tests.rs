@@ -1,0 +1,121 @@
+use super::*;
+use crate::processing::Processing;
+use crate::records::ReadOptions;
+
+fn request(folder: &Path, files: &[(&str, &str)]) -> InfoRequest {
+    let paths = files
+        .iter()
+        .map(|(name, text)| {
+            let path = folder.join(name);
+            std::fs::write(&path, text).unwrap();
+            path
+        })
+        .collect();
+    InfoRequest {
+        files: MotionFiles { paths, read: ReadOptions::default(), component: None, processing: Processing::default() },
+        block: None,
+        keep_motions: false,
+    }
+}
+
+const TWO: &str = "time [s],ns [g],up [g]\n0,0,0\n0.5,0.5,0.1\n1,-1,0\n1.5,0,0\n";
+
+#[test]
+fn files_keep_their_order_and_names_differ() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("b")).unwrap();
+    let request = request(folder.path(), &[("z.csv", TWO), ("a.csv", TWO), ("b/z.csv", TWO)]);
+    let report = info(&request).unwrap();
+    let names: Vec<&str> = report.motions.iter().map(|one| one.name.as_str()).collect();
+    assert_eq!(names, ["z_ns", "z_up", "a_ns", "a_up", "z_ns-2", "z_up-2"]);
+}
+
+#[test]
+fn values_as_in_the_file_stand_beside_measures_after_the_processing() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut request = request(folder.path(), &[("z.csv", TWO)]);
+    request.files.processing.scale_ratio = -2.0;
+    // α = atan(1/2): uplift at 0.5 g.
+    request.block = Some(Block::uniform(2.0, 1.0).unwrap());
+    let one = &info(&request).unwrap().motions[0];
+    let g = G0_M_S2;
+    assert_eq!(
+        (one.first_values_m_s2.as_slice(), one.last_values_m_s2.as_slice()),
+        (&[0.0, 0.5 * g, -g, 0.0][..], &[-g, 0.0][..])
+    );
+    assert_eq!((one.sum_abs_m_s2, one.mean_m_s2), (1.5 * g, -0.125 * g));
+    assert_eq!((one.pga_signed_m_s2, one.pga_index), (2.0 * g, 2));
+    assert_eq!(one.processing, ["multiplied by -2"]);
+    assert_eq!((one.uplift_threshold_g, one.excursions_above_threshold), (Some(0.5), Some(2)));
+    // −1 g at 0.5 s beyond −0.5 g from 0.25 s to 0.5 s + (0.5/3)·0.5 s; +2 g beyond 0.5 g from there + 1/3 to 1.375 s.
+    let want = (0.5 + 0.25 / 3.0 - 0.25) + (1.375 - (0.5 + 0.25));
+    assert!((one.time_above_threshold_s.unwrap() - want).abs() < 1e-14);
+    assert_eq!(one.pga_over_threshold_ratio, Some(4.0));
+}
+
+#[test]
+fn every_broken_file_is_reported() {
+    let folder = tempfile::tempdir().unwrap();
+    let request = request(folder.path(), &[("a.csv", "time [s],a [g]\n0,x\n"), ("b.csv", TWO), ("c.csv", "")]);
+    let problems = info(&request).unwrap_err();
+    let files: Vec<_> = problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
+    assert_eq!(files, ["a.csv", "c.csv"]);
+}
+
+#[test]
+fn measures_as_csv_have_a_row_a_component_and_no_lists() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = info(&request(folder.path(), &[("z.csv", TWO)])).unwrap().measures_csv().unwrap();
+    let text = String::from_utf8(csv).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 3);
+    assert!(lines[0].starts_with("motion,format,component,station,direction,azimuth_deg,unit,is_raw,dt_s,npts"));
+    assert!(lines[0].ends_with(",mean_m_s2,sum_abs_m_s2,processing") && !lines[0].contains("values"));
+    // No station, no block: empty fields.
+    assert!(lines[1].starts_with("z_ns,CSV,ns,,horizontal,0,g,false,0.5,4,1.5,"), "{}", lines[1]);
+    assert_eq!(lines[0].split(',').count(), lines[1].split(',').count());
+}
+
+fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
+    let motion = crate::study::RecordedMotion {
+        name: "x".into(),
+        path: "x.csv".into(),
+        sha256: String::new(),
+        description: String::new(),
+        scale_ratio: 1.0,
+        processing: Vec::new(),
+        motion: Motion::new(dt_s, accel).unwrap(),
+    };
+    ReadMotion { motion, notes: Vec::new() }
+}
+
+#[test]
+fn short_periods_are_warned_about_unless_there_are_samples_enough() {
+    let motion = read(0.02, vec![0.0, 1.0, 0.0, -1.0, 0.0]);
+    let warnings = |periods: &[f64], upsample| {
+        let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s: periods.to_vec(), upsample };
+        spectrum(&motion, &request).unwrap().warnings
+    };
+    // Ten steps of 0.02 s are 0.2 s; half of that needs twice the samples.
+    assert!(warnings(&[0.0, 0.2, 1.0], 1).is_empty());
+    let found = warnings(&[0.1, 1.0], 1);
+    assert!(found[0].contains("0.1 s") && found[0].contains("--upsample 2 "), "{found:?}");
+    assert!(warnings(&[0.1, 1.0], 2).is_empty());
+}
+
+/// A sine of 20 Hz in 100 samples a second, fading in and out, resonates at T = 0.05 s: PSA near 1/(2ζ) = 10 times. On
+/// the straight lines between five samples a cycle its fundamental is smaller by sinc²(0.2) = 0.875.
+#[test]
+fn upsampling_follows_the_curve_and_not_the_lines() {
+    let (dt_s, f_hz) = (0.01, 20.0);
+    let at = |t: f64| (std::f64::consts::TAU * f_hz * t).sin() * (-(t - 5.0) * (t - 5.0) / 4.0).exp();
+    let of = |dt_s: f64, n: usize, upsample| {
+        let motion = read(dt_s, (0..=n).map(|i| at(i as f64 * dt_s)).collect());
+        let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s: vec![0.05], upsample };
+        spectrum(&motion, &request).unwrap().first.psa_g[0]
+    };
+    let exact = of(dt_s / 64.0, 64_000, 1);
+    // 10 samples a cycle from 2, 50 from 10: straight lines lose 1 − sinc²(1/50) = 0.13 %, peaks at samples 0.2 %.
+    assert!((of(dt_s, 1000, 10) / exact - 1.0).abs() < 4e-3);
+    assert!((of(dt_s, 1000, 1) / exact - 0.875).abs() < 0.05);
+}

@@ -1,0 +1,138 @@
+//! Measures and spectra of real records against facts that were found by other means (`records/index.json` of the shared
+//! folder). Files of a format that is not read are named and passed over; the records are not shipped with the project.
+
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "the lint configuration exempts test functions, but not the helpers of an integration test"
+)]
+
+use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, SpectrumRequest, info, spectrum};
+use freestand_study::processing::Processing;
+use freestand_study::recorded::{MotionFiles, read_recorded};
+use freestand_study::records::{ReadOptions, read_motions};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// What the files leave open is known from where they came.
+fn options(name: &str, folder: &Path) -> ReadOptions {
+    let (unit, dt_s) = match name {
+        "tabasFN.txt" => (Some("g"), Some(0.02)),
+        _ if name.ends_with(".sac") => (Some("g"), None),
+        _ => (None, None),
+    };
+    let station_xml = name.ends_with(".mseed").then(|| folder.join("CI.CLC.xml"));
+    ReadOptions { unit: unit.map(str::to_owned), dt_s, station_xml, ..ReadOptions::default() }
+}
+
+/// The folder, the records of the index that can be read, and how.
+fn readable() -> Option<(PathBuf, Vec<(Value, ReadOptions)>)> {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let shared = std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace.join("../shared"), PathBuf::from);
+    let folder = shared.join("records");
+    let Ok(text) = std::fs::read(folder.join("index.json")) else {
+        println!("skipped: no records in {}", folder.display());
+        return None;
+    };
+    let index: Value = serde_json::from_slice(&text).unwrap();
+    let mut found = Vec::new();
+    for record in index["records"].as_array().unwrap() {
+        let name = record["file"].as_str().unwrap();
+        let options = options(name, &folder);
+        match read_motions(&folder.join(name), &options) {
+            Ok(_) => found.push((record.clone(), options)),
+            Err(error) => println!("skipped: {error}"),
+        }
+    }
+    // AT2 twice, columns twice, SMC.
+    assert!(found.len() >= 5, "{}", found.len());
+    Some((folder, found))
+}
+
+fn files(path: PathBuf, read: ReadOptions, component: Option<String>) -> MotionFiles {
+    MotionFiles { paths: vec![path], read, component, processing: Processing::default() }
+}
+
+#[track_caller]
+fn assert_close(what: &str, found: f64, fact: &Value, relative: f64) {
+    let fact = fact.as_f64().expect("a number");
+    assert!((found - fact).abs() <= relative * fact.abs(), "{what}: {found} is not {fact}");
+}
+
+/// The facts have 7 significant digits: half of 1e-6 of the leading digit, and a few roundings.
+const DIGITS: f64 = 6e-7;
+
+#[test]
+fn measures_of_real_records() {
+    let Some((folder, records)) = readable() else { return };
+    for (record, options) in records {
+        let name = record["file"].as_str().unwrap();
+        let request = InfoRequest { files: files(folder.join(name), options, None), block: None, keep_motions: false };
+        let InfoReport { motions, .. } = info(&request).unwrap();
+        let channels = record["channels"].as_array().unwrap();
+        assert_eq!(motions.len(), channels.len(), "{name}");
+        for (one, fact) in motions.iter().zip(channels) {
+            check(&format!("{name}, {}", one.component), one, fact);
+        }
+        println!("{name}: measures of {} components", motions.len());
+    }
+}
+
+fn check(what: &str, one: &MotionInfo, fact: &Value) {
+    let mean_removed = fact["pga_basis"].as_str().unwrap().contains("mean removed");
+    assert_eq!((one.is_raw, one.processing.len()), (mean_removed, usize::from(mean_removed)), "{what}");
+    let index = if mean_removed { &fact["pga_mean_removed_index"] } else { &fact["pga_as_given_index"] };
+    assert_eq!(Some(one.pga_index as u64), index.as_u64(), "{what}");
+    assert_eq!(Some(one.npts as u64), fact["npts"].as_u64(), "{what}");
+    assert_close(what, one.pga_signed_m_s2, &fact["pga_m_per_s2"], DIGITS);
+    let unit_m_s2 = fact["to_m_per_s2"].as_f64().unwrap();
+    assert_close(what, one.sum_abs_m_s2 / unit_m_s2, &fact["sum_abs"], DIGITS);
+    // A mean may be nothing but round-off of the sum.
+    let mean = fact["mean"].as_f64().unwrap();
+    assert!((one.mean_m_s2 / unit_m_s2 - mean).abs() <= DIGITS * mean.abs() + 1e-12 * one.pga_m_s2, "{what}");
+    let first = fact["first4"].as_array().unwrap().iter().zip(&one.first_values_m_s2);
+    let last = fact["last2"].as_array().unwrap().iter().zip(&one.last_values_m_s2);
+    for (fact, value) in first.chain(last) {
+        assert_close(what, value / unit_m_s2, fact, DIGITS);
+    }
+    let im = &fact["im"];
+    assert_close(what, one.arias_m_s, &im["arias_m_per_s"], DIGITS);
+    assert_close(what, one.cav_m_s, &im["cav_m_per_s"], DIGITS);
+    assert_close(what, one.d5_75_s, &im["d5_75_s"], DIGITS);
+    assert_close(what, one.d5_95_s, &im["d5_95_s"], DIGITS);
+    assert_close(what, one.pgv_m_s, &im["pgv_m_per_s_trapz_no_correction"], DIGITS);
+    // Where every second counts they are two sums of the same terms, in another order.
+    assert!(one.cav_std_m_s <= one.cav_m_s * (1.0 + 1e-12), "{what}");
+    assert!(one.uniform_duration_s <= one.bracketed_duration_s * (1.0 + 1e-12), "{what}");
+}
+
+#[test]
+fn spectra_of_real_records() {
+    let Some((folder, records)) = readable() else { return };
+    for (record, options) in records {
+        let name = record["file"].as_str().unwrap();
+        let channels = record["channels"].as_array().unwrap();
+        for (i, fact) in channels.iter().enumerate() {
+            let component = (channels.len() > 1).then(|| (i + 1).to_string());
+            let (read, failures) = read_recorded(&files(folder.join(name), options.clone(), component));
+            assert!(failures.is_empty(), "{failures:?}");
+            let facts = fact["psa_5pct_m_per_s2"].as_object().unwrap();
+            let periods_s: Vec<f64> = facts.keys().map(|period| period.parse().unwrap()).collect();
+            let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s, upsample: 1 };
+            let report = spectrum(&read[0], &request).unwrap();
+            for (psa_g, fact) in report.first.psa_g.iter().zip(facts.values()) {
+                assert_close(name, psa_g * freestand::G0_M_S2, fact, DIGITS);
+            }
+            let dt_s = read[0].motion.motion.dt_s();
+            let refined = spectrum(&read[0], &SpectrumRequest { upsample: 4, ..request }).unwrap();
+            for (i, &period_s) in report.periods_s.iter().enumerate().filter(|(_, t)| **t >= 20.0 * dt_s) {
+                // From 20 samples a period on, straight lines and peaks at the samples miss (π/20)²/2 = 1.2 % each.
+                let ratio = refined.first.psa_g[i] / report.first.psa_g[i];
+                assert!((ratio - 1.0).abs() < 0.025, "{name}: {ratio} at {period_s} s");
+            }
+        }
+        println!("{name}: spectra of {} components", channels.len());
+    }
+}
