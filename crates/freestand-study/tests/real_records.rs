@@ -45,6 +45,10 @@ fn records_agree_with_their_facts() {
         ("RSN175_IMPVALL.H_H-E12140.AT2", "PEER AT2", None, None),
         ("tabasFN.txt", "columns", Some("g"), Some(0.02)),
         ("Northridge.dat", "columns", None, None),
+        ("CE23837.V1C", "COSMOS V1", None, None),
+        ("CICLC.v1", "CSMIP V1", None, None),
+        ("ce36456p_CE36456.V2", "CSMIP V2", None, None),
+        ("017m30bt.s0a", "USC V2", None, None),
     ] {
         let record = index["records"].as_array().unwrap().iter().find(|record| record["file"] == name).expect(name);
         let file = read(&shared.join("records").join(name), unit, dt_s);
@@ -56,28 +60,47 @@ fn records_agree_with_their_facts() {
             // Exact: both are the f64 nearest to the printed decimal.
             assert_eq!(Some(component.motion.dt_s()), fact["dt_s"].as_f64(), "{name}");
             assert_eq!(Some(component.unit), fact["unit"].as_str());
+            let unit_m_s2 = if component.unit == "g" { freestand::G0_M_S2 } else { 0.01 };
             let peak = fact["pga_as_given_index"].as_u64().unwrap() as usize;
             // The facts have 7 significant digits: half of 1e-6 of the leading digit.
-            assert_close(accel[peak] / freestand::G0_M_S2, &fact["pga_as_given"], 5.1e-7);
+            assert_close(accel[peak] / unit_m_s2, &fact["pga_as_given"], 5.1e-7);
             assert_close(
                 component.motion.peak_m_s2(),
                 &Value::from(fact["pga_m_per_s2"].as_f64().unwrap().abs()),
                 5.1e-7,
             );
-            let sum: f64 = accel.iter().map(|a| a.abs() / freestand::G0_M_S2).sum();
+            let sum: f64 = accel.iter().map(|a| a.abs() / unit_m_s2).sum();
             assert_close(sum, &fact["sum_abs"], 5.1e-7);
             let first = fact["first4"].as_array().unwrap().iter().zip(accel);
             let last = fact["last2"].as_array().unwrap().iter().zip(&accel[accel.len() - 2..]);
             for (fact, a) in first.chain(last) {
-                assert_close(a / freestand::G0_M_S2, fact, 5.1e-7);
+                assert_close(a / unit_m_s2, fact, 5.1e-7);
             }
         }
         read_files += 1;
     }
-    assert_eq!(read_files, 4);
+    assert_eq!(read_files, 8);
     let rsn = read(&shared.join("records/RSN175_IMPVALL.H_H-E12140.AT2"), None, None);
     assert_eq!(rsn.components[0].name, "140");
     assert_eq!(rsn.components[0].station.as_deref(), Some("El Centro Array #12"));
+}
+
+/// Direction and station as the headers print them; their peaks are those of the values.
+#[test]
+fn channels_of_the_caltech_family_are_named() {
+    let Some(shared) = shared() else { return };
+    for (name, names, station) in [
+        ("CE23837.V1C", &["360 deg", "Up", "90 deg"][..], "Pomona - Orange Grove & Fairplex"),
+        ("CICLC.v1", &["90 Deg", "360 Deg", "Up"], "China Lake, G2 Tower Rd."),
+        ("ce36456p_CE36456.V2", &["90 DEG", "UP", "0 DEG"], "PARKFIELD FAULT ZONE 14"),
+        ("017m30bt.s0a", &["N08W"], "BIG TUJUNGA STATION, ANGELES NATIONAL FOREST, CA"),
+    ] {
+        let file = read(&shared.join("records").join(name), None, None);
+        let found: Vec<&str> = file.components.iter().map(|one| one.name.as_str()).collect();
+        assert_eq!(found, names);
+        assert!(file.components.iter().all(|one| one.station.as_deref() == Some(station) && one.direction.is_some()));
+        assert_eq!(file.notes, Vec::<String>::new(), "{name}");
+    }
 }
 
 #[test]

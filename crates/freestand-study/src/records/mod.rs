@@ -2,16 +2,20 @@
 
 mod at2;
 mod columns;
+mod cosmos;
+mod csmip;
 mod direction;
-#[allow(dead_code, reason = "the readers that call it come next")]
 mod even_grid;
 mod format;
 mod fortran;
 mod lines;
+mod pairs;
 mod sampling;
 mod smc;
 mod table;
 mod units;
+mod usc;
+mod volumes;
 mod write;
 
 pub use direction::Direction;
@@ -22,6 +26,7 @@ pub use write::{write_at2, write_csv};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::quantity::shorten;
 use freestand::motion::Motion;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// What the user says about a file that may not say it itself.
@@ -124,8 +129,13 @@ struct Family {
 }
 
 /// From the most particular signature to the least; what none recognises is columns.
-const FAMILIES: &[Family] =
-    &[Family { recognises: smc::is_smc, read: smc::read }, Family { recognises: at2::is_at2, read: at2::read }];
+const FAMILIES: &[Family] = &[
+    Family { recognises: smc::is_smc, read: smc::read },
+    Family { recognises: cosmos::is_cosmos, read: cosmos::read },
+    Family { recognises: usc::is_usc, read: usc::read },
+    Family { recognises: csmip::is_csmip, read: csmip::read },
+    Family { recognises: at2::is_at2, read: at2::read },
+];
 
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
@@ -256,6 +266,19 @@ impl Found {
             motion: motion(self.dt_s, self.values, self.line)?,
             line_of_first_value: self.line,
         })
+    }
+}
+
+/// Adds the place in the file to names that several components share: a structure has several sensors of one direction.
+fn tell_apart(components: &mut [Component]) {
+    let mut uses: HashMap<String, usize> = HashMap::new();
+    for component in components.iter() {
+        *uses.entry(component.name.to_lowercase()).or_default() += 1;
+    }
+    for (i, component) in components.iter_mut().enumerate() {
+        if uses.get(&component.name.to_lowercase()).is_some_and(|count| *count > 1) {
+            component.name = format!("{}, channel {}", component.name, i + 1);
+        }
     }
 }
 
