@@ -7,7 +7,7 @@ use super::format::{Block, Format};
 use super::fortran::{is_missing_value, scan};
 use super::lines::{Line, Lines, lines};
 use super::units::record_unit;
-use super::volumes::{first_integer, is_text};
+use super::volumes::{first_integer, is_text, step_in};
 use super::{Component, Direction, Found, ReadOptions, Reading, peak_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, shorten};
@@ -235,8 +235,8 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
 
 /// What the series is, where it is not an acceleration.
 fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
-    // Table 1 of the format; 1 is acceleration.
-    let of_code = match header.integers[0] as i64 {
+    // Integer header 2, table 1 of the format; 1 is acceleration.
+    let of_code = match header.integers[1] as i64 {
         2 => Some("a velocity"),
         3 | 4 => Some("a displacement"),
         10..=99 => Some("another quantity than acceleration"),
@@ -337,11 +337,22 @@ impl Header {
         Ok(volts / volts_a_g * G0_M_S2)
     }
 
-    /// The time step \[s\]: real header 62 in ms. Real header 34 is the recorder's, which holds for its own values only.
-    fn dt_s(&self, is_raw: bool, options: &ReadOptions) -> Result<f64, Problem> {
-        let recorder = self.real(34).filter(|_| is_raw);
-        let found = self.real(62).filter(|dt_ms| *dt_ms > 0.0).map(|dt_ms| dt_ms / 1000.0);
-        found.or(recorder).or(options.dt_s).ok_or_else(|| {
+    /// The time step \[s\]: real header 62 in ms, else the rate above the values, which the first version of the format
+    /// has. Real header 34 is the recorder's, which holds for its own values only.
+    fn dt_s(&self, series: &Series, is_raw: bool, options: &ReadOptions) -> Result<f64, Problem> {
+        let of_title = step_in(&series.title.to_ascii_uppercase());
+        let of_header = self.real(62).filter(|dt_ms| *dt_ms > 0.0).map(|dt_ms| dt_ms / 1000.0);
+        if let (Some(of_title), Some(of_header)) = (of_title, of_header)
+            // Rates are printed with three digits or more.
+            && (of_title - of_header).abs() > 1e-3 * of_header
+        {
+            let message = format!("the time step is {of_header} s in the header and {of_title} s above the values");
+            return Err(Problem::new(ProblemKind::Format, message)
+                .at_line(series.line)
+                .hint("one of the two is wrong: ask where the file comes from, and correct it"));
+        }
+        let recorder = self.real(34).filter(|dt_s| is_raw && *dt_s > 0.0);
+        of_header.or(of_title).or(recorder).or(options.dt_s).ok_or_else(|| {
             Problem::new(ProblemKind::Format, "the header does not give the time step (real header 62)")
                 .at_line(self.line_of_reals)
                 .hint("give the step, such as \"0.005 s\" (--dt, or dt in the study)")
@@ -378,7 +389,7 @@ fn component(
         station: station(&header.text),
         unit,
         unit_m_s2: if is_raw { header.count_m_s2(notes)? } else { unit_m_s2 },
-        dt_s: header.dt_s(is_raw, options)?,
+        dt_s: header.dt_s(series, is_raw, options)?,
         values: block.values,
         line: block.first_line,
         is_raw,
@@ -391,14 +402,14 @@ fn component(
     Ok(found)
 }
 
-/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, or in older files `Sta Cha: 1     0 deg (Rcrdr Chan  1)`.
+/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, `Sta Cha: 1     0 deg (Rcrdr Chan  1)`, `Sta Chan   1  90    HNE   Location:`.
 fn channel_name(text: &[String]) -> Option<String> {
-    let line = text.iter().find(|line| line.trim_start().to_ascii_lowercase().starts_with("sta cha"))?;
-    let (left, right) = line.split('(').next()?.split_once(':')?;
-    let right = right.trim();
-    let numbered = left.contains(|c: char| c.is_ascii_digit());
-    let name = if numbered { right } else { right.trim_start_matches(|c: char| c.is_ascii_digit()).trim() };
-    let name = name.split("Loc").next()?.trim();
+    let line =
+        text.iter().map(|line| line.trim_start()).find(|line| line.to_ascii_lowercase().starts_with("sta cha"))?;
+    let line = line.split('(').next()?.split("Loc").next()?.get(7..)?.trim_start_matches(['n', 'N']);
+    let is_between = |c: char| c == ':' || c.is_whitespace();
+    let behind_number = line.trim_start_matches(is_between).trim_start_matches(|c: char| c.is_ascii_digit());
+    let name = behind_number.trim_matches(is_between).split("   ").next()?.trim();
     (!name.is_empty()).then(|| name.to_owned())
 }
 

@@ -292,7 +292,7 @@ fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
 }
 
 /// The step that a line in capitals states: `SPACED AT  .020 SEC`, `INTERVALS OF .020`, `AT 100 PTS/SEC`.
-fn step_in(upper: &str) -> Option<f64> {
+pub(super) fn step_in(upper: &str) -> Option<f64> {
     let step = ["SPACED AT", "INTERVALS OF", "INTERVAL OF"].iter().find_map(|words| number_after(upper, words));
     step.or_else(|| {
         let rates = ["PTS/SEC", "POINTS/SEC", "SAMPLES/SEC", "SAMP/SEC", "SPS"];

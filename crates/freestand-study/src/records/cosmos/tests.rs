@@ -18,7 +18,7 @@ const UNCORRECTED: Channel<'_> = Channel {
     title: "Uncorrected acceleration  (Format v01.20 with 13 text lines) Src: x",
     name: "Sta Chan  1: 360 deg (Rcrdr Chan  1)",
     sizes: [(10, 8), (6, 13)],
-    integers: &[(1, 1), (2, 4)],
+    integers: &[(1, 2), (2, 1), (3, 4)],
     reals: &[(34, 0.02), (62, 5.0), (64, -10.123)],
     data: "      10 acceleration pts, approx  1 secs, units=cm/sec2(04), Format=(8F10.3)",
     rows: &["     1.000   -10.123-99999.999     0.000     0.500     0.250     0.125     0.000", "     2.000    -2.000"],
@@ -106,7 +106,7 @@ fn units_are_told_by_code_and_name() {
 fn counts_need_the_sensitivity() {
     let raw = Channel {
         title: "Raw acceleration counts   (Format v01.10 with 13 text lines)",
-        integers: &[(1, 1), (2, 50)],
+        integers: &[(1, 0), (2, 1), (3, 50)],
         reals: &[(22, 2.0), (34, 0.01), (42, 0.5), (62, -999.0)],
         data: "       4 raw accel.    pts, approx  1 secs, units=counts (50),Format=(10I8)",
         rows: &["     100    -999     -50 1000000"],
@@ -130,7 +130,7 @@ fn channels_follow_one_another_and_other_quantities_are_left_out() {
     let up = Channel { name: "Sta Cha: 2   UP      (Rcrdr Chan  2) Location:Free-field", ..UNCORRECTED };
     let velocity = Channel {
         title: "Corrected velocity        (Format v01.20 with 13 text lines)",
-        integers: &[(1, 2), (2, 5)],
+        integers: &[(1, 2), (2, 2), (3, 5)],
         data: "      10 velocity     pts, approx  1 secs, units=cm/sec (05), Format=(8F10.3)",
         end: "End-of-data for Chan  1 velocity",
         ..UNCORRECTED
@@ -144,6 +144,29 @@ fn channels_follow_one_another_and_other_quantities_are_left_out() {
     // All three series of a channel below one header.
     let both = text(&UNCORRECTED) + velocity.data + "\n" + &velocity.rows.join("\n") + "\n" + velocity.end + "\n";
     assert_eq!(read(&both).unwrap().components.len(), 1);
+}
+
+#[test]
+fn the_first_version_states_the_rate_above_the_values() {
+    let old = Channel {
+        title: "Uncorrected Acceleration  (Format v01.00 with 13 text lines) Orig: A.ASC",
+        name: "Sta Cha: 1     0 deg (Rcrdr Chan  1) Location:Free-field",
+        reals: &[(30, 0.005)],
+        data: "3  acceleration pts a  200 pts/sec, Units=cm/s/s     , Format=(1F14.9  )",
+        rows: &["   0.001000000", "  -0.500000000", "   0.250000000"],
+        ..UNCORRECTED
+    };
+    let text = text(&old).replace("lines, Format= (", "lines, Format  (");
+    let file = read(&text).unwrap();
+    let one = &file.components[0];
+    assert_eq!((one.name.as_str(), one.motion.dt_s()), ("0 deg", 0.005));
+    assert_eq!(one.motion.accel_m_s2(), [0.001 * 0.01, -0.5 * 0.01, 0.25 * 0.01]);
+    let named = text.replace(old.name, "Sta Chan   3  90    HNE           Location:   --");
+    assert_eq!(read(&named).unwrap().components[0].name, "90");
+    let unnamed = text.replace(old.name, "Sta Chan  1:");
+    assert_eq!(read(&unnamed).unwrap().components[0].name, "channel 1");
+    let both = self::text(&UNCORRECTED).replace("approx  1 secs", "at 100 pts/sec");
+    assert!(read(&both).unwrap_err().contains("0.005 s in the header and 0.01 s above the values"));
 }
 
 #[test]

@@ -170,6 +170,11 @@ fn of_volume_two_the_acceleration_is_read() {
         assert_eq!((names, file.components[0].motion.dt_s()), (vec!["UP", "H2"], 0.02));
         assert_values(&file, 1, &SERIES, 0.01);
     }
+    // As it is printed today.
+    let today =
+        v2("UP", (10, 6), "").to_lowercase().replace(" sec.  (units: cm/sec/sec)", " sec, in cm/sec2. (8f10.6)");
+    assert!(today.contains("in cm/sec2. (8f10.6)"));
+    assert_values(&read(&today).unwrap(), 0, &SERIES, 0.01);
     let text = v2("UP", (10, 3), "");
     let (start, tail) = text.split_once(" 11 POINTS OF ACCEL").unwrap();
     let (_, tail) = tail.split_once(" 11 POINTS OF VELOC").unwrap();
