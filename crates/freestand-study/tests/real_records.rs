@@ -48,6 +48,10 @@ fn records_agree_with_their_facts() {
         ("Northridge.dat", "columns", None, None),
         ("20180212_211557_WPWS_20.V2A", "GeoNet V2A", None, None),
         ("HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC", "DYNA", None, None),
+        ("CE23837.V1C", "COSMOS V1", None, None),
+        ("CICLC.v1", "CSMIP V1", None, None),
+        ("ce36456p_CE36456.V2", "CSMIP V2", None, None),
+        ("017m30bt.s0a", "USC V2", None, None),
     ] {
         let record = index["records"].as_array().unwrap().iter().find(|record| record["file"] == name).expect(name);
         let file = read(&shared.join("records").join(name), unit, dt_s);
@@ -78,7 +82,8 @@ fn records_agree_with_their_facts() {
         }
         read_files += 1;
     }
-    assert_eq!(read_files, 6);
+    assert_eq!(read_files, 10);
+
     let rsn = read(&shared.join("records/RSN175_IMPVALL.H_H-E12140.AT2"), None, None);
     assert_eq!(rsn.components[0].name, "140");
     assert_eq!(rsn.components[0].station.as_deref(), Some("El Centro Array #12"));
@@ -127,6 +132,24 @@ fn counts_agree_with_their_facts() {
         for (fact, a) in first.chain(fact["last2"].as_array().unwrap().iter().zip(&as_given[as_given.len() - 2..])) {
             assert_close(*a, fact, 5.1e-7);
         }
+    }
+}
+
+/// Direction and station as the headers print them; their peaks are those of the values.
+#[test]
+fn channels_of_the_caltech_family_are_named() {
+    let Some(shared) = shared() else { return };
+    for (name, names, station) in [
+        ("CE23837.V1C", &["360 deg", "Up", "90 deg"][..], "Pomona - Orange Grove & Fairplex"),
+        ("CICLC.v1", &["90 Deg", "360 Deg", "Up"], "China Lake, G2 Tower Rd."),
+        ("ce36456p_CE36456.V2", &["90 DEG", "UP", "0 DEG"], "PARKFIELD FAULT ZONE 14"),
+        ("017m30bt.s0a", &["N08W"], "BIG TUJUNGA STATION, ANGELES NATIONAL FOREST, CA"),
+    ] {
+        let file = read(&shared.join("records").join(name), None, None);
+        let found: Vec<&str> = file.components.iter().map(|one| one.name.as_str()).collect();
+        assert_eq!(found, names);
+        assert!(file.components.iter().all(|one| one.station.as_deref() == Some(station) && one.direction.is_some()));
+        assert_eq!(file.notes, Vec::<String>::new(), "{name}");
     }
 }
 

@@ -46,6 +46,16 @@ impl Format {
         sensible.then_some(Self { per_line, width })
     }
 
+    /// The format that a line names behind the word, as in `Format: (8f9.6)` or `Format=8F10.3`, else in brackets.
+    pub(super) fn named_in(text: &str) -> Option<Self> {
+        let behind_word = text.to_ascii_lowercase().rfind("format").and_then(|at| {
+            let tail = text.get(at + 6..)?.trim_start_matches(|c: char| c.is_whitespace() || "=:(".contains(c));
+            Self::parse(tail.split([')', ' ', '\t']).next()?)
+        });
+        let in_brackets = || text.split('(').skip(1).find_map(|part| Self::parse(part.split(')').next()?));
+        behind_word.or_else(in_brackets)
+    }
+
     /// Reads `count` values from the lines that follow, and leaves `lines` behind the last of them.
     ///
     /// A field is what stands in its columns, whether or not a blank separates it from the next. Fortran sets its
@@ -145,6 +155,19 @@ mod tests {
             ("99999999999999999999F8", None),
         ] {
             assert_eq!(Format::parse(text), expected.map(|(n, w)| Format::new(n, w)), "{text}");
+        }
+    }
+
+    #[test]
+    fn formats_are_found_in_titles() {
+        for (text, expected) in [
+            ("13400 acceleration pts, units=g.     (02)Format=(8f9.6)   ", Some((8, 9))),
+            (" 100 Real-header values follow on 20 lines , Format = (5F15.6)", Some((5, 15))),
+            (" 3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)  (8F10.6)", Some((8, 10))),
+            ("12 pts, Format: 8F10.3", Some((8, 10))),
+            ("12 points (UNITS: CM/SEC/SEC)", None),
+        ] {
+            assert_eq!(Format::named_in(text), expected.map(|(n, w)| Format::new(n, w)), "{text}");
         }
     }
 

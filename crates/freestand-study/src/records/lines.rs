@@ -69,7 +69,12 @@ pub(super) fn lines(bytes: &[u8]) -> Lines<'_> {
     Lines { rest: bytes, number: 0 }
 }
 
-impl Lines<'_> {
+impl<'a> Lines<'a> {
+    /// The next line that is not blank, which stays unread.
+    pub(super) fn ahead(&self) -> Option<Line<'a>> {
+        self.clone().find(|line| !line.is_blank())
+    }
+
     /// Bytes that are not read yet.
     pub(super) fn bytes_left(&self) -> usize {
         self.rest.len()

@@ -3,6 +3,8 @@
 mod at2;
 mod bhrc;
 mod columns;
+mod cosmos;
+mod csmip;
 mod cwa;
 mod direction;
 mod dyna;
@@ -15,6 +17,7 @@ mod keyed;
 mod knet;
 mod lines;
 mod nsmn;
+mod pairs;
 mod rows;
 mod sampling;
 mod sigma;
@@ -23,6 +26,8 @@ mod stated_step;
 mod table;
 mod unam;
 mod units;
+mod usc;
+mod volumes;
 mod write;
 
 pub use direction::Direction;
@@ -33,6 +38,7 @@ pub use write::{write_at2, write_csv};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::quantity::shorten;
 use freestand::motion::Motion;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// What the user says about a file that may not say it itself.
@@ -137,6 +143,9 @@ struct Family {
 /// From the most particular signature to the least; what none recognises is columns.
 const FAMILIES: &[Family] = &[
     Family { recognises: smc::is_smc, read: smc::read },
+    Family { recognises: cosmos::is_cosmos, read: cosmos::read },
+    Family { recognises: usc::is_usc, read: usc::read },
+    Family { recognises: csmip::is_csmip, read: csmip::read },
     Family { recognises: knet::is_knet, read: knet::read },
     Family { recognises: cwa::is_cwa, read: cwa::read },
     Family { recognises: unam::is_unam, read: unam::read },
@@ -282,6 +291,19 @@ impl Found {
             motion: motion(self.dt_s, self.values, self.line)?,
             line_of_first_value: self.line,
         })
+    }
+}
+
+/// Adds the place in the file to names that several components share: a structure has several sensors of one direction.
+fn tell_apart(components: &mut [Component]) {
+    let mut uses: HashMap<String, usize> = HashMap::new();
+    for component in components.iter() {
+        *uses.entry(component.name.to_lowercase()).or_default() += 1;
+    }
+    for (i, component) in components.iter_mut().enumerate() {
+        if uses.get(&component.name.to_lowercase()).is_some_and(|count| *count > 1) {
+            component.name = format!("{}, channel {}", component.name, i + 1);
+        }
     }
 }
 

@@ -1,0 +1,276 @@
+//! The layout in which Caltech published accelerograms, and which others took over: channels one after another, each with
+//! lines of text, 100 whole numbers, 50 or 100 reals, and the series.
+//!
+//! Volume I has the record as it was digitised, as pairs of time and value or, later, as values at equal steps below a
+//! title line. Volume II has acceleration, velocity and displacement, each below a title line.
+//! Source: Hudson et al. (1969-1975), Strong Motion Earthquake Accelerograms, EERL, and the files of CSMIP, USC, RENADIC.
+
+mod header;
+
+pub(super) use header::{first_integer, is_full_integer_row, step_in};
+
+use super::format::{Block, Format};
+use super::fortran::is_missing_value;
+use super::lines::{Line, Lines, lines};
+use super::units::{decide, requested};
+use super::{Component, Direction, Found, ReadOptions, Reading, pairs, peak_note};
+use crate::error::{Problem, ProblemKind};
+use crate::quantity::shorten;
+use freestand::G0_M_S2;
+use header::{Header, NamedUnit, number_after, read_header, unit_of};
+
+/// What differs from one network to the other.
+pub(super) struct Network {
+    pub(super) volume_one: &'static str,
+    pub(super) volume_two: &'static str,
+    /// Columns of text; behind them stand numbers that count something else.
+    pub(super) columns: usize,
+}
+
+/// The line above equally spaced values.
+struct Title {
+    line: usize,
+    text: String,
+    count: usize,
+}
+
+/// Most lines of reals: 7 in volume I, 13 in volume II.
+const MOST_REALS: usize = 20;
+
+/// Whether a line holds words and not numbers; the letters of an exponent are none.
+pub(super) fn is_text(line: &Line<'_>) -> bool {
+    let bytes = line.bytes.trim_ascii();
+    let is_word =
+        |b: &u8| b.is_ascii_alphabetic() && !matches!(b, b'e' | b'E' | b'd' | b'D') || matches!(b, b'/' | b'&');
+    bytes.iter().any(is_word) || bytes.starts_with(b"--")
+}
+
+/// Reads the channels of a file.
+pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let (mut components, mut notes, mut refused): (Vec<Component>, Vec<String>, _) = (Vec::new(), Vec::new(), None);
+    let mut format = network.volume_one;
+    let mut channel = 0;
+    while let Some(header) = read_header(&mut rest, network.columns, channel > 0)? {
+        channel += 1;
+        if channel == 1 && is_volume_two(&header.text) {
+            format = network.volume_two;
+        }
+        let read = match find_title(&mut rest)? {
+            Some(title) => read_series(&header, &title, channel, &mut rest, options),
+            None => read_pairs(&header, channel, &mut rest, options),
+        };
+        match other_quantity(&header) {
+            Some((what, line)) => {
+                refused.get_or_insert((what, line));
+            }
+            None => {
+                let (component, said) = read?;
+                notes.extend(said);
+                notes.extend(peak_of(&header, format == network.volume_two, &component));
+                components.push(component);
+            }
+        }
+        skip_to_next_channel(&mut rest);
+    }
+    match refused {
+        Some((what, line)) if components.is_empty() => Err(not_acceleration(&what, line)),
+        Some((what, line)) => {
+            notes.push(format!("line {line}: a channel that holds {what} is left out"));
+            super::tell_apart(&mut components);
+            Ok(Reading { format, components, notes })
+        }
+        None => {
+            super::tell_apart(&mut components);
+            Ok(Reading { format, components, notes })
+        }
+    }
+}
+
+fn not_acceleration(what: &str, line: usize) -> Problem {
+    Problem::new(ProblemKind::Format, format!("holds {what}, an acceleration record is expected"))
+        .at_line(line)
+        .hint("use the acceleration file of the same record")
+}
+
+/// Volume II names the uncorrected record too, from which it was made.
+fn is_volume_two(text: &[String]) -> bool {
+    let first = text.first().map_or_else(String::new, |line| line.to_ascii_uppercase());
+    first.replace("UNCORRECTED", "").contains("CORRECTED ACCELEROGRAM")
+}
+
+/// Skips the reals, to the title of a series or to the first pairs.
+fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
+    let mut ahead = rest.clone();
+    let mut behind_reals = None;
+    for _ in 0..MOST_REALS {
+        let Some(line) = ahead.find(|line| !line.is_blank()) else { break };
+        if is_text(&line) {
+            let text = line.text();
+            let Some(count) = first_integer(&text).filter(|_| is_title(&text)) else { break };
+            *rest = ahead;
+            return Ok(Some(Title { line: line.number, text, count }));
+        }
+        // 50 and 100 are no multiples of 8: the last row of reals is short.
+        if behind_reals.is_none() && line.bytes.trim_ascii_end().len() <= 60 {
+            behind_reals = Some(ahead.clone());
+        }
+    }
+    let Some(behind) = behind_reals else {
+        return Err(Problem::new(ProblemKind::Format, "the real header does not end")
+            .at_line(rest.line_number())
+            .hint("50 or 100 reals in rows of 8 are expected: the file may be damaged"));
+    };
+    *rest = behind;
+    Ok(None)
+}
+
+fn is_title(text: &str) -> bool {
+    let upper = text.to_ascii_uppercase();
+    ["POINT", "PTS", "FORMAT", "UNIT", "DATA"].iter().any(|word| upper.contains(word))
+}
+
+type Read = Result<(Component, Option<String>), Problem>;
+
+fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions) -> Read {
+    let upper = title.text.to_ascii_uppercase();
+    if !upper.contains("ACC") && ["VEL", "DIS"].iter().any(|word| upper.contains(word)) {
+        return Err(not_acceleration(&format!("\"{}\"", shorten(title.text.trim())), title.line));
+    }
+    let format = format_of(title, rest);
+    let block = format.read(rest, title.count, "acceleration")?;
+    block.refuse_missing(format, is_missing_value)?;
+    if let Some(line) = rest.ahead().filter(|line| !is_text(line)) {
+        return Err(Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", title.count))
+            .at_line(line.number)
+            .hint(format!("the number of values on line {} does not fit the file", title.line)));
+    }
+    let Some(dt_s) = step_in(&upper).or_else(|| header.step()).or(options.dt_s) else {
+        return Err(Problem::new(ProblemKind::Format, "the time step is not stated above the values")
+            .at_line(title.line)
+            .hint("give the step, such as \"0.02 s\" (--dt, or dt in the study)"));
+    };
+    let unit = match unit_of(&title.text, title.line)? {
+        None if !is_volume_two(&header.text) => header.unit()?,
+        stated => stated,
+    };
+    found(header, channel, unit, dt_s, block, options).map(|component| (component, None))
+}
+
+fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions) -> Read {
+    let pairs = pairs::read(rest)?;
+    let count = pairs.times_s.len();
+    let of_integers = [27, 32].map(|at| header.integers.get(at).copied().flatten());
+    let of_text = header.points();
+    // Programs keep the count in one place or another: integer 28, 33, or the text.
+    if count == 0 || ![of_text, of_integers[0], of_integers[1]].contains(&Some(count as f64)) {
+        let declared = of_text.or(of_integers[0]).map_or_else(|| "no".to_owned(), |count| count.to_string());
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("the header declares {declared} points, the channel has {count}"),
+        )
+        .at_line(pairs.first_line.max(header.first_line))
+        .hint("the file may be cut off: fetch it again"));
+    }
+    let first_line = pairs.first_line;
+    let name = header.name(channel);
+    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options)?;
+    let block = Block { values, first_line };
+    // The step given by the user is for files that state none; here the times state it.
+    found(header, channel, header.unit()?, dt_s, block, options).map(|component| (component, note))
+}
+
+fn found(
+    header: &Header,
+    channel: usize,
+    unit: Option<NamedUnit>,
+    dt_s: f64,
+    block: Block,
+    options: &ReadOptions,
+) -> Result<Component, Problem> {
+    let (unit, unit_m_s2) = match unit {
+        Some(unit) => unit,
+        None => {
+            let unit = decide(None, requested(options.unit.as_deref())?, "the record")
+                .map_err(|problem| problem.at_line(block.first_line))?;
+            (unit.symbol, unit.to_si(1.0))
+        }
+    };
+    let name = header.name(channel);
+    Found {
+        direction: Direction::parse(&name),
+        name,
+        station: header.station(),
+        unit,
+        unit_m_s2,
+        dt_s,
+        values: block.values,
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)
+}
+
+/// The format in the title; where there is none, eight equal fields on a line.
+fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
+    Format::named_in(&title.text).unwrap_or_else(|| {
+        let length = rest.ahead().map_or(0, |line| line.bytes.trim_ascii_end().len());
+        Format::new(8, if title.count >= 8 && length.is_multiple_of(8) { (length / 8).clamp(1, 20) } else { 10 })
+    })
+}
+
+/// What a channel holds where its text says that it is no acceleration: `Data: Velocity`, response spectra.
+fn other_quantity(header: &Header) -> Option<(String, usize)> {
+    let data = header.lines_with("DATA:").find_map(|line| {
+        let (_, tail) = line.split_once("DATA:")?;
+        let word = tail.trim_start();
+        let name = if word.starts_with("VEL") {
+            "a velocity"
+        } else if word.starts_with("DIS") {
+            "a displacement"
+        } else {
+            return None;
+        };
+        Some(name.to_owned())
+    });
+    data.map(|what| (what, header.first_line))
+}
+
+/// Leaves `rest` at the first line of the next channel: behind the velocity and the displacement, and the `/&` that ends
+/// a channel.
+fn skip_to_next_channel(rest: &mut Lines<'_>) {
+    loop {
+        let before = rest.clone();
+        let Some(line) = rest.next() else { return };
+        if !is_text(&line) {
+            continue;
+        }
+        let upper = line.text().to_ascii_uppercase();
+        let text = upper.trim_start();
+        if text.starts_with("/&") || text.contains("END OF ") {
+            return;
+        }
+        if text.contains("ACCELEROGRAM") && first_integer(text).is_none() {
+            *rest = before;
+            return;
+        }
+    }
+}
+
+/// What is to be said where the values do not have the peak that the text states.
+fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Option<String> {
+    if is_volume_two {
+        let line = header.lines_with("PEAK ACC").next()?;
+        return peak_note(component, 0.01 * number_after(&line, "=")?);
+    }
+    let line = header.lines_with("MAX").next()?;
+    let (_, tail) = line.split_once("MAX")?;
+    let stated = number_after(tail, "=").filter(|_| tail.contains(" G,") || tail.contains(" G."))? * G0_M_S2;
+    // Printed to 0.001 g, of which half is rounding.
+    let rounding = 6e-4 * G0_M_S2;
+    let is_near = (component.motion.peak_m_s2() - stated.abs()).abs() <= rounding;
+    peak_note(component, stated).filter(|_| !is_near)
+}
+
+#[cfg(test)]
+mod tests;
