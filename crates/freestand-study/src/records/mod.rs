@@ -1,13 +1,18 @@
 //! Ground and floor motions from record files: which format a file has is told from its content, never from its name.
 
 mod at2;
+mod binary;
 mod columns;
 mod direction;
 mod format;
 mod fortran;
+mod instant;
 mod lines;
+mod mseed;
+mod sac;
 mod sampling;
 mod smc;
+mod station_xml;
 mod table;
 mod units;
 mod write;
@@ -77,7 +82,7 @@ pub struct Component {
     pub is_raw: bool,
     /// The motion, as the file has it.
     pub motion: Motion,
-    /// Line of the first value, counted from 1.
+    /// Line of the first value, counted from 1; 1 in a binary file.
     pub line_of_first_value: usize,
 }
 
@@ -90,7 +95,8 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, St
     parse_motions(load(path)?, path, options)
 }
 
-/// As [`read_motions`], from text in memory; `path` names it in messages.
+/// As [`read_motions`], from bytes in memory; `path` names them in messages, and a miniSEED file's StationXML is looked for
+/// beside it.
 ///
 /// # Errors
 /// As [`read_motions`].
@@ -103,7 +109,9 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, St
 /// # Ok::<(), freestand_study::StudyError>(())
 /// ```
 pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> Result<MotionFile, StudyError> {
-    lines::check_text(&mut bytes).map_err(|problem| problem.in_file(path))?;
+    if !BINARY.iter().any(|family| (family.recognises)(&bytes)) {
+        lines::check_text(&mut bytes).map_err(|problem| problem.in_file(path))?;
+    }
     Ok(read_bytes(&bytes, path, options)?)
 }
 
@@ -121,15 +129,22 @@ struct Family {
     read: fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>,
 }
 
+/// Formats that are no text. They are asked first: what they do not recognise must be text.
+const BINARY: &[Family] =
+    &[Family { recognises: mseed::is_mseed, read: mseed::read }, Family { recognises: sac::is_sac, read: sac::read }];
+
 /// From the most particular signature to the least; what none recognises is columns.
-const FAMILIES: &[Family] =
-    &[Family { recognises: smc::is_smc, read: smc::read }, Family { recognises: at2::is_at2, read: at2::read }];
+const FAMILIES: &[Family] = &[
+    Family { recognises: smc::is_smc, read: smc::read },
+    Family { recognises: sac::is_text_sac, read: sac::read_text },
+    Family { recognises: at2::is_at2, read: at2::read },
+];
 
 fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
     // A wrong flag is no fault of the file.
     options.check()?;
-    let read =
-        FAMILIES.iter().find(|family| (family.recognises)(bytes)).map_or(columns::read as _, |family| family.read);
+    let mut families = BINARY.iter().chain(FAMILIES);
+    let read = families.find(|family| (family.recognises)(bytes)).map_or(columns::read as _, |family| family.read);
     let Reading { format, components, notes } = read(bytes, path, options).map_err(|problem| problem.in_file(path))?;
     Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
 }
@@ -270,6 +285,12 @@ fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
         let name = shorten(&component.name);
         format!("{name}: the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2")
     })
+}
+
+/// In a binary file nothing stands on a line.
+fn without_line(mut problem: Problem) -> Problem {
+    problem.line = None;
+    problem
 }
 
 /// Samples in m/s² as a motion.
