@@ -38,6 +38,8 @@ struct Epoch {
     at: usize,
     start: Option<Instant>,
     end: Option<Instant>,
+    /// A start or an end that cannot be read.
+    bad_date: Option<String>,
     azimuth_deg: Option<f64>,
     dip_deg: Option<f64>,
     sensitivity: Option<Sensitivity>,
@@ -59,6 +61,14 @@ pub(super) struct Scaling {
     pub(super) counts_per_m_s2: f64,
     pub(super) direction: Option<Direction>,
     pub(super) notes: Vec<String>,
+}
+
+/// What an instrument senses.
+#[derive(Debug)]
+pub(super) enum Sensed {
+    Acceleration(Scaling),
+    /// Something else: no fault of the file, but nothing to read either.
+    Other(Problem),
 }
 
 impl<'a> Stations<'a> {
@@ -148,9 +158,8 @@ impl Inventory {
     /// How the counts of a channel between two times become m/s².
     ///
     /// # Errors
-    /// No epoch with the start of the record, epochs that contradict each other, no sensitivity, or one of something that
-    /// is no acceleration.
-    pub(super) fn scaling(&self, source: &Source, start: Instant, end: Instant) -> Result<Scaling, Problem> {
+    /// No epoch with the start of the record, epochs that contradict each other, or no sensitivity.
+    pub(super) fn scaling(&self, source: &Source, start: Instant, end: Instant) -> Result<Sensed, Problem> {
         let name = source.full_name();
         let of_channel = || self.epochs.iter().filter(|epoch| epoch.source == *source);
         let begun =
@@ -175,6 +184,10 @@ impl Inventory {
                 .in_file(&self.path)
                 .at_line(self.line_of(epoch.at))
         };
+        if let Some(date) = of_channel().find_map(|epoch| epoch.bad_date.as_deref()) {
+            return Err(refused(format!("\"{}\" is not a date", shorten(date)))
+                .hint("write the dates of its epochs as 2012-04-13T17:28:00"));
+        }
         if let Some(other) = matching.find(|other| other.sensitivity != epoch.sensitivity) {
             let line = self.line_of(other.at);
             return Err(refused(format!(
@@ -182,16 +195,22 @@ impl Inventory {
             ))
             .hint("keep the right one in the file"));
         }
-        let scaling = epoch.scaling().map_err(|(message, hint)| refused(message).hint(hint))?;
+        let (counts_per_m_s2, words) = match epoch.scaling() {
+            Ok(scaling) => scaling,
+            Err(Refusal::Wrong(message, hint)) => return Err(refused(message).hint(hint)),
+            Err(Refusal::Other(message)) => {
+                let hint = "use the record of the accelerometer (channels HN?, BN?)";
+                return Ok(Sensed::Other(refused(message).hint(hint)));
+            }
+        };
         let file = self.name();
         let mut notes = vec![format!(
-            "{name}: counts are divided by the sensitivity in {file}, {}; the response of the instrument is not removed",
-            scaling.1
+            "{name}: counts are divided by the sensitivity in {file}, {words}; the response of the instrument is not removed"
         )];
         if epoch.end.is_some_and(|until| until < end) {
             notes.push(format!("{name}: the record runs on behind the epoch in {file} that its start lies in"));
         }
-        Ok(Scaling { counts_per_m_s2: scaling.0, direction: epoch.direction(), notes })
+        Ok(Sensed::Acceleration(Scaling { counts_per_m_s2, direction: epoch.direction(), notes }))
     }
 
     fn line_of(&self, at: usize) -> usize {
@@ -219,8 +238,13 @@ fn shorten_each(names: &[String]) -> Vec<String> {
     names.iter().map(|name| shorten(name)).collect()
 }
 
-/// A message and a hint.
-type Refusal = (String, &'static str);
+/// Why counts do not become m/s².
+enum Refusal {
+    /// The instrument senses something else: what.
+    Other(String),
+    /// The description is not enough: why, and what to do.
+    Wrong(String, &'static str),
+}
 
 impl Epoch {
     /// Counts per m/s², and the same in words.
@@ -231,7 +255,7 @@ impl Epoch {
             } else {
                 "no InstrumentSensitivity"
             };
-            return Err((
+            return Err(Refusal::Wrong(
                 format!("the channel has {what}"),
                 "fetch the description with level=response, or give the unit (--unit)",
             ));
@@ -257,11 +281,12 @@ impl Sensitivity {
     fn counts_per_m_s2(&self, source: &Source) -> Result<(f64, String), Refusal> {
         let (input, output) = (shorten(&self.input), shorten(&self.output));
         let Some(value) = self.value.filter(|value| *value != 0.0 && value.is_finite()) else {
-            return Err(("the InstrumentSensitivity has no value".to_owned(), "correct it, or give the unit (--unit)"));
+            let message = "the InstrumentSensitivity has no value".to_owned();
+            return Err(Refusal::Wrong(message, "correct it, or give the unit (--unit)"));
         };
         if !self.output.to_lowercase().contains("count") {
             let message = format!("the sensitivity is of \"{output}\", not of counts");
-            return Err((message, "a description of the digitizer's output is needed"));
+            return Err(Refusal::Wrong(message, "a description of the digitizer's output is needed"));
         }
         match record_unit(&self.input) {
             Some(unit) if unit.dimension == Dimension::Acceleration => {
@@ -270,12 +295,12 @@ impl Sensitivity {
             Some(unit) if unit.dimension == Dimension::Length => {
                 let Some(frequency_hz) = self.frequency_hz.filter(|f| *f > 0.0 && f.is_finite()) else {
                     let message = format!("the sensitivity is to displacement ({input}), and its frequency is missing");
-                    return Err((message, "correct it, or give the unit (--unit)"));
+                    return Err(Refusal::Wrong(message, "correct it, or give the unit (--unit)"));
                 };
                 // Instrument code N: an accelerometer, whatever its sensitivity is written in.
                 if source.channel.chars().nth(1) != Some('N') {
                     let message = format!("the sensitivity is to displacement ({input}), an accelerometer is expected");
-                    return Err((message, "use the record of the accelerometer (channels HN?, BN?)"));
+                    return Err(Refusal::Other(message));
                 }
                 let omega_rad_s = std::f64::consts::TAU * frequency_hz;
                 let words = format!(
@@ -285,22 +310,20 @@ impl Sensitivity {
             }
             Some(unit) => {
                 let what = unit.dimension.with_article();
-                Err((
-                    format!("the instrument senses {what} ({input}), an acceleration is expected"),
-                    "use the record of the accelerometer (channels HN?, BN?)",
-                ))
+                Err(Refusal::Other(format!("the instrument senses {what} ({input}), an acceleration is expected")))
             }
-            None => Err((
-                format!("the instrument senses \"{input}\", an acceleration such as M/S**2 is expected"),
-                "use the record of the accelerometer (channels HN?, BN?)",
-            )),
+            None => Err(Refusal::Other(format!(
+                "the instrument senses \"{input}\", an acceleration such as M/S**2 is expected"
+            ))),
         }
     }
 }
 
 fn epoch(network: Node<'_, '_>, station: Node<'_, '_>, channel: Node<'_, '_>) -> Epoch {
     let code = |node: Node<'_, '_>, name| node.attribute(name).unwrap_or_default().trim().to_owned();
-    let time = |name| channel.attribute(name).and_then(Instant::parse);
+    let written = |name| channel.attribute(name);
+    let time = |name| written(name).and_then(Instant::parse);
+    let bad_date = ["startDate", "endDate"].into_iter().filter_map(written).find(|text| Instant::parse(text).is_none());
     // "--" stands for the empty location in requests, and in some descriptions.
     let location = code(channel, "locationCode").replace("--", "");
     let response = children(channel, "Response").next();
@@ -321,6 +344,7 @@ fn epoch(network: Node<'_, '_>, station: Node<'_, '_>, channel: Node<'_, '_>) ->
         at: channel.range().start,
         start: time("startDate"),
         end: time("endDate"),
+        bad_date: bad_date.map(str::to_owned),
         azimuth_deg: number(channel, "Azimuth"),
         dip_deg: number(channel, "Dip"),
         sensitivity,

@@ -6,12 +6,12 @@ mod steim;
 
 pub(super) use record::Source;
 
-use super::station_xml::Stations;
+use super::station_xml::{Sensed, Stations};
 use super::{Direction, Found, ReadOptions, Reading, units, without_line};
 use crate::error::{Problem, ProblemKind};
 use record::{Record, header_order, is_version3, version2, version3};
-use series::{Series, by_channel, join};
-use std::collections::HashSet;
+use series::{Series, join};
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 /// Whether the file begins with a record of miniSEED, or with the control headers of a full SEED volume.
@@ -32,31 +32,44 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut notes = scan.notes();
     let format = if is_version3(bytes) { "miniSEED 3" } else { "miniSEED 2" };
     let mut channels = Vec::new();
-    for records in by_channel(scan.records) {
-        channels.extend(join(records)?);
+    for (source, records) in scan.channels {
+        channels.extend(join(source, records)?);
     }
     let names = names(&channels, path);
     let mut stations = Stations::new(path, options);
-    let mut components = Vec::new();
+    let (mut components, mut first_left_out) = (Vec::new(), None);
     for (series, name) in channels.into_iter().zip(names) {
-        let found = scaled(series, name, &mut stations, options, &mut notes)?;
-        components.push(found.component(options).map_err(without_line)?);
+        let full_name = series.source.full_name();
+        match scaled(series, name, &mut stations, options, &mut notes)? {
+            Ok(found) => components.push(found.component(options).map_err(|mut problem| {
+                problem.message = format!("{full_name}: {}", problem.message);
+                without_line(problem)
+            })?),
+            Err(problem) => {
+                notes.push(format!("{}; it is left out", problem.message));
+                first_left_out.get_or_insert(problem);
+            }
+        }
     }
     if components.is_empty() {
+        if let Some(problem) = first_left_out {
+            return Err(problem);
+        }
         return Err(Problem::new(ProblemKind::Format, "holds no records with samples")
             .hint("use a file with data; a dataless SEED volume describes stations only"));
     }
     Ok(Reading { format, components, notes })
 }
 
-/// Counts become m/s² by the sensitivity of a StationXML, or are taken to be in the user's unit.
+/// Counts become m/s² by the sensitivity of a StationXML, or are taken to be in the user's unit. What is no acceleration
+/// comes back as the problem that it would be on its own.
 fn scaled(
     series: Series,
     name: String,
     stations: &mut Stations<'_>,
     options: &ReadOptions,
     notes: &mut Vec<String>,
-) -> Result<Found, Problem> {
+) -> Result<Result<Found, Problem>, Problem> {
     let Series { source, start, end, dt_s, mut values, notes: found } = series;
     notes.extend(found);
     let full_name = source.full_name();
@@ -72,7 +85,10 @@ fn scaled(
             ));
         }
         (Some(inventory), None) => {
-            let scaling = inventory.scaling(&source, start, end)?;
+            let scaling = match inventory.scaling(&source, start, end)? {
+                Sensed::Acceleration(scaling) => scaling,
+                Sensed::Other(problem) => return Ok(Err(problem)),
+            };
             for value in &mut values {
                 *value /= scaling.counts_per_m_s2;
             }
@@ -92,7 +108,7 @@ fn scaled(
         }
     };
     let station = source.full_station();
-    Ok(Found { name, station, direction, unit, unit_m_s2, dt_s, values, line: 1, is_raw: true })
+    Ok(Ok(Found { name, station, direction, unit, unit_m_s2, dt_s, values, line: 1, is_raw: true }))
 }
 
 /// The shortest names that tell the channels apart: `HNE`, `10.HNE`, `CI.CLC.10.HNE`.
@@ -112,13 +128,28 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
 /// What stands in a file, record by record.
 #[derive(Default)]
 struct Scan<'a> {
-    records: Vec<Record<'a>>,
+    /// In the order in which the file begins them.
+    channels: Vec<(Source, Vec<Record<'a>>)>,
+    places: HashMap<Source, usize>,
     texts: usize,
     rateless: usize,
     control_headers: usize,
 }
 
-impl Scan<'_> {
+impl<'a> Scan<'a> {
+    fn take(&mut self, source: Source, record: Record<'a>) {
+        if record.encoding == Some(0) {
+            self.texts += 1;
+        } else if record.dt_s.is_none() {
+            self.rateless += 1;
+        } else if let Some((_, records)) = self.places.get(&source).and_then(|&place| self.channels.get_mut(place)) {
+            records.push(record);
+        } else {
+            self.places.insert(source.clone(), self.channels.len());
+            self.channels.push((source, vec![record]));
+        }
+    }
+
     fn notes(&self) -> Vec<String> {
         let skipped = [
             (self.control_headers, "blocks of control headers", "the response in them is not read"),
@@ -161,11 +192,8 @@ fn scan(bytes: &[u8]) -> Result<Scan<'_>, Problem> {
         };
         is_control = false;
         at += length;
-        match record {
-            Some(record) if record.encoding == Some(0) => scan.texts += 1,
-            Some(record) if record.dt_s.is_none() => scan.rateless += 1,
-            Some(record) => scan.records.push(record),
-            None => {}
+        if let Some((source, record)) = record {
+            scan.take(source, record);
         }
     }
     Ok(scan)

@@ -20,7 +20,6 @@ pub(super) struct Record<'a> {
     pub(super) number: usize,
     /// Where it begins in the file.
     pub(super) at: usize,
-    pub(super) source: Source,
     pub(super) start: Instant,
     /// Time step \[s\]; `None` where the header has no rate.
     pub(super) dt_s: Option<f64>,
@@ -32,6 +31,9 @@ pub(super) struct Record<'a> {
     pub(super) quality: u8,
     pub(super) data: &'a [u8],
 }
+
+/// A record and whose it is.
+type Found<'a> = (Source, Record<'a>);
 
 /// What is wrong with a record.
 pub(super) fn problem(number: usize, at: usize, what: &str) -> Problem {
@@ -78,7 +80,7 @@ pub(super) fn version2(
     at: usize,
     number: usize,
     order: Order,
-) -> Result<(Option<Record<'_>>, usize), Problem> {
+) -> Result<(Option<Found<'_>>, usize), Problem> {
     let wrong = |what: &str| problem(number, at, what);
     let rest = bytes.get(at..).unwrap_or_default();
     let cut = || wrong("is cut off");
@@ -106,15 +108,15 @@ pub(super) fn version2(
     let multiplier = order.i16(record, 34).ok_or_else(cut)?;
     let measured = blockettes.rate_hz.filter(|rate| *rate > 0.0 && rate.is_finite());
     let (encoding, data_order) = blockettes.data_only.map_or((None, order), |(code, order, _)| (Some(code), order));
+    let source = Source {
+        station: field(record, 8, 13),
+        location: field(record, 13, 15),
+        channel: field(record, 15, 18),
+        network: field(record, 18, 20),
+    };
     let record = Record {
         number,
         at,
-        source: Source {
-            station: field(record, 8, 13),
-            location: field(record, 13, 15),
-            channel: field(record, 15, 18),
-            network: field(record, 18, 20),
-        },
         start,
         dt_s: measured.map(|rate| 1.0 / as_written(rate)).or_else(|| nominal_step(factor, multiplier)),
         samples,
@@ -123,7 +125,7 @@ pub(super) fn version2(
         quality: record[38],
         data,
     };
-    Ok((Some(record), length))
+    Ok((Some((source, record)), length))
 }
 
 /// Walks the chain, which must lead forwards.
@@ -187,7 +189,7 @@ pub(super) fn is_version3(bytes: &[u8]) -> bool {
 }
 
 /// Reads a version 3 record at `at`, and tells how long it is. Records without samples are `None`.
-pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option<Record<'_>>, usize), Problem> {
+pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option<Found<'_>>, usize), Problem> {
     let wrong = |what: &str| problem(number, at, what);
     let rest = bytes.get(at..).unwrap_or_default();
     let cut = || wrong("is cut off");
@@ -215,7 +217,6 @@ pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option
     let found = Record {
         number,
         at,
-        source: source_of(&field(record, 40, 40 + name_length)),
         start: Instant::from_day(number_at(8)?, number_at(10)?, second_of_day, nanosecond),
         dt_s: (step > 0.0 && step.is_finite()).then_some(step),
         samples,
@@ -225,7 +226,7 @@ pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option
         quality: 0,
         data: &record[data_at..],
     };
-    Ok((Some(found), record.len()))
+    Ok((Some((source_of(&field(record, 40, 40 + name_length)), found)), record.len()))
 }
 
 /// `FDSN:NET_STA_LOC_B_S_SS`; another identifier is the name of the channel as it stands.
@@ -250,9 +251,26 @@ fn source_of(identifier: &str) -> Source {
 pub(super) fn crc32c(record: &[u8]) -> u32 {
     !record.iter().enumerate().fold(u32::MAX, |crc, (at, &byte)| {
         let byte = if (28..32).contains(&at) { 0 } else { byte };
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| crc >> 1 ^ 0x82F6_3B78 & (crc & 1).wrapping_neg())
+        crc >> 8 ^ CRC_OF_BYTE[usize::from(crc.to_le_bytes()[0] ^ byte)]
     })
 }
+
+/// The eight steps of the division for each byte.
+const CRC_OF_BYTE: [u32; 256] = {
+    let mut table = [0; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        let mut crc = byte as u32;
+        let mut bit = 0;
+        while bit < 8 {
+            crc = crc >> 1 ^ 0x82F6_3B78 & (crc & 1).wrapping_neg();
+            bit += 1;
+        }
+        table[byte] = crc;
+        byte += 1;
+    }
+    table
+};
 
 impl Source {
     /// `NET.STA`, or as much of it as is named.

@@ -4,7 +4,6 @@ use super::super::instant::Instant;
 use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
 use crate::error::{Problem, ProblemKind};
-use std::collections::HashMap;
 
 /// A channel without gaps.
 pub(super) struct Series {
@@ -17,20 +16,6 @@ pub(super) struct Series {
     pub(super) notes: Vec<String>,
 }
 
-/// Records by channel, in the order in which the file begins them.
-pub(super) fn by_channel(records: Vec<Record<'_>>) -> Vec<Vec<Record<'_>>> {
-    let mut places = HashMap::new();
-    let mut channels: Vec<Vec<Record<'_>>> = Vec::new();
-    for record in records {
-        let place = *places.entry(record.source.clone()).or_insert(channels.len());
-        match channels.get_mut(place) {
-            Some(channel) => channel.push(record),
-            None => channels.push(vec![record]),
-        }
-    }
-    channels
-}
-
 /// How much rates of one channel may differ: a measured rate wanders by parts in a million.
 const RATE_TOLERANCE: f64 = 1e-4;
 
@@ -38,17 +23,16 @@ const RATE_TOLERANCE: f64 = 1e-4;
 ///
 /// # Errors
 /// Records that leave a gap or overlap by more than half a sample, that differ in rate, or that cannot be decoded.
-pub(super) fn join(mut records: Vec<Record<'_>>) -> Result<Option<Series>, Problem> {
-    let mut notes = Vec::new();
+pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Option<Series>, Problem> {
+    let name = source.full_name();
     records.sort_by_key(|record| (record.start, record.number));
-    notes.extend(records.first().and_then(|first| quality_note(&records, &first.source.full_name())));
+    let mut notes: Vec<String> = quality_note(&records, &name).into_iter().collect();
     let all = records.len();
     records.dedup_by(|later, first| {
         (later.start, later.samples, later.encoding) == (first.start, first.samples, first.encoding)
             && later.data == first.data
     });
     let Some(first) = records.first() else { return Ok(None) };
-    let name = first.source.full_name();
     if records.len() < all {
         let count = all - records.len();
         notes.push(format!("{name}: {count} records stand in the file twice and are used once"));
@@ -56,7 +40,7 @@ pub(super) fn join(mut records: Vec<Record<'_>>) -> Result<Option<Series>, Probl
     let Some(dt_s) = first.dt_s else {
         return Err(problem(first.number, first.at, "has no sampling rate").hint("the rate must be in the header"));
     };
-    check_steps(&records, dt_s)?;
+    check_steps(&records, dt_s, &name)?;
     notes.extend(drift_note(&records, dt_s, &name));
     let mut values = Vec::new();
     for record in &records {
@@ -76,7 +60,7 @@ pub(super) fn join(mut records: Vec<Record<'_>>) -> Result<Option<Series>, Probl
         ));
     }
     let end = records.last().map_or(first.start, |last| end_of(last, dt_s));
-    Ok(Some(Series { source: first.source.clone(), start: first.start, end, dt_s, values, notes }))
+    Ok(Some(Series { source, start: first.start, end, dt_s, values, notes }))
 }
 
 /// When the sample behind the last is due.
@@ -85,7 +69,7 @@ fn end_of(record: &Record<'_>, dt_s: f64) -> Instant {
 }
 
 /// Every record must begin where the one before ends, within half a sample, at the same rate.
-fn check_steps(records: &[Record<'_>], dt_s: f64) -> Result<(), Problem> {
+fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Problem> {
     for (before, record) in records.iter().zip(records.iter().skip(1)) {
         if record.dt_s.is_none_or(|other_s| (other_s - dt_s).abs() > RATE_TOLERANCE * dt_s) {
             let rate = |step: Option<f64>| step.map_or("no rate".to_owned(), |step| format!("{} Hz", 1.0 / step));
@@ -103,9 +87,8 @@ fn check_steps(records: &[Record<'_>], dt_s: f64) -> Result<(), Problem> {
         } else {
             ("an overlap of", "keep one of the records that overlap, or fetch the file again")
         };
-        let source = record.source.full_name();
         let message = format!(
-            "{source}: {kind} {:.6} s ({samples:.1} samples) before record {} (byte {}): {} follows {expected}",
+            "{name}: {kind} {:.6} s ({samples:.1} samples) before record {} (byte {}): {} follows {expected}",
             missing_s.abs(),
             record.number,
             record.at,

@@ -429,7 +429,7 @@ fn without_a_sensitivity_the_way_out_is_said() {
     assert!(["--station-xml", "CI.CLC.xml", "--unit"].iter().all(|word| hint.contains(word)), "{hint}");
     let options = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.02), ..ReadOptions::default() };
     let error = parse_motions(record2(&HEADER, 29, &big(&STEIM1)), "x".as_ref(), &options).unwrap_err();
-    assert!(error.problems[0].to_string().starts_with("x: the time step is 0.01 s"), "{error}");
+    assert!(error.problems[0].to_string().starts_with("x: CI.CLC..HNE: the time step is 0.01 s"), "{error}");
 }
 
 proptest! {

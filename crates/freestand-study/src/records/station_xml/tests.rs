@@ -40,7 +40,10 @@ fn at(text: &str) -> Instant {
 
 fn scaling(text: &str, channel: &str, location: &str, start: &str) -> Result<Scaling, Problem> {
     let inventory = Inventory::parse(text.as_bytes(), "XX.ABC.xml".as_ref())?;
-    inventory.scaling(&source(channel, location), at(start), at(start).later_by_s(60.0))
+    match inventory.scaling(&source(channel, location), at(start), at(start).later_by_s(60.0))? {
+        Sensed::Acceleration(scaling) => Ok(scaling),
+        Sensed::Other(problem) => Err(problem),
+    }
 }
 
 #[test]
@@ -130,6 +133,8 @@ fn epochs_and_locations_choose_the_channel() {
     assert!(scaling(&text, "HNE", "", "2009-12-31T23:59:59").unwrap_err().message.contains("no epoch of XX.ABC..HNE"));
     let problem = scaling(&text, "HNZ", "", "2020-01-01").unwrap_err();
     assert!(problem.hint.unwrap().contains("describes XX.ABC.10.HNE, XX.ABC..HNE;"));
+    let bad = xml(&[("HNE", "", "startDate=\"yesterday\"", "0 0", &new)]);
+    assert!(scaling(&bad, "HNE", "", "2020-01-01").unwrap_err().message.contains("\"yesterday\" is not a date"));
     let twice = xml(&[("HNE", "", late, "0 0", &new), ("HNE", "", late, "0 0", &old)]);
     let problem = scaling(&twice, "HNE", "", "2020-01-01").unwrap_err();
     assert!(problem.message.contains("two epochs hold") && problem.message.ends_with("line 10"), "{problem}");
@@ -184,6 +189,19 @@ fn the_description_is_named_or_lies_beside_the_record() {
         assert_eq!((one.motion.peak_m_s2(), one.unit, one.is_raw), (peak_m_s2, "m/s2", true), "{name}");
         assert!(file.notes[0].contains(&format!("in {name}, {value} counts/(M/S**2)")), "{:?}", file.notes);
     }
+    // Channels that sense something else are left out, as long as one remains.
+    let velocity = sensitivity("1000", "1", "M/S", "COUNTS");
+    let both = xml(&[("HNE", "", "", "90 0", &velocity.replace("M/S", "M/S**2")), ("HHE", "", "", "90 0", &velocity)]);
+    std::fs::write(folder.join("both.xml"), both).unwrap();
+    let seismometer: Vec<u8> =
+        mseed_record().iter().enumerate().map(|(i, &b)| if i == 16 { b'H' } else { b }).collect();
+    let options = ReadOptions { station_xml: Some(folder.join("both.xml")), ..ReadOptions::default() };
+    let file = parse_motions([seismometer.clone(), mseed_record()].concat(), &folder.join("x"), &options).unwrap();
+    assert_eq!(file.components.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["HNE"]);
+    assert!(file.notes[0].contains("XX.ABC..HHE: the instrument senses a velocity (M/S)"), "{:?}", file.notes);
+    assert!(file.notes[0].ends_with("it is left out"), "{:?}", file.notes);
+    let error = parse_motions(seismometer, &folder.join("x"), &options).unwrap_err().to_string();
+    assert!(error.contains("both.xml:") && error.contains("senses a velocity"), "{error}");
     put("other.xml", "500");
     assert_eq!(read(folder, Some("other.xml"), None).unwrap().components[0].motion.peak_m_s2(), 4.0);
     assert!(read(folder, Some("absent.xml"), None).unwrap_err().contains("absent.xml: cannot open"));
