@@ -40,6 +40,8 @@ pub(crate) struct GroundOptions {
     pub(crate) unit: Option<Written<String>>,
     pub(crate) dt_s: Option<Written<f64>>,
     pub(crate) component: Option<Written<String>>,
+    pub(crate) station_xml: Option<Written<String>>,
+    pub(crate) keep_mean: Option<Written<bool>>,
     pub(crate) scale: Option<Written<f64>>,
     /// Some key was refused: files cannot be read as they were meant to be.
     pub(crate) is_incomplete: bool,
@@ -184,6 +186,8 @@ fn ground(reader: &mut Reader, table: &mut Section) -> GroundOptions {
         unit: table.string(reader, "unit"),
         dt_s: table.quantity(reader, "dt", Dimension::Time),
         component: table.name_or_number(reader, "component"),
+        station_xml: table.string(reader, "station_xml"),
+        keep_mean: table.boolean(reader, "keep_mean"),
         scale: table.ratio(reader, "scale"),
         is_incomplete: false,
     }

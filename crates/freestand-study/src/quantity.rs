@@ -127,6 +127,7 @@ static UNITS: &[Unit] = &[
     Unit { factor: G0_M_S2, ..unit("mg", Dimension::Acceleration, -3, false) },
     Unit { aliases: &["cm/s/s"], ..unit("cm/s2", Dimension::Acceleration, -2, true) },
     Unit { aliases: &["mm/s/s"], ..unit("mm/s2", Dimension::Acceleration, -3, false) },
+    Unit { aliases: &["nm/s/s"], ..unit("nm/s2", Dimension::Acceleration, -9, false) },
     unit("gal", Dimension::Acceleration, -2, true),
     unit("N/mm", Dimension::Stiffness, 3, true),
     unit("N/m", Dimension::Stiffness, 0, true),

@@ -217,6 +217,8 @@ impl Resolver<'_> {
                 ("unit", written.unit.as_ref().map(|w| w.line)),
                 ("dt", written.dt_s.as_ref().map(|w| w.line)),
                 ("component", written.component.as_ref().map(|w| w.line)),
+                ("station_xml", written.station_xml.as_ref().map(|w| w.line)),
+                ("keep_mean", written.keep_mean.as_ref().map(|w| w.line)),
                 ("scale", written.scale.as_ref().map(|w| w.line)),
             ] {
                 if line.is_some() {
@@ -257,9 +259,13 @@ impl Resolver<'_> {
         }
         let files = MotionFiles {
             paths: motions.value.iter().map(|file| self.base_dir.join(&file.value)).collect(),
-            read: ReadOptions { unit: unit_only.unit, ..dt_only },
+            read: ReadOptions {
+                unit: unit_only.unit,
+                station_xml: written.station_xml.as_ref().map(|file| self.base_dir.join(&file.value)),
+                ..dt_only
+            },
             component: written.component.as_ref().map(|w| w.value.clone()),
-            processing: Processing { scale_ratio: or(&written.scale, 1.0), ..Processing::default() },
+            processing: Processing { keep_mean: or(&written.keep_mean, false), scale_ratio: or(&written.scale, 1.0) },
         };
         let lines: Vec<usize> = motions.value.iter().map(|file| file.line).collect();
         self.recorded(&files, Some(&lines))

@@ -153,6 +153,48 @@ fn channels_of_the_caltech_family_are_named() {
     }
 }
 
+/// Counts with a StationXML beside them, and single-precision values in g: both with the offset of the instrument.
+#[test]
+fn raw_binary_records_agree_with_their_facts() {
+    let Some(shared) = shared() else { return };
+    let index: Value = serde_json::from_slice(&std::fs::read(shared.join("records/index.json")).unwrap()).unwrap();
+    for (name, format, unit, station, unit_m_s2) in [
+        ("CI.CLC..HNE.mseed", "miniSEED 2", None, "CI.CLC", 1.0),
+        ("20190706031952.CJ.T001230.HNE.sac", "SAC", Some("g"), "CJ.T001230", freestand::G0_M_S2),
+    ] {
+        let record = index["records"].as_array().unwrap().iter().find(|record| record["file"] == name).expect(name);
+        let fact = &record["channels"][0];
+        let file = read(&shared.join("records").join(name), unit, None);
+        let [one] = file.components.as_slice() else { panic!("{} components", file.components.len()) };
+        assert_eq!((file.format, one.name.as_str(), one.station.as_deref()), (format, "HNE", Some(station)));
+        assert_eq!((one.direction, one.is_raw), (Some(Direction::Azimuth(90.0)), true));
+        assert_eq!(Some(one.unit), fact["unit"].as_str());
+        let accel = one.motion.accel_m_s2();
+        assert_eq!(accel.len() as u64, fact["npts"].as_u64().unwrap());
+        // Exact: the decimal that the header means.
+        assert_eq!(Some(one.motion.dt_s()), fact["dt_s"].as_f64());
+        let given: Vec<f64> = accel.iter().map(|a| a / unit_m_s2).collect();
+        let first = fact["first4"].as_array().unwrap().iter().zip(&given);
+        let last = fact["last2"].as_array().unwrap().iter().zip(&given[given.len() - 2..]);
+        // The facts have 7 significant digits: half of 1e-6 of the leading digit.
+        for (fact, a) in first.chain(last) {
+            assert_close(*a, fact, 5.1e-7);
+        }
+        assert_close(given[fact["pga_as_given_index"].as_u64().unwrap() as usize], &fact["pga_as_given"], 5.1e-7);
+        assert_close(given.iter().map(|a| a.abs()).sum(), &fact["sum_abs"], 5.1e-7);
+        for (raw, a) in fact["raw_first4"].as_array().into_iter().flatten().zip(&given) {
+            // Counts are whole: the product with the sensitivity has two roundings.
+            assert_close(a * fact["sensitivity"].as_f64().unwrap(), raw, 2.0 * f64::EPSILON);
+        }
+        let used = process(one, &Processing::default()).unwrap();
+        let peak = &fact["pga_m_per_s2"];
+        assert_close(used.motion.peak_m_s2(), peak, 5.1e-7);
+        assert!(used.steps[0].contains("mean of"), "{:?}", used.steps);
+    }
+    let file = read(&shared.join("records/CI.CLC..HNE.mseed"), None, None);
+    assert!(file.notes.iter().any(|note| note.contains("in CI.CLC.xml, 213945 counts/(M/S**2)")), "{:?}", file.notes);
+}
+
 #[test]
 fn records_that_leave_unit_or_step_open_are_refused() {
     let Some(shared) = shared() else { return };

@@ -51,6 +51,7 @@ pub(crate) struct RunArgs {
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if args.motion.is_empty() {
         args.read.refuse_without_record(|keys| {
+            let keys = keys.replace('-', "_");
             format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
         })?;
     }

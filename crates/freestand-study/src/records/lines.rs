@@ -30,6 +30,34 @@ pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     Ok(bytes)
 }
 
+const UNPACK: &str = "unpack it first";
+const CONVERT: &str = "convert the record to miniSEED, AT2, or CSV with time and acceleration columns";
+const NAME_RECORD: &str = "name the record file; a StationXML goes to --station-xml";
+
+/// What else people have in hand: where a signature stands, the signature, what it is, what to do.
+const OTHERS: &[(usize, &[u8], &str, &str)] = &[
+    (0, b"\x1F\x8B", "a gzip file", UNPACK),
+    (0, b"PK\x03\x04", "a zip file (or an office document, which is one)", "unpack it first; save a worksheet as CSV"),
+    (0, b"BZh", "a bzip2 file", UNPACK),
+    (0, b"\xFD7zXZ\x00", "an xz file", UNPACK),
+    (0, b"7z\xBC\xAF", "a 7-zip file", UNPACK),
+    (257, b"ustar", "a tar file", UNPACK),
+    (0, b"\xD0\xCF\x11\xE0", "an Excel or Word file of old", "save the worksheet as CSV"),
+    (0, b"\x89HDF\r\n\x1A\n", "an HDF5 file (ASDF, MATLAB 7.3)", CONVERT),
+    (0, b"MATLAB 5.0", "a MATLAB file", CONVERT),
+    (0, b"\x93NUMPY", "a NumPy file", CONVERT),
+    (0, b"K\x01\x01", "a Kinemetrics EVT file", CONVERT),
+    (0, b"WID2 ", "a GSE2 file", CONVERT),
+    (0, b"BEGIN GSE2", "a GSE2 file", CONVERT),
+    (0, b"XW01", "a GSE1 file", CONVERT),
+    (0, b"WID1 ", "a GSE1 file", CONVERT),
+    (0, b"\x89PNG", "a picture (PNG)", "name the record file itself"),
+    (0, b"\xFF\xD8\xFF", "a picture (JPEG)", "name the record file itself"),
+    (0, b"%PDF", "a PDF document", "name the record file itself"),
+    (0, b"<?xml", "an XML document", NAME_RECORD),
+    (0, b"<FDSNStationXML", "a StationXML", NAME_RECORD),
+];
+
 /// Refuses what is not text, and removes what is not content: a byte-order mark, the end-of-file character of DOS.
 pub(super) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
@@ -43,6 +71,11 @@ pub(super) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
     }
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(Problem::new(ProblemKind::Format, "the file is empty").hint("check that the record was saved"));
+    }
+    if let Some((_, _, kind, remedy)) =
+        OTHERS.iter().find(|(at, start, ..)| bytes.get(*at..).is_some_and(|rest| rest.starts_with(start)))
+    {
+        return Err(Problem::new(ProblemKind::Format, format!("is {kind}")).hint(*remedy));
     }
     if bytes.contains(&0) {
         return Err(Problem::new(ProblemKind::Format, "is a binary file; no binary format is recognised in it")
@@ -152,6 +185,11 @@ mod tests {
             (b"\xEF\xBB\xBF\n\x1A", "empty"),
             (b"\xFF\xFE0\x00", "UTF-16"),
             (b"12 \x00 3", "binary"),
+            (b"\x1F\x8B\x08", "a gzip file"),
+            (b"PK\x03\x04\x14", "a zip file"),
+            (b"\x89HDF\r\n\x1A\n\0", "an HDF5 file"),
+            (b"WID2 2009/05/18 06:47:20.255", "a GSE2 file"),
+            (b"\xEF\xBB\xBF<?xml version=", "an XML document"),
         ] {
             assert!(check_text(&mut bytes.to_vec()).unwrap_err().message.contains(message), "{bytes:?}");
         }

@@ -2,6 +2,7 @@
 
 mod at2;
 mod bhrc;
+mod binary;
 mod columns;
 mod cosmos;
 mod csmip;
@@ -13,16 +14,20 @@ mod format;
 mod fortran;
 mod geonet;
 mod headings;
+mod instant;
 mod keyed;
 mod knet;
 mod lines;
+mod mseed;
 mod nsmn;
 mod pairs;
 mod rows;
+mod sac;
 mod sampling;
 mod sigma;
 mod smc;
 mod stated_step;
+mod station_xml;
 mod table;
 mod unam;
 mod units;
@@ -96,7 +101,7 @@ pub struct Component {
     pub is_raw: bool,
     /// The motion, as the file has it.
     pub motion: Motion,
-    /// Line of the first value, counted from 1.
+    /// Line of the first value, counted from 1; 1 in a binary file.
     pub line_of_first_value: usize,
 }
 
@@ -109,7 +114,8 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, St
     parse_motions(load(path)?, path, options)
 }
 
-/// As [`read_motions`], from text in memory; `path` names it in messages.
+/// As [`read_motions`], from bytes in memory; `path` names them in messages, and a miniSEED file's StationXML is looked for
+/// beside it.
 ///
 /// # Errors
 /// As [`read_motions`].
@@ -122,8 +128,11 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, St
 /// # Ok::<(), freestand_study::StudyError>(())
 /// ```
 pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> Result<MotionFile, StudyError> {
-    lines::check_text(&mut bytes).map_err(|problem| problem.in_file(path))?;
-    Ok(read_bytes(&bytes, path, options)?)
+    // A wrong flag is no fault of the file.
+    options.check()?;
+    let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
+    let Reading { format, components, notes } = read(&bytes, path, options).map_err(|problem| problem.in_file(path))?;
+    Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
 }
 
 /// What a reader finds in a file.
@@ -137,8 +146,14 @@ struct Reading {
 struct Family {
     /// Looks at the first lines; the first family that says yes reads the file.
     recognises: fn(&[u8]) -> bool,
-    read: fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>,
+    read: Reader,
 }
+
+type Reader = fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>;
+
+/// Formats that are no text. They are asked first: what they do not recognise must be text.
+const BINARY: &[Family] =
+    &[Family { recognises: mseed::is_mseed, read: mseed::read }, Family { recognises: sac::is_sac, read: sac::read }];
 
 /// From the most particular signature to the least; what none recognises is columns.
 const FAMILIES: &[Family] = &[
@@ -154,21 +169,22 @@ const FAMILIES: &[Family] = &[
     Family { recognises: dyna::is_dyna, read: dyna::read },
     Family { recognises: nsmn::is_nsmn, read: nsmn::read },
     Family { recognises: sigma::is_sigma, read: sigma::read },
+    Family { recognises: sac::is_text_sac, read: sac::read_text },
     Family { recognises: at2::is_at2, read: at2::read },
 ];
 
-/// How much of a file is looked at to tell its format: more than the longest header, 300 lines of 80 characters.
+/// How much of a text is looked at to tell its format: more than the longest header, 300 lines of 80 characters. A file of
+/// one endless line must not be searched for each signature.
 const SNIFFED_BYTES: usize = 64 << 10;
 
-fn read_bytes(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<MotionFile, Problem> {
-    // A wrong flag is no fault of the file.
-    options.check()?;
-    // Signatures stand at the start; a file of one endless line must not be searched for each of them.
+/// The reader of the format that the content shows; what is not binary is made sure to be text.
+fn reader(bytes: &mut Vec<u8>) -> Result<Reader, Problem> {
+    if let Some(family) = BINARY.iter().find(|family| (family.recognises)(bytes)) {
+        return Ok(family.read);
+    }
+    lines::check_text(bytes)?;
     let head = &bytes[..bytes.len().min(SNIFFED_BYTES)];
-    let read =
-        FAMILIES.iter().find(|family| (family.recognises)(head)).map_or(columns::read as _, |family| family.read);
-    let Reading { format, components, notes } = read(bytes, path, options).map_err(|problem| problem.in_file(path))?;
-    Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
+    Ok(FAMILIES.iter().find(|family| (family.recognises)(head)).map_or(columns::read, |family| family.read))
 }
 
 impl MotionFile {
@@ -320,6 +336,12 @@ fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
         let name = shorten(&component.name);
         format!("{name}: the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2")
     })
+}
+
+/// In a binary file nothing stands on a line.
+fn without_line(mut problem: Problem) -> Problem {
+    problem.line = None;
+    problem
 }
 
 /// Samples in m/s² as a motion.

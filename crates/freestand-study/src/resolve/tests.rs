@@ -136,6 +136,32 @@ fn recorded_motions_are_named_and_fingerprinted() {
     assert!(matches!(study.ground, Ground::Recorded(motions) if motions.len() == 1));
 }
 
+/// 2000, -1000, 0 and 500 counts, 1000 for 1 m/s2, around their mean of 375.
+#[test]
+fn a_raw_record_has_its_station_and_its_mean_in_the_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::write(folder.join("a.mseed"), crate::fixture::mseed_record()).unwrap();
+    std::fs::create_dir(folder.join("xml")).unwrap();
+    let xml = "<FDSNStationXML><Network code='XX'><Station code='ABC'><Channel code='HNE' locationCode=''><Response>\
+        <InstrumentSensitivity><Value>1000</Value><InputUnits><Name>M/S**2</Name></InputUnits>\
+        <OutputUnits><Name>COUNTS</Name></OutputUnits></InstrumentSensitivity></Response></Channel></Station></Network></FDSNStationXML>";
+    std::fs::write(folder.join("xml/s.xml"), xml).unwrap();
+    let study =
+        |keys: &str| resolve(&format!("[ground]\nmotions = [\"a.mseed\"]\n{keys}"), Some(Path::new("s.toml")), folder);
+    for (keys, peak_m_s2) in [("", 1.625), ("keep_mean = false\n", 1.625), ("keep_mean = true\n", 2.0)] {
+        let Ground::Recorded(motions) = study(&format!("station_xml = \"xml/s.xml\"\n{keys}")).unwrap().ground else {
+            panic!()
+        };
+        // Exact: halves and eighths.
+        assert_eq!(motions[0].motion.peak_m_s2(), peak_m_s2, "{keys}");
+    }
+    let message = study("station_xml = \"s.xml\"\n").unwrap_err().to_string();
+    assert!(message.contains("s.xml: cannot open"), "{message}");
+    assert_eq!(problems("[ground]\nkeep_mean = true\n"), ["s.toml:2: keep_mean goes with motions"]);
+    assert_eq!(problems("[ground]\nstation_xml = \"a\"\n"), ["s.toml:2: station_xml goes with motions"]);
+}
+
 #[test]
 fn the_motion_of_the_history_is_one_of_the_study() {
     let study = |name: &str| {
