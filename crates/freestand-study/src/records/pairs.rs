@@ -8,8 +8,9 @@ use super::sampling::{Uneven, time_step};
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 
-/// Most samples that an uneven record is given unasked: hours of record at 1 ms. A damaged time must not fill the memory.
+/// Most samples that an uneven record is given unasked: hours of record at 1 ms, or 10 s of it between two points. A damaged time must not fill the memory.
 const MOST_UNASKED: f64 = 1e7;
+const MOST_FOR_A_POINT: f64 = 1e4;
 
 /// A series of pairs.
 pub(super) struct Pairs {
@@ -107,7 +108,8 @@ impl Pairs {
         }
         let step = options.resample_dt_s.or_else(|| common_step(&self.times_s, self.last_digit_exponent));
         let span_s = self.times_s[self.times_s.len() - 1] - self.times_s[0];
-        let Some(dt_s) = step.filter(|dt_s| options.resample_dt_s.is_some() || span_s / dt_s <= MOST_UNASKED) else {
+        let most = MOST_UNASKED.min(MOST_FOR_A_POINT * self.times_s.len() as f64);
+        let Some(dt_s) = step.filter(|dt_s| options.resample_dt_s.is_some() || span_s / dt_s <= most) else {
             let message =
                 format!("the record of {span_s} s is unevenly sampled, and too long for the step of its times");
             return Err(Problem::new(ProblemKind::Format, message)

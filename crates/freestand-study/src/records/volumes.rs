@@ -73,18 +73,14 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
         }
         skip_to_next_channel(&mut rest);
     }
-    match refused {
-        Some((what, line)) if components.is_empty() => Err(not_acceleration(&what, line)),
-        Some((what, line)) => {
-            notes.push(format!("line {line}: a channel that holds {what} is left out"));
-            super::tell_apart(&mut components);
-            Ok(Reading { format, components, notes })
+    if let Some((what, line)) = refused {
+        if components.is_empty() {
+            return Err(not_acceleration(&what, line));
         }
-        None => {
-            super::tell_apart(&mut components);
-            Ok(Reading { format, components, notes })
-        }
+        notes.push(format!("line {line}: a channel that holds {what} is left out"));
     }
+    super::tell_apart(&mut components);
+    Ok(Reading { format, components, notes })
 }
 
 fn not_acceleration(what: &str, line: usize) -> Problem {

@@ -10,6 +10,7 @@ use freestand::G0_M_S2;
 
 /// Most lines of text above a channel: 13 in volume I, 25 in volume II, and some wrapped.
 const MOST_TEXT: usize = 60;
+
 /// Text, integers and reals of a channel.
 pub(super) struct Header {
     pub(super) text: Vec<String>,
