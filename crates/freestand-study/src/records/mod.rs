@@ -3,6 +3,7 @@
 mod at2;
 mod bhrc;
 mod columns;
+mod dialect;
 mod direction;
 mod dyna;
 mod even_grid;
