@@ -1,11 +1,12 @@
 //! Motions in columns: with or without a time column, a header, units.
 
+use super::dialect::Separator;
 use super::even_grid::on_even_grid;
 use super::fortran::is_missing_value;
 use super::headings::{Heading, heading, is_time_name, other_quantity};
 use super::sampling::{Uneven, even_step, time_step};
 use super::stated_step::{dt_in_comment, step_in_prose};
-use super::table::{self, Separator, Table};
+use super::table::{self, Table};
 use super::units::{Stated, decide, missing, record_unit, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};

@@ -91,7 +91,7 @@ fn name_and_direction(header: &Header, path: &Path) -> (String, Option<Direction
     }
     match header.text("COMPONENT") {
         "" => (file_stem(path), None),
-        "WE" => ("WE".to_owned(), Some(Direction::Azimuth(90.0))),
+        name if name.eq_ignore_ascii_case("WE") => (name.to_owned(), Some(Direction::Azimuth(90.0))),
         name => (name.to_owned(), Direction::parse(name)),
     }
 }

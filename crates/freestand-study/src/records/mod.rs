@@ -7,6 +7,7 @@ mod columns;
 mod cosmos;
 mod csmip;
 mod cwa;
+mod dialect;
 mod direction;
 mod dyna;
 mod even_grid;

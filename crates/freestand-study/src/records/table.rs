@@ -1,7 +1,8 @@
 //! Columns of numbers as text: separators, headers and comments of many hands, told apart by looking.
 
 use super::at2::bad_field;
-use super::fortran::{BadField, Number, fields, is_missing_value, number};
+use super::dialect::{Dialect, LONGEST_ROW, Separator, cells, dialect_of};
+use super::fortran::{BadField, Number, fields, is_missing_value};
 use super::lines::{Line, lines};
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
@@ -12,24 +13,6 @@ const HEADER_LINES: usize = 20_000;
 /// Of the lines above the numbers so many are kept, half of them the first and half the last: units and steps are stated
 /// at the top, headings at the bottom.
 const KEPT_LINES: usize = 1000;
-
-/// Longest line \[bytes\]: some hundred thousand numbers, far beyond any table. A longer one would take ten times the
-/// memory of its text, only to be refused.
-const LONGEST_ROW: usize = 4 << 20;
-
-/// What stands between the columns.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Separator {
-    Byte(u8),
-    Blank,
-}
-
-/// How the rows are written.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Dialect {
-    pub(super) separator: Separator,
-    pub(super) decimal_comma: bool,
-}
 
 /// A column as it was read.
 #[derive(Debug, Default)]
@@ -63,19 +46,15 @@ fn is_row(line: &Line<'_>) -> bool {
 
 /// Reads a table.
 pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
-    if let Some(line) = lines(bytes).find(|line| line.bytes.len() > LONGEST_ROW) {
-        let message = format!("a line of {} MB is no row of a table", line.bytes.len() >> 20);
-        return Err(Problem::new(ProblemKind::Format, message)
-            .at_line(line.number)
-            .hint("write one row a line, or the values of one series under an AT2 header (NPTS, DT)"));
-    }
     let (mut header, mut comments) = (Vec::new(), Vec::new());
     let mut rest = lines(bytes);
     let (dialect, first) = loop {
         let before = rest.clone();
         let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
             return Err(Problem::new(ProblemKind::Format, "no row of numbers was found; the format is not recognised")
-                .hint("formats read: PEER AT2, and text with columns of time and acceleration"));
+                .hint(
+                    "formats read: PEER AT2, those of the agencies, and text with columns of time and acceleration",
+                ));
         };
         if line.is_comment() {
             let text = line.text();
@@ -180,90 +159,6 @@ fn words(text: &str) -> Vec<String> {
     out
 }
 
-/// How a line of numbers is written; `None` if it is not one.
-fn dialect_of(line: &[u8]) -> Option<Dialect> {
-    let has = |byte: u8| line.contains(&byte);
-    let candidates = [
-        (has(b';'), Separator::Byte(b';'), has(b',') && !has(b'.')),
-        (has(b'\t') && has(b','), Separator::Byte(b'\t'), true),
-        (has(b','), Separator::Byte(b','), false),
-        (has(b',') && has(b'"') && !has(b'.'), Separator::Byte(b','), true),
-        (has(b'\t'), Separator::Byte(b'\t'), false),
-        (has(b','), Separator::Blank, true),
-        (true, Separator::Blank, false),
-    ];
-    candidates
-        .into_iter()
-        .filter(|(possible, ..)| *possible)
-        .map(|(_, separator, decimal_comma)| Dialect { separator, decimal_comma })
-        .find(|dialect| looks_like_a_row(dialect, line))
-}
-
-/// All cells are numbers, missing or empty, and not all are empty. Missing counts: `NaN` in the first row is to be
-/// refused as a value, not skipped as a header.
-fn looks_like_a_row(dialect: &Dialect, line: &[u8]) -> bool {
-    let (mut numbers, mut words, mut others) = (0, 0, 0);
-    for cell in cells(dialect, line) {
-        match cell {
-            Ok(_) => numbers += 1,
-            Err(BadField::Missing(text)) if text.is_empty() => {}
-            Err(BadField::Missing(_)) => words += 1,
-            Err(BadField::NotANumber(_)) => others += 1,
-        }
-    }
-    others == 0 && (numbers > 0 || words > 1)
-}
-
-/// The cells of a line, each a number or what stands instead of one.
-fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadField>> {
-    let mut out = Vec::new();
-    match dialect.separator {
-        Separator::Blank if !dialect.decimal_comma => {
-            // After a bad field nothing is known about the rest, so it is taken word by word.
-            let mut good = 0;
-            if fields(line, |_| good += 1).is_ok() {
-                let _ = fields(line, |number| out.push(Ok(number)));
-            } else {
-                out.extend(
-                    line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
-                );
-            }
-        }
-        Separator::Blank => {
-            out.extend(
-                line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
-            );
-        }
-        // Tabs before the first column and behind the last align, and hold no cells.
-        Separator::Byte(b'\t') => {
-            out.extend(line.trim_ascii().split(|&b| b == b'\t').map(|text| cell(dialect, text)));
-        }
-        Separator::Byte(byte) => {
-            let mut quoted = false;
-            let parts = line.split(|&b| {
-                quoted ^= b == b'"';
-                b == byte && !quoted
-            });
-            out.extend(parts.map(|text| cell(dialect, text)));
-        }
-    }
-    out
-}
-
-fn cell(dialect: &Dialect, text: &[u8]) -> Result<Number, BadField> {
-    let text = text.trim_ascii();
-    let text = text.strip_prefix(b"\"").and_then(|text| text.strip_suffix(b"\"")).unwrap_or(text).trim_ascii();
-    let found = match text.iter().position(|&b| b == b',') {
-        Some(at) if dialect.decimal_comma => {
-            let mut with_point = text.to_vec();
-            with_point[at] = b'.';
-            number(&with_point)
-        }
-        _ => number(text),
-    };
-    found.ok_or_else(|| if text.is_empty() { BadField::Missing(String::new()) } else { BadField::new(text) })
-}
-
 /// The last header line must not be a first row with a slip in it ("O.123"): that would lose a sample in silence.
 fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: &[u8]) -> Result<(), Problem> {
     let Some((line, text)) = header.last() else { return Ok(()) };
@@ -313,6 +208,11 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
     let dialect = table.dialect;
     let plain_blanks = dialect == Dialect { separator: Separator::Blank, decimal_comma: false };
     for line in rows {
+        if line.bytes.len() > LONGEST_ROW {
+            return Err(Problem::new(ProblemKind::Format, "a row is longer than 4 MiB")
+                .at_line(line.number)
+                .hint("write one row for each time"));
+        }
         let mut at = 0;
         let first_row = table.columns.is_empty();
         let mut put = |columns: &mut Vec<Column>, number: Number| {
