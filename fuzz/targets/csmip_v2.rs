@@ -1,3 +1,6 @@
 //! CSMIP Volume 2.
 #![no_main]
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| freestand_fuzz::check_family(b"Corrected accelerogram      \nUncorrected      \n", bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| freestand_fuzz::check_family(
+    b"Corrected accelerogram      \nUncorrected      \n",
+    bytes
+));

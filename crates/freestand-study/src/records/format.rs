@@ -96,7 +96,8 @@ impl Format {
                 .hint("the number of values in the header does not fit the file"));
             }
         }
-        Ok(Block { values, first_line })
+        // A block of no values has no line; the one that was read last announced it.
+        Ok(Block { values, first_line: if first_line == 0 { lines.line_number().max(1) } else { first_line } })
     }
 
     pub(super) fn read_line(self, line: &Line<'_>, wanted: usize, values: &mut Vec<f64>) -> Result<(), Problem> {
@@ -202,6 +203,7 @@ mod tests {
         assert!(read("    1    x\n", Format::new(2, 5), 2).unwrap_err().starts_with("line 1: "));
         assert!(read("    1    2    3\n", Format::new(3, 5), 2).unwrap_err().contains("3 values"));
         assert!(read("", Format::new(2, 5), usize::MAX).unwrap_err().contains("ends after 0"));
+        assert_eq!(Format::new(2, 5).read(&mut lines(b""), 0, "it").unwrap().first_line, 1);
         let block = Format::new(2, 5).read(&mut lines(b"    1    2\n    3 -999\n"), 4, "it").unwrap();
         assert!(
             block.refuse_missing(Format::new(2, 5), |v| v == -999.0).map_err(told).unwrap_err().starts_with("line 2: ")

@@ -16,11 +16,11 @@ pub(super) struct Rows {
 /// Reads every line that is left as one row of `format`; blank lines hold none.
 ///
 /// # Errors
-/// A field that is no number, a value that stands for a missing one, a row with more or fewer values.
+/// No row at all, a field that is no number, a value that stands for a missing one, a row with more or fewer values.
 pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Problem> {
     let mut columns: Vec<Vec<f64>> = vec![Vec::new(); format.per_line];
     let (mut row, mut first_line) = (Vec::new(), 0);
-    for line in lines {
+    for line in lines.by_ref() {
         if line.is_blank() {
             continue;
         }
@@ -42,6 +42,11 @@ pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Proble
             column.push(*value);
         }
     }
+    if first_line == 0 {
+        return Err(Problem::new(ProblemKind::Format, "no row of numbers follows the header")
+            .at_line(lines.line_number().max(1))
+            .hint("the file may be cut off: fetch it again"));
+    }
     Ok(Rows { columns, first_line })
 }
 
@@ -60,8 +65,9 @@ mod tests {
         // Exact: each value is the nearest f64 to the decimal number.
         let touching = "\n   0.000-999.999\r\n   0.0051234.567\n\n";
         assert_eq!(read(touching), Ok((vec![vec![0.0, 0.005], vec![-999.999, 1234.567]], 2)));
-        assert_eq!(read(""), Ok((vec![vec![], vec![]], 0)));
         for (text, line) in [
+            ("\n \n", "line 2: no row"),
+            ("", "line 1: no row"),
             ("   0.000   1.000\n   0.005\n", "line 2: a row has 2 values"),
             ("   0.000   1.000\n   0.005   1.000   1.000\n", "line 2: a row has 2 values"),
             ("   0.000   1.000\n   0.005-999.000\n", "line 2: \"-999\" stands for a missing value"),
