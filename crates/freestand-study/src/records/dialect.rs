@@ -2,9 +2,6 @@
 
 use super::fortran::{BadField, Number, fields, number};
 
-/// Longer lines are no rows: the cells of a line take ten times the memory of its text.
-pub(super) const LONGEST_ROW: usize = 4 << 20;
-
 /// What stands between the columns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Separator {
@@ -21,9 +18,6 @@ pub(super) struct Dialect {
 
 /// How a line of numbers is written; `None` if it is not one.
 pub(super) fn dialect_of(line: &[u8]) -> Option<Dialect> {
-    if line.len() > LONGEST_ROW {
-        return None;
-    }
     let has = |byte: u8| line.contains(&byte);
     let candidates = [
         (has(b';'), Separator::Byte(b';'), has(b',') && !has(b'.')),

@@ -1,7 +1,7 @@
 //! Columns of numbers as text: separators, headers and comments of many hands, told apart by looking.
 
 use super::at2::bad_field;
-use super::dialect::{Dialect, LONGEST_ROW, Separator, cells, dialect_of};
+use super::dialect::{Dialect, Separator, cells, dialect_of};
 use super::fortran::{BadField, Number, fields, is_missing_value};
 use super::lines::{Line, lines};
 use super::units::missing;
@@ -13,6 +13,10 @@ const HEADER_LINES: usize = 20_000;
 /// Of the lines above the numbers so many are kept, half of them the first and half the last: units and steps are stated
 /// at the top, headings at the bottom.
 const KEPT_LINES: usize = 1000;
+
+/// Longest line \[bytes\]: some hundred thousand numbers, far beyond any table. A longer one would take ten times the
+/// memory of its text, only to be refused.
+const LONGEST_ROW: usize = 4 << 20;
 
 /// A column as it was read.
 #[derive(Debug, Default)]
@@ -46,6 +50,12 @@ fn is_row(line: &Line<'_>) -> bool {
 
 /// Reads a table.
 pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
+    if let Some(line) = lines(bytes).find(|line| line.bytes.len() > LONGEST_ROW) {
+        let message = format!("a line of {} MB is no row of a table", line.bytes.len() >> 20);
+        return Err(Problem::new(ProblemKind::Format, message)
+            .at_line(line.number)
+            .hint("write one row a line, or the values of one series under an AT2 header (NPTS, DT)"));
+    }
     let (mut header, mut comments) = (Vec::new(), Vec::new());
     let mut rest = lines(bytes);
     let (dialect, first) = loop {
@@ -208,11 +218,6 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
     let dialect = table.dialect;
     let plain_blanks = dialect == Dialect { separator: Separator::Blank, decimal_comma: false };
     for line in rows {
-        if line.bytes.len() > LONGEST_ROW {
-            return Err(Problem::new(ProblemKind::Format, "a row is longer than 4 MiB")
-                .at_line(line.number)
-                .hint("write one row for each time"));
-        }
         let mut at = 0;
         let first_row = table.columns.is_empty();
         let mut put = |columns: &mut Vec<Column>, number: Number| {
