@@ -106,7 +106,8 @@ fn info(
     component: &Component,
     processing: &Processing,
 ) -> Result<MotionInfo, freestand_study::Problem> {
-    let Processed { motion, steps } = process(component, processing).map_err(|problem| problem.in_file(&file.path))?;
+    let Processed { motion, steps, .. } =
+        process(component, processing).map_err(|problem| problem.in_file(&file.path))?;
     let m = measures(&motion);
     Ok(MotionInfo {
         path: path_text(&file.path),
