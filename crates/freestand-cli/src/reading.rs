@@ -38,19 +38,22 @@ pub(crate) struct ReadArgs {
 }
 
 impl ReadArgs {
-    /// Refuses flags that no record is read with.
+    /// Refuses flags that no record is read with; the hint is made from their names in a study.
     pub(crate) fn refuse_without_record(&self, hint: impl FnOnce(&str) -> String) -> Result<(), Failure> {
         let flags = [("unit", &self.unit), ("dt", &self.dt), ("component", &self.component), ("scale", &self.scale)];
         let mut given: Vec<&str> =
             flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
         given.extend(self.station_xml.is_some().then_some("station-xml"));
-        given.extend(self.keep_mean.then_some("keep-mean"));
-        given.extend(self.process.given());
+        let mut keys: Vec<String> = given.iter().map(|&name| name.to_owned()).collect();
+        let processing: Vec<&str> =
+            self.keep_mean.then_some("keep-mean").into_iter().chain(self.process.given()).collect();
+        keys.extend(processing.iter().map(|name| format!("processing.{}", name.replace('-', "_"))));
+        given.extend(processing);
         if given.is_empty() {
             return Ok(());
         }
         let message = format!("--{} without --motion", given.join(", --"));
-        Err(Failure::usage(message, hint(&given.join(", "))))
+        Err(Failure::usage(message, hint(&keys.join(", "))))
     }
 
     /// The files with what was said about them; what is wrong goes into `values`.

@@ -124,8 +124,9 @@ pub fn process_pair(
 
 /// What must be said of components that are taken as perpendicular but point otherwise.
 pub fn not_perpendicular(first: &Component, second: &Component) -> Option<String> {
-    let between = (azimuth_of(first)? - azimuth_of(second)?).rem_euclid(180.0);
-    ((between - 90.0).abs() > 1.0).then(|| {
+    let turn = (azimuth_of(first)? - azimuth_of(second)?).rem_euclid(180.0);
+    let between = turn.min(180.0 - turn);
+    (between < 89.0).then(|| {
         format!("the components are {between} degrees apart: spectra over all directions take them as perpendicular")
     })
 }
@@ -180,7 +181,8 @@ fn aligned(
             motion = Motion::new(motion.dt_s(), kept)
                 .map_err(|error| refused("the shorter component", error, "check that the record is complete"))?;
             let name = &component.name;
-            steps.push(format!("last {surplus} samples of {name} left out: the other component does not have them"));
+            let last = if surplus == 1 { "last sample".to_owned() } else { format!("last {surplus} samples") };
+            steps.push(format!("{last} of {name} left out: the other component ends before"));
         }
         if component.is_raw && !keep_mean {
             let (centred, mean_m_s2) = take_mean(&motion)?;

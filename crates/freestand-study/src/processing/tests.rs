@@ -124,7 +124,7 @@ fn components_of_different_length_are_cut_to_the_shorter_and_it_is_said() {
     let azimuth = Processing { azimuth_deg: Some(30.0), ..Processing::default() };
     let (done, _) = process_file(&file, None, &azimuth).unwrap();
     assert_eq!(done.motion.accel_m_s2().len(), 700);
-    assert_eq!(done.steps[0], "last 101 samples of N-S left out: the other component does not have them");
+    assert_eq!(done.steps[0], "last 101 samples of N-S left out: the other component ends before");
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub enum BaselineError {
         degree: usize,
     },
     /// A time that is not within the motion, or leaves too little of it.
-    #[error("{name} must be {range} of a motion of {duration_s} s, not {time_s} s")]
+    #[error("{name} must be {range} the motion of {duration_s} s, not {time_s} s")]
     Time {
         /// Which time.
         name: &'static str,
@@ -179,7 +179,7 @@ fn two_offsets(motion: &Motion, t1_s: f64, t2_s: f64) -> Result<Vec<f64>, Baseli
     let (first, second) = (sample_near(t1_s, dt_s, accel.len()), sample_near(t2_s, dt_s, accel.len()));
     // A line through fewer than ten samples is no average of anything.
     if !(t2_s < duration_s && second > first && accel.len() - second > LEAST_AFTER) {
-        return Err(wrong("t2", "after t1, with ten samples after it,", t2_s));
+        return Err(wrong("t2", "after t1, with ten samples after it, within", t2_s));
     }
     let velocity = cumulative_trapezoid(dt_s, accel);
     // The velocity at t₂ itself has half a step of both offsets in it.

@@ -179,6 +179,13 @@ impl Section {
 ///
 /// # Errors
 /// As [`filtered`].
+///
+/// # Example
+/// ```
+/// use freestand::signal::filter::high_pass_sections;
+/// assert_eq!(high_pass_sections(0.1, 5, 0.01)?.len(), 3); // one of first order, two of second
+/// # Ok::<(), freestand::signal::filter::FilterError>(())
+/// ```
 pub fn high_pass_sections(corner_hz: f64, order: u32, dt_s: f64) -> Result<Vec<Section>, FilterError> {
     let warped = warped(corner_hz, order, dt_s)?;
     Ok(sections(order, warped, |poles| match poles {

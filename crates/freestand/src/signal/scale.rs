@@ -56,6 +56,15 @@ pub fn factor_to_peak(motion: &Motion, target_m_s2: f64) -> Result<f64, ScaleErr
 ///
 /// # Errors
 /// As [`factor_to_peak`]; a negative period, damping outside 0 ≤ ζ < 1.
+///
+/// # Example
+/// ```
+/// use freestand::{motion::Motion, signal::scale::factor_to_sa};
+/// let step = Motion::new(0.01, vec![1.0; 301])?;
+/// // A sudden load counts twice on an undamped oscillator, at half its period.
+/// assert!((factor_to_sa(&step, 2.0, 0.0, 3.0)? - 1.5).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn factor_to_sa(motion: &Motion, period_s: f64, damping_ratio: f64, target_m_s2: f64) -> Result<f64, ScaleError> {
     let spectrum = response_spectrum(motion, damping_ratio, &[period_s])?;
     factor(spectrum.psa_m_s2.first().copied().unwrap_or(0.0), target_m_s2, period_s)
