@@ -103,6 +103,36 @@ fn a_record_of_your_own_takes_the_place_of_the_motions() {
     assert!(folder.path().join("out/motions/mine.csv").is_file());
 }
 
+/// The motions of an output folder are as they were used: its study does not process them again.
+#[test]
+fn a_processed_record_runs_again_to_the_same_bytes() {
+    let folder = folder();
+    let rows: String = (0..400)
+        .map(|i| {
+            let wave = 0.4 * (0.05 * f64::from(i)).sin();
+            format!("{},{wave:.6},{:.6}\n", 0.02 * f64::from(i), 0.5 * wave)
+        })
+        .collect();
+    fs::write(folder.path().join("mine.csv"), format!("time [s],N [g],E [g]\n{rows}")).unwrap();
+    let ground = "[ground]\nmotions = [\"mine.csv\"]\n[ground.processing]\nazimuth = \"30 deg\"\nbaseline = \"mean\"\n\
+                  taper = \"5 %\"\nlow_cut = \"0.2 Hz\"\nhigh_cut = \"15 Hz\"\nresample = \"0.01 s\"\nscale_to = \"0.35 g\"\n";
+    fs::write(folder.path().join("first.toml"), SMALL.replace("[ground]\ncount = 2\n", ground)).unwrap();
+    run(folder.path(), &["first.toml", "--out", "first"]);
+    run(folder.path(), &["first/study.toml", "--out", "second"]);
+    let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    for name in ["srs.csv", "urs.csv", "statistics.csv", "motions/mine.csv", "study.toml"] {
+        assert!(read(&format!("first/{name}")) == read(&format!("second/{name}")), "{name}");
+    }
+    let steps = |out: &str| {
+        let summary: Value = serde_json::from_slice(&read(&format!("{out}/summary.json"))).unwrap();
+        let found: Vec<&Value> = summary["inputs"]["ground"].as_array().into_iter().flatten().collect();
+        (found.len(), found.iter().map(|one| one["processing"].as_array().unwrap().len()).sum::<usize>())
+    };
+    let report = String::from_utf8(read("first/report.html")).unwrap();
+    assert!(report.contains("turned to 30 deg; mean of"), "the report says what was done");
+    assert_eq!((steps("first"), steps("second")), ((1, 6), (1, 0)));
+}
+
 #[test]
 fn a_tolerance_that_is_exceeded_is_status_1_and_everything_is_written() {
     let folder = folder();
