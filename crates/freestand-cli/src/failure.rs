@@ -17,7 +17,7 @@ pub(crate) enum Failure {
 impl Failure {
     /// A wrong argument.
     pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Problem::new(ProblemKind::Value, message).hint(hint).into()
+        problem(message, hint).into()
     }
 
     /// The models could not finish.
@@ -34,6 +34,11 @@ impl Failure {
             .hint("is the disk full, or the output closed?")
             .into()
     }
+}
+
+/// What is wrong with an argument, and what to do about it.
+pub(crate) fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
+    Problem::new(ProblemKind::Value, message).hint(hint)
 }
 
 impl From<Problem> for Failure {

@@ -5,6 +5,7 @@ mod commands;
 mod failure;
 mod files;
 mod printer;
+mod processing;
 mod reading;
 mod stop;
 mod values;

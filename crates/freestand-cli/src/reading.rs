@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_study::processing::{Processing, check_scale};
 use freestand_study::quantity::Dimension;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
 use freestand_study::records::ReadOptions;
 
 use crate::failure::Failure;
+use crate::processing::ProcessArgs;
 use crate::values::Values;
 
 /// What a record file may not say itself.
@@ -33,6 +33,8 @@ pub(crate) struct ReadArgs {
     /// Factor on the samples [default: 1]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     pub(crate) scale: Option<String>,
+    #[command(flatten)]
+    pub(crate) process: ProcessArgs,
 }
 
 impl ReadArgs {
@@ -43,12 +45,14 @@ impl ReadArgs {
             flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
         given.extend(self.station_xml.is_some().then_some("station-xml"));
         given.extend(self.keep_mean.then_some("keep-mean"));
+        given.extend(self.process.given());
         if given.is_empty() {
             return Ok(());
         }
         let message = format!("--{} without --motion", given.join(", --"));
         Err(Failure::usage(message, hint(&given.join(", "))))
     }
+
     /// The files with what was said about them; what is wrong goes into `values`.
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
         let dt_s = values.any("--dt", self.dt.as_deref(), Dimension::Time);
@@ -56,17 +60,17 @@ impl ReadArgs {
         values.keep("--unit", ReadOptions { unit: self.unit.clone(), ..ReadOptions::default() }.check());
         values.keep("--dt", ReadOptions { dt_s, ..ReadOptions::default() }.check());
         let scale_ratio = values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0);
-        values.keep("--scale", check_scale(scale_ratio));
+        let processing = self.process.processing(self.keep_mean, scale_ratio, values);
         MotionFiles {
             paths: paths.to_vec(),
             read: ReadOptions {
                 unit: self.unit.clone(),
                 dt_s,
-                resample_dt_s: None,
+                resample_dt_s: processing.resample_dt_s,
                 station_xml: self.station_xml.clone(),
             },
             component: self.component.clone(),
-            processing: Processing { keep_mean: self.keep_mean, scale_ratio },
+            processing,
         }
     }
 

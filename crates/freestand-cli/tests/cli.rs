@@ -518,3 +518,142 @@ fn the_dumped_study_is_one_json_document_and_has_the_seed() {
     assert_eq!(document, serde_json::json!({"schema": "freestand.study/1", "study": text, "warnings": []}));
     assert_eq!(std::fs::read_to_string(folder.path().join("out/study.toml")).unwrap(), text);
 }
+
+/// A wave of 2 Hz that comes and goes within 4 s, 0.3 g north and 0.2 g east, on an offset of 0.01 g.
+fn two_components(heading: &str) -> String {
+    let row = |k: u32| {
+        let t = f64::from(k) / 50.0;
+        let wave = (-(t - 2.0) * (t - 2.0)).exp() * (std::f64::consts::TAU * 2.0 * t).sin();
+        format!("{t},{:.6},{:.6}\n", 0.01 + 0.3 * wave, 0.01 + 0.2 * (wave - 0.1 * wave * wave))
+    };
+    format!("{heading}\n{}", (0..=200).map(row).collect::<String>())
+}
+
+/// What was done is said step by step, with what was found.
+#[test]
+fn records_are_processed_step_by_step() {
+    let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
+    let processed = |flags: &[&str]| {
+        let args = [&["motion", "convert", "two.csv", "--to", "csv", "--json"], flags].concat();
+        let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(&args).current_dir(folder.path()).output();
+        let output = output.unwrap();
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_default();
+        let motion = &json["motions"][0];
+        format!(
+            "$ {}\n{}\ndt {} npts {} warnings {}\n{}",
+            flags.join(" "),
+            serde_json::to_string_pretty(&motion["processing"]).unwrap(),
+            motion["dt_s"],
+            motion["npts"],
+            json["warnings"],
+            String::from_utf8_lossy(&output.stderr)
+        )
+    };
+    let all = [
+        processed(&["--component", "N"]),
+        processed(&["--component", "N", "--baseline", "mean", "--taper", "5%"]),
+        processed(&["--component", "E", "--baseline", "pre-event:0.5s", "--low-cut", "0.5 Hz"]),
+        processed(&["--component", "E", "--baseline", "graizer:2:1s", "--high-cut", "10Hz", "--filter-order", "2"]),
+        processed(&["--component", "1", "--baseline", "boore:1s:3s", "--resample", "10 ms"]),
+        processed(&["--azimuth", "30 deg", "--baseline", "poly:2", "--scale-to", "0.3 g"]),
+        processed(&["--azimuth", "-60 deg", "--resample", "0.04 s", "--scale-to-sa", "9 g at 1.2 s, 2 %"]),
+    ];
+    insta::assert_snapshot!(all.join("\n"));
+}
+
+#[test]
+fn wrong_processing_is_refused() {
+    let folder = folder(&[
+        ("two.csv", &two_components("time [s],N [g],E [g]")),
+        ("h1h2.csv", &two_components("time [s],H1 [g],H2 [g]")),
+        ("other.csv", RECORD),
+    ]);
+    let convert = |flags: &[&str]| {
+        freestand_in(
+            folder.path(),
+            &[&["motion", "convert", "two.csv", "--to", "csv", "--component", "1"], flags].concat(),
+        )
+    };
+    let all = [
+        convert(&["--low-cut", "-1 Hz", "--taper", "60%", "--filter-order", "0", "--resample", "0 s"]),
+        convert(&["--low-cut", "5", "--baseline", "straight", "--scale-to", "0 g", "--filter-order", "two"]),
+        convert(&["--low-cut", "5 Hz", "--high-cut", "5 Hz"]),
+        convert(&["--high-cut", "25 Hz"]),
+        convert(&["--low-cut", "1e-9 Hz"]),
+        convert(&["--resample", "1000 s"]),
+        convert(&["--resample", "50 s"]),
+        convert(&["--resample", "0.0173 s", "--filter-order", "4"]),
+        convert(&["--resample", "0.017321 s"]),
+        convert(&["--baseline", "pre-event:50s"]),
+        convert(&["--scale-to-sa", "0.4 g"]),
+        convert(&["--scale", "2", "--scale-to", "1 g"]),
+        convert(&["--azimuth", "30 deg"]),
+        freestand_in(folder.path(), &["motion", "convert", "h1h2.csv", "--to", "csv", "--azimuth", "30 deg"]),
+        freestand_in(folder.path(), &["motion", "convert", "other.csv", "--to", "csv", "--azimuth", "30 deg"]),
+        freestand_in(folder.path(), &["motion", "info", "two.csv", "--azimuth", "30 deg"]),
+        freestand(&["run", "--low-cut", "1 Hz", "--azimuth", "3 deg"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn components_are_turned() {
+    let folder = folder(&[
+        ("two.csv", &two_components("time [s],N [g],E [g]")),
+        ("h1h2.csv", &two_components("time [s],H1 [g],H2 [g]")),
+        ("one.csv", "time [s],a [g]\n0,0\n0.02,0.3\n0.04,-0.3\n"),
+        ("other.csv", "time [s],a [g]\n0,0\n0.02,0.4\n0.04,0\n0.06,0\n"),
+        ("slow.csv", "time [s],a [g]\n0,0\n0.04,0.4\n0.08,0\n"),
+    ]);
+    let rotate = |args: &[&str]| freestand_in(folder.path(), &[&["motion", "rotate"], args].concat());
+    let short = |text: String| text.lines().take(8).collect::<Vec<_>>().join("\n");
+    let all = [
+        rotate(&["one.csv", "other.csv", "--azimuths", "0 deg, 90 deg", "--to", "53.13010235415598 deg"]),
+        rotate(&["one.csv", "other.csv", "--azimuths", "0 deg, 90 deg", "--to", "90 deg", "--json"]),
+        short(rotate(&["two.csv", "--to", "-30 deg", "--format", "at2"])),
+        short(rotate(&["h1h2.csv", "--azimuths", "10 deg, 100 deg", "--components", "H2, H1", "--to", "45 deg"])),
+        rotate(&["h1h2.csv", "--to", "45 deg"]),
+        rotate(&["one.csv", "other.csv", "--to", "45 deg"]),
+        rotate(&["one.csv", "slow.csv", "--azimuths", "0 deg, 90 deg", "--to", "45 deg"]),
+        rotate(&["one.csv", "other.csv", "--azimuths", "0 deg, 175 deg", "--to", "45 deg"]),
+        rotate(&["one.csv", "--azimuths", "0 deg, 90 deg", "--to", "45 deg"]),
+        rotate(&["two.csv", "--components", "N, N", "--to", "45 deg"]),
+        rotate(&["two.csv", "--components", "N", "--azimuths", "0 deg", "--to", "45"]),
+        rotate(&["two.csv", "--azimuth", "0 deg", "--to", "45 deg"]),
+        rotate(&["one.csv", "other.csv", "two.csv", "--to", "45 deg"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn spectra_over_all_directions() {
+    let folder = folder(&[
+        ("two.csv", &two_components("time [s],N [g],E [g]")),
+        ("skew.csv", &two_components("time [s],N [g],N60E [g]")),
+    ]);
+    let rotd = |args: &[&str]| freestand_in(folder.path(), &[&["motion", "rotd"], args].concat());
+    let all = [
+        rotd(&["two.csv", "--periods", "0 s, 0.5 s, 2 s", "--baseline", "mean"]),
+        rotd(&["two.csv", "--periods", "0.5 s", "--percentiles", "0, 50, 100", "--damping", "2%", "--json"]),
+        rotd(&["skew.csv", "--periods", "0.5 s"]),
+        rotd(&["two.csv", "--percentiles", "150", "--periods", "0.5 s"]),
+        rotd(&["two.csv", "--periods", "-1 s"]),
+        rotd(&["two.csv", "--scale-to", "1 g"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+    rotd(&["two.csv", "--periods", "0.5 s, 1 s", "--out", "out"]);
+    let csv = std::fs::read_to_string(folder.path().join("out/rotd.csv")).unwrap();
+    assert!(csv.starts_with("period_s,rotd100_g,rotd50_g,larger_g,geometric_mean_g,first_g,second_g\n0.5,"), "{csv}");
+}
+
+/// A turned record has more energy in its own direction than in any other: the same is found by `--azimuth`.
+#[test]
+fn azimuth_and_rotate_agree() {
+    let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
+    let text = |args: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder.path()).output().unwrap().stdout
+    };
+    let converted = text(&["motion", "convert", "two.csv", "--to", "csv", "--azimuth", "30 deg"]);
+    let rotated = text(&["motion", "rotate", "two.csv", "--to", "30 deg"]);
+    assert!(converted == rotated && converted.len() > 1000);
+}

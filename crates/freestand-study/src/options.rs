@@ -3,6 +3,8 @@
 //! Nothing stops at the first problem: every reader takes what it can, notes what is wrong and goes on, so that a file
 //! is put right in one round. Unknown keys are found because each reader says which keys it knows.
 
+mod processing;
+
 use std::path::Path;
 
 use toml::Spanned;
@@ -10,6 +12,8 @@ use toml::de::{DeTable, DeValue};
 
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{self, Dimension, Unit};
+
+pub(crate) use processing::ProcessingOptions;
 
 /// A value and the line on which it stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +45,7 @@ pub(crate) struct GroundOptions {
     pub(crate) dt_s: Option<Written<f64>>,
     pub(crate) component: Option<Written<String>>,
     pub(crate) scale: Option<Written<f64>>,
+    pub(crate) processing: Option<ProcessingOptions>,
     /// Some key was refused: files cannot be read as they were meant to be.
     pub(crate) is_incomplete: bool,
 }
@@ -185,6 +190,7 @@ fn ground(reader: &mut Reader, table: &mut Section) -> GroundOptions {
         dt_s: table.quantity(reader, "dt", Dimension::Time),
         component: table.name_or_number(reader, "component"),
         scale: table.ratio(reader, "scale"),
+        processing: processing::processing(reader, table),
         is_incomplete: false,
     }
 }

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 use crate::error::Problem;
-use crate::processing::{Processing, process};
-use crate::records::{Component, MotionFile, ReadOptions, load, parse_motions};
+use crate::processing::{Processing, process_file};
+use crate::records::{ReadOptions, load, parse_motions};
 use crate::study::RecordedMotion;
 
 /// Files whose motions are used.
@@ -54,28 +54,19 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
     let bytes = load(path).map_err(one)?;
     let sha256 = sha256_hex(&bytes);
     let file = parse_motions(bytes, path, &files.read).map_err(|error| error.problems)?;
-    let component = file.select(files.component.as_deref()).map_err(one)?;
-    let processed = process(component, &files.processing).map_err(|problem| one(problem.in_file(path)))?;
-    let description = describe(&file, component);
+    let (processed, chosen) = process_file(&file, files.component.as_deref(), &files.processing)
+        .map_err(|problem| one(problem.in_file(path)))?;
     let motion = RecordedMotion {
         name: name_of(path),
         path: path.to_path_buf(),
         sha256,
-        description,
-        scale_ratio: files.processing.scale_ratio,
+        description: format!("{}{chosen}", file.format),
+        scale_ratio: processed.scale_ratio,
         processing: processed.steps,
         motion: processed.motion,
     };
-    Ok(ReadMotion { motion, notes: file.notes.clone() })
-}
-
-/// Format and component, in words.
-fn describe(file: &MotionFile, component: &Component) -> String {
-    let station = component.station.as_ref().map_or(String::new(), |station| format!(", {station}"));
-    if file.components.len() == 1 {
-        return format!("{}{station}", file.format);
-    }
-    format!("{}, component {}{station}", file.format, component.name)
+    let notes = file.notes.into_iter().chain(processed.notes).collect();
+    Ok(ReadMotion { motion, notes })
 }
 
 /// SHA-256 in hexadecimal.

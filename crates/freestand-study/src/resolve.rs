@@ -1,5 +1,7 @@
 //! The study as meant: defaults filled in, everything checked, files loaded; all problems at once.
 
+mod processing;
+
 use std::collections::HashSet;
 use std::fs::File;
 use std::io::Read;
@@ -19,7 +21,6 @@ use crate::options::{
     self, BuildingOptions, GroundOptions, HistoryOptions, LevelOptions, ObjectsOptions, Options, OutputsOptions,
     RestitutionOption, Written, nearest,
 };
-use crate::processing::{Processing, check_scale};
 use crate::quantity::{Dimension, format_si, shorten};
 use crate::recorded::{MotionFiles, read_recorded};
 use crate::records::ReadOptions;
@@ -218,6 +219,7 @@ impl Resolver<'_> {
                 ("dt", written.dt_s.as_ref().map(|w| w.line)),
                 ("component", written.component.as_ref().map(|w| w.line)),
                 ("scale", written.scale.as_ref().map(|w| w.line)),
+                ("processing", written.processing.as_ref().map(|w| w.line)),
             ] {
                 if line.is_some() {
                     self.note(line, format!("{key} goes with motions"), "name the files: motions = [\"record.AT2\"]");
@@ -242,11 +244,7 @@ impl Resolver<'_> {
                 self.note(line, format!("{key}: {}", problem.message), problem.hint.unwrap_or_default());
             }
         }
-        if let Some(Written { value, line }) = &written.scale
-            && let Err(problem) = check_scale(*value)
-        {
-            self.note(Some(*line), problem.message, problem.hint.unwrap_or_default());
-        }
+        let processing = self.processing(written);
         if motions.value.is_empty() {
             self.note(Some(motions.line), "motions is empty", "name at least one file, or leave motions out");
             return None;
@@ -257,9 +255,9 @@ impl Resolver<'_> {
         }
         let files = MotionFiles {
             paths: motions.value.iter().map(|file| self.base_dir.join(&file.value)).collect(),
-            read: ReadOptions { unit: unit_only.unit, ..dt_only },
+            read: ReadOptions { unit: unit_only.unit, resample_dt_s: processing.resample_dt_s, ..dt_only },
             component: written.component.as_ref().map(|w| w.value.clone()),
-            processing: Processing { scale_ratio: or(&written.scale, 1.0), ..Processing::default() },
+            processing,
         };
         let lines: Vec<usize> = motions.value.iter().map(|file| file.line).collect();
         self.recorded(&files, Some(&lines))

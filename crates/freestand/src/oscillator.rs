@@ -176,7 +176,7 @@ fn kernel_closed(omega: f64, zeta: f64, dt: f64) -> Kernel {
     Kernel { h, s1, s2 }
 }
 
-fn check_damping(damping_ratio: f64) -> Result<(), OscillatorError> {
+pub(crate) fn check_damping(damping_ratio: f64) -> Result<(), OscillatorError> {
     if (0.0..1.0).contains(&damping_ratio) { Ok(()) } else { Err(OscillatorError::Damping { damping_ratio }) }
 }
 
@@ -217,7 +217,7 @@ pub fn absolute_acceleration_history_m_s2(
     Ok(history)
 }
 
-fn step_of_period(period_s: f64, damping_ratio: f64, dt_s: f64) -> Result<OscillatorStep, OscillatorError> {
+pub(crate) fn step_of_period(period_s: f64, damping_ratio: f64, dt_s: f64) -> Result<OscillatorStep, OscillatorError> {
     match OscillatorStep::new(TAU / period_s, damping_ratio, dt_s) {
         Err(OscillatorError::Frequency { .. }) => Err(OscillatorError::Period { period_s }),
         other => other,

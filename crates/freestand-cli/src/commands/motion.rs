@@ -3,7 +3,10 @@
 mod code;
 mod convert;
 mod info;
+mod pair;
 mod plot;
+mod rotate;
+mod rotd;
 mod spectrum;
 mod synth;
 
@@ -14,7 +17,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
 
-/// Ground and floor motions: read, measure, convert, synthesise, match
+/// Ground and floor motions: read, measure, convert, turn, synthesise, match
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -31,6 +34,8 @@ enum MotionCommand {
     Info(info::InfoArgs),
     Spectrum(spectrum::SpectrumArgs),
     Convert(convert::ConvertArgs),
+    Rotate(rotate::RotateArgs),
+    Rotd(rotd::RotdArgs),
     Synth(synth::SynthArgs),
     Match(synth::MatchArgs),
     CodeSpectrum(code::CodeSpectrumArgs),
@@ -41,6 +46,8 @@ pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> 
         MotionCommand::Info(args) => info::run(args, global, printer),
         MotionCommand::Spectrum(args) => spectrum::run(args, global, printer),
         MotionCommand::Convert(args) => convert::run(args, global, printer),
+        MotionCommand::Rotate(args) => rotate::run(args, global, printer),
+        MotionCommand::Rotd(args) => rotd::run(args, global, printer),
         MotionCommand::Synth(args) => synth::run(args, global, printer),
         MotionCommand::Match(args) => synth::run_match(args, global, printer),
         MotionCommand::CodeSpectrum(args) => code::run(args, global, printer),

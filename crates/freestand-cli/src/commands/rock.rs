@@ -16,6 +16,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
+use crate::processing::ProcessArgs;
 use crate::reading::ReadArgs;
 use crate::values::Values;
 
@@ -146,9 +147,11 @@ fn request(args: &RockArgs, printer: &Printer) -> Result<RockRequest, Failure> {
     })
 }
 
-/// The unit and the step hold for both records, scale and component do not.
+/// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
 fn vertical_reading(args: &RockArgs) -> ReadArgs {
-    ReadArgs { component: args.vertical_component.clone(), scale: args.vertical_scale.clone(), ..args.read.clone() }
+    let process = ProcessArgs { azimuth: None, scale_to: None, scale_to_sa: None, ..args.read.process.clone() };
+    let (component, scale) = (args.vertical_component.clone(), args.vertical_scale.clone());
+    ReadArgs { component, scale, process, ..args.read.clone() }
 }
 
 fn read(reading: &ReadArgs, path: &std::path::Path, printer: &Printer) -> Result<Motion, Failure> {

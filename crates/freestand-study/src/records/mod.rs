@@ -188,7 +188,7 @@ impl MotionFile {
 /// of nanoseconds would fill the memory.
 const STEPS_S: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
 
-fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
+pub(crate) fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
     if STEPS_S.contains(&dt_s) {
         return Ok(());
     }

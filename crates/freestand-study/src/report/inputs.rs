@@ -111,11 +111,25 @@ fn recorded_ground(records: &[RecordedMotion], result: &StudyResult) -> String {
             ]
         })
         .collect();
-    let mut html = table("Recorded motions, after scaling", &headings, &rows);
+    let mut html = table("Recorded motions, as they are used", &headings, &rows);
+    html.push_str(&processing(records));
     if result.ground.len() < 7 {
         html.push_str(&paragraph("The fractiles of so few motions are coarse."));
     }
     html
+}
+
+/// What was done to each motion, where anything was.
+fn processing(records: &[RecordedMotion]) -> String {
+    let rows: Vec<_> = records
+        .iter()
+        .filter(|record| !record.processing.is_empty())
+        .map(|record| vec![words(&record.name), words(&record.processing.join("; "))])
+        .collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    table("What was done to them, in this order", &[vec![words("Motion"), words("Processing")]], &rows)
 }
 
 fn building(study: &Study, result: &StudyResult) -> String {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::processing::Processing;
 
 fn problems(text: &str) -> Vec<String> {
     match resolve(text, Some(Path::new("s.toml")), Path::new("")) {
@@ -192,4 +193,63 @@ fn what_is_not_a_study_file_is_refused() {
     assert!(load(&binary, &none).unwrap_err().to_string().contains("is not text"));
     #[cfg(unix)]
     assert!(load(Path::new("/dev/zero"), &none).unwrap_err().to_string().contains("is too large"));
+}
+
+#[test]
+fn records_are_processed_as_the_study_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: String = (0..=400)
+        .map(|k| {
+            let wave = (0.1 * f64::from(k)).sin();
+            format!("{},{},{}\n", f64::from(k) / 100.0, 0.1 * wave, 0.2 * wave)
+        })
+        .collect();
+    std::fs::write(folder.path().join("two.csv"), format!("time [s],N [g],E [g]\n{rows}")).unwrap();
+    let resolved = |keys: &str| {
+        let text = format!("[ground]\nmotions = \"two.csv\"\n{keys}");
+        resolve(&text, Some(Path::new("s.toml")), folder.path())
+    };
+    let study = resolved(
+        "[ground.processing]\nazimuth = \"90 deg\"\nbaseline = \"mean\"\ntaper = \"5 %\"\nlow_cut_hz = 0.5\n\
+         high_cut = \"20 Hz\"\nfilter_order = 2\nresample = \"5 ms\"\nscale_to = \"0.3 g\"\n",
+    )
+    .unwrap();
+    let Ground::Recorded(motions) = study.ground else { panic!() };
+    let motion = &motions[0];
+    assert_eq!(motion.processing.len(), 6, "{:?}", motion.processing);
+    assert_eq!(motion.description, "CSV, components N and E");
+    // One rounding of the largest sample.
+    assert!((motion.motion.peak_m_s2() / (0.3 * freestand::G0_M_S2) - 1.0).abs() < 1e-15);
+    assert_eq!(motion.motion.dt_s(), 0.005);
+    assert!(motion.scale_ratio > 1.0);
+    let found = |keys: &str| resolved(keys).unwrap_err().problems.iter().map(ToString::to_string).collect::<Vec<_>>();
+    for (keys, expected) in [
+        ("processing = { low_cut = \"-1 Hz\" }\n", "s.toml:3: low_cut: must be above 0 Hz, not -1 Hz"),
+        (
+            "processing = { low_cut = \"5 Hz\", high_cut = \"1 Hz\" }\n",
+            "s.toml:3: low_cut: 5 Hz is not below the high cut of 1 Hz",
+        ),
+        (
+            "[ground.processing]\nlow_cut = \"5 Hz\"\nfilter_order = 0\n",
+            "s.toml:5: filter_order: must be 1 to 10, not 0",
+        ),
+        ("processing = { filter_order = 4 }\n", "s.toml:3: filter_order goes with low_cut or high_cut"),
+        ("processing = { taper = \"60 %\" }\n", "s.toml:3: taper: must be above 0 and at most 50 %, not 0.6"),
+        (
+            "processing = { resample = \"0.0001 ms\" }\n",
+            "s.toml:3: resample: the time step must be from 1e-6 s to 100 s, not 1e-7 s",
+        ),
+        ("scale = 2\nprocessing = { scale_to = \"1 g\" }\n", "s.toml:4: scale and scale_to exclude each other"),
+        ("component = 1\nprocessing = { azimuth = \"3 deg\" }\n", "s.toml:4: component and azimuth exclude each other"),
+        ("processing = { baselin = \"mean\" }\n", "s.toml:3: unknown key baselin in [processing]"),
+        ("processing = { baseline = \"straight\" }\n", "s.toml:3: baseline: \"straight\" is not a baseline"),
+        ("processing = \"mean\"\n", "s.toml:3: processing must be a table, not \"mean\""),
+    ] {
+        assert_eq!(found(keys), [expected], "{keys}");
+    }
+    // A fault of this record under this processing is one of the file.
+    let nyquist = found("component = 1\nprocessing = { high_cut = \"60 Hz\" }\n");
+    assert!(nyquist.len() == 1 && nyquist[0].contains("two.csv: filter: a corner frequency"), "{nyquist:?}");
+    let synthetic = problems("[ground]\nprocessing = { low_cut = \"1 Hz\" }\n");
+    assert_eq!(synthetic, ["s.toml:2: processing goes with motions"]);
 }

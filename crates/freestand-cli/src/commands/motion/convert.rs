@@ -1,9 +1,11 @@
 //! `freestand motion convert`: records to CSV or AT2.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use freestand::motion::Motion;
 use freestand_study::records::{write_at2, write_csv};
+use freestand_study::study::RecordedMotion;
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -30,8 +32,9 @@ pub(crate) struct ConvertArgs {
     read: ReadArgs,
 }
 
+/// A format that is written.
 #[derive(Debug, Clone, Copy, ValueEnum)]
-enum Target {
+pub(super) enum Target {
     /// time_s,accel_m_s2
     Csv,
     /// PEER AT2
@@ -43,13 +46,16 @@ struct ConvertReport {
     motions: Vec<Converted>,
 }
 
+/// A motion that was written.
 #[derive(Debug, Serialize)]
-struct Converted {
+pub(super) struct Converted {
     source: String,
     path: Option<String>,
     format: &'static str,
     dt_s: f64,
     npts: usize,
+    /// What was done to it, one step each.
+    processing: Vec<String>,
     /// The file itself, where it was not written to `--out`.
     text: Option<String>,
 }
@@ -63,31 +69,50 @@ pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) ->
     let (mut motions, mut warnings) = (Vec::new(), Vec::new());
     for one in &read {
         warnings.extend(one.notes.iter().map(|note| format!("{}: {note}", one.motion.name)));
-        let motion = &one.motion.motion;
-        let (text, extension, format) = match args.to {
-            Target::Csv => (write_csv(motion), "csv", "csv"),
-            Target::At2 => (write_at2(motion, &one.motion.name), "AT2", "at2"),
+        let RecordedMotion { name, path, motion, processing, .. } = &one.motion;
+        motions.push(args.to.write(&files, path, name, motion, processing)?);
+    }
+    let report = ConvertReport { motions };
+    const SCHEMA: &str = "freestand.motion-convert/1";
+    files.finish(SCHEMA, &report, &warnings)?;
+    printer.result(SCHEMA, &report, &warnings, || report.motions.iter().map(Converted::shown).collect())?;
+    Ok(Done::OK)
+}
+
+impl Target {
+    /// Writes a motion to `--out`, or keeps its text for standard output.
+    pub(super) fn write(
+        self,
+        files: &Files,
+        source: &Path,
+        name: &str,
+        motion: &Motion,
+        processing: &[String],
+    ) -> Result<Converted, Failure> {
+        let (text, extension, format) = match self {
+            Self::Csv => (write_csv(motion), "csv", "csv"),
+            Self::At2 => (write_at2(motion, name), "AT2", "at2"),
         };
-        let path = files.write(&format!("{}.{extension}", one.motion.name), || text.clone())?;
-        motions.push(Converted {
-            source: path_text(&one.motion.path),
+        let path = files.write(&format!("{name}.{extension}"), || text.clone())?;
+        Ok(Converted {
+            source: path_text(source),
             text: path.is_none().then_some(text),
             path,
             format,
             dt_s: motion.dt_s(),
             npts: motion.accel_m_s2().len(),
-        });
+            processing: processing.to_vec(),
+        })
     }
-    let report = ConvertReport { motions };
-    const SCHEMA: &str = "freestand.motion-convert/1";
-    files.finish(SCHEMA, &report, &warnings)?;
-    printer.result(SCHEMA, &report, &warnings, || {
-        let lines = report.motions.iter().map(|one| match (&one.text, &one.path) {
+}
+
+impl Converted {
+    /// The file itself, or where it is.
+    pub(super) fn shown(&self) -> String {
+        match (&self.text, &self.path) {
             (Some(text), _) => text.clone(),
             (None, Some(path)) => format!("{path}\n"),
             (None, None) => String::new(),
-        });
-        lines.collect()
-    })?;
-    Ok(Done::OK)
+        }
+    }
 }

@@ -1,0 +1,62 @@
+//! `processing` of `[ground]`, as meant.
+
+use super::{Resolver, or};
+use crate::options::{GroundOptions, ProcessingOptions};
+use crate::processing::{FILTER_ORDER, Processing, Scale, azimuth_deg, check_scale};
+
+impl Resolver<'_> {
+    /// What is done to the records; what cannot be meant is noted.
+    pub(super) fn processing(&mut self, ground: &GroundOptions) -> Processing {
+        let factor = Scale::Factor(or(&ground.scale, 1.0));
+        if let Some(scale) = &ground.scale
+            && let Err(problem) = check_scale(scale.value)
+        {
+            self.note(Some(scale.line), problem.message, problem.hint.unwrap_or_default());
+        }
+        let Some(written) = &ground.processing else {
+            return Processing { scale: factor, ..Processing::default() };
+        };
+        self.exclusive(("component", &ground.component), ("azimuth", &written.azimuth_rad));
+        self.exclusive(("scale", &ground.scale), ("scale_to", &written.scale_to_m_s2));
+        self.exclusive(("scale", &ground.scale), ("scale_to_sa", &written.scale_to_sa));
+        self.exclusive(("scale_to", &written.scale_to_m_s2), ("scale_to_sa", &written.scale_to_sa));
+        let value = |written: &Option<_>| written.as_ref().map(|one: &crate::options::Written<f64>| one.value);
+        let peak = value(&written.scale_to_m_s2).map(|target_m_s2| Scale::Peak { target_m_s2 });
+        let order = or(&written.filter_order, u64::from(FILTER_ORDER));
+        let processing = Processing {
+            keep_mean: or(&written.keep_mean, false),
+            azimuth_deg: value(&written.azimuth_rad).map(azimuth_deg),
+            baseline: written.baseline.as_ref().map(|baseline| baseline.value),
+            taper_ratio: value(&written.taper),
+            low_cut_hz: value(&written.low_cut_hz),
+            high_cut_hz: value(&written.high_cut_hz),
+            filter_order: u32::try_from(order).unwrap_or(u32::MAX),
+            resample_dt_s: value(&written.resample_s),
+            scale: peak.or_else(|| written.scale_to_sa.as_ref().map(|sa| sa.value)).unwrap_or(factor),
+        };
+        if let Some(order) = &written.filter_order
+            && processing.low_cut_hz.is_none()
+            && processing.high_cut_hz.is_none()
+        {
+            self.note(Some(order.line), "filter_order goes with low_cut or high_cut", "give a cut, such as \"0.1 Hz\"");
+        }
+        for (key, problem) in processing.problems().into_iter().filter(|(key, _)| *key != "scale") {
+            let message = format!("{key}: {}", problem.message);
+            self.note(Some(line_of(written, key)), message, problem.hint.unwrap_or_default());
+        }
+        processing
+    }
+}
+
+fn line_of(written: &ProcessingOptions, key: &str) -> usize {
+    let line = match key {
+        "taper" => written.taper.as_ref().map(|one| one.line),
+        "low_cut" => written.low_cut_hz.as_ref().map(|one| one.line),
+        "high_cut" => written.high_cut_hz.as_ref().map(|one| one.line),
+        "filter_order" => written.filter_order.as_ref().map(|one| one.line),
+        "resample" => written.resample_s.as_ref().map(|one| one.line),
+        "scale_to" => written.scale_to_m_s2.as_ref().map(|one| one.line),
+        _ => None,
+    };
+    line.unwrap_or(written.line)
+}

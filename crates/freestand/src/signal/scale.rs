@@ -1,0 +1,148 @@
+//! The factor that takes a motion to a target.
+
+use crate::motion::Motion;
+use crate::oscillator::{OscillatorError, response_spectrum};
+use thiserror::Error;
+
+/// Why a motion has no factor.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ScaleError {
+    /// The target is no acceleration.
+    #[error("the target must be positive and finite, not {target_m_s2} m/s2")]
+    Target {
+        /// What was given.
+        target_m_s2: f64,
+    },
+    /// A motion of zeros reaches no target.
+    #[error("the motion has no response at T = {period_s} s: no factor takes it to a target")]
+    NoResponse {
+        /// Period; 0 for the peak acceleration.
+        period_s: f64,
+    },
+    /// A spectrum of no periods, or more or fewer values than periods.
+    #[error("the target spectrum has {targets} values for {periods} periods")]
+    Shape {
+        /// Periods.
+        periods: usize,
+        /// Values.
+        targets: usize,
+    },
+    /// Damping or a period.
+    #[error(transparent)]
+    Oscillator(#[from] OscillatorError),
+}
+
+/// A factor beyond this, or below its inverse, is worth a word: the record then stands for an earthquake of quite another
+/// size, whose duration and spectral shape would be others. A convention, not a limit of any model.
+pub const LARGE_FACTOR: f64 = 10.0;
+
+/// The factor that takes the largest |a| of the motion to `target_m_s2`.
+///
+/// # Errors
+/// A target that is not positive and finite, a motion of zeros.
+///
+/// # Example
+/// ```
+/// use freestand::{motion::Motion, signal::scale::factor_to_peak};
+/// let motion = Motion::new(0.01, vec![0.0, -4.0, 1.0])?;
+/// assert_eq!(factor_to_peak(&motion, 2.0)?, 0.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn factor_to_peak(motion: &Motion, target_m_s2: f64) -> Result<f64, ScaleError> {
+    factor(motion.peak_m_s2(), target_m_s2, 0.0)
+}
+
+/// The factor that takes the pseudo-acceleration of the motion at one period to `target_m_s2`.
+///
+/// # Errors
+/// As [`factor_to_peak`]; a negative period, damping outside 0 ≤ ζ < 1.
+pub fn factor_to_sa(motion: &Motion, period_s: f64, damping_ratio: f64, target_m_s2: f64) -> Result<f64, ScaleError> {
+    let spectrum = response_spectrum(motion, damping_ratio, &[period_s])?;
+    factor(spectrum.psa_m_s2.first().copied().unwrap_or(0.0), target_m_s2, period_s)
+}
+
+/// The factor that brings the pseudo-acceleration spectrum of the motion nearest to a target over all `periods_s`:
+/// the least squares of `ln(f PSA) − ln target`, `ln f = mean(ln target − ln PSA)`.
+///
+/// Every period counts the same: choose them equally spaced in ln T.
+///
+/// # Errors
+/// As [`factor_to_sa`]; no periods, or a target for more or fewer of them.
+///
+/// # Example
+/// ```
+/// use freestand::{motion::Motion, signal::scale::factor_to_spectrum};
+/// let pulse = Motion::new(0.01, vec![0.0, 1.0, 0.0])?;
+/// // At T = 0 the spectrum is the peak: one target of 2 and one of 8 meet at 4, in ln.
+/// assert!((factor_to_spectrum(&pulse, 0.05, &[0.0, 0.0], &[2.0, 8.0])? - 4.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn factor_to_spectrum(
+    motion: &Motion,
+    damping_ratio: f64,
+    periods_s: &[f64],
+    target_m_s2: &[f64],
+) -> Result<f64, ScaleError> {
+    if periods_s.is_empty() || periods_s.len() != target_m_s2.len() {
+        return Err(ScaleError::Shape { periods: periods_s.len(), targets: target_m_s2.len() });
+    }
+    let spectrum = response_spectrum(motion, damping_ratio, periods_s)?;
+    let mut sum = 0.0;
+    for ((&period_s, &psa), &target) in periods_s.iter().zip(&spectrum.psa_m_s2).zip(target_m_s2) {
+        sum += factor(psa, target, period_s)?.ln();
+    }
+    Ok((sum / periods_s.len() as f64).exp())
+}
+
+fn factor(response_m_s2: f64, target_m_s2: f64, period_s: f64) -> Result<f64, ScaleError> {
+    if !(target_m_s2 > 0.0 && target_m_s2.is_finite()) {
+        return Err(ScaleError::Target { target_m_s2 });
+    }
+    let factor = target_m_s2 / response_m_s2;
+    // A response of 1e-320 has no finite inverse.
+    if factor.is_finite() { Ok(factor) } else { Err(ScaleError::NoResponse { period_s }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn motion() -> Motion {
+        Motion::new(0.02, (0..400).map(|k| (f64::from(k * k % 37) - 18.0) * 0.1).collect()).unwrap()
+    }
+
+    #[test]
+    fn a_scaled_motion_meets_its_target() {
+        let motion = motion();
+        let psa = |motion: &Motion, periods: &[f64]| response_spectrum(motion, 0.02, periods).unwrap().psa_m_s2;
+        let scaled = motion.scaled(factor_to_sa(&motion, 0.7, 0.02, 1.5).unwrap()).unwrap();
+        // The response is linear: a few roundings.
+        assert!((psa(&scaled, &[0.7])[0] - 1.5).abs() < 1e-14);
+        let scaled = motion.scaled(factor_to_peak(&motion, 0.25).unwrap()).unwrap();
+        assert!((scaled.peak_m_s2() - 0.25).abs() < 1e-16);
+        // To a spectrum of its own shape 3.5 times as high, and to any other with mean ln misfit 0.
+        let periods: Vec<f64> = (1..40).map(|i| 0.05 * f64::from(i)).collect();
+        let own: Vec<f64> = psa(&motion, &periods).iter().map(|a| 3.5 * a).collect();
+        assert!((factor_to_spectrum(&motion, 0.02, &periods, &own).unwrap() - 3.5).abs() < 1e-13);
+        let target: Vec<f64> = periods.iter().map(|t| 2.0 / (0.3 + t)).collect();
+        let scaled = motion.scaled(factor_to_spectrum(&motion, 0.02, &periods, &target).unwrap()).unwrap();
+        let misfit: f64 = psa(&scaled, &periods).iter().zip(&target).map(|(a, b)| (a / b).ln()).sum();
+        assert!(misfit.abs() < 1e-12, "{misfit:e}");
+    }
+
+    #[test]
+    fn targets_that_cannot_be_met_are_refused() {
+        let (motion, zeros) = (motion(), Motion::new(0.02, vec![0.0; 9]).unwrap());
+        for target in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(factor_to_peak(&motion, target), Err(ScaleError::Target { .. })));
+            assert!(matches!(factor_to_sa(&motion, 1.0, 0.05, target), Err(ScaleError::Target { .. })));
+        }
+        assert!(matches!(factor_to_peak(&zeros, 1.0), Err(ScaleError::NoResponse { .. })));
+        assert!(matches!(factor_to_sa(&zeros, 1.0, 0.05, 1.0), Err(ScaleError::NoResponse { .. })));
+        assert!(matches!(factor_to_sa(&motion, -1.0, 0.05, 1.0), Err(ScaleError::Oscillator(_))));
+        for (periods, targets) in [(&[][..], &[][..]), (&[1.0][..], &[1.0, 2.0][..])] {
+            let refused = factor_to_spectrum(&motion, 0.05, periods, targets);
+            assert!(matches!(refused, Err(ScaleError::Shape { .. })));
+        }
+    }
+}
