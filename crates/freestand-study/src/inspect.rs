@@ -136,22 +136,28 @@ fn info_of_file(path: &Path, request: &InfoRequest) -> Result<(Vec<MotionInfo>, 
         Some(wanted) => vec![file.select(Some(wanted)).map_err(|problem| vec![problem])?],
         None => file.components.iter().collect(),
     };
-    let motions: Vec<Result<MotionInfo, Problem>> =
+    let each: Vec<Result<(MotionInfo, Vec<String>), Problem>> =
         components.into_par_iter().map(|component| info_of_component(&file, component, request)).collect();
-    let mut found = Vec::new();
-    let mut problems = Vec::new();
-    for one in motions {
+    let (mut found, mut notes, mut problems) = (Vec::new(), file.notes.clone(), Vec::new());
+    for one in each {
         match one {
-            Ok(info) => found.push(info),
+            Ok((info, more)) => {
+                notes.extend(more.into_iter().map(|note| format!("{}: {note}", info.component)));
+                found.push(info);
+            }
             Err(problem) => problems.push(problem),
         }
     }
-    let notes = file.notes.iter().map(|note| format!("{}: {note}", path.display())).collect();
+    let notes = notes.iter().map(|note| format!("{}: {note}", path.display())).collect();
     if problems.is_empty() { Ok((found, notes)) } else { Err(problems) }
 }
 
-fn info_of_component(file: &MotionFile, component: &Component, request: &InfoRequest) -> Result<MotionInfo, Problem> {
-    let Processed { motion, steps } =
+fn info_of_component(
+    file: &MotionFile,
+    component: &Component,
+    request: &InfoRequest,
+) -> Result<(MotionInfo, Vec<String>), Problem> {
+    let Processed { motion, steps, notes, .. } =
         process(component, &request.files.processing).map_err(|problem| problem.in_file(&file.path))?;
     let m = measures(&motion);
     let spectral = spectral_measures(&motion);
@@ -162,7 +168,7 @@ fn info_of_component(file: &MotionFile, component: &Component, request: &InfoReq
         Some(Direction::Azimuth(degrees)) => (Some("horizontal"), Some(degrees)),
         None => (None, None),
     };
-    Ok(MotionInfo {
+    let info = MotionInfo {
         path: file.path.to_string_lossy().into_owned(),
         name: motion_name(file, component),
         format: file.format,
@@ -206,7 +212,8 @@ fn info_of_component(file: &MotionFile, component: &Component, request: &InfoReq
         last_values_m_s2: raw[raw.len() - 2..].to_vec(),
         processing: steps,
         motion: request.keep_motions.then_some(motion),
-    })
+    };
+    Ok((info, notes))
 }
 
 /// The file's name, with the component's where there are several.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::processing::Processing;
+use crate::processing::{Processing, Scale};
 use crate::records::ReadOptions;
 
 fn request(folder: &Path, files: &[(&str, &str)]) -> InfoRequest {
@@ -34,7 +34,7 @@ fn files_keep_their_order_and_names_differ() {
 fn values_as_in_the_file_stand_beside_measures_after_the_processing() {
     let folder = tempfile::tempdir().unwrap();
     let mut request = request(folder.path(), &[("z.csv", TWO)]);
-    request.files.processing.scale_ratio = -2.0;
+    request.files.processing.scale = Scale::Factor(-2.0);
     // α = atan(1/2): uplift at 0.5 g.
     request.block = Some(Block::uniform(2.0, 1.0).unwrap());
     let one = &info(&request).unwrap().motions[0];
