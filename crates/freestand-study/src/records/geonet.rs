@@ -110,16 +110,10 @@ fn component(
         Volume::Uncorrected => vec![count(30, "samples")?, accelerations],
     };
     let others = [count(34, "velocities")?, count(35, "displacements")?];
-    let (block, is_complete) = data(rest, &counts, others)?;
+    let block = data(rest, &counts, others)?;
     block.refuse_missing(VALUES, is_missing_value)?;
 
     let name = name(&text).unwrap_or_else(|| format!("component {number}"));
-    if !is_complete {
-        notes.push(format!(
-            "{}: the file ends within the velocities or displacements, which are not used",
-            shorten(&name)
-        ));
-    }
     // Real 8 makes mm/s² of the readings of an uncorrected record; it is 1 wherever they are in mm/s² already.
     let factor = reals.values[7];
     let is_scaled = volume == Volume::Uncorrected && factor > 0.0 && (factor - 1.0).abs() > 1e-9;
@@ -148,29 +142,22 @@ fn component(
     Ok(component)
 }
 
-/// The accelerations, and whether the velocities and displacements behind them are complete. The first of `counts` for
-/// which a component or the end of the file follows is the number of accelerations.
-fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<(Block, bool), Problem> {
+/// The accelerations; the first of `counts` for which a component or the end of the file follows is their number.
+///
+/// # Errors
+/// No count fits, or the file ends within the velocities and displacements: it was cut off, whatever is whole before them.
+fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Block, Problem> {
     let mut refused = None;
     for &count in counts {
         let mut tail = rest.clone();
-        let block = match VALUES.read(&mut tail, count, "acceleration") {
-            Ok(block) => block,
-            Err(problem) => {
-                refused.get_or_insert(problem);
-                continue;
-            }
-        };
-        let mut is_complete = true;
-        for count in others {
-            // Only their extent matters, so that a value too large for its field does no harm here.
-            let wanted = count.div_ceil(VALUES.per_line);
-            is_complete &= tail.by_ref().filter(|line| !line.is_blank()).take(wanted).count() == wanted;
-        }
-        match next_title(&mut tail.clone(), &mut Vec::new()) {
-            Ok(_) => {
+        let read = VALUES.read(&mut tail, count, "acceleration").and_then(|block| {
+            skip_others(&mut tail, others)?;
+            next_title(&mut tail.clone(), &mut Vec::new()).map(|_| block)
+        });
+        match read {
+            Ok(block) => {
                 *rest = tail;
-                return Ok((block, is_complete));
+                return Ok(block);
             }
             Err(problem) => {
                 refused.get_or_insert(problem);
@@ -178,6 +165,23 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<(B
         }
     }
     Err(refused.unwrap_or_else(|| Problem::new(ProblemKind::Format, "the header declares no values")))
+}
+
+/// Skips velocities and displacements. Only their extent matters, so that a value too large for its field does no harm.
+fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> {
+    for (count, what) in others.into_iter().zip(["velocity", "displacement"]) {
+        let wanted = count.div_ceil(VALUES.per_line);
+        let found = rest.by_ref().filter(|line| !line.is_blank()).take(wanted).count();
+        if found < wanted {
+            return Err(Problem::new(
+                ProblemKind::Format,
+                format!("the file ends after {found} of {wanted} lines of {what}"),
+            )
+            .at_line(rest.line_number())
+            .hint("the file is cut off: fetch it again"));
+        }
+    }
+    Ok(())
 }
 
 /// `Component S16W  Longitudinal Accelerometer Axis`.

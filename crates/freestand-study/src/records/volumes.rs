@@ -71,7 +71,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
                 components.push(component);
             }
         }
-        skip_to_next_channel(&mut rest);
+        skip_to_next_channel(&mut rest)?;
     }
     if let Some((what, line)) = refused {
         if components.is_empty() {
@@ -234,23 +234,58 @@ fn other_quantity(header: &Header) -> Option<(String, usize)> {
 
 /// Leaves `rest` at the first line of the next channel: behind the velocity and the displacement, and the `/&` that ends
 /// a channel.
-fn skip_to_next_channel(rest: &mut Lines<'_>) {
+///
+/// # Errors
+/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them.
+fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
     loop {
         let before = rest.clone();
-        let Some(line) = rest.next() else { return };
+        let Some(line) = rest.next() else { return Ok(()) };
         if !is_text(&line) {
             continue;
         }
         let upper = line.text().to_ascii_uppercase();
         let text = upper.trim_start();
         if text.starts_with("/&") || text.contains("END OF ") {
-            return;
+            return Ok(());
         }
-        if text.contains("ACCELEROGRAM") && first_integer(text).is_none() {
-            *rest = before;
-            return;
+        match first_integer(text) {
+            None if text.contains("ACCELEROGRAM") => {
+                *rest = before;
+                return Ok(());
+            }
+            Some(count) if is_title(text) => {
+                let title = Title { line: line.number, text: upper, count };
+                skip_series(&title, rest)?;
+            }
+            _ => {}
         }
     }
+}
+
+/// Skips the lines of a series; only how many there are matters, so that a value too large for its field does no harm.
+fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
+    let wanted = title.count.div_ceil(format_of(title, rest).per_line);
+    for found in 0..wanted {
+        let before = rest.clone();
+        match rest.find(|line| !line.is_blank()) {
+            Some(line) if is_text(&line) => {
+                *rest = before;
+                return Ok(());
+            }
+            Some(_) => {}
+            None => {
+                let name = shorten(title.text.trim());
+                return Err(Problem::new(
+                    ProblemKind::Format,
+                    format!("the file ends after {found} of {wanted} lines of \"{name}\""),
+                )
+                .at_line(rest.line_number())
+                .hint("the file is cut off: fetch it again"));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// What is to be said where the values do not have the peak that the text states.

@@ -185,6 +185,12 @@ fn of_volume_two_the_acceleration_is_read() {
     // A second channel that is damaged or cut off is not lost in silence.
     let damaged = text.clone() + &text.replace(" 11 POINTS OF ACCEL", " xx POINTS OF ACCEL");
     assert!(read(&damaged).unwrap_err().contains("the channel has 0"));
+    let lines_of_header = text.lines().take_while(|line| !line.contains("POINTS OF ACCEL DATA")).count();
+    // Three lines a series, its title among them: behind the accelerations, and within velocities and displacements.
+    for (lines, message) in [(4, "lines of \"11 POINTS OF VELOC"), (7, "lines of \"11 POINTS OF DISPL")] {
+        let head: Vec<&str> = text.lines().take(lines_of_header + lines).collect();
+        assert!(read(&head.join("\n")).unwrap_err().contains(message), "cut {lines} lines behind the header");
+    }
     for lines in [10, 30, 40, 46, 47] {
         let head: String = text.lines().take(lines).map(|line| format!("{line}\n")).collect();
         assert!(read(&(text.clone() + &head)).unwrap_err().starts_with("x:"), "cut after {lines} lines");
