@@ -285,8 +285,9 @@ pub fn response_spectrum(
     Ok(ResponseSpectrum { periods_s: periods_s.to_vec(), sd_m, psv_m_s, psa_m_s2, sa_m_s2 })
 }
 
-/// Oscillators that pass over a record together: enough independent chains to hide the latency of a step.
-const LANES: usize = 8;
+/// Oscillators that pass over a record together: enough independent chains to hide the latency of a step. Of 8, 16 and 32
+/// the fastest with AVX-512 (two vectors) and no worse without.
+const LANES: usize = 16;
 
 #[derive(Debug, Clone, Copy)]
 struct LaneGroup {
@@ -329,8 +330,12 @@ impl OscillatorBank {
     pub(crate) fn peaks<const ABSOLUTE: bool>(&self, accel_m_s2: &[f64], sd_m: &mut Vec<f64>, sa_m_s2: &mut Vec<f64>) {
         sd_m.clear();
         sa_m_s2.clear();
+        let widest = pulp::Arch::new();
         for group in &self.groups {
-            let (sd, sa) = group.peaks::<ABSOLUTE>(accel_m_s2);
+            let (sd, sa) = widest.dispatch(
+                #[inline(always)]
+                || group.peaks::<ABSOLUTE>(accel_m_s2),
+            );
             sd_m.extend_from_slice(&sd);
             sa_m_s2.extend_from_slice(&sa);
         }
@@ -358,7 +363,10 @@ impl LaneGroup {
         }
     }
 
-    /// The same operations in the same order as [`OscillatorStep::advance`], so the results are equal bit for bit.
+    /// The same operations in the same order as [`OscillatorStep::advance`], so the results are equal bit for bit on every
+    /// processor: vector units only do several lanes at a time, and nothing is fused. Inlined into what `pulp` compiles for
+    /// each of them.
+    #[inline(always)]
     fn peaks<const ABSOLUTE: bool>(&self, accel_m_s2: &[f64]) -> ([f64; LANES], [f64; LANES]) {
         let (mut u, mut v) = ([0.0_f64; LANES], [0.0_f64; LANES]);
         let (mut sd, mut sa) = ([0.0_f64; LANES], [0.0_f64; LANES]);
