@@ -95,7 +95,10 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             name => name.to_owned(),
         };
         let line_of_first_value = table.line_of_first_value;
-        let (direction, unit) = (Direction::parse(&heading.name), unit.symbol);
+        // `1` and `2` number their columns; an azimuth has three digits, or says that it is one.
+        let is_number = heading.name.len() < 3 && heading.name.bytes().all(|b| b.is_ascii_digit());
+        let direction = Direction::parse(&heading.name).filter(|_| !is_number);
+        let unit = unit.symbol;
         components.push(Component { name, station: None, direction, unit, is_raw: false, motion, line_of_first_value });
     }
     if components.is_empty() {

@@ -16,15 +16,16 @@ pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
 }
 
 /// Whether the text is a CSMIP or RENADIC file: volume I says so on its first line, volume II and the spectra of volume
-/// III on the second or third too.
+/// III on the second or third too. A title alone does not make one: rows of whole numbers follow in every volume.
 pub(super) fn is_csmip(bytes: &[u8]) -> bool {
     let head = head(bytes, 13);
     let has = |line: usize, words: &str| head.get(line).is_some_and(|text| text.contains(words));
     let is_below = |words: &str| has(1, words) || has(2, words);
-    has(0, "UNCORRECTED ACCELEROGRAM DATA")
+    let is_titled = has(0, "UNCORRECTED ACCELEROGRAM DATA")
         || has(0, "CORRECTED ACCELEROGRAM") && is_below("UNCORRECTED ACCELEROGRAM")
         || has(0, "RESPONSE") && is_below("CORRECTED ACCELEROGRAM")
-        || is_renadic(&head) && lines(bytes).take(40).any(|line| volumes::is_full_integer_row(&line))
+        || is_renadic(&head);
+    is_titled && lines(bytes).take(60).any(|line| volumes::is_full_integer_row(&line))
 }
 
 fn is_renadic(head: &[String]) -> bool {

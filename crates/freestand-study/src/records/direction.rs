@@ -11,7 +11,8 @@ pub enum Direction {
 
 impl Direction {
     /// The direction that a record's header names: `N-S`, `EW`, `UP`, `360`, `90 DEG`, `N08W`, `S 74 E`, and the last
-    /// letter of a SEED channel such as `HNE`. `None` for `H1`, `LONG` and other names that point nowhere.
+    /// letter of a SEED channel such as `HNE`. `None` for `H1`, `LONG` and other names that point nowhere, and
+    /// for `WE` and `SN`, whose sign is not the same everywhere.
     ///
     /// # Example
     /// ```
@@ -27,8 +28,8 @@ impl Direction {
         match name {
             "N" | "NS" | "NORTH" | "NORTHSOUTH" => return Some(Self::Azimuth(0.0)),
             "E" | "EW" | "EAST" | "EASTWEST" => return Some(Self::Azimuth(90.0)),
-            "S" | "SN" | "SOUTH" => return Some(Self::Azimuth(180.0)),
-            "W" | "WE" | "WEST" => return Some(Self::Azimuth(270.0)),
+            "S" | "SOUTH" => return Some(Self::Azimuth(180.0)),
+            "W" | "WEST" => return Some(Self::Azimuth(270.0)),
             "UP" | "U" | "UD" | "Z" | "V" | "VERT" | "VERTICAL" | "UPDOWN" => return Some(Self::Up),
             _ => {}
         }
@@ -85,7 +86,7 @@ mod tests {
         for text in ["UP", "u-d", "Vertical", "HNZ", "Z"] {
             assert_eq!(Direction::parse(text), Some(Direction::Up), "{text}");
         }
-        for text in ["H1", "H2", "LONG", "TRAN", "", "N95E", "361", "-5E", "NaN", "inf", "DOWN"] {
+        for text in ["H1", "H2", "WE", "SN", "LONG", "TRAN", "", "N95E", "361", "-5E", "NaN", "inf", "DOWN"] {
             assert_eq!(Direction::parse(text), None, "{text}");
         }
     }

@@ -11,11 +11,13 @@ use std::path::Path;
 /// How far down the keys are looked for that tell the format.
 const HEAD_LINES: usize = 100;
 
-/// Whether the text is a DYNA file: its first key, or the two that no file can do without.
+/// Whether the text is a DYNA file: its first key with others that no prose has, or the two that no file can do without.
 pub(super) fn is_dyna(bytes: &[u8]) -> bool {
     let head: Vec<_> = lines(bytes).take(HEAD_LINES).filter(|line| !line.is_blank()).map(|line| entry(&line)).collect();
     let has = |key: &str| head.iter().any(|entry| entry.is(key));
-    head.first().is_some_and(|entry| entry.is("EVENT_NAME")) || has("NDATA") && has("SAMPLING_INTERVAL_S")
+    let is_first = head.first().is_some_and(|entry| entry.is("EVENT_NAME"));
+    is_first && ["EVENT_ID", "STATION_CODE", "SAMPLING_INTERVAL_S", "NDATA", "UNITS"].into_iter().any(has)
+        || has("NDATA") && has("SAMPLING_INTERVAL_S")
 }
 
 /// Reads a DYNA file.
@@ -53,7 +55,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         is_raw: false,
     }
     .component(options)?;
-    if let Some((peak, _)) = header.number("PGA_CM/S^2")? {
+    // The peak is a check and no reason to refuse a record.
+    if let Ok(Some((peak, _))) = header.number("PGA_CM/S^2") {
         notes.extend(peak_note(&component, 0.01 * peak));
     }
     Ok(Reading { format: "DYNA", components: vec![component], notes })

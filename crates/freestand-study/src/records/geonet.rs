@@ -32,13 +32,14 @@ fn volume(line: &Line<'_>) -> Option<Volume> {
 }
 
 /// Whether the text is a GeoNet file. Other agencies call their records corrected accelerograms, too: GNS Science must
-/// be named, or the second line must begin with the site.
+/// be named, or the second line must begin with the site; and a line must name the component.
 pub(super) fn is_geonet(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(20).filter(|line| !line.is_blank());
     let Some(title) = head.next().filter(|line| volume(line).is_some()) else { return false };
     let title = title.text().to_ascii_lowercase();
     let site = head.next().is_some_and(|line| line.text().trim_start().to_ascii_lowercase().starts_with("site "));
-    site || title.contains("gns science") || title.contains("geonet")
+    (site || title.contains("gns science") || title.contains("geonet"))
+        && head.any(|line| line.text().trim_start().to_ascii_lowercase().starts_with("component"))
 }
 
 /// Reads a GeoNet file.

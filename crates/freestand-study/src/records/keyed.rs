@@ -102,11 +102,12 @@ impl Header {
     /// # Errors
     /// A value that is no whole number.
     pub(super) fn count(&self, key: &str) -> Result<Option<(usize, usize)>, Problem> {
-        let Some((value, line)) = self.number(key)? else { return Ok(None) };
-        if value >= 0.0 && value.fract() == 0.0 && value < 1e9 {
-            return Ok(Some((value as usize, line)));
+        let Some(entry) = self.get(key) else { return Ok(None) };
+        let value = number(entry.value.as_bytes()).map(|number| number.value);
+        match value.filter(|value| (0.0..1e9).contains(value) && value.fract() == 0.0) {
+            Some(value) => Ok(Some((value as usize, entry.line))),
+            None => Err(entry.problem("a whole number")),
         }
-        Err(self.get(key).map_or_else(|| no_step(key), |entry| entry.problem("a whole number")))
     }
 }
 
@@ -179,9 +180,9 @@ pub(super) fn read_rows(
     }
     match declared {
         Some((count, line)) if count != found => Err(wrong_count(count, found).at_line(line)),
-        _ if found == 0 => {
-            Err(Problem::new(ProblemKind::Format, "there are no values below the header").at_line(rest.line_number()))
-        }
+        _ if found == 0 => Err(Problem::new(ProblemKind::Format, "there are no values below the header")
+            .at_line(rest.line_number())
+            .hint("the file may be cut off: fetch it again")),
         _ => Ok(rows),
     }
 }

@@ -51,9 +51,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let dt_s = 1.0 / rate_hz;
     let component =
         Found { name, station, direction, unit, unit_m_s2, dt_s, values, line, is_raw: true }.component(options)?;
-    // The header's peak is the one about the mean, as NIED's description of the format says.
+    // The header's peak is the one about the mean, in gal, as NIED's description of the format says.
     if let (Ok(peak), Ok(centred)) = (header.number("max acc", "the peak"), centred(&component)) {
-        notes.extend(peak_note(&centred, scale.unit.to_si(peak)));
+        notes.extend(peak_note(&centred, 0.01 * peak));
     }
     Ok(Reading { format: "K-NET", components: vec![component], notes })
 }

@@ -160,12 +160,12 @@ const BINARY: &[Family] =
 const FAMILIES: &[Family] = &[
     Family { recognises: smc::is_smc, read: smc::read },
     Family { recognises: cosmos::is_cosmos, read: cosmos::read },
+    Family { recognises: geonet::is_geonet, read: geonet::read },
     Family { recognises: usc::is_usc, read: usc::read },
     Family { recognises: csmip::is_csmip, read: csmip::read },
     Family { recognises: knet::is_knet, read: knet::read },
     Family { recognises: cwa::is_cwa, read: cwa::read },
     Family { recognises: unam::is_unam, read: unam::read },
-    Family { recognises: geonet::is_geonet, read: geonet::read },
     Family { recognises: bhrc::is_bhrc, read: bhrc::read },
     Family { recognises: dyna::is_dyna, read: dyna::read },
     Family { recognises: nsmn::is_nsmn, read: nsmn::read },

@@ -1,42 +1,52 @@
 //! The older text files of Turkey's network (AFAD, NSMN): lines `KEY : value`, then columns N-S, E-W and U-D in gal.
 
 use super::fortran::scan;
-use super::keyed::{Header, no_step, read_rows};
+use super::keyed::{Entry, Header, entry, no_step, read_rows};
 use super::lines::lines;
-use super::units::unit_in_prose;
+use super::units::{Stated, decide, requested, unit_in_prose};
 use super::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::{Dimension, lookup};
+use crate::quantity::lookup;
 use std::path::Path;
 
 const COLUMNS: [&str; 3] = ["N-S", "E-W", "U-D"];
+const STEP: &str = "SAMPLING INTERVAL";
+const COUNT: &str = "NUMBER OF DATA";
+const KEYS: [&str; 4] = [STEP, COUNT, "STATION ID", "RECORD TIME"];
 
-/// Whether the text is such a file. The country is spelt in several ways and encodings, so it is not looked at.
+/// Whether the text is such a file: its title, and a key that no prose has. The country is spelt in several ways and
+/// encodings, so it is not looked at.
 pub(super) fn is_nsmn(bytes: &[u8]) -> bool {
-    let title = lines(bytes).take(20).find(|line| !line.is_blank());
-    title.is_some_and(|line| line.text().trim().to_ascii_uppercase().starts_with("STRONG GROUND MOTION RECORD"))
+    let mut head = lines(bytes).take(60).filter(|line| !line.is_blank());
+    let title = head.next().map_or_else(String::new, |line| line.text().trim().to_ascii_uppercase());
+    let is_key = |entry: &Entry| KEYS.iter().any(|key| entry.is(key));
+    title.starts_with("STRONG GROUND MOTION RECORD") && head.any(|line| is_key(&entry(&line)))
 }
 
 /// Reads such a file.
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
-    let (dt_s, line_of_step) = match header.step_s("SAMPLING INTERVAL")? {
+    let (dt_s, line_of_step) = match header.step_s(STEP)? {
         Some((dt_s, line)) => (dt_s, line),
-        None => (options.dt_s.ok_or_else(|| no_step("SAMPLING INTERVAL"))?, 1),
+        None => (options.dt_s.ok_or_else(|| no_step(STEP))?, 1),
     };
     super::check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line_of_step))?;
     let mut notes = Vec::new();
-    let names = column_names(&header);
-    let declared = header.count("NUMBER OF DATA")?;
+    let names = column_names(&header, &mut notes);
+    let declared = header.count(COUNT)?;
     let rows = read_rows(&mut rest, names.len(), declared, &mut notes)?;
-    // The line of the peaks states the unit; the files that lack it are in gal as all others are.
+    // The line of the peaks states the unit; the form itself is in gal, whatever lines are missing.
     let peaks = header.entries.iter().find(|entry| entry.key.to_ascii_uppercase().contains("PGA"));
-    let unit = peaks
-        .and_then(|entry| unit_in_prose(&entry.key))
-        .filter(|unit| unit.dimension == Dimension::Acceleration)
-        .or_else(|| lookup("gal"))
-        .ok_or_else(|| Problem::new(ProblemKind::Format, "the unit of the record is not known"))?;
+    let stated = peaks.and_then(|entry| Some(Stated { unit: unit_in_prose(&entry.key)?, line: entry.line }));
+    let requested = requested(options.unit.as_deref())?;
+    let unit = match (stated, requested, lookup("gal")) {
+        (None, None, Some(gal)) => {
+            notes.push("no line states the unit: the values are read in gal, as in all files of this form".to_owned());
+            gal
+        }
+        _ => decide(stated, requested, "the record")?,
+    };
     let station = station(&header);
     let mut components = Vec::new();
     for (name, values) in names.into_iter().zip(rows.columns) {
@@ -60,13 +70,17 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
 }
 
 /// The words of the line above the numbers, if every one is a direction; else the order that all files have.
-fn column_names(header: &Header) -> Vec<String> {
+fn column_names(header: &Header, notes: &mut Vec<String>) -> Vec<String> {
     let last = header.entries.last().filter(|entry| entry.value.is_empty());
     let names: Vec<String> =
         last.map(|entry| entry.key.split_whitespace().map(str::to_owned).collect()).unwrap_or_default();
     if !names.is_empty() && names.iter().all(|name| Direction::parse(name).is_some()) {
         return names;
     }
+    notes.push(format!(
+        "no line names the columns: they are read as {}, as in all files of this form",
+        COLUMNS.join(", ")
+    ));
     COLUMNS.map(str::to_owned).to_vec()
 }
 

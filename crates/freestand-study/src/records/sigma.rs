@@ -12,10 +12,12 @@ use std::path::Path;
 
 const VALUES: Format = Format::new(5, 14);
 
-/// Whether the text is such a file.
+/// Whether the text is such a file: its first key, with another that no prose has.
 pub(super) fn is_sigma(bytes: &[u8]) -> bool {
-    let first = lines(bytes).take(20).find(|line| !line.is_blank());
-    first.is_some_and(|line| entry(&line).is("Event Date & Time"))
+    let mut head = lines(bytes).take(40).filter(|line| !line.is_blank()).map(|line| entry(&line));
+    let others = ["Time Increment", "Number of Data", "Orientation", "PGA", "Station Code / Name"];
+    head.next().is_some_and(|first| first.is("Event Date & Time"))
+        && head.any(|entry| others.iter().any(|key| entry.is(key)))
 }
 
 /// Reads such a file.
@@ -61,7 +63,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         is_raw: false,
     }
     .component(options)?;
-    if let Some((peak, _)) = header.number("PGA")? {
+    // The peak is a check and no reason to refuse a record.
+    if let Ok(Some((peak, _))) = header.number("PGA") {
         notes.extend(peak_note(&component, unit.to_si(peak)));
     }
     Ok(Reading { format: "SIGMA/RESORCE", components: vec![component], notes })

@@ -115,3 +115,36 @@ proptest! {
         survives(text.into_bytes())?;
     }
 }
+
+/// Every agency's title may stand above a table of someone else's.
+#[test]
+fn a_title_alone_makes_no_agency_s_file() {
+    let titles = [
+        "UNCORRECTED ACCELEROGRAM DATA",
+        "CORRECTED ACCELEROGRAM",
+        "STRONG GROUND MOTION RECORDS OF TURKIYE",
+        "ARCHIVO ESTANDAR DE ACELERACION",
+        "UNIVERSIDAD DE CHILE - RENADIC",
+        "Earthquake Information",
+        "VOL1DS FILE",
+        "EVENT_NAME: somewhere",
+        "Event Date & Time (UTC): yesterday",
+        "Origin Time 2018/01/24 19:51:00",
+        "1 UNCORRECTED ACCELEROGRAM",
+        "Uncorrected accelerogram of GNS Science",
+        "FILE 0 OF UNCORRECTED ACCELEROGRAM DATA OF IIA001",
+    ];
+    for title in titles {
+        for mark in ["# ", ""] {
+            let table = format!("{mark}{title}\ntime [s],a [g]\n0,1\n0.01,2\n0.02,3\n");
+            let file = parse_motions(table.into_bytes(), "x".as_ref(), &ReadOptions::default());
+            let file = file.unwrap_or_else(|error| panic!("{mark}{title}: {error}"));
+            assert_eq!((file.format, file.components[0].motion.accel_m_s2().len()), ("CSV", 3), "{mark}{title}");
+            let at2 = format!(
+                "{mark}PEER STRONG MOTION DATABASE, {title}\nA, 1/1/2000, B, 090\nUNITS OF G\nNPTS= 2, DT= .02\n1 2\n"
+            );
+            let file = parse_motions(at2.into_bytes(), "x".as_ref(), &ReadOptions::default());
+            assert_eq!(file.unwrap_or_else(|error| panic!("{mark}{title}: {error}")).format, "PEER AT2", "{title}");
+        }
+    }
+}

@@ -16,9 +16,16 @@ const TITLE_LINES: usize = 20;
 /// How far down the first row may stand: the 110th line in every file known.
 const HEADER_LINES: usize = 300;
 
-/// Whether the text is such a file: `ARCHIVO ESTANDAR DE ACELERACION` among the first lines.
+/// Whether the text is such a file: `ARCHIVO ESTANDAR DE ACELERACION` among the first lines, and a list for the channels.
 pub(super) fn is_unam(bytes: &[u8]) -> bool {
+    let has_list = |line: &Line<'_>| {
+        let text = plain(&line.text());
+        ["NUM. TOTAL DE MUESTRAS", "INTERVALO DE MUESTREO", "ORIENTACION", "FORMATO DATOS"]
+            .iter()
+            .any(|key| text.trim_start().starts_with(key))
+    };
     lines(bytes).take(TITLE_LINES).any(|line| plain(&line.text()).contains("ARCHIVO ESTANDAR DE ACELERACION"))
+        && lines(bytes).take(HEADER_LINES).any(|line| has_list(&line))
 }
 
 /// Capitals without accents, which some files have and some have not.
@@ -143,8 +150,14 @@ impl Header {
                 // "ACEL. MAX. C1-C6, EN LA MUESTRA" is another list.
                 && plain(own.trim_start()).starts_with(name)
             {
-                entries.extend(value.split('/').map(str::trim).filter(|entry| !entry.is_empty()));
+                let value = value.trim();
+                let value = value.strip_prefix('/').unwrap_or(value);
+                // An entry that is empty keeps its place: the next belongs to the next column.
+                entries.extend(value.strip_suffix('/').unwrap_or(value).split('/').map(str::trim));
             }
+        }
+        while entries.last().is_some_and(|entry| entry.is_empty()) {
+            entries.pop();
         }
         Ok((first, entries))
     }
@@ -207,6 +220,9 @@ impl Header {
     fn names(&self, columns: usize) -> Result<Vec<String>, Problem> {
         let listed = self.list("ORIENTACION").map(|(_, names)| names).unwrap_or_default();
         let mut names: Vec<String> = listed.into_iter().take(columns).map(str::to_owned).collect();
+        for (i, name) in names.iter_mut().enumerate().filter(|(_, name)| name.is_empty()) {
+            *name = format!("component {}", i + 1);
+        }
         names.extend((names.len()..columns).map(|i| format!("component {}", i + 1)));
         for (line, text) in self.lines.iter().rev().take(5) {
             let above: Vec<&str> = text.split_whitespace().collect();

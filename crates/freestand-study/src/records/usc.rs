@@ -1,6 +1,7 @@
 //! Volumes I and II of the University of Southern California and, before it, of Caltech.
 
 use super::csmip::{head, refuse_spectra};
+use super::lines::lines;
 use super::volumes::{self, Network};
 use super::{ReadOptions, Reading};
 use crate::error::Problem;
@@ -13,7 +14,9 @@ const USC: Network = Network { volume_one: "USC V1", volume_two: "USC V2", colum
 pub(super) fn is_usc(bytes: &[u8]) -> bool {
     let head = head(bytes, 3);
     let is_record = head.first().is_some_and(|line| line.contains("ACCELEROGRAM") || line.contains("RESPONSE"));
-    is_record && head.iter().any(|line| line.contains("OF UNCORRECTED ACCELEROGRAM DATA OF"))
+    is_record
+        && head.iter().any(|line| line.contains("OF UNCORRECTED ACCELEROGRAM DATA OF"))
+        && lines(bytes).take(60).any(|line| volumes::is_full_integer_row(&line))
 }
 
 /// Reads a file of USC or Caltech.

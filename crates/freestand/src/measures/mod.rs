@@ -99,7 +99,8 @@ pub fn measures(motion: &Motion) -> Measures {
         rms_m_s2: (total / motion.duration_s()).sqrt(),
         specific_energy_density_m2_s: cumulative_trapezoid(dt_s, &squares(&velocity)).last().copied().unwrap_or(0.0),
         bracketed_duration_s: bracket.map_or(0.0, |(first, last)| last.to_s - first.from_s),
-        uniform_duration_s: above.iter().map(|one| one.to_s - one.from_s).sum(),
+        // Adding to 0: an empty sum is -0.
+        uniform_duration_s: above.iter().fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
         d5_75_s: crossing_time_s(dt_s, &energy, 0.75 * total) - start_s,
         d5_95_s: crossing_time_s(dt_s, &energy, 0.95 * total) - start_s,
     }

@@ -50,7 +50,8 @@ pub fn rocking_measures(motion: &Motion, block: &Block, gravity_m_s2: f64) -> Ro
         uplift_threshold_m_s2: threshold,
         pga_ratio: all.pga_m_s2 / threshold,
         pgv_ratio: edge.frequency_parameter_rad_s(gravity_m_s2) * all.pgv_m_s / threshold,
-        time_above_s: above.iter().map(|one| one.to_s - one.from_s).sum(),
+        // Adding to 0: an empty sum is -0.
+        time_above_s: above.iter().fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
         excursions: above.len(),
     }
 }

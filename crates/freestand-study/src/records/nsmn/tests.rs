@@ -66,7 +66,8 @@ fn other_spellings_and_missing_lines() {
     let found = read(replace("       N-S          E-W          U-D\n", "")).unwrap();
     assert_eq!(found.components.iter().map(|c| c.name.as_str()).collect::<Vec<_>>(), ["N-S", "E-W", "U-D"]);
     let found = read(replace("RAW PGA VALUES (gal)    : (N-S) 3.5 (E-W) 0.5 (U-D) 120.25\n", "")).unwrap();
-    assert_eq!((found.components[0].unit, found.notes.len()), ("gal", 0));
+    assert_eq!((found.components[0].unit, found.notes.len()), ("gal", 1));
+    assert!(found.notes[0].contains("no line states the unit"));
     assert_eq!(read(replace("(N-S) 3.5", "(N-S) 9.5")).unwrap().notes.len(), 1);
     let mut bytes = file();
     bytes.extend(b"\n\nend of file\n");
