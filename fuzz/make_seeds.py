@@ -44,6 +44,8 @@ def columns():
     put("columns", "blanks.txt", "Some prose\nTime[s]\tAccel[g]\n" + "".join("%.4f\t%.4f\n" % row for row in rows))
     put("columns", "series.txt", "%d 0.01\n" % N + block([a for _, a in rows], 8, "%9.4f"))
     put("columns", "comments.txt", "# units=cm/s2 dt=0.02\n" + "".join("%.4f\n" % a for a in A))
+    uneven = "".join("%.3f,%.4f\n" % pair for pair in zip([0, 0.02, 0.035, 0.05, 0.09, 0.11], A))
+    put("columns", "uneven.csv", "time [s],a [cm/s2]\n" + uneven)
     put("columns", "one.txt", "".join("%+.6e\n" % a for a in A) + "\n")
 
 
@@ -141,32 +143,67 @@ def cosmos():
     put("cosmos", "corrected.v2c", channel(1, 90))
 
 
-def california():
+def volume_one(head, units, points, body, reals=50):
+    """A channel of volume I: 13 lines of text, 16I5 with the number of points as number 28, 8F10.3, the points."""
     integers = [0] * 100
-    reals = block([0.01] * 100, 8, "%10.3f")
-    text = "Corrected accelerogram       CSMIP Strong Motion\nUncorrected accelerogram\n" + "A line of text\n" * 4
-    text += "Station No. 12345\nChan  1:  90 Deg\n" + "A line of text\n" * 17
-    text += block(integers[:100], 16, "%5d") + reals
-    for quantity, unit in [("acceleration", "cm/sec2"), ("velocity", "cm/sec"), ("displacement", "cm")]:
-        text += "%5d points of %s data equally spaced at  .010 sec, in %s. (8F10.3)\n" % (16, quantity, unit)
-        text += block(A[:16], 8, "%10.3f")
-    put("csmip", "corrected.v2", text + "/&      End-of-data for Chan  1\n")
-    text = "Uncorrected Accelerogram Data       CSMIP\n" + "A line of text\n" * 7 + "Chan  1:  90 Deg\n"
-    text += "A line of text\n" * 2 + "Units are sec and g\n" + "A line of text\n"
-    text += block([0] * 100, 16, "%5d") + block([0.01] * 50, 8, "%10.3f")
-    text += "%5d Accelerogram points, in g, at 0.010 sec. Format: (8f9.6)\n" % N
-    put("csmip", "uncorrected.v1", text + block([a / 1000 for a in A], 8, "%9.6f") + "/&      End\n")
+    integers[27] = points
+    text = head + ["A line of text"] * (12 - len(head)) + [units]
+    return "\n".join(text) + "\n" + block(integers, 16, "%5d") + block([0.01] * reals, 8, "%10.3f") + body
+
+
+def volume_two(head, name, title, ends):
+    """A channel of volume II: 25 lines of text, headers, and the three series, each below its title."""
+    text = head + ["STATION NO. 12345", "A Town", name] + ["A line of text"] * (22 - len(head))
+    text = "\n".join(text) + "\n" + block([0] * 100, 16, "%5d") + block([0.01] * 100, 8, "%10.3f")
+    for quantity, unit in [("ACCEL", "CM/SEC/SEC"), ("VELOC", "CM/SEC"), ("DISPL", "CM")]:
+        text += title % (16, quantity, unit) + block(A[:16], 8, "%10.3f")
+    return text + ends
+
+
+PAIRS = [(0.001 * t, a / 10) for t, a in zip([0, 20, 35, 50, 90, 110, 125, 150, 170, 185, 205, 230], A)]
+
+
+def california():
+    title = "%5d POINTS OF %s DATA EQUALLY SPACED AT  .010 SEC.  (UNITS: %s)  (8F10.3)\n"
+    head = ["CORRECTED ACCELEROGRAM   99999", "UNCORRECTED ACCELEROGRAM DATA"]
+    put("csmip_v2", "corrected.v2", volume_two(head, "CHAN  1:  90 DEG", title, "/&      END OF DATA FOR CHANNEL 1\n"))
+    pairs = "".join("%7.3f%7.3f" % pair + ("\n" if i % 5 == 4 else "") for i, pair in enumerate(PAIRS)) + "\n"
+    head = ["UNCORRECTED ACCELEROGRAM DATA", "A QUAKE", "STATION NO. 12345", "A Town   CSMIP", "CHAN  1:  90 DEG"]
+    count = ["NO. OF POINTS = %d" % len(PAIRS)]
+    units = "UNITS OF UNCOR ACCEL ARE SEC AND G/10"
+    channel = volume_one(head + count, units, len(PAIRS), pairs + "/&  END OF DATA FOR CHANNEL 1\n")
+    put("csmip", "pairs.v1", channel + channel.replace("CHAN  1:  90", "CHAN  2:  UP"))
+    values = "%5d Accelerogram points, equally spaced at 0.010 sec, in g. Format: (8f9.6)\n" % N
+    values += block([a / 1000 for a in A], 8, "%9.6f") + "/&      End of data for channel 1\n"
+    put("csmip", "uncorrected.v1", volume_one(head, "Units are sec and g", N, values))
+    chile = ["UNCORRECTED ACCELEROGRAM DATA", "UNIVERSIDAD DE CHILE - RENADIC", "STATION NO. 1", "VI\u00d1A", "CHAN  1: EW"]
+    put("csmip", "renadic.v1", volume_one(chile + count, units, len(PAIRS), pairs + "/&  END OF DATA\n"))
+    numbered = "%-72s%d"
+    first = [
+        "CORRECTED ACCELEROGRAM  IIBB127  94.610.0 COMP N08W   FILE   0  CORRESPONDING T",
+        "FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:",
+        numbered % ("A QUAKE", 7),
+    ]
+    title = "%5d POINTS OF %s DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS %s\n"
+    put("usc", "corrected.v2", volume_two(first, "COMP N08W", title, ""))
+    head = ["FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:", "STATION USC# 0061", "A STATION", "COMP N08W"]
+    put("usc", "uncorrected.v1", volume_one(head + count, "UNITS ARE SEC AND G/10", len(PAIRS), pairs + "/& END\n"))
 
 
 def new_zealand():
-    text = "Corrected accelerogram                  GNS Science\nSite ABCD                38 00 00S 176 00 00E\n"
-    text += "A Town\nInstrument\nResolution\n" + "A line of text\n" * 7 + "Component N00E\n" + "A line of text\n" * 3
-    integers = [0] * 40
-    integers[30:36] = [N, 0, 0, N, N, N]
-    reals = [0.0] * 60
-    reals[25] = 0.02
-    text += block(integers, 10, "%8d") + block(reals, 10, "%8.3f")
-    put("geonet", "corrected.v2a", text + block(A, 10, "%8.1f") * 3)
+    def component(title, name):
+        text = title + " accelerogram 20030102_ABCD GNS Science\nSite ABCD      38 00 00S  176 00 00E\nA Town\n"
+        text += "Instrument\nResolution\n" + "A line of text\n" * 7 + "Component %s\n" % name + "A line of text\n" * 3
+        integers = [2003] * 40
+        integers[30], integers[33] = N, N
+        integers[34] = integers[35] = 10 if title == "Corrected" else 0
+        reals = [0.0] * 60
+        reals[7], reals[24], reals[25] = 1.0, 0.005, 0.02
+        text += block(integers, 10, "%8d") + block(reals, 10, "%8.3f") + block(A, 10, "%8.1f")
+        return text + (block(A[:10], 10, "%8.1f") * 2 if title == "Corrected" else "")
+
+    put("geonet", "corrected.v2a", component("Corrected", "N00E") + component("Corrected", "Up"))
+    put("geonet", "uncorrected.v1a", component("Uncorrected", "S16W"))
 
 
 def europe():
@@ -190,22 +227,39 @@ def europe():
     ]
     lines = ["%s: %s" % key for key in keys] + ["USER%d: " % i for i in range(1, 49)]
     put("esm", "dyna.asc", "\n".join(lines) + "\n" + "".join("%.6f\n" % a for a in A))
+    # AFAD's has fewer keys, and the count and the step in another order.
+    keys = ["NDATA: %d" % N, "SAMPLING_INTERVAL_S: 0.01", "STATION_CODE: 1210", "STREAM: E", "UNITS: cm/s^2"]
+    keys += ["DATA_TYPE: UNPROCESSED ACCELERATION", "USER1: "]
+    put("esm", "afad.asc", "\n".join(keys) + "\n" + "".join("%.6f\n" % a for a in A))
     turkey = "STRONG GROUND MOTION RECORDS OF TURKIYE\r\nPLACE                        : \xdd\xdd\r\n"
     turkey += "SAMPLING INTERVAL (sec)      : 0.01\r\nNUMBER OF DATA               : %d\r\n" % N
     turkey += "PGA VALUES (gal)             : (N-S) 66.0 (E-W) 66.0 (U-D) 33.0\r\n\r\n   N-S   E-W   U-D\r\n"
     put("nsmn", "old.txt", turkey + "".join("%12.6f%12.6f%12.6f\r\n" % (a, -a, a / 2) for a in A))
-    sigma = "Event Date & Time : 2003-01-02 03:04:05\n" + "A line: of text\n" * 6
-    sigma += "Time step (s): 0.005\nNumber of points: %d\nUnits: m/s2\n" % N
+    sigma = "Event Date & Time             : 2003-01-02 03:04:05\nStation Code / Name           : 1 / A Town\n"
+    sigma += "Network                       : XX\nOrientation                   : NS\nProcessing Info               : x\n"
+    sigma += "Time Increment (s)            : 0.005\nNumber of Data                : %d\n" % N
+    sigma += "PGA (m/s/s)                   : 6.6E-01\nAccelaration time series in m/s/s\n"
     put("sigma", "fused.cor.acc", sigma + block([a / 100 for a in A], 5, "%14.7E"))
 
 
-def others():
-    text = "CORRECTED ACCELEROGRAM IIB001     94.001.0      COMP N08W   FILE 1\n" + "A line of text\n" * 24
-    text += block([0] * 100, 16, "%5d") + block([0.01] * 100, 8, "%10.3f")
-    text += "%5d POINTS OF ACC DATA EQUALLY SPACED AT  .020 SEC. IN UNITS CM/SEC/SEC\n" % N
-    put("usc", "corrected.s0a", text + block(A, 8, "%10.3f"))
-    text = "* VOL1DS FILE\nCOMP L  N45E\nLENGTH OF RECORD = 0.4 SEC\nNUMBER OF DATA POINTS = %d\n" % N
-    put("bhrc", "vol1.v1", text + "UNIT G/10\n" + "A line of text\n" * 10 + block([a / 100 for a in A], 10, "%13.5E"))
+def iran():
+    def component(name):
+        text = "* VOL1DS FILE : 6013-1  /02\nINSTRUMENT TYPE = SSA-2\nNO 123\n\n %s\n\nCOMP %s\n" % (name, name)
+        text += "A Town Station: 36.78N 49.40E   87 m, L= 355 T=  85\n1990/06/20 21:00:08\n"
+        text += "PERIOD = 0.02 DAMPING = 0.60\nNO OF POINTS = %d  DURATION = 0.200 SEC\nUNITS ARE SEC AND G/10\nEND\n" % N
+        text += "    1    2    3\n" * 7 + "     1.500     2.500\n" * 7
+        return text + block([a / 100 for a in A], 10, "%13.5E") + "-END OF RECORD-\n"
+
+    put("bhrc", "vol1.v1", component("L") + component("V"))
+
+
+def crc32c(data):
+    crc = 0xFFFFFFFF
+    for byte in data:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0x82F63B78 if crc & 1 else 0)
+    return crc ^ 0xFFFFFFFF
 
 
 def mini_seed():
@@ -228,6 +282,13 @@ def mini_seed():
     frame = struct.pack(">Iii", control, small[0], small[-1]) + b"".join(words)
     put("mseed", "steim1.mseed", record(10, frame, len(small)))
     put("mseed", "two.mseed", record(1, struct.pack(">%dh" % N, *counts), N) * 2)
+    # Version 3 (FDSN): little-endian but for Steim's frames, with a checksum.
+    for encoding, data, count, name in [(3, struct.pack("<%di" % N, *counts), N, "three"), (10, frame, 52, "three_steim")]:
+        source = b"FDSN:XX_ABC__H_N_E"
+        head = b"MS" + struct.pack("<BBIHHBBBBdI", 3, 0, 0, 2003, 2, 3, 4, 5, encoding, 100.0, count)
+        tail = struct.pack("<BBHI", 1, len(source), 0, len(data)) + source + data
+        crc = crc32c(head + bytes(4) + tail)
+        put("mseed", name + ".mseed", head + struct.pack("<I", crc) + tail)
 
 
 def sac():
@@ -259,6 +320,16 @@ def station_xml():
 
 
 def ours():
+    for name, text in [
+        ("mean", "mean"),
+        ("pre_event", "pre-event:5s"),
+        ("poly", "poly:4"),
+        ("graizer", "graizer:2:500 ms"),
+        ("boore", "boore:10s:25s"),
+        ("target", "0.4 g at 1.2 s"),
+        ("damping", "3 m/s2 at 800 ms, 2 %"),
+    ]:
+        put("processing", name, text)
     put("quantity", "one", "2.3 m")
     put("quantity", "grid", "0.3 m:4 m:64")
     put("quantity", "list", "200 mm, 40 cm, 1.5e-3km")
@@ -306,7 +377,7 @@ figures = false
     )
 
 
-for write in [peer, columns, smc, japan, taiwan, mexico, cosmos, california, new_zealand, europe, others, mini_seed, sac]:
+for write in [peer, columns, smc, japan, taiwan, mexico, cosmos, california, new_zealand, europe, iran, mini_seed, sac]:
     write()
 station_xml()
 ours()

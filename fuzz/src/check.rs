@@ -3,6 +3,9 @@
 use freestand_study::records::{ReadOptions, parse_motions};
 use std::path::Path;
 
+/// As freestand::motion has it.
+const MAX_SAMPLES: usize = 100_000_000;
+
 /// Reads `bytes` as a record file, under several options; whether any of them reads it.
 ///
 /// # Panics
@@ -31,12 +34,17 @@ fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
         }
         Ok(file) => {
             assert!(!file.components.is_empty());
+            let mut total = 0;
             for one in &file.components {
                 let accel_m_s2 = one.motion.accel_m_s2();
                 assert!(accel_m_s2.iter().all(|a| a.is_finite()) && one.motion.dt_s() > 0.0);
-                // Steim-2 packs seven samples into four bytes, text at best one into two. Resampling may add any number.
-                assert!(accel_m_s2.len() <= 2 * bytes.len() || options.resample_dt_s.is_some());
+                total += accel_m_s2.len();
+                // Steim-2 packs seven samples into four bytes, text at best one into two. Interpolation may add any number.
+                let is_interpolated = file.notes.iter().any(|note| note.contains("straight lines"));
+                assert!(accel_m_s2.len() <= 2 * bytes.len() || is_interpolated);
             }
+            // But no more than one motion may have, however many components there are.
+            assert!(total <= MAX_SAMPLES.max(2 * bytes.len()));
             true
         }
     }

@@ -72,13 +72,57 @@ fn large_files_end() {
         assert!(error.problems[0].message.contains(message), "{title}: {error}");
     }
     let digits = random_bytes(DIGITS);
-    for name in
-        ["at2/nga2.at2", "columns/comma.csv", "cwa/quake.txt", "knet/surface.NS", "smc/corrected.smc", "unam/three.asa"]
-    {
+    for name in [
+        "at2/nga2.at2",
+        "bhrc/vol1.v1",
+        "columns/comma.csv",
+        "cosmos/corrected.v2c",
+        "csmip/pairs.v1",
+        "csmip_v2/corrected.v2",
+        "cwa/quake.txt",
+        "esm/dyna.asc",
+        "geonet/corrected.v2a",
+        "knet/surface.NS",
+        "mseed/int32.mseed",
+        "nsmn/old.txt",
+        "sac/little.sac",
+        "sigma/fused.cor.acc",
+        "smc/corrected.smc",
+        "unam/three.asa",
+    ] {
         let bytes = [seed(name), digits[..BYTES - 4096].to_vec()].concat();
-        // What follows the last value of an SMC file is not looked at.
-        assert_eq!(read(name, bytes, &ReadOptions::default()).is_ok(), name.starts_with("smc"), "{name}");
+        // What follows the last value of an SMC file, or the displacements of a channel of volume II, is not looked at.
+        let options = if name.starts_with("sac") { &told } else { &ReadOptions::default() };
+        let is_read = ["smc", "csmip"].iter().any(|family| name.starts_with(family));
+        assert_eq!(read(name, bytes, options).is_ok(), is_read, "{name}");
     }
+    // What a header promises, the file does not hold: 2e9 samples of SAC.
+    let mut bytes = seed("sac/little.sac");
+    bytes[316..320].copy_from_slice(&2_000_000_000_i32.to_le_bytes());
+    assert!(read("SAC of 2e9 samples", bytes, &told).is_err());
+}
+
+/// Of 26 MB: making the bytes takes longer than reading them.
+const CHANNELS: usize = 50_000;
+
+/// A record repeated: every one of them is looked at, and all of them are one record that stands there often.
+#[test]
+fn two_hundred_thousand_records_end() {
+    let told = ReadOptions { unit: Some("g".to_owned()), ..ReadOptions::default() };
+    let record = seed("mseed/int32.mseed");
+    let file = read("miniSEED of one record many times", record.repeat(BYTES / 512), &told).unwrap();
+    assert_eq!(file.components[0].motion.accel_m_s2().len(), 40);
+    // As many channels as records, each with a station of its own.
+    let mut bytes = Vec::new();
+    for i in 0..CHANNELS {
+        let mut record = record.clone();
+        for (at, byte) in record[8..13].iter_mut().enumerate() {
+            *byte = b'A' + (i / 26usize.pow(at as u32) % 26) as u8;
+        }
+        bytes.extend(record);
+    }
+    let file = read("miniSEED of as many channels as records", bytes, &told).unwrap();
+    assert_eq!(file.components.len(), CHANNELS);
 }
 
 const SAMPLES: usize = 10_000_000;

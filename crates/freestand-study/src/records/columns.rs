@@ -11,6 +11,7 @@ use super::units::{Stated, decide, missing, record_unit, requested, unit_in_pros
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, shorten};
+use freestand::motion::MAX_SAMPLES;
 use std::path::Path;
 
 /// What is stated above the numbers.
@@ -84,7 +85,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             *value = unit.to_si(*value);
         }
         if let Some(times_s) = &spacing.uneven_s {
-            values = resampled(times_s, &values, spacing.dt_s, &mut notes)
+            // All columns together are no more than one motion may be: two rows of many columns are a short file.
+            values = resampled(times_s, &values, spacing.dt_s, MAX_SAMPLES / count.max(1), &mut notes)
                 .map_err(|uneven| uneven_problem(uneven, &table, bytes))?;
         }
         let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
@@ -324,8 +326,14 @@ fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {
 }
 
 /// A component on equal steps, with notes of what that did to it.
-fn resampled(times_s: &[f64], values: &[f64], dt_s: f64, notes: &mut Vec<String>) -> Result<Vec<f64>, Uneven> {
-    let samples = on_even_grid(times_s, values, dt_s)?;
+fn resampled(
+    times_s: &[f64],
+    values: &[f64],
+    dt_s: f64,
+    most: usize,
+    notes: &mut Vec<String>,
+) -> Result<Vec<f64>, Uneven> {
+    let samples = on_even_grid(times_s, values, dt_s, most)?;
     let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
     let (before, after) = (peak(values), peak(&samples));
     let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));

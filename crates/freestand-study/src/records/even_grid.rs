@@ -1,15 +1,14 @@
 //! Unevenly spaced points as equally spaced samples on the straight lines between them.
 
 use super::sampling::Uneven;
-use freestand::motion::MAX_SAMPLES;
 
 /// Samples at `times_s[0] + i·dt_s`, up to the last time, on the straight lines between the points.
 ///
 /// A point that lies on the grid keeps its value to the bit. Two points at one time are one point if their values agree.
 ///
 /// # Errors
-/// A time that does not increase, a step that is not positive, more than [`MAX_SAMPLES`] samples; the row counts from 0.
-pub(super) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64) -> Result<Vec<f64>, Uneven> {
+/// A time that does not increase, a step that is not positive, more than `most` samples; the row counts from 0.
+pub(super) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64, most: usize) -> Result<Vec<f64>, Uneven> {
     let uneven = |row: usize, message: String, hint: &'static str| Uneven { row, message, hint };
     let (Some(&first), Some(&last)) = (times_s.first(), times_s.last()) else {
         return Err(uneven(0, "there are no times".to_owned(), "a motion needs 2 samples or more"));
@@ -22,7 +21,7 @@ pub(super) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64) -> Result
     }
     // The last point is on the grid if it is missed by rounding only.
     let steps = ((last - first) / dt_s + ON_GRID).floor();
-    if !(dt_s > 0.0 && steps < MAX_SAMPLES as f64) {
+    if !(dt_s > 0.0 && steps < most as f64) {
         let message = format!("the record from {first} s to {last} s is too long for steps of {dt_s} s");
         return Err(uneven(0, message, "ask for a longer step (--resample)"));
     }
@@ -79,17 +78,19 @@ fn greatest_common_divisor(mut a: u64, mut b: u64) -> u64 {
 mod tests {
     use super::*;
 
+    const MOST: usize = 1_000_000;
+
     #[test]
     fn points_keep_their_values_and_lines_stay_straight() {
         // Exact: halves and quarters are exact in binary.
         assert_eq!(
-            on_even_grid(&[0.0, 1.0, 1.5, 3.5], &[2.0, 4.0, -1.0, 7.0], 0.5).unwrap(),
+            on_even_grid(&[0.0, 1.0, 1.5, 3.5], &[2.0, 4.0, -1.0, 7.0], 0.5, MOST).unwrap(),
             [2.0, 3.0, 4.0, -1.0, 1.0, 3.0, 5.0, 7.0]
         );
         // The grid starts at the first time and ends at or before the last.
-        assert_eq!(on_even_grid(&[0.25, 1.0, 1.25], &[1.0, 4.0, 4.0], 0.75).unwrap(), [1.0, 4.0]);
+        assert_eq!(on_even_grid(&[0.25, 1.0, 1.25], &[1.0, 4.0, 4.0], 0.75, MOST).unwrap(), [1.0, 4.0]);
         // One point twice is one point.
-        assert_eq!(on_even_grid(&[0.0, 1.0, 1.0, 2.0], &[0.0, 3.0, 3.0, 1.0], 1.0).unwrap(), [0.0, 3.0, 1.0]);
+        assert_eq!(on_even_grid(&[0.0, 1.0, 1.0, 2.0], &[0.0, 3.0, 3.0, 1.0], 1.0, MOST).unwrap(), [0.0, 3.0, 1.0]);
     }
 
     #[test]
@@ -99,7 +100,7 @@ mod tests {
         let times: Vec<f64> = ms.iter().map(|ms| format!("{ms}e-3").parse().unwrap()).collect();
         let values: Vec<f64> = (0..4000).map(|i| f64::from(i * 7919 % 2001 - 1000) * 1e-3).collect();
         assert_eq!(common_step(&times, -3), Some(0.001));
-        let samples = on_even_grid(&times, &values, 0.001).unwrap();
+        let samples = on_even_grid(&times, &values, 0.001, MOST).unwrap();
         assert_eq!(samples.len() as u32, ms.last().unwrap() - ms[0] + 1);
         for (ms_of, value) in ms.iter().zip(&values) {
             assert_eq!(samples[(ms_of - ms[0]) as usize], *value, "exact: a point on the grid is taken as it is");
@@ -124,13 +125,17 @@ mod tests {
 
     #[test]
     fn what_is_no_time_is_refused() {
-        let row = |times: &[f64], dt_s: f64| on_even_grid(times, &[1.0, 2.0, 3.0], dt_s).unwrap_err().row;
+        let row = |times: &[f64], dt_s: f64| on_even_grid(times, &[1.0, 2.0, 3.0], dt_s, MOST).unwrap_err().row;
         assert_eq!(row(&[0.0, 1.0, 0.5], 0.1), 2);
         assert_eq!(row(&[0.0, 0.0, 0.5], 0.1), 1);
         assert_eq!(row(&[0.0, f64::NAN, 0.5], 0.1), 1);
         assert_eq!(row(&[0.0, 1.0, 1e6], 0.001), 0);
-        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.0).is_err());
-        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], f64::NAN).is_err());
-        assert!(on_even_grid(&[], &[], 0.1).is_err());
+        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.0, MOST).is_err());
+        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], f64::NAN, MOST).is_err());
+        assert!(on_even_grid(&[], &[], 0.1, MOST).is_err());
+        // Nothing is reserved for more samples than there is room for: 1e15 of them here.
+        assert!(on_even_grid(&[0.0, 1e9], &[1.0, 2.0], 1e-6, MOST).is_err());
+        assert_eq!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 5).unwrap().len(), 5);
+        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 4).is_err());
     }
 }

@@ -94,11 +94,16 @@ fn by_points(line: &[u8]) -> Option<Vec<Number>> {
 impl Pairs {
     /// The values at equal steps \[s\]: as they are where the times are equally spaced, else on the straight lines
     /// between the points, which is what such a record means. The step is then the longest that holds every point, or the
-    /// one asked for.
+    /// one asked for. `room` is how many samples there may be.
     ///
     /// # Errors
     /// Times that do not increase, more samples than can be meant.
-    pub(super) fn evenly(self, name: &str, options: &ReadOptions) -> Result<(f64, Vec<f64>, Option<String>), Problem> {
+    pub(super) fn evenly(
+        self,
+        name: &str,
+        options: &ReadOptions,
+        room: usize,
+    ) -> Result<(f64, Vec<f64>, Option<String>), Problem> {
         let uneven = match time_step(&self.times_s, self.last_digit_exponent) {
             Ok(dt_s) => return Ok((dt_s, self.values, None)),
             Err(uneven) => uneven,
@@ -116,7 +121,7 @@ impl Pairs {
                 .at_line(self.first_line)
                 .hint("give the step to which it is to be interpolated, such as \"0.005 s\" (--resample)"));
         };
-        let values = on_even_grid(&self.times_s, &self.values, dt_s).map_err(|uneven| self.problem(uneven))?;
+        let values = on_even_grid(&self.times_s, &self.values, dt_s, room).map_err(|uneven| self.problem(uneven))?;
         let points = self.times_s.len();
         let note = format!(
             "{name}: {points} points at uneven times are read as the straight lines between them, in steps of {dt_s} s"
@@ -152,23 +157,26 @@ mod tests {
     fn uneven_points_are_straight_lines() {
         let pairs = |text: &str| read(&mut lines(text.as_bytes())).unwrap();
         let options = ReadOptions::default();
-        let (dt_s, values, note) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", &options).unwrap();
+        let (dt_s, values, note) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", &options, 1000).unwrap();
         // The common step of 20 ms and 50 ms is 10 ms. Rounding of one product and one sum.
         assert_eq!((dt_s, values.len()), (0.01, 6));
         for (found, expected) in values.iter().zip([1.0, 2.0, 3.0, 2.0, 1.0, 0.0]) {
             assert!((found - expected).abs() < 1e-14);
         }
         assert!(note.unwrap().contains("3 points"));
-        let (dt_s, values, note) = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n").evenly("up", &options).unwrap();
+        let (dt_s, values, note) = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n").evenly("up", &options, 1000).unwrap();
         assert_eq!((dt_s, values, note), (0.01, vec![1.0, 3.0, 0.0], None));
         let asked = ReadOptions { resample_dt_s: Some(0.025), ..ReadOptions::default() };
-        let (dt_s, values, _) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", &asked).unwrap();
+        let (dt_s, values, _) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", &asked, 1000).unwrap();
         assert_eq!((dt_s, values.len()), (0.025, 3));
         assert!((values[1] - 2.5).abs() < 1e-14, "a sixth of the way from 3 to 0");
         let long = "0.000 1.0 0.001 2.0\n99999.999 1.0 0.0 0.0\n";
-        assert!(pairs(long).evenly("up", &options).err().unwrap().to_string().contains("does not increase"));
+        assert!(pairs(long).evenly("up", &options, 1000).err().unwrap().to_string().contains("does not increase"));
         let long = "0.000 1.0 0.001 2.0\n99999.999 1.0\n";
-        let problem = pairs(long).evenly("up", &options).err().unwrap();
+        let problem = pairs(long).evenly("up", &options, 1000).err().unwrap();
         assert!(problem.hint.unwrap().contains("--resample"));
+        let damaged = pairs("0.000 1.0 0.001 2.0\n1000000000.0 1.0\n");
+        let asked = ReadOptions { resample_dt_s: Some(1e-6), ..ReadOptions::default() };
+        assert!(damaged.evenly("up", &asked, 1000).err().unwrap().to_string().contains("too long for steps"));
     }
 }

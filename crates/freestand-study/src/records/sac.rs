@@ -69,8 +69,10 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let header = Header { bytes, order };
     header.refuse_other_kinds()?;
     let version = header.integer(word::NVHDR);
-    let npts = usize::try_from(header.integer(word::NPTS))
-        .map_err(|_| wrong(format!("the number of samples (NPTS) is {}", header.integer(word::NPTS))))?;
+    let npts = usize::try_from(header.integer(word::NPTS)).map_err(|_| {
+        wrong(format!("the number of samples (NPTS) is {}", header.integer(word::NPTS)))
+            .hint("the file is damaged, or NPTS was never set: fetch it again")
+    })?;
     let footer = if version == 7 { FOOTER } else { 0 };
     if npts.checked_mul(4).and_then(|size| size.checked_add(HEADER + footer)) != Some(bytes.len()) {
         let found = bytes.len().saturating_sub(HEADER + footer) as f64 / 4.0;

@@ -17,6 +17,7 @@ use super::{Component, Direction, Found, ReadOptions, Reading, pairs, peak_note}
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
 use freestand::G0_M_S2;
+use freestand::motion::MAX_SAMPLES;
 use header::{Header, NamedUnit, number_after, read_header, unit_of};
 
 /// What differs from one network to the other.
@@ -58,7 +59,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
         }
         let read = match find_title(&mut rest)? {
             Some(title) => read_series(&header, &title, channel, &mut rest, options),
-            None => read_pairs(&header, channel, &mut rest, options),
+            None => read_pairs(&header, channel, &mut rest, options, room(&components)),
         };
         match other_quantity(&header) {
             Some((what, line)) => {
@@ -153,7 +154,14 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     found(header, channel, unit, dt_s, block, options).map(|component| (component, None))
 }
 
-fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions) -> Read {
+/// How many samples interpolation may still make: all channels together are no more than one motion may be, for a short
+/// file can have many channels with damaged times.
+fn room(components: &[Component]) -> usize {
+    let taken: usize = components.iter().map(|one| one.motion.accel_m_s2().len()).sum();
+    MAX_SAMPLES.saturating_sub(taken)
+}
+
+fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions, room: usize) -> Read {
     let pairs = pairs::read(rest)?;
     let count = pairs.times_s.len();
     let of_integers = [27, 32].map(|at| header.integers.get(at).copied().flatten());
@@ -170,7 +178,7 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);
-    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options)?;
+    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options, room)?;
     let block = Block { values, first_line };
     // The step given by the user is for files that state none; here the times state it.
     found(header, channel, header.unit()?, dt_s, block, options).map(|component| (component, note))

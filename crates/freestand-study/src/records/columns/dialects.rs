@@ -182,3 +182,16 @@ fn uneven_times_are_interpolated_only_on_request() {
     let far = read(b"t [s],a [g]\n0,1\n0.5,2\n1e9,3\n", &asked(0.01)).unwrap_err();
     assert!(far.message.contains("too long"), "{far}");
 }
+
+#[test]
+fn many_columns_share_the_room_for_interpolated_samples() {
+    // 50 columns of 100 s at 1e-6 s would be 5e9 samples, 40 GB, from a file of 300 bytes.
+    let row = |time: &str| format!("{time}{}\n", ",1".repeat(50));
+    let text = format!("time [s]{}\n{}{}{}", ",a [g]".repeat(50), row("0"), row("1"), row("99"));
+    let asked = ReadOptions { resample_dt_s: Some(1e-6), ..ReadOptions::default() };
+    let error = parse_motions(text.clone().into_bytes(), "x.csv".as_ref(), &asked).unwrap_err();
+    assert!(error.to_string().contains("too long for steps"), "{error}");
+    let asked = ReadOptions { resample_dt_s: Some(0.5), ..ReadOptions::default() };
+    let file = parse_motions(text.into_bytes(), "x.csv".as_ref(), &asked).unwrap();
+    assert_eq!((file.components.len(), file.components[49].motion.accel_m_s2().len()), (50, 199));
+}

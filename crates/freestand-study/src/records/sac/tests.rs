@@ -138,3 +138,12 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_number_of_samples_below_zero_is_refused() {
+    // Found by fuzzing: the problem had no remedy.
+    let read = parse_motions(file(false, 6, &[], &[(79, -5)]), "x.sac".as_ref(), &ReadOptions::default());
+    let problem = &read.unwrap_err().problems[0];
+    assert_eq!(problem.message, "the number of samples (NPTS) is -5");
+    assert!(problem.hint.as_ref().unwrap().contains("fetch it again"));
+}
