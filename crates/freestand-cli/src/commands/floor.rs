@@ -70,6 +70,7 @@ pub(crate) struct FloorArgs {
 #[derive(Debug, Serialize)]
 struct FloorReport {
     motion: String,
+    processing: Vec<String>,
     building_height_m: f64,
     damping_ratio: f64,
     shear_flexure_ratio: f64,
@@ -153,6 +154,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     }
     let report = FloorReport {
         motion: read.motion.name,
+        processing: read.motion.processing,
         building_height_m,
         damping_ratio: beam.damping_ratio(),
         shear_flexure_ratio: beam.shear_flexure_ratio(),

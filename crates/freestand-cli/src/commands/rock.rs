@@ -9,6 +9,7 @@ use freestand::rocking::{RockingOptions, Until};
 use freestand_study::output::write_file;
 use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
+use serde::Serialize;
 
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
@@ -84,19 +85,35 @@ pub(crate) struct RockArgs {
 }
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let request = request(args, printer)?;
+    let (request, reading) = request(args)?;
     let inputs: Vec<PathBuf> = args.motion.iter().chain(&args.vertical).cloned().collect();
     let files = Files::begin(global, &inputs)?;
-    let report = rock(&request, args.history.is_some() || files.wanted())?;
+    let mut report = rock(&request, args.history.is_some() || files.wanted())?;
+    report.warnings.splice(0..0, reading.warnings);
     files.write("history.csv", || history_csv(&request.block, &report.history))?;
     if let Some(path) = &args.history {
         write_file(path, history_csv(&request.block, &report.history).as_bytes(), &inputs)?;
     }
-    files.print(printer, "freestand.rock/1", &report, &report.warnings, || text(&report, &request))?;
+    let document = Document { report: &report, processing: reading.processing };
+    files.print(printer, "freestand.rock/1", &document, &report.warnings, || text(&report, &request))?;
     Ok(Done::OK)
 }
 
-fn request(args: &RockArgs, printer: &Printer) -> Result<RockRequest, Failure> {
+#[derive(Debug, Serialize)]
+struct Document<'a> {
+    #[serde(flatten)]
+    report: &'a RockReport,
+    processing: Vec<String>,
+}
+
+/// What is to be said about the records.
+#[derive(Debug, Default)]
+struct Reading {
+    warnings: Vec<String>,
+    processing: Vec<String>,
+}
+
+fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let mut values = Values::default();
     let height = values.positive("--height", Some(&args.height), Dimension::Length);
     let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
@@ -137,14 +154,10 @@ fn request(args: &RockArgs, printer: &Printer) -> Result<RockRequest, Failure> {
     if no_motion && duration.is_none() {
         return Err(Failure::usage("free rocking has no end", "give --duration, for example --duration 30s"));
     }
-    Ok(RockRequest {
-        block,
-        horizontal: args.motion.as_ref().map(|path| read(&args.read, path, printer)).transpose()?,
-        vertical: args.vertical.as_ref().map(|path| read(&vertical_reading(args), path, printer)).transpose()?,
-        options,
-        cushion: mass.zip(stiffness),
-        friction,
-    })
+    let mut reading = Reading::default();
+    let horizontal = args.motion.as_ref().map(|path| read(&args.read, path, &mut reading)).transpose()?;
+    let vertical = args.vertical.as_ref().map(|path| read(&vertical_reading(args), path, &mut reading)).transpose()?;
+    Ok((RockRequest { block, horizontal, vertical, options, cushion: mass.zip(stiffness), friction }, reading))
 }
 
 /// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
@@ -154,11 +167,11 @@ fn vertical_reading(args: &RockArgs) -> ReadArgs {
     ReadArgs { component, scale, process, ..args.read.clone() }
 }
 
-fn read(reading: &ReadArgs, path: &std::path::Path, printer: &Printer) -> Result<Motion, Failure> {
-    let read = reading.read_one(path)?;
-    for note in &read.notes {
-        printer.detail(&format!("{}: {note}", path.display()));
-    }
+fn read(args: &ReadArgs, path: &std::path::Path, reading: &mut Reading) -> Result<Motion, Failure> {
+    let read = args.read_one(path)?;
+    let named = |text: &String| format!("{}: {text}", read.motion.name);
+    reading.warnings.extend(read.notes.iter().map(named));
+    reading.processing.extend(read.motion.processing.iter().map(named));
     Ok(read.motion.motion)
 }
 

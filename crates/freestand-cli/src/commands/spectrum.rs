@@ -82,7 +82,14 @@ struct Timing {
 #[derive(Debug, Serialize)]
 struct Report {
     rows: Vec<Row>,
+    processing: Vec<Processed>,
     timing: Timing,
+}
+
+#[derive(Debug, Serialize)]
+struct Processed {
+    motion: String,
+    steps: Vec<String>,
 }
 
 pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
@@ -106,7 +113,8 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let motions = args.read.read_all(&args.motion)?;
     let files = Files::begin(global, &args.motion)?;
 
-    let mut warnings = Vec::new();
+    let mut warnings: Vec<String> =
+        motions.iter().flat_map(|read| read.notes.iter().map(|note| format!("{}: {note}", read.motion.name))).collect();
     if let Some(block) = blocks.iter().find(|block| block.landing_ratio() < 0.0) {
         let count = blocks.iter().filter(|block| block.landing_ratio() < 0.0).count();
         let warning = ValidityWarning::Squat { landing_ratio: block.landing_ratio() };
@@ -159,7 +167,9 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
         }
         files.write("rows.csv", || columns)?;
     }
-    let report = Report { rows, timing: Timing { solve_s, block_steps } };
+    let processing =
+        motions.into_iter().map(|read| Processed { motion: read.motion.name, steps: read.motion.processing }).collect();
+    let report = Report { rows, processing, timing: Timing { solve_s, block_steps } };
     files.print(printer, "freestand.spectrum/1", &report, &warnings, || text(&report))?;
     Ok(Done { criterion_met: failed == 0 })
 }

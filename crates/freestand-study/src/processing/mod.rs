@@ -169,7 +169,8 @@ fn take_mean(motion: &Motion) -> Result<(Motion, f64), Problem> {
 
 /// All steps that come after the choice of a component.
 fn finish(motion: Motion, steps: Vec<String>, processing: &Processing) -> Result<Processed, Problem> {
-    let mut done = Processed { motion, steps, scale_ratio: 1.0, notes: Vec::new() };
+    // What came before was not asked for, the mean of a raw record above all: it is said wherever the motion is used.
+    let mut done = Processed { motion, notes: steps.clone(), steps, scale_ratio: 1.0 };
     if let Some(baseline) = processing.baseline {
         done.add(without_baseline(&done.motion, baseline)?);
     }
