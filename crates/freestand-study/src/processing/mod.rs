@@ -118,9 +118,9 @@ pub fn process(component: &Component, processing: &Processing) -> Result<Process
         return Err(Problem::new(ProblemKind::Value, message)
             .hint("leave out the azimuth here, or turn the record first: freestand motion rotate"));
     }
-    let mut steps = Vec::new();
-    let motion = without_mean(component, processing, &mut steps)?;
-    finish(motion, steps, processing)
+    let mut unasked = Vec::new();
+    let motion = without_mean(component, processing, &mut unasked)?;
+    finish(motion, unasked, None, processing)
 }
 
 /// The component of a file that is asked for, processed, and what it is in words; with an azimuth, the two horizontal
@@ -168,9 +168,16 @@ fn take_mean(motion: &Motion) -> Result<(Motion, f64), Problem> {
 }
 
 /// All steps that come after the choice of a component.
-fn finish(motion: Motion, steps: Vec<String>, processing: &Processing) -> Result<Processed, Problem> {
-    // What came before was not asked for, the mean of a raw record above all: it is said wherever the motion is used.
-    let mut done = Processed { motion, notes: steps.clone(), steps, scale_ratio: 1.0 };
+///
+/// What was done unasked, the mean of a raw record above all, is said wherever the motion is used.
+fn finish(
+    motion: Motion,
+    unasked: Vec<String>,
+    turned: Option<String>,
+    processing: &Processing,
+) -> Result<Processed, Problem> {
+    let steps = unasked.iter().cloned().chain(turned).collect();
+    let mut done = Processed { motion, notes: unasked, steps, scale_ratio: 1.0 };
     if let Some(baseline) = processing.baseline {
         done.add(without_baseline(&done.motion, baseline)?);
     }

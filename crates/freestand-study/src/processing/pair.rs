@@ -117,9 +117,9 @@ pub fn process_pair(
         return Err(Problem::new(ProblemKind::Value, "two components have no one factor to a target")
             .hint("give the factor itself: --scale"));
     }
-    let mut steps = Vec::new();
-    let (one, two) = aligned(first, second, processing.keep_mean, &mut steps)?;
-    Ok((finish(one, steps.clone(), processing)?, finish(two, steps, processing)?))
+    let mut unasked = Vec::new();
+    let (one, two) = aligned(first, second, processing.keep_mean, &mut unasked)?;
+    Ok((finish(one, unasked.clone(), None, processing)?, finish(two, unasked, None, processing)?))
 }
 
 /// What must be said of components that are taken as perpendicular but point otherwise.
@@ -142,8 +142,8 @@ pub fn turned(
     azimuth_deg: f64,
     processing: &Processing,
 ) -> Result<Processed, Problem> {
-    let mut steps = Vec::new();
-    let (one, two) = aligned(first.0, second.0, processing.keep_mean, &mut steps)?;
+    let mut unasked = Vec::new();
+    let (one, two) = aligned(first.0, second.0, processing.keep_mean, &mut unasked)?;
     let rotated = Pair::new(&one, &two).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
     let motion = rotated.map_err(|error| {
         let hint = match error {
@@ -154,15 +154,15 @@ pub fn turned(
         };
         refused("azimuth", error, hint)
     })?;
-    steps.push(format!(
+    let step = format!(
         "components {} ({} deg) and {} ({} deg) turned to {} deg",
         first.0.name,
         number(first.1, 6),
         second.0.name,
         number(second.1, 6),
         number(azimuth_deg, 6)
-    ));
-    finish(motion, steps, processing)
+    );
+    finish(motion, unasked, Some(step), processing)
 }
 
 /// Two components with the same number of samples, raw ones without their means.
