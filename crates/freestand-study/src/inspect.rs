@@ -206,7 +206,7 @@ fn info_of_component(
         pgv_over_threshold_ratio: rocking.map(|r| r.pgv_ratio),
         time_above_threshold_s: rocking.map(|r| r.time_above_s),
         excursions_above_threshold: rocking.map(|r| r.excursions),
-        mean_m_s2: raw.iter().sum::<f64>() / raw.len() as f64,
+        mean_m_s2: component.motion.mean_m_s2(),
         sum_abs_m_s2: raw.iter().map(|a| a.abs()).sum(),
         first_values_m_s2: raw.iter().take(5).copied().collect(),
         last_values_m_s2: raw[raw.len() - 2..].to_vec(),

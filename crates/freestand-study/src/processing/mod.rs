@@ -161,10 +161,8 @@ fn without_mean(component: &Component, processing: &Processing, steps: &mut Vec<
 }
 
 fn take_mean(motion: &Motion) -> Result<(Motion, f64), Problem> {
-    let accel_m_s2 = motion.accel_m_s2();
-    let mean_m_s2 = accel_m_s2.iter().sum::<f64>() / accel_m_s2.len() as f64;
     let centred = corrected(motion, Baseline::Mean).map_err(|error| refused("the mean", error, "check the values"))?;
-    Ok((centred, mean_m_s2))
+    Ok((centred, motion.mean_m_s2()))
 }
 
 /// All steps that come after the choice of a component.

@@ -138,11 +138,10 @@ fn the_mean_of_raw_components_goes_first() {
     let azimuth = Processing { azimuth_deg: Some(45.0), ..Processing::default() };
     let (done, _) = process_file(&file, None, &azimuth).unwrap();
     assert!(done.steps[0].starts_with("mean of 5.00") && done.steps[0].ends_with("removed from N-S (raw record)"));
-    let mean = |motion: &Motion| motion.accel_m_s2().iter().sum::<f64>() / motion.accel_m_s2().len() as f64;
     // The sum of 801 values of 7 m/s².
-    assert!(mean(&done.motion).abs() < 1e-13);
+    assert!(done.motion.mean_m_s2().abs() < 1e-13);
     let kept = Processing { keep_mean: true, ..azimuth };
-    assert!((mean(&process_file(&file, None, &kept).unwrap().0.motion) - 50f64.sqrt()).abs() < 0.01);
+    assert!((process_file(&file, None, &kept).unwrap().0.motion.mean_m_s2() - 50f64.sqrt()).abs() < 0.01);
 }
 
 #[test]
