@@ -11,7 +11,7 @@ use std::path::Path;
 pub fn check_record(bytes: &[u8]) -> bool {
     let plain = ReadOptions::default();
     let told = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
-    let resampled = ReadOptions { unit: Some("cm/s2".to_owned()), resample_dt_s: Some(0.01), ..ReadOptions::default() };
+    let resampled = ReadOptions { unit: Some("cm/s2".to_owned()), uneven_dt_s: Some(0.01), ..ReadOptions::default() };
     // Every one of them, even after one has read it.
     [plain, told, resampled].map(|options| check_with(bytes, &options)).contains(&true)
 }
@@ -35,7 +35,7 @@ fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
                 let accel_m_s2 = one.motion.accel_m_s2();
                 assert!(accel_m_s2.iter().all(|a| a.is_finite()) && one.motion.dt_s() > 0.0);
                 // Steim-2 packs seven samples into four bytes, text at best one into two. Resampling may add any number.
-                assert!(accel_m_s2.len() <= 2 * bytes.len() || options.resample_dt_s.is_some());
+                assert!(accel_m_s2.len() <= 2 * bytes.len() || options.uneven_dt_s.is_some());
             }
             true
         }

@@ -157,7 +157,7 @@ fn uneven_times_are_interpolated_only_on_request() {
     let refused = read(text.as_bytes(), &ReadOptions::default()).unwrap_err();
     assert!(refused.message.contains("uneven sampling") && refused.line == Some(4), "{refused}");
     assert!(refused.hint.as_ref().unwrap().contains("--resample 0.01s"), "{refused:?}");
-    let asked = |dt_s| ReadOptions { resample_dt_s: Some(dt_s), ..ReadOptions::default() };
+    let asked = |dt_s| ReadOptions { uneven_dt_s: Some(dt_s), ..ReadOptions::default() };
     let file = read(text.as_bytes(), &asked(0.01)).unwrap();
     // Straight between the points: from 3 at 10 ms to 0 at 40 ms in thirds, which are exact here to one rounding.
     for (found, expected) in file.components[0].motion.accel_m_s2().iter().zip([1.0, 3.0, 2.0, 1.0, 0.0, 5.0]) {
