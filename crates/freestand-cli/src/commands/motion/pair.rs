@@ -12,6 +12,11 @@ use crate::values::Values;
 
 /// Two horizontal components.
 #[derive(Debug, Args)]
+// A pair is never turned as it is read; the flag stays known so that its error says what to do instead.
+#[command(
+    mut_arg("azimuth", |arg| arg.hide(true)),
+    mut_arg("component", |arg| arg.help("The component of each of two files with several: its name or its number from 1"))
+)]
 pub(super) struct PairArgs {
     /// A record file with two horizontal components, or two files with one each
     #[arg(value_name = "FILE", required = true, num_args = 1..=2)]
