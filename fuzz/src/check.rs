@@ -14,7 +14,7 @@ const MAX_SAMPLES: usize = 100_000_000;
 pub fn check_record(bytes: &[u8]) -> bool {
     let plain = ReadOptions::default();
     let told = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
-    let resampled = ReadOptions { unit: Some("cm/s2".to_owned()), resample_dt_s: Some(0.01), ..ReadOptions::default() };
+    let resampled = ReadOptions { unit: Some("cm/s2".to_owned()), uneven_dt_s: Some(0.01), ..ReadOptions::default() };
     // Every one of them, even after one has read it.
     [plain, told, resampled].map(|options| check_with(bytes, &options)).contains(&true)
 }

@@ -69,7 +69,7 @@ impl ReadArgs {
             read: ReadOptions {
                 unit: self.unit.clone(),
                 dt_s,
-                resample_dt_s: processing.resample_dt_s,
+                uneven_dt_s: processing.resample_dt_s,
                 station_xml: self.station_xml.clone(),
             },
             component: self.component.clone(),

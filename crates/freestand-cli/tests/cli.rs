@@ -639,11 +639,32 @@ fn spectra_over_all_directions() {
         rotd(&["two.csv", "--percentiles", "150", "--periods", "0.5 s"]),
         rotd(&["two.csv", "--periods", "-1 s"]),
         rotd(&["two.csv", "--scale-to", "1 g"]),
+        rotd(&["two.csv", "--component", "N"]),
+        rotd(&["two.csv", "--percentiles", "50, 50"]),
     ];
     insta::assert_snapshot!(all.join("\n\n"));
     rotd(&["two.csv", "--periods", "0.5 s, 1 s", "--out", "out"]);
     let csv = std::fs::read_to_string(folder.path().join("out/rotd.csv")).unwrap();
-    assert!(csv.starts_with("period_s,rotd100_g,rotd50_g,larger_g,geometric_mean_g,first_g,second_g\n0.5,"), "{csv}");
+    assert!(csv.starts_with("period_s,rotd50_g,rotd100_g,larger_g,geometric_mean_g,first_g,second_g\n0.5,"), "{csv}");
+}
+
+/// What a command refuses whatever the file is not among its flags; where it is of use it is.
+#[test]
+fn help_lists_no_flag_that_is_always_refused() {
+    for (command, flag, is_listed) in [
+        ("info", "--azimuth ", false),
+        ("rotate", "--azimuth ", false),
+        ("rotd", "--azimuth ", false),
+        ("rotd", "--scale-to ", false),
+        ("rotd", "--scale-to-sa ", false),
+        ("spectrum", "--azimuth ", true),
+        ("rotate", "--scale-to-sa ", true),
+        ("rotd", "--scale ", true),
+    ] {
+        let run = Command::new(env!("CARGO_BIN_EXE_freestand")).args(["motion", command, "--help"]).output().unwrap();
+        let help = String::from_utf8(run.stdout).unwrap();
+        assert_eq!(help.contains(flag), is_listed, "{command} {flag}: {help}");
+    }
 }
 
 /// A turned record has more energy in its own direction than in any other: the same is found by `--azimuth`.

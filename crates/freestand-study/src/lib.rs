@@ -8,6 +8,7 @@ pub mod inspect;
 mod options;
 pub mod output;
 pub mod outputs;
+pub mod pair;
 pub mod processing;
 pub mod quantity;
 pub mod recorded;

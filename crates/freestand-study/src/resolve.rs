@@ -258,7 +258,7 @@ impl Resolver<'_> {
             paths: motions.value.iter().map(|file| self.base_dir.join(&file.value)).collect(),
             read: ReadOptions {
                 unit: unit_only.unit,
-                resample_dt_s: processing.resample_dt_s,
+                uneven_dt_s: processing.resample_dt_s,
                 station_xml: written.station_xml.as_ref().map(|file| self.base_dir.join(&file.value)),
                 ..dt_only
             },

@@ -175,7 +175,7 @@ fn every_seed_is_read_as_its_format() {
     let named = |(family, path, bytes): (String, PathBuf, Vec<u8>)| {
         // Columns may leave the unit open, and counts do.
         let told = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
-        let resampled = ReadOptions { resample_dt_s: Some(0.01), ..ReadOptions::default() };
+        let resampled = ReadOptions { uneven_dt_s: Some(0.01), ..ReadOptions::default() };
         let read = |options: &ReadOptions| parse_motions(bytes.clone(), Path::new("/nowhere/record.dat"), options);
         let file = read(&ReadOptions::default()).or_else(|_| read(&told)).or_else(|_| read(&resampled));
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();

@@ -91,6 +91,18 @@ impl Motion {
         self.accel_m_s2.iter().fold(0.0, |peak: f64, a| peak.max(a.abs()))
     }
 
+    /// Mean of the samples, `Σ aₖ/n`: where the zero line of a record is, if it swings about it evenly \[m/s²\].
+    ///
+    /// # Example
+    /// ```
+    /// let motion = freestand::motion::Motion::new(0.5, vec![1.0, -2.0, 4.0])?;
+    /// assert_eq!(motion.mean_m_s2(), 1.0);
+    /// # Ok::<(), freestand::motion::MotionError>(())
+    /// ```
+    pub fn mean_m_s2(&self) -> f64 {
+        mean(&self.accel_m_s2)
+    }
+
     /// Acceleration at any time: linear between samples, zero outside them \[m/s²\].
     pub fn at_m_s2(&self, time_s: f64) -> f64 {
         let position = time_s / self.dt_s;
@@ -144,5 +156,23 @@ impl Motion {
         accel_m_s2.extend_from_slice(&self.accel_m_s2);
         accel_m_s2.resize(self.accel_m_s2.len() + extra, 0.0);
         Ok(Self { dt_s: self.dt_s, accel_m_s2 })
+    }
+}
+
+/// The mean of at least one value.
+pub(crate) fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mean_is_that_of_all_samples_and_scales_with_them() {
+        let motion = Motion::new(0.01, vec![0.5, -3.0, 0.25, 4.25]).unwrap();
+        // 2/4; binary fractions, so that no sum rounds.
+        assert_eq!((motion.mean_m_s2(), motion.scaled(-2.0).unwrap().mean_m_s2()), (0.5, -1.0));
+        assert_eq!(motion.with_zero_tail(0.04).unwrap().mean_m_s2(), 0.25);
     }
 }

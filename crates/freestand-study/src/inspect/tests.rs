@@ -1,5 +1,14 @@
+use std::path::Path;
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::motion::Motion;
+use freestand::signal::resample::MAX_LENGTH;
+
 use super::*;
+use crate::pair::{PairFiles, read_pair};
 use crate::processing::{Processing, Scale};
+use crate::recorded::{MotionFiles, ReadMotion};
 use crate::records::ReadOptions;
 
 fn request(folder: &Path, files: &[(&str, &str)]) -> InfoRequest {
@@ -99,7 +108,7 @@ fn short_periods_are_warned_about_unless_there_are_samples_enough() {
     // Ten steps of 0.02 s are 0.2 s; half of that needs twice the samples.
     assert!(warnings(&[0.0, 0.2, 1.0], 1).is_empty());
     let found = warnings(&[0.1, 1.0], 1);
-    assert!(found[0].contains("0.1 s") && found[0].contains("--upsample 2 "), "{found:?}");
+    assert!(found[0].contains("0.1 s") && found[0].contains("; 2 samples in place of each "), "{found:?}");
     assert!(warnings(&[0.1, 1.0], 2).is_empty());
 }
 
@@ -118,4 +127,64 @@ fn upsampling_follows_the_curve_and_not_the_lines() {
     // 10 samples a cycle from 2, 50 from 10: straight lines lose 1 − sinc²(1/50) = 0.13 %, peaks at samples 0.2 %.
     assert!((of(dt_s, 1000, 10) / exact - 1.0).abs() < 4e-3);
     assert!((of(dt_s, 1000, 1) / exact - 0.875).abs() < 0.05);
+}
+
+#[test]
+fn samples_are_refined_up_to_the_one_bound_of_resampling() {
+    assert_eq!(check_upsampling(10, MAX_LENGTH / 10), Ok(()));
+    // A longer motion that is left as it is needs no resampling.
+    assert_eq!(check_upsampling(1, MAX_LENGTH + 1), Ok(()));
+    for (factor, samples) in [(2, MAX_LENGTH / 2 + 1), (usize::MAX, 2)] {
+        let problem = check_upsampling(factor, samples).unwrap_err();
+        assert!(problem.message.ends_with("more than resampling takes (25000000)"), "{problem}");
+        assert!(!problem.message.contains("--"), "{problem}");
+    }
+    let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s: vec![1.0], upsample: MAX_LENGTH };
+    let problem = spectrum(&read(0.01, vec![0.0, 1.0, 0.0]), &request).unwrap_err();
+    assert!(problem.message.contains("in place of each of 3 "), "{problem}");
+}
+
+fn directions(text: &str, percentiles: &[f64], processing: Processing) -> Result<RotdReport, crate::Problem> {
+    let folder = tempfile::tempdir().unwrap();
+    let mut files = request(folder.path(), &[("two.csv", text)]).files;
+    files.processing = processing;
+    let pair = read_pair(&PairFiles { files, components: None }).unwrap();
+    rotd(&pair, &RotdRequest { damping_ratio: 0.05, periods_s: vec![0.0], percentiles: percentiles.to_vec() })
+}
+
+const LEVEL: &str = "time [s],N [g],E [g]\n0,0,0\n0.01,0.3,0.4\n0.02,0,0\n";
+
+#[test]
+fn spectra_over_directions_keep_the_order_of_the_percentiles() {
+    let report = directions(LEVEL, &[50.0, 100.0, 0.0, 16.5], Processing::default()).unwrap();
+    let json = serde_json::to_value(&report).unwrap();
+    let keys: Vec<&str> = json.as_object().unwrap().keys().map(String::as_str).collect();
+    let ranked = ["rotd50_g", "rotd100_g", "rotd0_g", "rotd16.5_g"];
+    let others = ["first_g", "second_g", "larger_g", "geometric_mean_g", "processing"];
+    assert_eq!(keys[..4], ["paths", "components", "damping_ratio", "periods_s"]);
+    assert_eq!((&keys[4..8], &keys[8..]), (&ranked[..], &others[..]));
+    let csv = String::from_utf8(report.csv().unwrap()).unwrap();
+    let header = "period_s,rotd50_g,rotd100_g,rotd0_g,rotd16.5_g,larger_g,geometric_mean_g,first_g,second_g\n0,";
+    assert!(csv.starts_with(header), "{csv}");
+    // One sample of 0.3 g and 0.4 g is 0.5 g along its direction, which is at most half a degree from one that is
+    // looked into, and 0.5·|cos| over all: its median over the half circle is 0.5·cos 45°, within a degree.
+    let largest = report.rotd[1].psa_g[0];
+    assert!(largest <= 0.5 + 1e-15 && largest > 0.5 * 0.5_f64.to_radians().cos(), "{largest}");
+    assert!((report.rotd[0].psa_g[0] - 0.5 * 0.5_f64.sqrt()).abs() < 0.5 * 1f64.to_radians());
+    // The same as in the file but for the way from g to m/s² and back, and a square root.
+    for (found, expected) in
+        [(&report.first_g, 0.3), (&report.larger_g, 0.4), (&report.geometric_mean_g, 0.12_f64.sqrt())]
+    {
+        assert!((found[0] - expected).abs() < 1e-15, "{found:?}");
+    }
+}
+
+#[test]
+fn what_no_spectrum_over_directions_has_is_refused() {
+    let refused = |percentiles: &[f64], processing| directions(LEVEL, percentiles, processing).unwrap_err().message;
+    assert_eq!(refused(&[50.0, 0.0, 50.0], Processing::default()), "percentile 50 is asked for twice");
+    assert_eq!(refused(&[0.0, -0.0], Processing::default()), "percentile -0 is asked for twice");
+    assert!(refused(&[101.0], Processing::default()).contains("from 0 to 100"));
+    let scale = Scale::Peak { target_m_s2: 1.0 };
+    assert!(refused(&[50.0], Processing { scale, ..Processing::default() }).contains("no one factor"));
 }

@@ -1,5 +1,6 @@
 //! What is done to a record between its file and its use, each step in words.
 
+mod check;
 mod pair;
 mod written;
 
@@ -15,6 +16,7 @@ use crate::error::{Problem, ProblemKind};
 use crate::records::{Component, MotionFile};
 use crate::words::number;
 
+pub use check::check_scale;
 pub use pair::{Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths};
 pub use written::{azimuth_deg, parse_baseline, parse_sa_target};
 
@@ -161,10 +163,8 @@ fn without_mean(component: &Component, processing: &Processing, steps: &mut Vec<
 }
 
 fn take_mean(motion: &Motion) -> Result<(Motion, f64), Problem> {
-    let accel_m_s2 = motion.accel_m_s2();
-    let mean_m_s2 = accel_m_s2.iter().sum::<f64>() / accel_m_s2.len() as f64;
     let centred = corrected(motion, Baseline::Mean).map_err(|error| refused("the mean", error, "check the values"))?;
-    Ok((centred, mean_m_s2))
+    Ok((centred, motion.mean_m_s2()))
 }
 
 /// All steps that come after the choice of a component.
@@ -301,69 +301,6 @@ fn factor(motion: &Motion, scale: Scale) -> Result<(f64, String), Problem> {
 
 fn refused(step: &str, why: impl std::fmt::Display, hint: &str) -> Problem {
     Problem::new(ProblemKind::Value, format!("{step}: {why}")).hint(hint)
-}
-
-impl Processing {
-    /// What can be meant of no record, each with the name of the field as flags and studies have it (`low_cut`).
-    pub fn problems(&self) -> Vec<(&'static str, Problem)> {
-        let mut found = Vec::new();
-        let mut require = |key, holds: bool, message: String, hint: &str| {
-            if !holds {
-                found.push((key, Problem::new(ProblemKind::Value, message).hint(hint)));
-            }
-        };
-        if let Some(share) = self.taper_ratio {
-            let holds = share > 0.0 && share <= 0.5;
-            require("taper", holds, format!("must be above 0 and at most 50 %, not {share}"), "5 % is usual");
-        }
-        for (key, corner_hz) in [("low_cut", self.low_cut_hz), ("high_cut", self.high_cut_hz)] {
-            if let Some(hz) = corner_hz {
-                let holds = hz > 0.0 && hz.is_finite();
-                require(key, holds, format!("must be above 0 Hz, not {hz} Hz"), "leave it out for no such filter");
-            }
-        }
-        if let (Some(low), Some(high)) = (self.low_cut_hz, self.high_cut_hz)
-            && low > 0.0
-            && high > 0.0
-        {
-            let message = format!("{low} Hz is not below the high cut of {high} Hz");
-            require("low_cut", low < high, message, "what is between the two cuts is kept");
-        }
-        let orders = 1..=freestand::signal::filter::MAX_ORDER;
-        let message = format!("must be 1 to {}, not {}", orders.end(), self.filter_order);
-        require("filter_order", orders.contains(&self.filter_order), message, "4 is usual");
-        if let Some(dt_s) = self.resample_dt_s
-            && let Err(problem) = crate::records::check_step(dt_s, ProblemKind::Value)
-        {
-            require("resample", false, problem.message, problem.hint.as_deref().unwrap_or_default());
-        }
-        match self.scale {
-            Scale::Factor(factor) => {
-                if let Err(problem) = check_scale(factor) {
-                    require("scale", false, problem.message, problem.hint.as_deref().unwrap_or_default());
-                }
-            }
-            Scale::Peak { target_m_s2 } => {
-                let holds = target_m_s2 > 0.0 && target_m_s2.is_finite();
-                require("scale_to", holds, format!("must be above 0, not {target_m_s2} m/s2"), "write it as 0.3 g");
-            }
-            // Read and checked as one text.
-            Scale::Sa { .. } => {}
-        }
-        found
-    }
-}
-
-/// Whether a factor on the samples leaves a motion; a negative one turns it round.
-///
-/// # Errors
-/// Zero, or a factor that is not finite.
-pub fn check_scale(scale_ratio: f64) -> Result<(), Problem> {
-    if scale_ratio != 0.0 && scale_ratio.is_finite() {
-        return Ok(());
-    }
-    let message = format!("scale must be a number other than 0, not {scale_ratio}");
-    Err(Problem::new(ProblemKind::Value, message).hint("leave it out for the record as it is"))
 }
 
 #[cfg(test)]

@@ -138,11 +138,10 @@ fn the_mean_of_raw_components_goes_first() {
     let azimuth = Processing { azimuth_deg: Some(45.0), ..Processing::default() };
     let (done, _) = process_file(&file, None, &azimuth).unwrap();
     assert!(done.steps[0].starts_with("mean of 5.00") && done.steps[0].ends_with("removed from N-S (raw record)"));
-    let mean = |motion: &Motion| motion.accel_m_s2().iter().sum::<f64>() / motion.accel_m_s2().len() as f64;
     // The sum of 801 values of 7 m/s².
-    assert!(mean(&done.motion).abs() < 1e-13);
+    assert!(done.motion.mean_m_s2().abs() < 1e-13);
     let kept = Processing { keep_mean: true, ..azimuth };
-    assert!((mean(&process_file(&file, None, &kept).unwrap().0.motion) - 50f64.sqrt()).abs() < 0.01);
+    assert!((process_file(&file, None, &kept).unwrap().0.motion.mean_m_s2() - 50f64.sqrt()).abs() < 0.01);
 }
 
 #[test]
@@ -203,8 +202,58 @@ fn what_no_record_allows_is_known_before_one_is_read() {
         (Processing { resample_dt_s: Some(1000.0), ..default() }, "resample"),
         (Processing { scale: Scale::Factor(0.0), ..default() }, "scale"),
         (Processing { scale: Scale::Peak { target_m_s2: -1.0 }, ..default() }, "scale_to"),
+        (Processing { azimuth_deg: Some(f64::NAN), ..default() }, "azimuth"),
+        (Processing { azimuth_deg: Some(f64::INFINITY), ..default() }, "azimuth"),
     ] {
         let found: Vec<&str> = processing.problems().into_iter().map(|(key, _)| key).collect();
         assert_eq!(found, [key], "{processing:?}");
     }
+}
+
+#[test]
+fn baselines_and_targets_of_no_record_are_known_before_one_is_read() {
+    let keys = |processing: &Processing| processing.problems().into_iter().map(|(key, _)| key).collect::<Vec<_>>();
+    for (baseline, is_right) in [
+        (Baseline::Mean, true),
+        (Baseline::PreEvent { until_s: 1e6 }, true),
+        (Baseline::PreEvent { until_s: 0.0 }, false),
+        (Baseline::PreEvent { until_s: f64::INFINITY }, false),
+        (Baseline::Polynomial { degree: 0 }, true),
+        (Baseline::Polynomial { degree: 10 }, true),
+        (Baseline::Polynomial { degree: 11 }, false),
+        (Baseline::Graizer { degree: 1, from_s: 0.0 }, true),
+        (Baseline::Graizer { degree: 0, from_s: 0.0 }, false),
+        (Baseline::Graizer { degree: 2, from_s: -1.0 }, false),
+        (Baseline::Graizer { degree: 2, from_s: f64::NAN }, false),
+        (Baseline::Boore2001 { t1_s: 0.0, t2_s: 5.0 }, true),
+        (Baseline::Boore2001 { t1_s: 5.0, t2_s: 5.0 }, false),
+        (Baseline::Boore2001 { t1_s: -1.0, t2_s: 5.0 }, false),
+        (Baseline::Boore2001 { t1_s: 1.0, t2_s: f64::INFINITY }, false),
+    ] {
+        let found = keys(&Processing { baseline: Some(baseline), ..Processing::default() });
+        assert_eq!(found, if is_right { vec![] } else { vec!["baseline"] }, "{baseline:?}");
+    }
+    for (target_m_s2, period_s, damping_ratio, is_right) in [
+        (3.0, 0.0, 0.0, true),
+        (3.0, 1.2, 0.99, true),
+        (0.0, 1.2, 0.05, false),
+        (f64::INFINITY, 1.2, 0.05, false),
+        (3.0, -0.1, 0.05, false),
+        (3.0, f64::NAN, 0.05, false),
+        (3.0, 1.2, 1.0, false),
+        (3.0, 1.2, -0.01, false),
+    ] {
+        let scale = Scale::Sa { target_m_s2, period_s, damping_ratio };
+        let found = keys(&Processing { scale, ..Processing::default() });
+        assert_eq!(found, if is_right { vec![] } else { vec!["scale_to_sa"] }, "{scale:?}");
+    }
+    let all_wrong = Processing {
+        azimuth_deg: Some(f64::NAN),
+        baseline: Some(Baseline::Polynomial { degree: 11 }),
+        resample_dt_s: Some(0.0),
+        scale: Scale::Factor(0.0),
+        ..Processing::default()
+    };
+    assert_eq!(keys(&all_wrong), ["azimuth", "baseline", "resample", "scale"]);
+    assert!(all_wrong.problems().iter().all(|(_, problem)| problem.hint.is_some()));
 }

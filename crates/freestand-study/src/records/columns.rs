@@ -297,7 +297,7 @@ fn spacing_of_column(
         notes.push(format!("{column} is read as time in seconds"));
     }
     let to_si = |time: f64| stated.map_or(time, |unit| unit.to_si(time));
-    let step = match (time_step(&column.values, column.last_digit_exponent), options.resample_dt_s) {
+    let step = match (time_step(&column.values, column.last_digit_exponent), options.uneven_dt_s) {
         (Ok(step), _) => step,
         (Err(_), Some(dt_s)) => {
             let times_s: Vec<f64> = column.values.iter().copied().map(to_si).collect();

@@ -54,9 +54,10 @@ pub struct ReadOptions {
     pub unit: Option<String>,
     /// Time step \[s\]. Columns without a header are then all components; otherwise the first is the time.
     pub dt_s: Option<f64>,
-    /// Step \[s\] to which unevenly spaced samples are interpolated on the straight lines between them; without it they
-    /// are refused.
-    pub resample_dt_s: Option<f64>,
+    /// Step \[s\] at which the straight lines between unevenly spaced samples are read; without it they are refused. Evenly
+    /// spaced samples stay as they are: their step is changed by
+    /// [`Processing::resample_dt_s`](crate::processing::Processing::resample_dt_s), on a band-limited curve.
+    pub uneven_dt_s: Option<f64>,
     /// StationXML with the sensitivity of a miniSEED file; without it one is looked for beside the file.
     pub station_xml: Option<PathBuf>,
 }
@@ -68,7 +69,7 @@ impl ReadOptions {
     /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
     pub fn check(&self) -> Result<(), Problem> {
         units::requested(self.unit.as_deref())?;
-        let steps = [self.dt_s, self.resample_dt_s];
+        let steps = [self.dt_s, self.uneven_dt_s];
         steps.into_iter().flatten().try_for_each(|dt_s| check_step(dt_s, ProblemKind::Value))
     }
 }

@@ -111,10 +111,10 @@ impl Pairs {
         if self.times_s.len() < 2 {
             return Err(self.problem(uneven));
         }
-        let step = options.resample_dt_s.or_else(|| common_step(&self.times_s, self.last_digit_exponent));
+        let step = options.uneven_dt_s.or_else(|| common_step(&self.times_s, self.last_digit_exponent));
         let span_s = self.times_s[self.times_s.len() - 1] - self.times_s[0];
         let most = MOST_UNASKED.min(MOST_FOR_A_POINT * self.times_s.len() as f64);
-        let Some(dt_s) = step.filter(|dt_s| options.resample_dt_s.is_some() || span_s / dt_s <= most) else {
+        let Some(dt_s) = step.filter(|dt_s| options.uneven_dt_s.is_some() || span_s / dt_s <= most) else {
             let message =
                 format!("the record of {span_s} s is unevenly sampled, and too long for the step of its times");
             return Err(Problem::new(ProblemKind::Format, message)
@@ -166,7 +166,7 @@ mod tests {
         assert!(note.unwrap().contains("3 points"));
         let (dt_s, values, note) = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n").evenly("up", &options, 1000).unwrap();
         assert_eq!((dt_s, values, note), (0.01, vec![1.0, 3.0, 0.0], None));
-        let asked = ReadOptions { resample_dt_s: Some(0.025), ..ReadOptions::default() };
+        let asked = ReadOptions { uneven_dt_s: Some(0.025), ..ReadOptions::default() };
         let (dt_s, values, _) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", &asked, 1000).unwrap();
         assert_eq!((dt_s, values.len()), (0.025, 3));
         assert!((values[1] - 2.5).abs() < 1e-14, "a sixth of the way from 3 to 0");
@@ -176,7 +176,7 @@ mod tests {
         let problem = pairs(long).evenly("up", &options, 1000).err().unwrap();
         assert!(problem.hint.unwrap().contains("--resample"));
         let damaged = pairs("0.000 1.0 0.001 2.0\n1000000000.0 1.0\n");
-        let asked = ReadOptions { resample_dt_s: Some(1e-6), ..ReadOptions::default() };
+        let asked = ReadOptions { uneven_dt_s: Some(1e-6), ..ReadOptions::default() };
         assert!(damaged.evenly("up", &asked, 1000).err().unwrap().to_string().contains("too long for steps"));
     }
 }

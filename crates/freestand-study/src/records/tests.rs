@@ -66,7 +66,7 @@ fn samples() -> Vec<Vec<u8>> {
 /// Whatever a file is, it is read or refused with a message of one line, and what is read is finite.
 fn survives(bytes: Vec<u8>) -> Result<(), TestCaseError> {
     let given = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
-    let resampled = ReadOptions { unit: Some("g".to_owned()), resample_dt_s: Some(0.01), ..ReadOptions::default() };
+    let resampled = ReadOptions { unit: Some("g".to_owned()), uneven_dt_s: Some(0.01), ..ReadOptions::default() };
     for options in [ReadOptions::default(), given, resampled] {
         match parse_motions(bytes.clone(), "x".as_ref(), &options) {
             Ok(file) => {

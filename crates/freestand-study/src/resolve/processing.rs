@@ -50,12 +50,15 @@ impl Resolver<'_> {
 
 fn line_of(written: &ProcessingOptions, key: &str) -> usize {
     let line = match key {
+        "azimuth" => written.azimuth_rad.as_ref().map(|one| one.line),
+        "baseline" => written.baseline.as_ref().map(|one| one.line),
         "taper" => written.taper.as_ref().map(|one| one.line),
         "low_cut" => written.low_cut_hz.as_ref().map(|one| one.line),
         "high_cut" => written.high_cut_hz.as_ref().map(|one| one.line),
         "filter_order" => written.filter_order.as_ref().map(|one| one.line),
         "resample" => written.resample_s.as_ref().map(|one| one.line),
         "scale_to" => written.scale_to_m_s2.as_ref().map(|one| one.line),
+        "scale_to_sa" => written.scale_to_sa.as_ref().map(|one| one.line),
         _ => None,
     };
     line.unwrap_or(written.line)

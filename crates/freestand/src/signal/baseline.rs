@@ -1,7 +1,7 @@
 //! Where the zero line of a record is: offsets that an instrument adds make velocity and displacement drift.
 
 use crate::measures::cumulative_trapezoid;
-use crate::motion::{Motion, MotionError};
+use crate::motion::{Motion, MotionError, mean};
 use thiserror::Error;
 
 /// Highest degree of a polynomial.
@@ -108,7 +108,7 @@ pub enum Baseline {
 /// ```
 pub fn corrected(motion: &Motion, baseline: Baseline) -> Result<Motion, BaselineError> {
     let removed = match baseline {
-        Baseline::Mean => vec![mean(motion.accel_m_s2()); motion.accel_m_s2().len()],
+        Baseline::Mean => vec![motion.mean_m_s2(); motion.accel_m_s2().len()],
         Baseline::PreEvent { until_s } => pre_event(motion, until_s)?,
         Baseline::Polynomial { degree } => polynomial(motion, degree)?,
         Baseline::Graizer { degree, from_s } => graizer(motion, degree, from_s)?,
@@ -116,10 +116,6 @@ pub fn corrected(motion: &Motion, baseline: Baseline) -> Result<Motion, Baseline
     };
     let accel_m_s2 = motion.accel_m_s2().iter().zip(removed).map(|(a, b)| a - b).collect();
     Ok(Motion::new(motion.dt_s(), accel_m_s2)?)
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
 }
 
 fn pre_event(motion: &Motion, until_s: f64) -> Result<Vec<f64>, BaselineError> {

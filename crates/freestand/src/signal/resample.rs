@@ -37,8 +37,9 @@ pub enum ResampleError {
 
 /// Largest whole number in the ratio of two steps.
 const MAX_TERM: u64 = 10_000;
-/// Longest transform: with its work space it takes 32 bytes a value.
-const MAX_LENGTH: usize = MAX_SAMPLES / 4;
+/// Most samples that a motion is resampled to, on the way or in the end: with its work space a transform takes 32 bytes a
+/// value.
+pub const MAX_LENGTH: usize = MAX_SAMPLES / 4;
 /// Samples of each end that are mirrored beyond it.
 const MIRRORED: usize = 1000;
 

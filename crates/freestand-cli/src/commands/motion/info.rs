@@ -28,6 +28,8 @@ Examples:
   freestand motion info columns.txt --unit gal --dt \"0.01 s\" --plot record.svg
   freestand motion info *.AT2 --height \"2 m\" --thickness \"500 mm\" --json
   freestand motion info *.AT2 --plot --out records")]
+// Every component is looked into as it is: known but refused.
+#[command(mut_arg("azimuth", |arg| arg.hide(true)))]
 pub(crate) struct InfoArgs {
     /// Record files
     #[arg(value_name = "FILE", required = true)]

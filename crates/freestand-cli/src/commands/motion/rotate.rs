@@ -1,11 +1,9 @@
 //! `freestand motion rotate`: the component at another azimuth.
 
-use std::path::{Path, PathBuf};
-
 use clap::Args;
-use freestand_study::processing::{azimuth_deg, turned, with_azimuths};
+use freestand_study::pair::{RotateRequest, read_pair, rotate};
+use freestand_study::processing::azimuth_deg;
 use freestand_study::quantity::Dimension;
-use freestand_study::words::number;
 use serde::Serialize;
 
 use super::convert::{Converted, Target};
@@ -47,21 +45,18 @@ struct RotateReport {
 pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let to = values.any("--to", Some(&args.to), Dimension::Angle);
-    let given = azimuths(args.azimuths.as_deref(), &mut values);
+    let azimuths_deg = azimuths(args.azimuths.as_deref(), &mut values);
+    let pair = args.pair.request(&mut values);
     values.finish()?;
+    let read = read_pair(&pair).map_err(Failure::Problems)?;
     let azimuth_deg = to.map(azimuth_deg).unwrap_or_default();
-    let read = args.pair.read()?;
-    let (first, second) = with_azimuths(read.components()?, given)?;
-    let processed = turned(first, second, azimuth_deg, &read.processing)?;
-    let mut warnings = read.notes.clone();
-    warnings.extend(processed.notes.iter().cloned());
+    let turned = rotate(&read, &RotateRequest { azimuth_deg, azimuths_deg })?;
     let files = Files::begin(global, &args.pair.files)?;
-    let name = format!("{}-{}deg", read.name(), number(azimuth_deg.rem_euclid(360.0), 6));
-    let source = args.pair.files.first().map(PathBuf::as_path).unwrap_or(Path::new(""));
-    let motion = args.format.write(&files, source, &name, &processed.motion, &processed.steps)?;
-    let report = RotateReport { azimuth_deg, motion };
+    let done = &turned.processed;
+    let motion = args.format.write(&files, &turned.path, &turned.name, &done.motion, &done.steps)?;
+    let report = RotateReport { azimuth_deg: turned.azimuth_deg, motion };
     const SCHEMA: &str = "freestand.motion-rotate/1";
-    files.finish(SCHEMA, &report, &warnings)?;
-    printer.result(SCHEMA, &report, &warnings, || report.motion.shown())?;
+    files.finish(SCHEMA, &report, &turned.warnings)?;
+    printer.result(SCHEMA, &report, &turned.warnings, || report.motion.shown())?;
     Ok(Done::OK)
 }

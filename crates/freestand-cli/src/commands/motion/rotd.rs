@@ -1,15 +1,9 @@
 //! `freestand motion rotd`: response spectra over all horizontal directions.
 
-use std::collections::BTreeMap;
-
 use clap::Args;
-use freestand::G0_M_S2;
-use freestand::signal::rotate::{Pair, directional_spectrum};
-use freestand_study::processing::{not_perpendicular, process_pair};
+use freestand_study::inspect::{RotdReport, RotdRequest, rotd};
+use freestand_study::pair::read_pair;
 use freestand_study::quantity::Dimension;
-use freestand_study::tables::columns_csv;
-use freestand_study::{Problem, ProblemKind};
-use serde::Serialize;
 
 use super::pair::PairArgs;
 use crate::args::GlobalArgs;
@@ -17,7 +11,6 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
-use crate::reading::path_text;
 use crate::values::Values;
 
 /// Response spectra over all horizontal directions (RotDnn), larger and geometric mean of two components
@@ -26,6 +19,8 @@ use crate::values::Values;
 Examples:
   freestand motion rotd record.v2 --periods \"0.05 s:3 s:60\"
   freestand motion rotd north.AT2 east.AT2 --percentiles \"0, 50, 100\" --damping 2% --json")]
+// Two components have no one factor to a target: these are known but refused.
+#[command(mut_arg("scale_to", |arg| arg.hide(true)), mut_arg("scale_to_sa", |arg| arg.hide(true)))]
 pub(crate) struct RotdArgs {
     #[command(flatten)]
     pair: PairArgs,
@@ -40,84 +35,27 @@ pub(crate) struct RotdArgs {
     periods: Option<String>,
 }
 
-#[derive(Debug, Serialize)]
-struct RotdReport {
-    paths: Vec<String>,
-    components: [String; 2],
-    damping_ratio: f64,
-    periods_s: Vec<f64>,
-    /// `rotd50_g` and so on.
-    #[serde(flatten)]
-    rotd_g: BTreeMap<String, Vec<f64>>,
-    first_g: Vec<f64>,
-    second_g: Vec<f64>,
-    larger_g: Vec<f64>,
-    geometric_mean_g: Vec<f64>,
-    /// What was done to each component, one step each.
-    processing: [Vec<String>; 2],
-}
-
 pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let damping = values.non_negative("--damping", Some(&args.damping), Dimension::Ratio);
     let periods_s = super::periods(args.periods.as_deref(), &mut values);
     let percentiles = values.grid("--percentiles", &args.percentiles, Dimension::Ratio).unwrap_or_default();
+    let pair = args.pair.request(&mut values);
     values.finish()?;
-    let read = args.pair.read()?;
-    let (first, second) = read.components()?;
-    let (one, two) = process_pair(first, second, &read.processing)?;
-    let mut warnings = read.notes.clone();
-    warnings.extend(not_perpendicular(first, second));
-    let damping_ratio = damping.unwrap_or(0.05);
-    let spectrum = Pair::new(&one.motion, &two.motion)
-        .and_then(|pair| directional_spectrum(&pair, damping_ratio, &periods_s, &percentiles))
-        .map_err(|error| {
-            Problem::new(ProblemKind::Value, error.to_string())
-                .hint("damping from 0 to below 1, periods of 0 or more, percentiles from 0 to 100, one time step")
-        })?;
-    let in_g = |values: &[f64]| values.iter().map(|a| a / G0_M_S2).collect::<Vec<f64>>();
-    let report = RotdReport {
-        paths: args.pair.files.iter().map(|path| path_text(path)).collect(),
-        components: [first.name.clone(), second.name.clone()],
-        damping_ratio,
-        rotd_g: percentiles.iter().map(|nn| key(*nn)).zip(spectrum.rotd_m_s2.iter().map(|row| in_g(row))).collect(),
-        first_g: in_g(&spectrum.first_m_s2),
-        second_g: in_g(&spectrum.second_m_s2),
-        larger_g: in_g(&spectrum.larger_m_s2),
-        geometric_mean_g: in_g(&spectrum.geometric_mean_m_s2),
-        processing: [one.steps, two.steps],
-        periods_s,
-    };
+    let read = read_pair(&pair).map_err(Failure::Problems)?;
+    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(0.05), periods_s, percentiles })?;
     let files = Files::begin(global, &args.pair.files)?;
-    let columns = columns(&report);
-    let csv = columns_csv(&columns)?;
+    let csv = report.csv()?;
     files.write("rotd.csv", || csv)?;
-    files.print(printer, "freestand.motion-rotd/1", &report, &warnings, || text(&columns))?;
+    files.print(printer, "freestand.motion-rotd/1", &report, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
-/// `rotd50_g`.
-fn key(percentile: f64) -> String {
-    format!("rotd{percentile}_g")
-}
-
-fn columns(report: &RotdReport) -> Vec<(&str, &[f64])> {
-    let mut columns: Vec<(&str, &[f64])> = vec![("period_s", &report.periods_s)];
-    columns.extend(report.rotd_g.iter().map(|(name, values)| (name.as_str(), values.as_slice())));
-    columns.extend([
-        ("larger_g", report.larger_g.as_slice()),
-        ("geometric_mean_g", &report.geometric_mean_g),
-        ("first_g", &report.first_g),
-        ("second_g", &report.second_g),
-    ]);
-    columns
-}
-
-fn text(columns: &[(&str, &[f64])]) -> String {
+fn text(report: &RotdReport) -> String {
+    let columns = report.columns();
     let headings: Vec<String> = columns.iter().map(|(name, _)| heading(name)).collect();
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
-    let length = columns.first().map_or(0, |(_, values)| values.len());
-    let rows: Vec<Vec<String>> = (0..length)
+    let rows: Vec<Vec<String>> = (0..report.periods_s.len())
         .map(|row| columns.iter().filter_map(|(_, values)| values.get(row)).map(|v| significant(*v, 4)).collect())
         .collect();
     table(&headings, &rows)

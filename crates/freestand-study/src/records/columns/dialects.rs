@@ -157,7 +157,7 @@ fn uneven_times_are_interpolated_only_on_request() {
     let refused = read(text.as_bytes(), &ReadOptions::default()).unwrap_err();
     assert!(refused.message.contains("uneven sampling") && refused.line == Some(4), "{refused}");
     assert!(refused.hint.as_ref().unwrap().contains("--resample 0.01s"), "{refused:?}");
-    let asked = |dt_s| ReadOptions { resample_dt_s: Some(dt_s), ..ReadOptions::default() };
+    let asked = |dt_s| ReadOptions { uneven_dt_s: Some(dt_s), ..ReadOptions::default() };
     let file = read(text.as_bytes(), &asked(0.01)).unwrap();
     // Straight between the points: from 3 at 10 ms to 0 at 40 ms in thirds, which are exact here to one rounding.
     for (found, expected) in file.components[0].motion.accel_m_s2().iter().zip([1.0, 3.0, 2.0, 1.0, 0.0, 5.0]) {
@@ -188,10 +188,10 @@ fn many_columns_share_the_room_for_interpolated_samples() {
     // 50 columns of 100 s at 1e-6 s would be 5e9 samples, 40 GB, from a file of 300 bytes.
     let row = |time: &str| format!("{time}{}\n", ",1".repeat(50));
     let text = format!("time [s]{}\n{}{}{}", ",a [g]".repeat(50), row("0"), row("1"), row("99"));
-    let asked = ReadOptions { resample_dt_s: Some(1e-6), ..ReadOptions::default() };
+    let asked = ReadOptions { uneven_dt_s: Some(1e-6), ..ReadOptions::default() };
     let error = parse_motions(text.clone().into_bytes(), "x.csv".as_ref(), &asked).unwrap_err();
     assert!(error.to_string().contains("too long for steps"), "{error}");
-    let asked = ReadOptions { resample_dt_s: Some(0.5), ..ReadOptions::default() };
+    let asked = ReadOptions { uneven_dt_s: Some(0.5), ..ReadOptions::default() };
     let file = parse_motions(text.into_bytes(), "x.csv".as_ref(), &asked).unwrap();
     assert_eq!((file.components.len(), file.components[49].motion.accel_m_s2().len()), (50, 199));
 }

@@ -107,7 +107,7 @@ fn pairs_at_uneven_times_are_straight_lines_on_their_common_step() {
     // Halfway from 1 to -12.5; rounding of one product and one sum.
     assert!((one.motion.accel_m_s2()[2] + 5.75 * 0.1 * G0_M_S2).abs() < 1e-14);
     assert!(file.notes.len() == 1 && file.notes[0].contains("6 points at uneven times"), "{:?}", file.notes);
-    let asked = ReadOptions { resample_dt_s: Some(0.01), ..ReadOptions::default() };
+    let asked = ReadOptions { uneven_dt_s: Some(0.01), ..ReadOptions::default() };
     let file = read_with(&v1(&UNEVEN), &asked).unwrap();
     assert_eq!((file.components[0].motion.dt_s(), file.components[0].motion.accel_m_s2().len()), (0.01, 12));
 }

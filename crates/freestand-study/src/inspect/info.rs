@@ -1,4 +1,4 @@
-//! What is in record files, and the response spectrum of one of them: request → report.
+//! What is in record files.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -7,18 +7,16 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::measures::{measures, rocking_measures, spectral_measures};
 use freestand::motion::Motion;
-use freestand::oscillator::{ResponseSpectrum, response_spectrum};
-use freestand::signal::resample::upsampled_sinc;
 use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use crate::error::{Problem, ProblemKind};
-use crate::figures::{Figure, FigureError, Words, record_figure, response_spectrum_figure};
+use crate::error::Problem;
+use crate::figures::{Figure, FigureError, Words, record_figure};
 use crate::processing::{Processed, process};
-use crate::recorded::{MotionFiles, ReadMotion, name_of, unique};
+use crate::recorded::{MotionFiles, name_of, unique};
 use crate::records::{Component, Direction, MotionFile, read_motions};
-use crate::tables::{columns_csv, records_csv};
+use crate::tables::records_csv;
 
 /// Record files to look into.
 #[derive(Debug, Clone, PartialEq)]
@@ -206,7 +204,7 @@ fn info_of_component(
         pgv_over_threshold_ratio: rocking.map(|r| r.pgv_ratio),
         time_above_threshold_s: rocking.map(|r| r.time_above_s),
         excursions_above_threshold: rocking.map(|r| r.excursions),
-        mean_m_s2: raw.iter().sum::<f64>() / raw.len() as f64,
+        mean_m_s2: component.motion.mean_m_s2(),
         sum_abs_m_s2: raw.iter().map(|a| a.abs()).sum(),
         first_values_m_s2: raw.iter().take(5).copied().collect(),
         last_values_m_s2: raw[raw.len() - 2..].to_vec(),
@@ -264,160 +262,3 @@ impl MotionInfo {
         record_figure(words, motion).map(Some)
     }
 }
-
-/// A response spectrum to compute.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpectrumRequest {
-    /// Damping ratios, at least one.
-    pub damping_ratios: Vec<f64>,
-    /// Periods; 0 is the rigid oscillator \[s\].
-    pub periods_s: Vec<f64>,
-    /// Samples in place of each, on the band-limited curve through them; 1: as they are.
-    pub upsample: usize,
-}
-
-/// The response spectra of one motion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
-pub struct SpectrumReport {
-    pub path: String,
-    pub name: String,
-    pub upsample: usize,
-    pub processing: Vec<String>,
-    pub periods_s: Vec<f64>,
-    /// That of the first damping; its four arrays stand beside the periods.
-    #[serde(flatten)]
-    pub first: DampedSpectrum,
-    /// Those of the other dampings.
-    pub more: Vec<DampedSpectrum>,
-    #[serde(skip)]
-    pub warnings: Vec<String>,
-}
-
-/// A response spectrum at one damping.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
-pub struct DampedSpectrum {
-    pub damping_ratio: f64,
-    pub sd_m: Vec<f64>,
-    pub psv_m_s: Vec<f64>,
-    pub psa_g: Vec<f64>,
-    pub sa_g: Vec<f64>,
-}
-
-/// Most samples that a motion is refined to.
-const MOST_SAMPLES: usize = 10_000_000;
-
-/// Whether a motion of so many samples may have `factor` in place of each.
-///
-/// # Errors
-/// More samples than a computer should hold for it.
-pub fn check_upsampling(factor: usize, samples: usize) -> Result<(), Problem> {
-    if samples.saturating_mul(factor) <= MOST_SAMPLES {
-        return Ok(());
-    }
-    let message = format!("--upsample {factor} makes more than {MOST_SAMPLES} samples of {samples}");
-    Err(Problem::new(ProblemKind::Value, message).hint("10 points in the shortest period are enough for 5 %"))
-}
-
-/// Computes the response spectra of a motion.
-///
-/// # Errors
-/// Dampings or periods that no oscillator has, or more samples than can be held.
-pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<SpectrumReport, Problem> {
-    let recorded = &read.motion;
-    check_upsampling(request.upsample, recorded.motion.accel_m_s2().len())?;
-    let motion = upsampled_sinc(&recorded.motion, request.upsample)
-        .map_err(|error| Problem::new(ProblemKind::Value, error.to_string()).hint("leave --upsample out"))?;
-    let mut processing = recorded.processing.clone();
-    if request.upsample > 1 {
-        processing.push(format!("upsampled {} times by sinc interpolation", request.upsample));
-    }
-    let of = |damping_ratio: f64| {
-        let spectrum = response_spectrum(&motion, damping_ratio, &request.periods_s).map_err(|error| {
-            Problem::new(ProblemKind::Value, error.to_string()).hint("damping from 0 to below 1, periods of 0 or more")
-        })?;
-        Ok(DampedSpectrum::new(damping_ratio, &spectrum))
-    };
-    let all: Vec<Result<DampedSpectrum, Problem>> = request.damping_ratios.par_iter().map(|&ratio| of(ratio)).collect();
-    let mut all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
-    let first = all
-        .next()
-        .ok_or_else(|| Problem::new(ProblemKind::Value, "a spectrum needs a damping ratio").hint("5 % is usual"))?;
-    let mut warnings = read.notes.clone();
-    warnings.extend(short_period_warning(&request.periods_s, recorded.motion.dt_s(), request.upsample));
-    Ok(SpectrumReport {
-        path: recorded.path.to_string_lossy().into_owned(),
-        name: recorded.name.clone(),
-        upsample: request.upsample,
-        processing,
-        periods_s: request.periods_s.clone(),
-        first,
-        more: all.collect(),
-        warnings,
-    })
-}
-
-/// Peaks at the samples of a motion miss those between them where a period has fewer than ten.
-fn short_period_warning(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<String> {
-    const SAMPLES_A_PERIOD: f64 = 10.0;
-    let shortest_s = periods_s.iter().copied().filter(|&t| t > 0.0).fold(f64::INFINITY, f64::min);
-    // A period of ten steps, but for its last bits, has ten.
-    let needed = (SAMPLES_A_PERIOD * dt_s / shortest_s * (1.0 - 1e-9)).ceil();
-    (needed > upsample.max(1) as f64).then(|| {
-        let given = if upsample > 1 { format!(", in {upsample} parts each") } else { String::new() };
-        format!(
-            "the shortest period, {shortest_s} s, has fewer than ten steps of {dt_s} s{given}: there the record says little \
-             and peaks are missed; --upsample {needed} would give it ten"
-        )
-    })
-}
-
-impl DampedSpectrum {
-    fn new(damping_ratio: f64, spectrum: &ResponseSpectrum) -> Self {
-        let in_g = |values: &[f64]| values.iter().map(|a| a / G0_M_S2).collect();
-        Self {
-            damping_ratio,
-            sd_m: spectrum.sd_m.clone(),
-            psv_m_s: spectrum.psv_m_s.clone(),
-            psa_g: in_g(&spectrum.psa_m_s2),
-            sa_g: in_g(&spectrum.sa_m_s2),
-        }
-    }
-}
-
-impl SpectrumReport {
-    /// The spectra of all dampings.
-    pub fn all(&self) -> impl Iterator<Item = &DampedSpectrum> {
-        std::iter::once(&self.first).chain(&self.more)
-    }
-
-    /// The spectra as CSV, damping by damping.
-    ///
-    /// # Errors
-    /// None in practice: see [`columns_csv`].
-    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
-        let joined = |of: &dyn Fn(&DampedSpectrum) -> Vec<f64>| self.all().flat_map(of).collect::<Vec<f64>>();
-        columns_csv(&[
-            ("period_s", &joined(&|_| self.periods_s.clone())),
-            ("sd_m", &joined(&|one| one.sd_m.clone())),
-            ("psv_m_s", &joined(&|one| one.psv_m_s.clone())),
-            ("psa_g", &joined(&|one| one.psa_g.clone())),
-            ("sa_g", &joined(&|one| one.sa_g.clone())),
-            ("damping_ratio", &joined(&|one| vec![one.damping_ratio; self.periods_s.len()])),
-        ])
-    }
-
-    /// The spectra as a figure.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn figure(&self) -> Result<Figure, FigureError> {
-        let words = Words { name: &self.name, description: "", processing: &self.processing };
-        let spectra: Vec<_> = self.all().collect();
-        response_spectrum_figure(words, &self.periods_s, &spectra)
-    }
-}
-
-#[cfg(test)]
-mod tests;

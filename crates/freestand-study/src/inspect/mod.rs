@@ -1,0 +1,13 @@
+//! What is in record files, the response spectrum of one of them and those of two components over all directions: request
+//! → report.
+
+mod info;
+mod rotd;
+mod spectrum;
+
+pub use info::{InfoReport, InfoRequest, MotionInfo, info};
+pub use rotd::{PercentileSpectrum, RotdReport, RotdRequest, rotd};
+pub use spectrum::{DampedSpectrum, SpectrumReport, SpectrumRequest, check_upsampling, spectrum};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,132 @@
+//! Response spectra of two horizontal components over all directions.
+
+use freestand::G0_M_S2;
+use freestand::signal::rotate::{Pair, directional_spectrum};
+use serde::{Serialize, Serializer};
+
+use crate::error::{Problem, ProblemKind};
+use crate::pair::ReadPair;
+use crate::processing::{not_perpendicular, process_pair};
+use crate::tables::columns_csv;
+
+/// Spectra over all directions to compute.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RotdRequest {
+    /// Damping ratio, 0 to below 1.
+    pub damping_ratio: f64,
+    /// Periods; 0 is the rigid oscillator \[s\].
+    pub periods_s: Vec<f64>,
+    /// Percentiles over the directions, 0 to 100, each once: 50 is the median, 100 the largest.
+    pub percentiles: Vec<f64>,
+}
+
+/// Response spectra of two horizontal components over all directions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct RotdReport {
+    pub paths: Vec<String>,
+    pub components: [String; 2],
+    pub damping_ratio: f64,
+    pub periods_s: Vec<f64>,
+    /// In the order asked for; `rotd50_g` and so on stand beside the periods.
+    #[serde(flatten, serialize_with = "by_name")]
+    pub rotd: Vec<PercentileSpectrum>,
+    pub first_g: Vec<f64>,
+    pub second_g: Vec<f64>,
+    pub larger_g: Vec<f64>,
+    pub geometric_mean_g: Vec<f64>,
+    /// What was done to each component, one step each.
+    pub processing: [Vec<String>; 2],
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+}
+
+/// RotDnn: at each period, the percentile of the pseudo-acceleration over all directions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PercentileSpectrum {
+    /// nn.
+    pub percentile: f64,
+    /// One value a period \[g\].
+    pub psa_g: Vec<f64>,
+}
+
+/// Computes the response spectra of a pair over all directions; the means of raw components are removed before.
+///
+/// # Errors
+/// No two components, or ones with different steps; a scale to a target, damping, a period or a percentile that cannot be
+/// meant.
+pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Problem> {
+    if let Some(twice) = repeated(&request.percentiles) {
+        return Err(Problem::new(ProblemKind::Value, format!("percentile {twice} is asked for twice"))
+            .hint("name each percentile once"));
+    }
+    let (first, second) = read.components()?;
+    let (one, two) = process_pair(first, second, &read.request.files.processing)?;
+    let spectrum = Pair::new(&one.motion, &two.motion)
+        .and_then(|pair| directional_spectrum(&pair, request.damping_ratio, &request.periods_s, &request.percentiles))
+        .map_err(|error| {
+            Problem::new(ProblemKind::Value, error.to_string())
+                .hint("damping from 0 to below 1, periods of 0 or more, percentiles from 0 to 100, one time step")
+        })?;
+    let in_g = |values: &[f64]| values.iter().map(|a| a / G0_M_S2).collect::<Vec<f64>>();
+    let ranked = request.percentiles.iter().zip(&spectrum.rotd_m_s2);
+    let mut warnings = read.warnings();
+    warnings.extend(not_perpendicular(first, second));
+    warnings.extend([&one, &two].into_iter().flat_map(|done| done.notes.iter().cloned()));
+    Ok(RotdReport {
+        paths: read.files.iter().map(|file| file.path.to_string_lossy().into_owned()).collect(),
+        components: [first.name.clone(), second.name.clone()],
+        damping_ratio: request.damping_ratio,
+        periods_s: request.periods_s.clone(),
+        rotd: ranked.map(|(&percentile, row)| PercentileSpectrum { percentile, psa_g: in_g(row) }).collect(),
+        first_g: in_g(&spectrum.first_m_s2),
+        second_g: in_g(&spectrum.second_m_s2),
+        larger_g: in_g(&spectrum.larger_m_s2),
+        geometric_mean_g: in_g(&spectrum.geometric_mean_m_s2),
+        processing: [one.steps, two.steps],
+        warnings,
+    })
+}
+
+/// The first value that stands there before.
+fn repeated(values: &[f64]) -> Option<f64> {
+    let is_repeated = |&(index, value): &(usize, &f64)| values.iter().take(index).any(|before| before == value);
+    values.iter().enumerate().find(is_repeated).map(|(_, value)| *value)
+}
+
+impl PercentileSpectrum {
+    /// `rotd50_g`, as documents and tables have it.
+    pub fn name(&self) -> String {
+        // Minus zero is zero.
+        format!("rotd{}_g", self.percentile + 0.0)
+    }
+}
+
+fn by_name<S: Serializer>(spectra: &[PercentileSpectrum], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(spectra.iter().map(|one| (one.name(), &one.psa_g)))
+}
+
+impl RotdReport {
+    /// Periods and spectra with their names, RotDnn in the order asked for.
+    pub fn columns(&self) -> Vec<(String, &[f64])> {
+        let mut columns = vec![("period_s".to_owned(), self.periods_s.as_slice())];
+        columns.extend(self.rotd.iter().map(|one| (one.name(), one.psa_g.as_slice())));
+        let others = [
+            ("larger_g", &self.larger_g),
+            ("geometric_mean_g", &self.geometric_mean_g),
+            ("first_g", &self.first_g),
+            ("second_g", &self.second_g),
+        ];
+        columns.extend(others.into_iter().map(|(name, values)| (name.to_owned(), values.as_slice())));
+        columns
+    }
+
+    /// The same as CSV.
+    ///
+    /// # Errors
+    /// None in practice: see [`columns_csv`].
+    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+        let columns = self.columns();
+        columns_csv(&columns.iter().map(|(name, values)| (name.as_str(), *values)).collect::<Vec<_>>())
+    }
+}
