@@ -48,37 +48,33 @@ pub(super) fn is_text(line: &Line<'_>) -> bool {
 /// Reads the channels of a file.
 pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
-    let (mut components, mut notes, mut refused): (Vec<Component>, Vec<String>, _) = (Vec::new(), Vec::new(), None);
+    let (mut components, mut notes, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     let mut format = network.volume_one;
     let mut channel = 0;
-    while let Some(header) = read_header(&mut rest, network.columns, channel > 0)? {
+    while let Some(header) = read_header(&mut rest, network.columns, channel > 0, &mut notes)? {
         channel += 1;
         if channel == 1 && is_volume_two(&header.text) {
             format = network.volume_two;
         }
-        let read = match find_title(&mut rest)? {
-            Some(title) => read_series(&header, &title, channel, &mut rest, options),
-            None => read_pairs(&header, channel, &mut rest, options),
-        };
-        match other_quantity(&header) {
-            Some((what, line)) => {
-                refused.get_or_insert((what, line));
-            }
-            None => {
-                let (component, said) = read?;
-                notes.extend(said);
-                notes.extend(peak_of(&header, format == network.volume_two, &component));
-                components.push(component);
-            }
+        let title = find_title(&mut rest)?;
+        if let Some((what, line)) = other_quantity(&header) {
+            skip_values(title.as_ref(), &mut rest)?;
+            left_out.push((what, line));
+        } else {
+            let (component, said) = match title {
+                Some(title) => read_series(&header, &title, channel, &mut rest, options),
+                None => read_pairs(&header, channel, &mut rest, options),
+            }?;
+            notes.extend(said);
+            notes.extend(peak_of(&header, format == network.volume_two, &component));
+            components.push(component);
         }
         skip_to_next_channel(&mut rest)?;
     }
-    if let Some((what, line)) = refused {
-        if components.is_empty() {
-            return Err(not_acceleration(&what, line));
-        }
-        notes.push(format!("line {line}: a channel that holds {what} is left out"));
+    if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
+        return Err(not_acceleration(what, *line));
     }
+    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} is left out")));
     super::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
@@ -233,14 +229,23 @@ fn other_quantity(header: &Header) -> Option<(String, usize)> {
 }
 
 /// Leaves `rest` at the first line of the next channel: behind the velocity and the displacement, and the `/&` that ends
-/// a channel.
+/// a channel. Not every channel has that mark, nor a title that says accelerogram: a full row of integers shows that the
+/// text above it is a header.
 ///
 /// # Errors
-/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them.
+/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them. Numbers that
+/// no line announces.
 fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
+    let mut text_from: Option<Lines<'_>> = None;
     loop {
         let before = rest.clone();
-        let Some(line) = rest.next() else { return Ok(()) };
+        let Some(line) = rest.next() else { break };
+        if is_numbers(&line) {
+            if is_full_integer_row(&line) && text_from.is_some() {
+                break;
+            }
+            return Err(unannounced(&line));
+        }
         if !is_text(&line) {
             continue;
         }
@@ -258,7 +263,46 @@ fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
                 let title = Title { line: line.number, text: upper, count };
                 skip_series(&title, rest)?;
             }
-            _ => {}
+            _ => {
+                text_from.get_or_insert(before);
+            }
+        }
+    }
+    if let Some(text) = text_from {
+        *rest = text;
+    }
+    Ok(())
+}
+
+/// Whether a line has numbers and nothing else, even where they touch.
+fn is_numbers(line: &Line<'_>) -> bool {
+    let is_of_number = |b: &u8| {
+        b.is_ascii_digit() || b.is_ascii_whitespace() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E' | b'd' | b'D')
+    };
+    line.bytes.iter().all(is_of_number) && line.bytes.iter().any(u8::is_ascii_digit)
+}
+
+/// What is to be said of numbers that may be a channel whose first lines are damaged.
+fn unannounced(line: &Line<'_>) -> Problem {
+    Problem::new(ProblemKind::Format, "these numbers belong to no series")
+        .at_line(line.number)
+        .hint("the line above that counts them may be damaged: fetch the file again")
+}
+
+/// Skips what a channel holds that is left out.
+fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Problem> {
+    if let Some(title) = title {
+        return skip_series(title, rest);
+    }
+    loop {
+        let before = rest.clone();
+        match rest.next() {
+            Some(line) if is_text(&line) => {
+                *rest = before;
+                return Ok(());
+            }
+            Some(_) => {}
+            None => return Ok(()),
         }
     }
 }
