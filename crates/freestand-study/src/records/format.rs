@@ -1,6 +1,6 @@
 //! Blocks of numbers in columns of fixed width, as a Fortran format describes them: `8F10.3`, `16I5`, `10F8`.
 
-use super::fortran::{fields, number};
+use super::fortran::{bad_field, fields, number};
 use super::lines::{Line, Lines};
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
@@ -112,7 +112,7 @@ impl Format {
             return Ok(());
         }
         values.truncate(before);
-        fields(text, |number| values.push(number.value)).map_err(|bad| super::at2::bad_field(&bad, line.number))
+        fields(text, |number| values.push(number.value)).map_err(|bad| bad_field(&bad, line.number))
     }
 }
 

@@ -1,7 +1,6 @@
 //! Volumes I and II of the University of Southern California and, before it, of Caltech.
 
-use super::csmip::{head, refuse_spectra};
-use super::volumes::{self, Network};
+use super::volumes::{self, Network, head, refuse_spectra};
 use super::{ReadOptions, Reading};
 use crate::error::Problem;
 use std::path::Path;

@@ -37,12 +37,22 @@ struct Title {
 /// Most lines of reals: 7 in volume I, 13 in volume II.
 const MOST_REALS: usize = 20;
 
-/// Whether a line holds words and not numbers; the letters of an exponent are none.
-pub(super) fn is_text(line: &Line<'_>) -> bool {
-    let bytes = line.bytes.trim_ascii();
-    let is_word =
-        |b: &u8| b.is_ascii_alphabetic() && !matches!(b, b'e' | b'E' | b'd' | b'D') || matches!(b, b'/' | b'&');
-    bytes.iter().any(is_word) || bytes.starts_with(b"--")
+/// The first lines that are not blank, in capitals.
+pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
+    lines(bytes).filter(|line| !line.is_blank()).take(count).map(|line| line.text().to_ascii_uppercase()).collect()
+}
+
+/// Volume III has response and Fourier spectra.
+pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
+    if head.first().is_some_and(|line| line.contains("RESPONSE")) {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            "holds response spectra (volume III), an acceleration record is expected",
+        )
+        .at_line(1)
+        .hint("use the file of volume II of the same record"));
+    }
+    Ok(())
 }
 
 /// Reads the channels of a file.
@@ -97,7 +107,7 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
     let mut behind_reals = None;
     for _ in 0..MOST_REALS {
         let Some(line) = ahead.find(|line| !line.is_blank()) else { break };
-        if is_text(&line) {
+        if line.is_text() {
             let text = line.text();
             let Some(count) = first_integer(&text).filter(|_| is_title(&text)) else { break };
             *rest = ahead;
@@ -132,7 +142,7 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     let format = format_of(title, rest);
     let block = format.read(rest, title.count, "acceleration")?;
     block.refuse_missing(format, is_missing_value)?;
-    if let Some(line) = rest.ahead().filter(|line| !is_text(line)) {
+    if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
         return Err(Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", title.count))
             .at_line(line.number)
             .hint(format!("the number of values on line {} does not fit the file", title.line)));
@@ -246,7 +256,7 @@ fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
             }
             return Err(unannounced(&line));
         }
-        if !is_text(&line) {
+        if !line.is_text() {
             continue;
         }
         let upper = line.text().to_ascii_uppercase();
@@ -297,7 +307,7 @@ fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Proble
     loop {
         let before = rest.clone();
         match rest.next() {
-            Some(line) if is_text(&line) => {
+            Some(line) if line.is_text() => {
                 *rest = before;
                 return Ok(());
             }
@@ -313,7 +323,7 @@ fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
     for found in 0..wanted {
         let before = rest.clone();
         match rest.find(|line| !line.is_blank()) {
-            Some(line) if is_text(&line) => {
+            Some(line) if line.is_text() => {
                 *rest = before;
                 return Ok(());
             }
