@@ -1,11 +1,11 @@
 //! PEER AT2: prose, a unit, a line with NPTS and DT, then the values in any number a line.
 
-use super::fortran::{BadField, fields, is_missing_value, scan};
+use super::fortran::{bad_field, fields, is_missing_value, scan};
 use super::lines::{Line, lines};
 use super::units::{Stated, decide, missing, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::{Dimension, shorten};
+use crate::quantity::Dimension;
 use std::path::Path;
 
 /// How far down the line with NPTS and DT may stand: the fourth in every file of PEER, a few more in copies.
@@ -190,18 +190,6 @@ fn read_values(bytes: &[u8], counts: &Counts) -> Result<(Vec<f64>, usize), Probl
     };
     let message = format!("the header declares {} values, the file has {}", counts.npts, values.len());
     Err(Problem::new(ProblemKind::Format, message).at_line(counts.line).hint(hint))
-}
-
-/// A field that is no number, as a problem.
-pub(super) fn bad_field(bad: &BadField, line: usize) -> Problem {
-    match bad {
-        BadField::Missing(text) => missing(text, line),
-        BadField::NotANumber(text) => {
-            Problem::new(ProblemKind::Format, format!("\"{}\" is not a number", shorten(text)))
-                .at_line(line)
-                .hint("the file may be damaged; a line that is a comment must begin with #")
-        }
-    }
 }
 
 /// PEER's second line is `event, date, station, component`; anything else is prose, and the file's name must do.

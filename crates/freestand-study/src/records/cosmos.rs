@@ -9,7 +9,7 @@ use super::format::{Block, Format};
 use super::fortran::is_missing_value;
 use super::lines::{Line, Lines, lines};
 use super::units::record_unit;
-use super::volumes::{first_integer, is_text};
+use super::volumes::first_integer;
 use super::{Component, Direction, Found, ReadOptions, Reading, peak_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, shorten};
@@ -65,7 +65,7 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                     components.push(component(header, &series, block, channel, options, &mut notes)?);
                 }
             }
-        } else if !is_text(&line) {
+        } else if !line.is_text() {
             return Err(Problem::new(ProblemKind::Format, "these numbers belong to no series")
                 .at_line(line.number)
                 .hint("the line above that counts them may be damaged: fetch the file again"));
@@ -158,7 +158,7 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
         Ok((block, at))
     };
     let problem = match try_count(series.count) {
-        Ok((block, at)) if at.ahead().is_none_or(|line| is_text(&line)) => {
+        Ok((block, at)) if at.ahead().is_none_or(|line| line.is_text()) => {
             *rest = at;
             return Ok(block);
         }

@@ -2,18 +2,13 @@
 //! volume I.
 
 use super::lines::lines;
-use super::volumes::{self, Network};
+use super::volumes::{self, Network, head, refuse_spectra};
 use super::{ReadOptions, Reading};
-use crate::error::{Problem, ProblemKind};
+use crate::error::Problem;
 use std::path::Path;
 
 const CSMIP: Network = Network { volume_one: "CSMIP V1", volume_two: "CSMIP V2", columns: 200 };
 const RENADIC: Network = Network { volume_one: "RENADIC", volume_two: "RENADIC", columns: 200 };
-
-/// The first lines that are not blank, in capitals.
-pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
-    lines(bytes).filter(|line| !line.is_blank()).take(count).map(|line| line.text().to_ascii_uppercase()).collect()
-}
 
 /// Whether the text is a CSMIP or RENADIC file: volume I says so on its first line, volume II and the spectra of volume
 /// III on the second or third too. A title alone does not make one: rows of whole numbers follow in every volume.
@@ -37,17 +32,4 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
     let head = head(bytes, 13);
     refuse_spectra(&head)?;
     volumes::read(bytes, options, if is_renadic(&head) { &RENADIC } else { &CSMIP })
-}
-
-/// Volume III has response and Fourier spectra.
-pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
-    if head.first().is_some_and(|line| line.contains("RESPONSE")) {
-        return Err(Problem::new(
-            ProblemKind::Format,
-            "holds response spectra (volume III), an acceleration record is expected",
-        )
-        .at_line(1)
-        .hint("use the file of volume II of the same record"));
-    }
-    Ok(())
 }

@@ -4,6 +4,7 @@ use super::format::Format;
 use super::fortran::scan;
 use super::lines::lines;
 use super::rows::{self, Rows};
+use super::sampling::step_of_rate;
 use super::units::{Stated, decide, record_unit, requested};
 use super::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::error::{Problem, ProblemKind};
@@ -44,12 +45,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         header.lines.push((line.number, line.text()));
     }
     let (rate_line, rate_hz) = header.number("#SampleRate")?;
-    // Instruments sample at 100 to 250 Hz; a damaged number must not become a step of nanoseconds.
-    if !(rate_hz > 0.0 && rate_hz <= 1e5) {
-        return Err(Problem::new(ProblemKind::Format, format!("the sampling rate is {rate_hz} Hz"))
-            .at_line(rate_line)
-            .hint("the header line reads like \"#SampleRate(Hz): 200\": correct it"));
-    }
+    let dt_s = step_of_rate(rate_hz, rate_line)?;
     let sequence = header.sequence()?;
     let (unit_line, text) = header.value("#AmplitudeUnit").unwrap_or((rate_line, ""));
     let stated = text.split_whitespace().next().and_then(record_unit).map(|unit| Stated { unit, line: unit_line });
@@ -72,7 +68,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             station: station.clone(),
             unit: unit.symbol,
             unit_m_s2: unit.to_si(1.0),
-            dt_s: 1.0 / rate_hz,
+            dt_s,
             values,
             line: rows.first_line,
             is_raw,

@@ -1,6 +1,6 @@
 //! Blocks of numbers in columns of fixed width, as a Fortran format describes them: `8F10.3`, `16I5`, `10F8`.
 
-use super::fortran::{fields, number};
+use super::fortran::{bad_field, fields, number};
 use super::lines::{Line, Lines};
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
@@ -112,7 +112,7 @@ impl Format {
             return Ok(());
         }
         values.truncate(before);
-        fields(text, |number| values.push(number.value)).map_err(|bad| super::at2::bad_field(&bad, line.number))
+        fields(text, |number| values.push(number.value)).map_err(|bad| bad_field(&bad, line.number))
     }
 }
 
@@ -129,6 +129,20 @@ impl Block {
             }
             None => Ok(()),
         }
+    }
+
+    /// The number of something that a header has at place `at`, counted from 0.
+    ///
+    /// # Errors
+    /// What is no whole number from 0 to 1e9, or not there.
+    pub(super) fn count(&self, at: usize, format: Format, what: &str) -> Result<usize, Problem> {
+        let value = self.values.get(at).copied().unwrap_or(f64::NAN);
+        if (0.0..1e9).contains(&value) && value.fract() == 0.0 {
+            return Ok(value as usize);
+        }
+        Err(Problem::new(ProblemKind::Format, format!("the number of {what} is {value}"))
+            .at_line(self.first_line + at / format.per_line)
+            .hint("the file is damaged: fetch it again"))
     }
 }
 
@@ -174,6 +188,23 @@ mod tests {
 
     fn read(text: &str, format: Format, count: usize) -> Result<Vec<f64>, String> {
         format.read(&mut lines(text.as_bytes()), count, "it").map(|block| block.values).map_err(told)
+    }
+
+    #[test]
+    fn counts_are_whole_numbers() {
+        let format = Format::new(2, 10);
+        let text = b"         7      -1.0\n       2.5     1E+09\n";
+        let block = format.read(&mut lines(text), 4, "it").unwrap();
+        let count = |at| block.count(at, format, "it").map_err(told);
+        assert_eq!(count(0), Ok(7));
+        for (at, message) in [
+            (1, "line 1: the number of it is -1"),
+            (2, "line 2: the number of it is 2.5"),
+            (3, "line 2: the number of it is 1000000000"),
+            (4, "line 3: the number of it is NaN"),
+        ] {
+            assert_eq!(count(at), Err(message.to_owned()));
+        }
     }
 
     fn told(problem: Problem) -> String {

@@ -1,5 +1,9 @@
 //! Numbers as Fortran programs print them, which is how strong-motion records have been written for fifty years.
 
+use super::units::missing;
+use crate::error::{Problem, ProblemKind};
+use crate::quantity::shorten;
+
 /// A number found at the start of a field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Number {
@@ -77,6 +81,18 @@ impl BadField {
     pub(super) fn new(field: &[u8]) -> Self {
         let text = super::lines::text_of(&field[..field.len().min(64)]);
         if is_missing_word(field) { Self::Missing(text) } else { Self::NotANumber(text) }
+    }
+}
+
+/// A field that is no number, as a problem.
+pub(super) fn bad_field(bad: &BadField, line: usize) -> Problem {
+    match bad {
+        BadField::Missing(text) => missing(text, line),
+        BadField::NotANumber(text) => {
+            Problem::new(ProblemKind::Format, format!("\"{}\" is not a number", shorten(text)))
+                .at_line(line)
+                .hint("the file may be damaged; a line that is a comment must begin with #")
+        }
     }
 }
 

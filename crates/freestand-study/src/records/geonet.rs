@@ -94,15 +94,7 @@ fn component(
     let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
     let integers = INTEGERS.read(rest, 40, "the integer header")?;
     let reals = REALS.read(rest, 60, "the real header")?;
-    let count = |at: usize, what: &str| {
-        let value = integers.values[at];
-        if value >= 0.0 && value.fract() == 0.0 && value < 1e9 {
-            return Ok(value as usize);
-        }
-        Err(Problem::new(ProblemKind::Format, format!("the number of {what} is {value}"))
-            .at_line(integers.first_line + at / INTEGERS.per_line)
-            .hint("the file is damaged: fetch it again"))
-    };
+    let count = |at: usize, what: &str| integers.count(at, INTEGERS, what);
     // Integers 31 and 34 to 36: samples digitised, and in the blocks of acceleration, velocity and displacement. An
     // uncorrected record has all that was digitised; where its two numbers differ, the block that ends well decides.
     let accelerations = count(33, "accelerations")?;

@@ -1,6 +1,6 @@
 //! Headers of lines `KEY: value`, which several archives write, and the rows of numbers below them.
 
-use super::at2::bad_field;
+use super::fortran::bad_field;
 use super::fortran::{fields, is_missing_value, is_missing_word, number};
 use super::lines::{Line, Lines};
 use super::units::missing;

@@ -200,7 +200,7 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
     for line in rest {
         let before = values.len();
         fields(line.bytes, |number| values.push(number.value))
-            .map_err(|bad| super::at2::bad_field(&bad, line.number))?;
+            .map_err(|bad| super::fortran::bad_field(&bad, line.number))?;
         if let Some(odd) = values[before..].iter().find(|value| value.abs() >= 1e30) {
             return Err(missing(&odd.to_string(), line.number));
         }

@@ -149,6 +149,14 @@ impl Line<'_> {
         self.bytes.trim_ascii_start().starts_with(b"#")
     }
 
+    /// Whether it holds words and not numbers; the letters of an exponent are none.
+    pub(super) fn is_text(&self) -> bool {
+        let bytes = self.bytes.trim_ascii();
+        let is_word =
+            |b: &u8| b.is_ascii_alphabetic() && !matches!(b, b'e' | b'E' | b'd' | b'D') || matches!(b, b'/' | b'&');
+        bytes.iter().any(is_word) || bytes.starts_with(b"--")
+    }
+
     /// As text: UTF-8, or else Latin-1, in which every byte is a character.
     pub(super) fn text(&self) -> String {
         // Only headers are read as text; a "line" of megabytes is no header.

@@ -13,6 +13,7 @@ mod dyna;
 mod even_grid;
 mod format;
 mod fortran;
+mod found;
 mod geonet;
 mod headings;
 mod instant;
@@ -37,14 +38,15 @@ mod volumes;
 mod write;
 
 pub use direction::Direction;
+pub(crate) use found::check_step;
 pub(crate) use lines::load;
 pub(crate) use write::{push_shortest, shortest};
 pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::quantity::shorten;
+use found::{Found, motion, peak_note, tell_apart};
 use freestand::motion::Motion;
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// What the user says about a file that may not say it itself.
@@ -133,7 +135,8 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     // A wrong flag is no fault of the file.
     options.check()?;
     let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
-    let Reading { format, components, notes } = read(&bytes, path, options).map_err(|problem| problem.in_file(path))?;
+    let reading = read(&bytes, path, options).and_then(Reading::with_components);
+    let Reading { format, components, notes } = reading.map_err(|problem| problem.in_file(path))?;
     Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
 }
 
@@ -142,6 +145,19 @@ struct Reading {
     format: &'static str,
     components: Vec<Component>,
     notes: Vec<String>,
+}
+
+impl Reading {
+    /// # Errors
+    /// No component: every file has one at least, whichever reader it had.
+    fn with_components(self) -> Result<Self, Problem> {
+        if self.components.is_empty() {
+            return Err(Problem::new(ProblemKind::Format, "holds no acceleration record").hint(
+                "the file may be cut off or damaged: fetch it again, or use the acceleration file of the same record",
+            ));
+        }
+        Ok(self)
+    }
 }
 
 /// A family of formats that share a layout.
@@ -238,120 +254,10 @@ impl MotionFile {
     }
 }
 
-/// Time steps that a record of the ground or of a floor may have \[s\]. Records have 1 ms to some
-/// tenths of a second. Far outside, the step was written in another unit or is damaged, and a building's floors at steps
-/// of nanoseconds would fill the memory.
-const STEPS_S: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
-
-pub(crate) fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
-    if STEPS_S.contains(&dt_s) {
-        return Ok(());
-    }
-    let (message, hint) = if dt_s > 0.0 {
-        let hint = if dt_s > 1.0 { "is it in ms?" } else { "is it in another unit?" };
-        (format!("the time step must be from 1e-6 s to 100 s, not {dt_s:?} s"), format!("{hint} state it in s"))
-    } else {
-        (format!("the time step must be positive, not {dt_s} s"), "write it in s or ms".to_owned())
-    };
-    Err(Problem::new(kind, message).hint(hint))
-}
-
-/// One component as a reader finds it in an agency's file, where unit and step are never open.
-struct Found {
-    name: String,
-    station: Option<String>,
-    direction: Option<Direction>,
-    /// Name of the unit in the file.
-    unit: &'static str,
-    /// What one of it is worth \[m/s²\].
-    unit_m_s2: f64,
-    dt_s: f64,
-    values: Vec<f64>,
-    /// Line of the first value, counted from 1.
-    line: usize,
-    is_raw: bool,
-}
-
-impl Found {
-    /// The component in SI.
-    ///
-    /// # Errors
-    /// A user's unit or time step that contradicts the file's, a step outside 1e-6 s to 100 s, fewer than two values.
-    fn component(mut self, options: &ReadOptions) -> Result<Component, Problem> {
-        if let Some(unit) = units::requested(options.unit.as_deref())?
-            // The last bit may differ where a factor is composed, as in counts times a scale.
-            && (unit.to_si(1.0) - self.unit_m_s2).abs() > 1e-12 * self.unit_m_s2
-            && unit.symbol != self.unit
-        {
-            let message = format!("the record is in {} as the file says, not in {}", self.unit, unit.symbol);
-            return Err(Problem::new(ProblemKind::Value, message)
-                .at_line(self.line)
-                .hint("leave out the unit (--unit, or unit in the study), or correct the file if it is wrong"));
-        }
-        if let Some(dt_s) = options.dt_s
-            // One part in a million is a difference in printing, not in meaning.
-            && (dt_s - self.dt_s).abs() > 1e-6 * self.dt_s
-        {
-            let message = format!("the time step is {} s as the header says, not {dt_s} s", self.dt_s);
-            return Err(Problem::new(ProblemKind::Value, message)
-                .at_line(self.line)
-                .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"));
-        }
-        for value in &mut self.values {
-            *value *= self.unit_m_s2;
-        }
-        Ok(Component {
-            name: self.name,
-            station: self.station,
-            direction: self.direction,
-            unit: self.unit,
-            is_raw: self.is_raw,
-            motion: motion(self.dt_s, self.values, self.line)?,
-            line_of_first_value: self.line,
-        })
-    }
-}
-
-/// Adds the place in the file to names that several components share: a structure has several sensors of one direction.
-fn tell_apart(components: &mut [Component]) {
-    let mut uses: HashMap<String, usize> = HashMap::new();
-    for component in components.iter() {
-        *uses.entry(component.name.to_lowercase()).or_default() += 1;
-    }
-    for (i, component) in components.iter_mut().enumerate() {
-        if uses.get(&component.name.to_lowercase()).is_some_and(|count| *count > 1) {
-            component.name = format!("{}, channel {}", component.name, i + 1);
-        }
-    }
-}
-
-/// What is to be said where the largest value is not the one that the header states \[m/s², any sign\].
-///
-/// Some agencies print the peak with the opposite sign, and most with three digits: 1 % is what rounding of three can
-/// make of it.
-fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
-    let found = component.motion.peak_m_s2();
-    let stated = header_peak_m_s2.abs();
-    // A header without a peak has 0 or a value that stands for a missing one.
-    let is_stated = stated > 0.0 && stated < 1e4;
-    (is_stated && (found - stated).abs() > 0.01 * stated).then(|| {
-        let name = shorten(&component.name);
-        format!("{name}: the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2")
-    })
-}
-
 /// In a binary file nothing stands on a line.
 fn without_line(mut problem: Problem) -> Problem {
     problem.line = None;
     problem
-}
-
-/// Samples in m/s² as a motion.
-fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
-    check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;
-    Motion::new(dt_s, accel_m_s2).map_err(|error| {
-        Problem::new(ProblemKind::Format, error.to_string()).at_line(line).hint("check that the record is complete")
-    })
 }
 
 /// The file's name without folder and extension, as the name of what is in it.

@@ -2,7 +2,7 @@
 
 use super::ReadOptions;
 use super::even_grid::{common_step, on_even_grid};
-use super::fortran::{Number, fields, is_missing_value, number};
+use super::fortran::{Number, bad_field, fields, is_missing_value, number};
 use super::lines::{Line, Lines};
 use super::sampling::{Uneven, time_step};
 use super::units::missing;
@@ -36,7 +36,7 @@ pub(super) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
         if line.is_blank() {
             continue;
         }
-        if super::volumes::is_text(&line) {
+        if line.is_text() {
             *rest = before;
             break;
         }
@@ -69,7 +69,7 @@ fn numbers_of(line: &Line<'_>) -> Result<Vec<Number>, Problem> {
     let mut numbers = Vec::new();
     match fields(line.bytes, |number| numbers.push(number)) {
         Ok(()) => Ok(numbers),
-        Err(bad) => by_points(line.bytes).ok_or_else(|| super::at2::bad_field(&bad, line.number)),
+        Err(bad) => by_points(line.bytes).ok_or_else(|| bad_field(&bad, line.number)),
     }
 }
 

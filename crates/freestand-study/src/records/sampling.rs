@@ -1,7 +1,22 @@
 //! The time step that a column of printed times means.
 
 use super::even_grid::common_step;
+use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
+
+/// The time step \[s\] of a sampling rate \[Hz\] that stands on `line`.
+///
+/// # Errors
+/// A rate that no instrument has: they sample at 50 to 1000 Hz. Some files hold rates of 1e30, and a damaged number must
+/// not become a step of nanoseconds.
+pub(super) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
+    if rate_hz > 0.0 && rate_hz <= 1e5 {
+        return Ok(1.0 / rate_hz);
+    }
+    Err(Problem::new(ProblemKind::Format, format!("the sampling rate is {rate_hz} Hz"))
+        .at_line(line)
+        .hint("this header line must have the samples per second, such as 100 or 200: correct it"))
+}
 
 /// Why times are not equally spaced.
 #[derive(Debug, PartialEq)]
@@ -133,6 +148,18 @@ mod tests {
     fn rounded(dt: f64, decimals: i32, n: usize, start: usize) -> Vec<f64> {
         let unit = 10f64.powi(decimals);
         (start..start + n).map(|i| (i as f64 * dt * unit).round() / unit).collect()
+    }
+
+    #[test]
+    fn a_rate_gives_the_step_or_is_refused() {
+        // Exact: one division.
+        assert_eq!([100.0, 200.0, 1e5].map(|rate| step_of_rate(rate, 7).ok()), [Some(0.01), Some(0.005), Some(1e-5)]);
+        for rate in [0.0, -100.0, 1.1e5, 1.7e38, f64::NAN, f64::INFINITY] {
+            assert_eq!(
+                step_of_rate(rate, 7).unwrap_err().to_string(),
+                format!("line 7: the sampling rate is {rate} Hz")
+            );
+        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::format::Format;
 use super::fortran::is_missing_value;
 use super::lines::{Line, lines};
+use super::sampling::step_of_rate;
 use super::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
@@ -50,27 +51,17 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     let integers = INTEGERS.read(&mut rest, 48, "the integer header")?;
     let reals = REALS.read(&mut rest, 50, "the real header")?;
-    let count = |at: usize, what: &str| {
-        let value = integers.values[at];
-        if value >= 0.0 && value.fract() == 0.0 && value < 1e9 {
-            return Ok(value as usize);
-        }
-        Err(Problem::new(ProblemKind::Format, format!("the number of {what} is {value}"))
-            .at_line(integers.first_line + at / INTEGERS.per_line)
-            .hint("the file is damaged: fetch it again"))
-    };
-    let comments = count(15, "comment lines")?;
-    let npts = count(16, "values")?;
-    let rate_hz = reals.values[1];
-    let line_of_rate = reals.first_line;
-    // Instruments sample at 50 to 1000 Hz; some files hold rates of 1e30.
-    if !(rate_hz > 0.0 && rate_hz <= 1e5) {
-        return Err(Problem::new(ProblemKind::Format, format!("the sampling rate is {rate_hz} per second"))
-            .at_line(line_of_rate)
-            .hint("real header 2 is the rate in samples per second: correct it"));
-    }
-    for _ in 0..comments {
-        rest.next();
+    let comments = integers.count(15, INTEGERS, "comment lines")?;
+    let npts = integers.count(16, INTEGERS, "values")?;
+    let dt_s = step_of_rate(reals.values[1], reals.first_line)?;
+    let found = rest.by_ref().take(comments).count();
+    if found < comments {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("the header declares {comments} comment lines, {found} lines follow"),
+        )
+        .at_line(integers.first_line + 15 / INTEGERS.per_line)
+        .hint("the file is damaged or cut off: fetch it again"));
     }
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
     block.refuse_missing(VALUES, is_missing_value)?;
@@ -82,7 +73,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         direction,
         unit: "cm/s2",
         unit_m_s2: 0.01,
-        dt_s: 1.0 / rate_hz,
+        dt_s,
         values: block.values,
         line: block.first_line,
         is_raw: false,

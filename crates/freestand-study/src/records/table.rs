@@ -1,8 +1,7 @@
 //! Columns of numbers as text: separators, headers and comments of many hands, told apart by looking.
 
-use super::at2::bad_field;
 use super::dialect::{Dialect, Separator, cells, dialect_of};
-use super::fortran::{BadField, Number, fields, is_missing_value};
+use super::fortran::{BadField, Number, bad_field, fields, is_missing_value};
 use super::lines::{Line, lines};
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};

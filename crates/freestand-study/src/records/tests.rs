@@ -7,6 +7,15 @@ fn three() -> MotionFile {
 }
 
 #[test]
+fn a_file_without_components_is_refused() {
+    let reading = Reading { format: "columns", components: Vec::new(), notes: Vec::new() };
+    let problem = reading.with_components().err().unwrap();
+    assert!(problem.message == "holds no acceleration record" && problem.hint.is_some(), "{problem}");
+    let reading = Reading { format: "columns", components: three().components, notes: Vec::new() };
+    assert_eq!(reading.with_components().unwrap().components.len(), 3);
+}
+
+#[test]
 fn components_are_chosen_by_name_or_number() {
     let file = three();
     for (wanted, name) in [("NS", "NS"), ("ew", "EW"), ("2", "EW"), ("360", "360"), ("3", "360"), (" EW [g] ", "EW")] {

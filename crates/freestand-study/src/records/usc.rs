@@ -1,8 +1,7 @@
 //! Volumes I and II of the University of Southern California and, before it, of Caltech.
 
-use super::csmip::{head, refuse_spectra};
 use super::lines::lines;
-use super::volumes::{self, Network};
+use super::volumes::{self, Network, head, refuse_spectra};
 use super::{ReadOptions, Reading};
 use crate::error::Problem;
 use std::path::Path;

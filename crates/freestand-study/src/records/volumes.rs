@@ -38,48 +38,54 @@ struct Title {
 /// Most lines of reals: 7 in volume I, 13 in volume II.
 const MOST_REALS: usize = 20;
 
-/// Whether a line holds words and not numbers; the letters of an exponent are none.
-pub(super) fn is_text(line: &Line<'_>) -> bool {
-    let bytes = line.bytes.trim_ascii();
-    let is_word =
-        |b: &u8| b.is_ascii_alphabetic() && !matches!(b, b'e' | b'E' | b'd' | b'D') || matches!(b, b'/' | b'&');
-    bytes.iter().any(is_word) || bytes.starts_with(b"--")
+/// The first lines that are not blank, in capitals.
+pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
+    lines(bytes).filter(|line| !line.is_blank()).take(count).map(|line| line.text().to_ascii_uppercase()).collect()
+}
+
+/// Volume III has response and Fourier spectra.
+pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
+    if head.first().is_some_and(|line| line.contains("RESPONSE")) {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            "holds response spectra (volume III), an acceleration record is expected",
+        )
+        .at_line(1)
+        .hint("use the file of volume II of the same record"));
+    }
+    Ok(())
 }
 
 /// Reads the channels of a file.
 pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
-    let (mut components, mut notes, mut refused): (Vec<Component>, Vec<String>, _) = (Vec::new(), Vec::new(), None);
+    let (mut components, mut notes, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     let mut format = network.volume_one;
     let mut channel = 0;
-    while let Some(header) = read_header(&mut rest, network.columns, channel > 0)? {
+    while let Some(header) = read_header(&mut rest, network.columns, channel > 0, &mut notes)? {
         channel += 1;
         if channel == 1 && is_volume_two(&header.text) {
             format = network.volume_two;
         }
-        let read = match find_title(&mut rest)? {
-            Some(title) => read_series(&header, &title, channel, &mut rest, options),
-            None => read_pairs(&header, channel, &mut rest, options, room(&components)),
-        };
-        match other_quantity(&header) {
-            Some((what, line)) => {
-                refused.get_or_insert((what, line));
-            }
-            None => {
-                let (component, said) = read?;
-                notes.extend(said);
-                notes.extend(peak_of(&header, format == network.volume_two, &component));
-                components.push(component);
-            }
+        let title = find_title(&mut rest)?;
+        if let Some((what, line)) = other_quantity(&header) {
+            skip_values(title.as_ref(), &mut rest)?;
+            left_out.push((what, line));
+        } else {
+            let (component, said) = match title {
+                Some(title) => read_series(&header, &title, channel, &mut rest, options),
+                None => read_pairs(&header, channel, &mut rest, options, room(&components)),
+            }?;
+            notes.extend(said);
+            notes.extend(peak_of(&header, format == network.volume_two, &component));
+            components.push(component);
         }
         skip_to_next_channel(&mut rest)?;
     }
-    if let Some((what, line)) = refused {
-        if components.is_empty() {
-            return Err(not_acceleration(&what, line));
-        }
-        notes.push(format!("line {line}: a channel that holds {what} is left out"));
+    if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
+        return Err(not_acceleration(what, *line));
     }
+    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} is left out")));
     super::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
@@ -102,7 +108,7 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
     let mut behind_reals = None;
     for _ in 0..MOST_REALS {
         let Some(line) = ahead.find(|line| !line.is_blank()) else { break };
-        if is_text(&line) {
+        if line.is_text() {
             let text = line.text();
             let Some(count) = first_integer(&text).filter(|_| is_title(&text)) else { break };
             *rest = ahead;
@@ -137,7 +143,7 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     let format = format_of(title, rest);
     let block = format.read(rest, title.count, "acceleration")?;
     block.refuse_missing(format, is_missing_value)?;
-    if let Some(line) = rest.ahead().filter(|line| !is_text(line)) {
+    if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
         return Err(Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", title.count))
             .at_line(line.number)
             .hint(format!("the number of values on line {} does not fit the file", title.line)));
@@ -241,15 +247,24 @@ fn other_quantity(header: &Header) -> Option<(String, usize)> {
 }
 
 /// Leaves `rest` at the first line of the next channel: behind the velocity and the displacement, and the `/&` that ends
-/// a channel.
+/// a channel. Not every channel has that mark, nor a title that says accelerogram: a full row of integers shows that the
+/// text above it is a header.
 ///
 /// # Errors
-/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them.
+/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them. Numbers that
+/// no line announces.
 fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
+    let mut text_from: Option<Lines<'_>> = None;
     loop {
         let before = rest.clone();
-        let Some(line) = rest.next() else { return Ok(()) };
-        if !is_text(&line) {
+        let Some(line) = rest.next() else { break };
+        if is_numbers(&line) {
+            if is_full_integer_row(&line) && text_from.is_some() {
+                break;
+            }
+            return Err(unannounced(&line));
+        }
+        if !line.is_text() {
             continue;
         }
         let upper = line.text().to_ascii_uppercase();
@@ -266,7 +281,46 @@ fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
                 let title = Title { line: line.number, text: upper, count };
                 skip_series(&title, rest)?;
             }
-            _ => {}
+            _ => {
+                text_from.get_or_insert(before);
+            }
+        }
+    }
+    if let Some(text) = text_from {
+        *rest = text;
+    }
+    Ok(())
+}
+
+/// Whether a line has numbers and nothing else, even where they touch.
+fn is_numbers(line: &Line<'_>) -> bool {
+    let is_of_number = |b: &u8| {
+        b.is_ascii_digit() || b.is_ascii_whitespace() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E' | b'd' | b'D')
+    };
+    line.bytes.iter().all(is_of_number) && line.bytes.iter().any(u8::is_ascii_digit)
+}
+
+/// What is to be said of numbers that may be a channel whose first lines are damaged.
+fn unannounced(line: &Line<'_>) -> Problem {
+    Problem::new(ProblemKind::Format, "these numbers belong to no series")
+        .at_line(line.number)
+        .hint("the line above that counts them may be damaged: fetch the file again")
+}
+
+/// Skips what a channel holds that is left out.
+fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Problem> {
+    if let Some(title) = title {
+        return skip_series(title, rest);
+    }
+    loop {
+        let before = rest.clone();
+        match rest.next() {
+            Some(line) if line.is_text() => {
+                *rest = before;
+                return Ok(());
+            }
+            Some(_) => {}
+            None => return Ok(()),
         }
     }
 }
@@ -277,7 +331,7 @@ fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
     for found in 0..wanted {
         let before = rest.clone();
         match rest.find(|line| !line.is_blank()) {
-            Some(line) if is_text(&line) => {
+            Some(line) if line.is_text() => {
                 *rest = before;
                 return Ok(());
             }

@@ -164,13 +164,15 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// Control headers and blank records are skipped in steps of this many bytes, the least length of either.
+/// Control headers and records begin at multiples of this many bytes; blank records are skipped in steps of it.
 const SKIP: usize = 64;
+/// Powers of two of the lengths of control headers: 256 to 65536 bytes.
+const CONTROL_LENGTHS: std::ops::RangeInclusive<u32> = 8..=16;
 
 fn scan(bytes: &[u8]) -> Result<Scan<'_>, Problem> {
     let mut scan = Scan::default();
     let (mut at, mut number) = (0, 0);
-    let mut is_control = false;
+    let mut control_length = None;
     while at < bytes.len() {
         let rest = &bytes[at..];
         number += 1;
@@ -178,11 +180,12 @@ fn scan(bytes: &[u8]) -> Result<Scan<'_>, Problem> {
             version3(bytes, at, number)?
         } else if let Some(order) = header_order(rest) {
             version2(bytes, at, number, order)?
-        } else if is_control_header(rest) || is_blank(rest) || is_control {
-            // The rest of a block of control headers has no form of its own.
-            let begins = is_control_header(rest);
-            scan.control_headers += usize::from(begins && !is_control);
-            is_control |= begins;
+        } else if is_control_header(rest) {
+            scan.control_headers += 1;
+            number -= 1;
+            at += skip_control_header(rest, at, &mut control_length)?;
+            continue;
+        } else if is_blank(rest) {
             number -= 1;
             at += SKIP;
             continue;
@@ -190,7 +193,6 @@ fn scan(bytes: &[u8]) -> Result<Scan<'_>, Problem> {
             let what = if rest.len() < SKIP { "is cut off" } else { "does not begin as a record of miniSEED" };
             return Err(record::problem(number, at, what));
         };
-        is_control = false;
         at += length;
         if let Some((source, record)) = record {
             scan.take(source, record);
@@ -206,6 +208,40 @@ fn is_control_header(bytes: &[u8]) -> bool {
             && matches!(head[6], b'V' | b'A' | b'S' | b'T')
             && matches!(head[7], b' ' | b'*')
     })
+}
+
+/// How long the control header is that `bytes` begin with: what the first blockette of the volume states, `010  98 2.412`
+/// (blockettes 005, 008, 010), else the distance of the first two control headers; less where a record begins before.
+///
+/// # Errors
+/// Bytes within it that no text has: a damaged record of data would vanish in it.
+fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> Result<usize, Problem> {
+    *length = stated_length(bytes).or(*length);
+    let most = length.unwrap_or(bytes.len()).min(bytes.len());
+    for from in (SKIP..most).step_by(SKIP) {
+        let next = &bytes[from..];
+        let is_control = is_control_header(next);
+        if is_control || is_version3(next) || header_order(next).is_some() {
+            *length = length.or(is_control.then_some(from));
+            return Ok(from);
+        }
+        let is_binary = |b: &u8| b.is_ascii_control() && !b.is_ascii_whitespace() && *b != 0;
+        if next.iter().take(SKIP).any(is_binary) {
+            return Err(Problem::new(
+                ProblemKind::Format,
+                format!("the control header at byte {at} has bytes at {} that are no text", at + from),
+            )
+            .hint("the file is damaged, and a record of data may be lost in it: fetch it again"));
+        }
+    }
+    Ok(most)
+}
+
+/// Behind the blockette's number, length and version stands the power of two.
+fn stated_length(bytes: &[u8]) -> Option<usize> {
+    let head = bytes.get(8..21).filter(|head| matches!(&head[..3], b"005" | b"008" | b"010"))?;
+    let power = std::str::from_utf8(&head[11..]).ok()?.trim().parse().ok()?;
+    CONTROL_LENGTHS.contains(&power).then_some(1 << power)
 }
 
 /// What fills the room between records: a number and blanks, or nothing but blanks or zeros.

@@ -419,6 +419,39 @@ fn what_is_no_motion_is_skipped_or_refused() {
     assert!(flagged.notes[0].contains("clipped, missing or padded data"), "{:?}", flagged.notes);
 }
 
+/// In a SEED volume, control headers end where the volume says or shows, so that damaged data do not pass for theirs.
+#[test]
+fn no_record_is_lost_behind_control_headers() {
+    let header = |kind: &str, blockette: &str, length: usize| {
+        let mut block = format!("000001{kind}{blockette}").into_bytes();
+        block.resize(length, b' ');
+        block
+    };
+    let stated = header("V ", "010009802.4102019,187~", 1024);
+    let of_station = header("V ", "0080073 2.310CLC  ", 1024);
+    let unstated = [header("V ", "011  21  1CLC  ", 1024), header("S ", "050", 1024)].concat();
+    let good = three(2900, 5800);
+    let mut damaged = good[0].clone();
+    damaged[6] = b'X';
+    for control in [&stated, &of_station, &unstated] {
+        let file = read(&[control.as_slice(), &good.concat()].concat()).unwrap();
+        assert_eq!(values(&file).len(), 87);
+        assert!(file.notes.iter().any(|note| note.contains("of control headers")), "{:?}", file.notes);
+        let message = format!("record 1 (byte {}) does not begin as a record", control.len());
+        refused(&[control, damaged.as_slice(), &good[1], &good[2]].concat(), &message);
+        // A volume whose records are shorter than it states ends with the first of them.
+        assert_eq!(values(&read(&[&control[..control.len() - 512], &good[0]].concat()).unwrap()), as_f64(&SAMPLES));
+        let message = format!("record 2 (byte {}) does not begin as a record", control.len() + 512);
+        refused(&[control, good[0].as_slice(), &damaged].concat(), &message);
+    }
+    // Where nothing tells the length, what is no text is no control header.
+    let alone = header("V ", "011  21  1CLC  ", 1024);
+    refused(
+        &[alone.as_slice(), &damaged, &good[1]].concat(),
+        "the control header at byte 0 has bytes at 1024 that are no text",
+    );
+}
+
 #[test]
 fn without_a_sensitivity_the_way_out_is_said() {
     let bytes = record2(&HEADER, 29, &big(&STEIM1));

@@ -78,6 +78,9 @@ fn what_is_wrong_names_its_line() {
         ("  0.2000000E+03", "  0.1700000E+39", "x.txt:18:", "sampling rate"),
         ("        21", "        29", "x.txt:32:", "ends after 21 of 29"),
         ("        21", "    -32768", "x.txt:14:", "number of values is -32768"),
+        // Hours of nothing, if each were asked for.
+        ("         2\n", " 999999999\n", "x.txt:13:", "declares 999999999 comment lines, 5 lines follow"),
+        ("         2\n", "    -32768\n", "x.txt:13:", "number of comment lines is -32768"),
         ("-1.0000E+2", "    1.7E38", "x.txt:30:", "missing value"),
     ] {
         let problem = read(&text.replacen(from, to, 1)).expect_err(message);

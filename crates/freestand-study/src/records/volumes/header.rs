@@ -1,6 +1,6 @@
 //! What stands above the series of a channel: text, whole numbers, and what they say.
 
-use super::{MOST_REALS, not_acceleration};
+use super::{MOST_REALS, is_numbers, not_acceleration, unannounced};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::Dimension;
 use crate::records::fortran::{number, scan};
@@ -30,18 +30,30 @@ pub(in crate::records) fn is_full_integer_row(line: &Line<'_>) -> bool {
 }
 
 /// The header of the next channel, and `rest` behind its integers; `None` at the end of the file.
-pub(super) fn read_header(rest: &mut Lines<'_>, columns: usize, may_end: bool) -> Result<Option<Header>, Problem> {
+///
+/// # Errors
+/// Text without the integers of a header, numbers without the text of one.
+pub(super) fn read_header(
+    rest: &mut Lines<'_>,
+    columns: usize,
+    may_end: bool,
+    notes: &mut Vec<String>,
+) -> Result<Option<Header>, Problem> {
     let mut header = Header { text: Vec::new(), first_line: 0, integers: Vec::new() };
+    let start = rest.clone();
     loop {
         let before = rest.clone();
         let line = rest.next();
-        if line.as_ref().is_some_and(is_full_integer_row) {
+        if line.as_ref().is_some_and(|line| is_full_integer_row(line) && (header.first_line > 0 || !may_end)) {
             *rest = before;
             break;
         }
         match line {
             Some(line) if header.text.len() < MOST_TEXT => {
                 if header.first_line == 0 && !line.is_blank() {
+                    if may_end && is_numbers(&line) {
+                        return Err(unannounced(&line));
+                    }
                     header.first_line = line.number;
                 }
                 // Blank lines above a channel belong to none.
@@ -50,7 +62,7 @@ pub(super) fn read_header(rest: &mut Lines<'_>, columns: usize, may_end: bool) -
                 }
             }
             _ if may_end && !header.text.iter().any(|text| text.to_ascii_uppercase().contains("ACCELEROGRAM")) => {
-                return Ok(None);
+                return end(start, rest, notes).map(|()| None);
             }
             _ => {
                 return Err(Problem::new(ProblemKind::Format, "no integer header follows the lines of text")
@@ -79,6 +91,21 @@ pub(super) fn read_header(rest: &mut Lines<'_>, columns: usize, may_end: bool) -
         .map(|field| number(field.trim_ascii()).map(|number| number.value))
         .collect();
     Ok(Some(header))
+}
+
+/// What stands behind the last channel, from `tail` on, is text that holds no further one.
+///
+/// # Errors
+/// Numbers: they may be a channel whose header is damaged.
+fn end<'a>(mut tail: Lines<'a>, rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<(), Problem> {
+    if let Some(first) = tail.ahead() {
+        if let Some(line) = tail.find(is_numbers) {
+            return Err(unannounced(&line));
+        }
+        notes.push(format!("line {}: the text behind the last channel is not read", first.number));
+    }
+    *rest = tail;
+    Ok(())
 }
 
 /// The whole number that a line begins with.

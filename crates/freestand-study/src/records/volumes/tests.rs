@@ -157,7 +157,16 @@ fn a_title_line_gives_count_step_unit_and_format() {
     assert!(read(&text[..text.len() - 40]).unwrap_err().contains("x:"));
     let velocity = text.replace("HYPOCENTER: ?", "SCSN   Data: Velocity");
     assert!(read(&velocity).unwrap_err().contains("holds a velocity"));
-    assert_eq!(read(&(text.clone() + &velocity)).unwrap().notes.len(), 1);
+    // Each channel left out is named by the line on which it begins; a channel has 31 lines.
+    let displacement = text.replace("HYPOCENTER: ?", "SCSN   Data: Displacement");
+    let found = read(&(text.clone() + &velocity + &displacement)).unwrap();
+    let notes = [
+        "line 32: a channel that holds a velocity is left out",
+        "line 63: a channel that holds a displacement is left out",
+    ];
+    assert_eq!((found.components.len(), found.notes), (1, notes.map(str::to_owned).to_vec()));
+    let cut = text.clone() + &velocity.lines().take(29).collect::<Vec<_>>().join("\n");
+    assert!(read(&cut).unwrap_err().contains("the file ends after 1 of 2 lines of \"10 Accelerogram points"));
 }
 
 #[test]
@@ -196,6 +205,41 @@ fn of_volume_two_the_acceleration_is_read() {
         assert!(read(&(text.clone() + &head)).unwrap_err().starts_with("x:"), "cut after {lines} lines");
     }
     assert!(read(&format!("RESPONSE AND FOURIER AMPLITUDE SPECTRA\n{text}")).unwrap_err().contains("spectra"));
+}
+
+/// Without an end mark, and under a title that does not say accelerogram, a channel is a channel still.
+#[test]
+fn no_channel_is_lost_in_silence() {
+    let whole = v2("UP", (10, 3), "");
+    let (text, _) = whole.split_once("/&").unwrap();
+    let lines = text.lines().count();
+    let alien = text.replace("CORRECTED ACCELEROGRAM  ", "CORRECTED RECORD").replace("UNCORRECTED ACCELEROGRAM", "RAW");
+    assert!(!alien.contains("ACCELEROGRAM"));
+    for between in ["", "/&\n", "\n\n"] {
+        let found = read(&format!("{text}{between}{alien}")).unwrap();
+        assert_eq!((found.components.len(), found.notes.len()), (2, 0), "{between:?}");
+        assert_values(&found, 1, &SERIES, 0.01);
+    }
+    for end in ["", "/&\n"] {
+        // Text alone holds no channel, however long it is.
+        let first = lines + 1 + end.lines().count();
+        for count in [1, 100] {
+            let found = read(&format!("{text}{end}{}", "A REMARK\n".repeat(count))).unwrap();
+            let note = format!("line {first}: the text behind the last channel is not read");
+            assert_eq!((found.components.len(), found.notes), (1, vec![note]), "{end:?}");
+        }
+        // More text than any header has, and a channel behind it; numbers that no line announces.
+        let integers = alien.lines().position(|line| line.starts_with("    1    2")).unwrap();
+        for (tail, at) in [
+            ("A REMARK\n".repeat(100) + &alien, first + 100 + integers),
+            ("   1.000   2.000\n".to_owned(), first),
+            ("A REMARK\n 1.000-2.000\n".to_owned(), first + 1),
+            (blocks(11, (100, 5), 100), first),
+        ] {
+            let problem = read(&format!("{text}{end}{tail}")).unwrap_err();
+            assert_eq!(problem, format!("x:{at}: these numbers belong to no series"), "{end:?}");
+        }
+    }
 }
 
 #[test]
