@@ -165,24 +165,61 @@ pub fn turned(
     finish(motion, unasked, Some(step), processing)
 }
 
-/// Two components with the same number of samples, raw ones without their means.
+/// Samples by which the second component begins later than the first (earlier: negative), by the times that both have.
+///
+/// # Errors
+/// Components that have no time in common.
+fn later_by(first: &Component, second: &Component, steps: &mut Vec<String>) -> Result<i64, Problem> {
+    let (Some(start_1_s), Some(start_2_s)) = (first.start_s, second.start_s) else { return Ok(0) };
+    let later = (start_2_s - start_1_s) / first.motion.dt_s();
+    let whole = later.round();
+    let longest = first.motion.accel_m_s2().len().max(second.motion.accel_m_s2().len());
+    if whole.abs() >= longest as f64 {
+        let message = format!(
+            "component {} begins {} s after {}: they have no time in common",
+            second.name,
+            number(start_2_s - start_1_s, 6),
+            first.name
+        );
+        return Err(Problem::new(ProblemKind::Value, message).hint("give two components of one record"));
+    }
+    // Clocks of two channels agree to some microseconds, and times in columns to their last digit.
+    if (later - whole).abs() > 0.05 {
+        let part = number((later - whole).abs(), 2);
+        steps.push(format!("components {} and {} are {part} of a sample apart", first.name, second.name));
+    }
+    Ok(whole as i64)
+}
+
+/// Two components from the same time on and with the same number of samples, raw ones without their means.
 fn aligned(
     first: &Component,
     second: &Component,
     keep_mean: bool,
     steps: &mut Vec<String>,
 ) -> Result<(Motion, Motion), Problem> {
-    let length = first.motion.accel_m_s2().len().min(second.motion.accel_m_s2().len());
-    let mut one_of = |component: &Component| -> Result<Motion, Problem> {
+    let later = later_by(first, second, steps)?;
+    let skipped = |by: i64| usize::try_from(by).unwrap_or(0);
+    let (skip_1, skip_2) = (skipped(later), skipped(-later));
+    let left = |component: &Component, skip: usize| component.motion.accel_m_s2().len().saturating_sub(skip);
+    let length = left(first, skip_1).min(left(second, skip_2));
+    let mut one_of = |component: &Component, skip: usize| -> Result<Motion, Problem> {
         let mut motion = component.motion.clone();
-        let surplus = motion.accel_m_s2().len() - length;
-        if surplus > 0 {
-            let kept = motion.accel_m_s2().iter().take(length).copied().collect();
+        let surplus = left(component, skip).saturating_sub(length);
+        if skip > 0 || surplus > 0 {
+            let kept = motion.accel_m_s2().iter().skip(skip).take(length).copied().collect();
             motion = Motion::new(motion.dt_s(), kept)
-                .map_err(|error| refused("the shorter component", error, "check that the record is complete"))?;
+                .map_err(|error| refused("the time in common", error, "give two components of one record"))?;
             let name = &component.name;
-            let last = if surplus == 1 { "last sample".to_owned() } else { format!("last {surplus} samples") };
-            steps.push(format!("{last} of {name} left out: the other component ends before"));
+            let samples = |count: usize, end: &str| {
+                if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") }
+            };
+            if skip > 0 {
+                steps.push(format!("{} of {name} left out: the other component begins after", samples(skip, "first")));
+            }
+            if surplus > 0 {
+                steps.push(format!("{} of {name} left out: the other component ends before", samples(surplus, "last")));
+            }
         }
         if component.is_raw && !keep_mean {
             let (centred, mean_m_s2) = take_mean(&motion)?;
@@ -191,5 +228,5 @@ fn aligned(
         }
         Ok(motion)
     };
-    Ok((one_of(first)?, one_of(second)?))
+    Ok((one_of(first, skip_1)?, one_of(second, skip_2)?))
 }

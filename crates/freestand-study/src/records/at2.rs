@@ -80,8 +80,16 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let motion = motion(counts.dt_s, accel_m_s2, counts.line)?;
     let (name, station) = name_and_station(header.get(1).map_or("", String::as_str), path);
     let direction = station.as_ref().and_then(|_| Direction::parse(&name));
-    let component =
-        Component { name, station, direction, unit: unit.symbol, is_raw: false, motion, line_of_first_value };
+    let component = Component {
+        name,
+        station,
+        direction,
+        unit: unit.symbol,
+        is_raw: false,
+        start_s: None,
+        motion,
+        line_of_first_value,
+    };
     Ok(Reading { format: "PEER AT2", components: vec![component], notes: Vec::new() })
 }
 

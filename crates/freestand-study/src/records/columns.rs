@@ -34,6 +34,8 @@ enum Time {
 /// The step of the samples; and the times \[s\] of the rows, where these must be brought to it.
 struct Spacing {
     dt_s: f64,
+    /// Time of the first row \[s\], where there is a column of times.
+    start_s: Option<f64>,
     uneven_s: Option<Vec<f64>>,
 }
 
@@ -59,7 +61,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                     first + 1
                 ));
             }
-            (Spacing { dt_s, uneven_s: None }, first)
+            (Spacing { dt_s, start_s: None, uneven_s: None }, first)
         }
         Time::Column => (spacing_of_column(&table, bytes, first, &stating, options, &mut notes)?, first + 1),
     };
@@ -101,7 +103,16 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let is_number = heading.name.len() < 3 && heading.name.bytes().all(|b| b.is_ascii_digit());
         let direction = Direction::parse(&heading.name).filter(|_| !is_number);
         let unit = unit.symbol;
-        components.push(Component { name, station: None, direction, unit, is_raw: false, motion, line_of_first_value });
+        components.push(Component {
+            name,
+            station: None,
+            direction,
+            unit,
+            is_raw: false,
+            start_s: spacing.start_s,
+            motion,
+            line_of_first_value,
+        });
     }
     if components.is_empty() {
         let what = refused.unwrap_or("a time");
@@ -301,7 +312,7 @@ fn spacing_of_column(
         (Ok(step), _) => step,
         (Err(_), Some(dt_s)) => {
             let times_s: Vec<f64> = column.values.iter().copied().map(to_si).collect();
-            return Ok(Spacing { dt_s, uneven_s: Some(times_s) });
+            return Ok(Spacing { dt_s, start_s: times_s.first().copied(), uneven_s: Some(times_s) });
         }
         (Err(uneven), None) => {
             let problem = uneven_problem(uneven, table, bytes);
@@ -318,7 +329,7 @@ fn spacing_of_column(
     for (other_s, line) in options.dt_s.map(|dt_s| (dt_s, stating.line)).into_iter().chain(stating.dt_s) {
         agree(other_s, dt_s, line)?;
     }
-    Ok(Spacing { dt_s, uneven_s: None })
+    Ok(Spacing { dt_s, start_s: column.values.first().copied().map(to_si), uneven_s: None })
 }
 
 fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {

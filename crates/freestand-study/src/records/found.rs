@@ -74,6 +74,7 @@ impl Found {
             direction: self.direction,
             unit: self.unit,
             is_raw: self.is_raw,
+            start_s: None,
             motion: motion(self.dt_s, self.values, self.line)?,
             line_of_first_value: self.line,
         })
@@ -98,12 +99,18 @@ pub(super) fn tell_apart(components: &mut [Component]) {
 /// Some agencies print the peak with the opposite sign, and most with three digits: 1 % is what rounding of three can
 /// make of it.
 pub(super) fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
-    let found = component.motion.peak_m_s2();
+    peak_note_of(&component.name, component.motion.peak_m_s2(), header_peak_m_s2)
+}
+
+/// As [`peak_note`], of a largest value that was found otherwise.
+pub(super) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Option<String> {
+    /// Far above any earthquake: values that stand for a missing one, in whatever unit.
+    const HIGHEST_M_S2: f64 = 1e4;
     let stated = header_peak_m_s2.abs();
     // A header without a peak has 0 or a value that stands for a missing one.
-    let is_stated = stated > 0.0 && stated < 1e4;
+    let is_stated = stated > 0.0 && stated < HIGHEST_M_S2;
     (is_stated && (found - stated).abs() > 0.01 * stated).then(|| {
-        let name = shorten(&component.name);
+        let name = shorten(name);
         format!("{name}: the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2")
     })
 }

@@ -164,8 +164,13 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Bl
 fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> {
     for (count, what) in others.into_iter().zip(["velocity", "displacement"]) {
         let wanted = count.div_ceil(VALUES.per_line);
-        let found = rest.by_ref().filter(|line| !line.is_blank()).take(wanted).count();
-        if found < wanted {
+        let (mut found, mut width) = (0, 0);
+        for line in rest.by_ref().filter(|line| !line.is_blank()).take(wanted) {
+            (found, width) = (found + 1, line.bytes.trim_ascii_end().len());
+        }
+        // At the end of the file the last line must have all its fields, too.
+        let fields_in_last = count - VALUES.per_line * wanted.saturating_sub(1);
+        if found < wanted || rest.bytes_left() == 0 && width < fields_in_last * VALUES.width {
             return Err(Problem::new(
                 ProblemKind::Format,
                 format!("the file ends after {found} of {wanted} lines of {what}"),

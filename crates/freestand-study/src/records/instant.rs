@@ -30,6 +30,11 @@ impl Instant {
         Self((days * DAY_S + i128::from(second)) * SECOND_NS + i128::from(nanosecond))
     }
 
+    /// Seconds since 1970, to a quarter of a microsecond today.
+    pub(super) fn seconds(self) -> f64 {
+        self.seconds_since(Self(0))
+    }
+
     pub(super) fn later_by_ns(self, ns: i128) -> Self {
         Self(self.0 + ns)
     }

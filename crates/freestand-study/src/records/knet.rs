@@ -2,12 +2,13 @@
 //! one component a file, in counts that keep the instrument's offset.
 
 use super::fortran::{fields, scan};
+use super::found::peak_note_of;
 use super::lines::{Line, Lines, lines};
+use super::sampling::step_of_rate;
 use super::units::{missing, record_unit};
-use super::{Component, Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use super::{Direction, Found, ReadOptions, Reading, file_stem};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, Unit, shorten};
-use freestand::motion::Motion;
 use std::path::Path;
 
 /// How far down the last header line may stand: the 17th in every file of NIED, more where the memo is long.
@@ -28,13 +29,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
     let rate_hz = header.number("sampling freq", "the sampling rate")?;
-    // Instruments sample at 100 or 200 Hz; a damaged number must not become a step of nanoseconds.
-    if !(rate_hz > 0.0 && rate_hz <= 1e5) {
-        let (line, _) = header.value("sampling freq")?;
-        return Err(Problem::new(ProblemKind::Format, format!("the sampling rate is {rate_hz} Hz"))
-            .at_line(line)
-            .hint("the header line reads like \"Sampling Freq(Hz) 100Hz\": correct it"));
-    }
+    let dt_s = step_of_rate(rate_hz, header.value("sampling freq")?.0)?;
     let scale = header.scale()?;
     let (name, direction, borehole) = component(&header, path);
     let (mut values, line) = read_counts(&mut rest)?;
@@ -48,12 +43,13 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     let station = header.value("station code").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
     let (unit, unit_m_s2) = (scale.unit.symbol, scale.unit.to_si(1.0));
-    let dt_s = 1.0 / rate_hz;
     let component =
         Found { name, station, direction, unit, unit_m_s2, dt_s, values, line, is_raw: true }.component(options)?;
     // The header's peak is the one about the mean, in gal, as NIED's description of the format says.
-    if let (Ok(peak), Ok(centred)) = (header.number("max acc", "the peak"), centred(&component)) {
-        notes.extend(peak_note(&centred, 0.01 * peak));
+    if let Ok(peak) = header.number("max acc", "the peak") {
+        let (accel_m_s2, mean_m_s2) = (component.motion.accel_m_s2(), component.motion.mean_m_s2());
+        let found = accel_m_s2.iter().fold(0.0f64, |largest, a| largest.max((a - mean_m_s2).abs()));
+        notes.extend(peak_note_of(&component.name, found, 0.01 * peak));
     }
     Ok(Reading { format: "K-NET", components: vec![component], notes })
 }
@@ -228,16 +224,6 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
     }
     Ok((difference == 1.0)
         .then(|| format!("{found} values were read, {duration_s} s at {rate_hz} Hz would be {expected}")))
-}
-
-/// The component without its mean.
-fn centred(component: &Component) -> Result<Component, Problem> {
-    let accel_m_s2 = component.motion.accel_m_s2();
-    let mean_m_s2 = accel_m_s2.iter().sum::<f64>() / accel_m_s2.len() as f64;
-    let centred = accel_m_s2.iter().map(|a| a - mean_m_s2).collect();
-    let motion = Motion::new(component.motion.dt_s(), centred)
-        .map_err(|error| Problem::new(ProblemKind::Format, error.to_string()))?;
-    Ok(Component { motion, ..component.clone() })
 }
 
 #[cfg(test)]

@@ -103,6 +103,9 @@ pub struct Component {
     /// Whether these are an instrument's own values, with its offset in them: K-NET, miniSEED, SAC, COSMOS V0. Their mean
     /// is removed before use, unless the user keeps it.
     pub is_raw: bool,
+    /// Time of the first value \[s\] where the file has one: since 1970 in files with dates for each component, else on
+    /// the clock of their time column. The motion itself begins at 0.
+    pub start_s: Option<f64>,
     /// The motion, as the file has it.
     pub motion: Motion,
     /// Line of the first value, counted from 1; 1 in a binary file.
@@ -136,7 +139,10 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     options.check()?;
     let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
-    let Reading { format, components, notes } = reading.map_err(|problem| problem.in_file(path))?;
+    let Reading { format, components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
+    if let Some(xml) = options.station_xml.as_ref().filter(|_| !format.starts_with("miniSEED")) {
+        notes.push(format!("{} is not used: a {format} record needs no StationXML", xml.display()));
+    }
     Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
 }
 

@@ -1,8 +1,9 @@
 //! SAC, the Seismic Analysis Code's files: a header of 632 bytes, single-precision samples, and no unit.
 
 use super::binary::{Order, as_written, field};
+use super::instant::Instant;
 use super::lines::lines;
-use super::{Direction, Found, ReadOptions, Reading, peak_note, units, without_line};
+use super::{Component, Direction, Found, ReadOptions, Reading, peak_note, units, without_line};
 use crate::error::{Problem, ProblemKind};
 use std::path::Path;
 
@@ -19,8 +20,11 @@ mod word {
     pub(super) const DEPMIN: usize = 1;
     pub(super) const DEPMAX: usize = 2;
     pub(super) const SCALE: usize = 3;
+    pub(super) const B: usize = 5;
     pub(super) const CMPAZ: usize = 57;
     pub(super) const CMPINC: usize = 58;
+    /// Year, day of the year, hour, minute, second and millisecond of the reference time.
+    pub(super) const NZYEAR: usize = 70;
     pub(super) const NVHDR: usize = 76;
     pub(super) const NPTS: usize = 79;
     pub(super) const IFTYPE: usize = 85;
@@ -109,6 +113,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     .component(options)
     .map_err(without_line)?;
+    let component = Component { start_s: header.start_s(), ..component };
     let stated = [word::DEPMIN, word::DEPMAX].iter().filter_map(|&at| header.real(at));
     notes.extend(peak_note(&component, unit.to_si(stated.fold(0.0, |a: f64, b| a.max(f64::from(b).abs())))));
     Ok(Reading { format: "SAC", components: vec![component], notes })
@@ -123,6 +128,18 @@ struct Header<'a> {
 impl Header<'_> {
     fn integer(&self, word: usize) -> i32 {
         self.order.i32(self.bytes, 4 * word).unwrap_or(-12345)
+    }
+
+    /// Time of the first sample: B seconds after the reference time, where the header has both.
+    fn start_s(&self) -> Option<f64> {
+        let field = |i: usize| u32::try_from(self.integer(word::NZYEAR + i)).ok();
+        let (year, day) = (u16::try_from(field(0)?).ok()?, u16::try_from(field(1)?).ok()?);
+        let (hour, minute, second, millisecond) = (field(2)?, field(3)?, field(4)?, field(5)?);
+        if hour > 24 || minute > 60 || second > 60 || millisecond > 1000 {
+            return None;
+        }
+        let reference = Instant::from_day(year, day, 3600 * hour + 60 * minute + second, 1_000_000 * millisecond);
+        Some(reference.later_by_s(f64::from(self.real(word::B)?)).seconds())
     }
 
     fn real(&self, word: usize) -> Option<f32> {

@@ -39,7 +39,8 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let mut values = Values::default();
     let damping = values.non_negative("--damping", Some(&args.damping), Dimension::Ratio);
     let periods_s = super::periods(args.periods.as_deref(), &mut values);
-    let percentiles = values.grid("--percentiles", &args.percentiles, Dimension::Ratio).unwrap_or_default();
+    let percentiles =
+        values.grid("--percentiles", &args.percentiles.replace('%', ""), Dimension::Ratio).unwrap_or_default();
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;

@@ -7,7 +7,7 @@ mod steim;
 pub(super) use record::Source;
 
 use super::station_xml::{Sensed, Stations};
-use super::{Direction, Found, ReadOptions, Reading, units, without_line};
+use super::{Component, Direction, Found, ReadOptions, Reading, units, without_line};
 use crate::error::{Problem, ProblemKind};
 use record::{Record, header_order, is_version3, version2, version3};
 use series::{Series, join};
@@ -39,12 +39,15 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut stations = Stations::new(path, options);
     let (mut components, mut first_left_out) = (Vec::new(), None);
     for (series, name) in channels.into_iter().zip(names) {
-        let full_name = series.source.full_name();
+        let (full_name, start_s) = (series.source.full_name(), Some(series.start.seconds()));
         match scaled(series, name, &mut stations, options, &mut notes)? {
-            Ok(found) => components.push(found.component(options).map_err(|mut problem| {
-                problem.message = format!("{full_name}: {}", problem.message);
-                without_line(problem)
-            })?),
+            Ok(found) => {
+                let component = found.component(options).map_err(|mut problem| {
+                    problem.message = format!("{full_name}: {}", problem.message);
+                    without_line(problem)
+                })?;
+                components.push(Component { start_s, ..component });
+            }
             Err(problem) => {
                 notes.push(format!("{}; it is left out", problem.message));
                 first_left_out.get_or_insert(problem);
