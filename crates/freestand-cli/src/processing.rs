@@ -1,7 +1,9 @@
 //! Arguments for what is done to records after they are read.
 
 use clap::Args;
-use freestand_study::processing::{FILTER_ORDER, Processing, Scale, azimuth_deg, parse_baseline, parse_sa_target};
+use freestand_study::processing::{
+    FILTER_ORDER, Processing, Scale, azimuth_deg, parse_baseline, parse_sa_target, parse_target_source, read_target,
+};
 use freestand_study::quantity::Dimension;
 
 use crate::values::Values;
@@ -63,6 +65,18 @@ pub(crate) struct ProcessArgs {
         hide_short_help = true
     )]
     pub(crate) scale_to_sa: Option<String>,
+    /// Scale to a spectrum: a file, or "target.csv, 0.1 s to 2 s, 2 %" for part of it and for a damping
+    ///
+    /// The file has columns of periods and pseudo-accelerations with units in their headings, such as "period [s]; PSA [g]",
+    /// or is the spectrum.csv of `freestand motion spectrum --out`. The factor is that of the least squares of ln PSA, in
+    /// which every period of the file counts the same. The damping is that of the file where it states one only, else 5 %.
+    #[arg(
+        long,
+        value_name = "FILE[, PERIODS][, DAMPING]",
+        conflicts_with_all = ["scale", "scale_to", "scale_to_sa"],
+        hide_short_help = true
+    )]
+    pub(crate) scale_to_spectrum: Option<String>,
 }
 
 impl ProcessArgs {
@@ -78,6 +92,7 @@ impl ProcessArgs {
             ("resample", &self.resample),
             ("scale-to", &self.scale_to),
             ("scale-to-sa", &self.scale_to_sa),
+            ("scale-to-spectrum", &self.scale_to_spectrum),
         ];
         flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name)
     }
@@ -87,6 +102,9 @@ impl ProcessArgs {
         let target = |target_m_s2| Scale::Peak { target_m_s2 };
         let peak = values.any("--scale-to", self.scale_to.as_deref(), Dimension::Acceleration).map(target);
         let sa = self.scale_to_sa.as_deref().and_then(|text| values.keep("--scale-to-sa", parse_sa_target(text)));
+        let spectrum = self.scale_to_spectrum.as_deref().and_then(|text| {
+            values.keep("--scale-to-spectrum", parse_target_source(text).and_then(|source| read_target(&source)))
+        });
         let processing = Processing {
             keep_mean,
             azimuth_deg: values.any("--azimuth", self.azimuth.as_deref(), Dimension::Angle).map(azimuth_deg),
@@ -96,7 +114,7 @@ impl ProcessArgs {
             high_cut_hz: values.any("--high-cut", self.high_cut.as_deref(), Dimension::Frequency),
             filter_order: self.order(values),
             resample_dt_s: values.any("--resample", self.resample.as_deref(), Dimension::Time),
-            scale: peak.or(sa).unwrap_or(Scale::Factor(scale_ratio)),
+            scale: peak.or(sa).or(spectrum.map(Scale::Spectrum)).unwrap_or(Scale::Factor(scale_ratio)),
         };
         for (key, problem) in processing.problems() {
             values.keep::<()>(&format!("--{}", key.replace('_', "-")), Err(problem));

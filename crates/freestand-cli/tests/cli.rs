@@ -597,6 +597,88 @@ fn wrong_processing_is_refused() {
 }
 
 #[test]
+fn records_are_scaled_to_a_spectrum() {
+    let folder = folder(&[
+        ("two.csv", &two_components("time [s],N [g],E [g]")),
+        ("target.csv", "# 500 years\nperiod [s]; PSA [g]\n0,2; 0,8\n0,5; 1,1\n1; 0,35\n2; 0,1\n"),
+        ("bare.csv", "T,Sa\n0.2,0.8\n"),
+        ("zero.csv", "T (s),Sa (m/s2)\n0.2,8\n0.5,0\n"),
+    ]);
+    let run = |args: &[&str]| freestand_in(folder.path(), args);
+    let convert = |target: &str| {
+        let text = run(&[
+            "motion",
+            "convert",
+            "two.csv",
+            "--to",
+            "csv",
+            "--component",
+            "1",
+            "--json",
+            "--scale-to-spectrum",
+            target,
+        ]);
+        // The samples are those of other tests.
+        text.lines().filter(|line| !line.contains("\"text\"")).collect::<Vec<_>>().join("\n")
+    };
+    let rock =
+        ["rock", "--motion", "two.csv", "--component", "1", "--height", "2 m", "--thickness", "500 mm", "--quiet"];
+    let all = [
+        convert("target.csv"),
+        convert("target.csv, 0.5 s to 1 s, 2 %"),
+        convert("target.csv, 3 s to 4 s"),
+        convert("target.csv, 5 s"),
+        convert("bare.csv"),
+        convert("zero.csv"),
+        convert("two.csv"),
+        convert("none.csv"),
+        run(&["motion", "rotd", "two.csv", "--scale-to-spectrum", "target.csv"]),
+        run(&["motion", "info", "two.csv", "--scale-to-spectrum", "target.csv", "--scale-to-sa", "1 g at 1 s"]),
+        // The vertical component has a factor of its own.
+        run(&[&rock[..], &["--vertical", "two.csv", "--vertical-component", "2", "--scale-to-spectrum", "target.csv"]]
+            .concat()),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
+/// The spectrum that the program writes is a target that it reads: a motion has the factor 1 to its own, at any damping in
+/// the file, and 2 to that of twice the motion.
+#[test]
+fn a_motion_is_scaled_to_the_spectrum_of_its_own() {
+    let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
+    let json = |args: &[&str]| -> serde_json::Value {
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder.path()).output().unwrap();
+        assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let one = ["motion", "spectrum", "two.csv", "--component", "N", "--damping", "2 %, 5 %", "--json"];
+    json(&[&one[..], &["--out", "once"]].concat());
+    json(&[&one[..], &["--scale", "2", "--out", "twice"]].concat());
+    for (target, expected) in [
+        ("once/spectrum.csv", 1.0),
+        ("once/spectrum.csv, 2 %", 1.0),
+        ("twice/spectrum.csv", 2.0),
+        ("twice/spectrum.csv, 0.1 s to 2 s, 2 %", 2.0),
+    ] {
+        let scaled = json(&[&one[..], &["--scale-to-spectrum", target]].concat());
+        let plain = json(&one);
+        for (scaled, plain) in ["psa_g", "sa_g"]
+            .map(|key| (&scaled[key], &plain[key]))
+            .into_iter()
+            .flat_map(|(a, b)| a.as_array().unwrap().iter().zip(b.as_array().unwrap()))
+        {
+            let ratio = scaled.as_f64().unwrap() / plain.as_f64().unwrap();
+            // The file has every digit: roundings of 122 logarithms, and of the response.
+            assert!((ratio - expected).abs() < 1e-12, "{target}: {ratio}");
+        }
+        let step = &scaled["processing"];
+        let misfit = step[0].as_str().is_none_or(|step| step.ends_with("misfit below 0.01 % rms in ln)"));
+        assert!(misfit && (expected == 1.0 || step[0].is_string()), "{step}");
+    }
+}
+
+#[test]
 fn components_are_turned() {
     let folder = folder(&[
         ("two.csv", &two_components("time [s],N [g],E [g]")),
@@ -657,8 +739,10 @@ fn help_lists_no_flag_that_is_always_refused() {
         ("rotd", "--azimuth ", false),
         ("rotd", "--scale-to ", false),
         ("rotd", "--scale-to-sa ", false),
+        ("rotd", "--scale-to-spectrum ", false),
         ("spectrum", "--azimuth ", true),
         ("rotate", "--scale-to-sa ", true),
+        ("rotate", "--scale-to-spectrum ", true),
         ("rotd", "--scale ", true),
     ] {
         let run = Command::new(env!("CARGO_BIN_EXE_freestand")).args(["motion", command, "--help"]).output().unwrap();

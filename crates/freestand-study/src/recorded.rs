@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 
 use crate::error::Problem;
-use crate::processing::{Processing, process_file};
+use crate::processing::{Processing, Scale, process_file};
 use crate::records::{ReadOptions, load, parse_motions};
 use crate::study::RecordedMotion;
 
@@ -56,12 +56,17 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
     let file = parse_motions(bytes, path, &files.read).map_err(|error| error.problems)?;
     let (processed, chosen) = process_file(&file, files.component.as_deref(), &files.processing)
         .map_err(|problem| one(problem.in_file(path)))?;
+    let scale_target = match &files.processing.scale {
+        Scale::Spectrum(target) => target.file.clone(),
+        _ => None,
+    };
     let motion = RecordedMotion {
         name: name_of(path),
         path: path.to_path_buf(),
         sha256,
         description: format!("{}{chosen}", file.format),
         scale_ratio: processed.scale_ratio,
+        scale_target,
         processing: processed.steps,
         motion: processed.motion,
     };

@@ -6,6 +6,8 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
 
+use crate::processing::TargetFile;
+
 /// Everything that `run` needs, and nothing that it does not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
@@ -77,6 +79,8 @@ pub struct RecordedMotion {
     pub description: String,
     /// Factor that the samples were multiplied by.
     pub scale_ratio: f64,
+    /// The file with the spectrum that they were scaled to, where there was one.
+    pub scale_target: Option<TargetFile>,
     /// What was done to the samples, one step each, in words.
     pub processing: Vec<String>,
     /// The samples, as used.

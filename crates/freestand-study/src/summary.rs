@@ -202,6 +202,10 @@ fn ground_inputs(ground: &Ground) -> Value {
                     "sha256": record.sha256,
                     "description": record.description,
                     "scale_ratio": record.scale_ratio,
+                    "scale_target": record.scale_target.as_ref().map(|target| json!({
+                        "path": target.path.display().to_string(),
+                        "sha256": target.sha256,
+                    })),
                     "processing": record.processing,
                 })
             })

@@ -162,7 +162,9 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
 
 /// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
 fn vertical_reading(args: &RockArgs) -> ReadArgs {
-    let process = ProcessArgs { azimuth: None, scale_to: None, scale_to_sa: None, ..args.read.process.clone() };
+    let unscaled =
+        ProcessArgs { scale_to: None, scale_to_sa: None, scale_to_spectrum: None, ..args.read.process.clone() };
+    let process = ProcessArgs { azimuth: None, ..unscaled };
     let (component, scale) = (args.vertical_component.clone(), args.vertical_scale.clone());
     ReadArgs { component, scale, process, ..args.read.clone() }
 }

@@ -4,7 +4,7 @@ use freestand::signal::baseline::Baseline;
 
 use super::{Reader, Section, Written};
 use crate::error::Problem;
-use crate::processing::{Scale, parse_baseline, parse_sa_target};
+use crate::processing::{Scale, TargetSource, parse_baseline, parse_sa_target, parse_target_source};
 use crate::quantity::Dimension;
 
 /// `processing` of `[ground]`, as written.
@@ -21,6 +21,7 @@ pub(crate) struct ProcessingOptions {
     pub(crate) resample_s: Option<Written<f64>>,
     pub(crate) scale_to_m_s2: Option<Written<f64>>,
     pub(crate) scale_to_sa: Option<Written<Scale>>,
+    pub(crate) scale_to_spectrum: Option<Written<TargetSource>>,
 }
 
 pub(super) fn processing(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<ProcessingOptions> {
@@ -37,6 +38,7 @@ pub(super) fn processing(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -
         resample_s: entry.quantity(reader, "resample", Dimension::Time),
         scale_to_m_s2: entry.quantity(reader, "scale_to", Dimension::Acceleration),
         scale_to_sa: read(reader, &mut entry, "scale_to_sa", parse_sa_target),
+        scale_to_spectrum: read(reader, &mut entry, "scale_to_spectrum", parse_target_source),
     };
     entry.finish(reader);
     Some(options)

@@ -3,7 +3,8 @@
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
 use freestand::signal::filter::MAX_ORDER;
 
-use super::{Processing, Scale};
+use super::target::fault;
+use super::{Processing, Scale, TargetSpectrum};
 use crate::error::{Problem, ProblemKind};
 
 impl Processing {
@@ -40,7 +41,7 @@ impl Processing {
         check("filter_order", (1..=MAX_ORDER).contains(&self.filter_order), message, "4 is usual");
         let step = self.resample_dt_s.map_or(Ok(()), |dt_s| crate::records::check_step(dt_s, ProblemKind::Value));
         let baseline = self.baseline.map_or(Ok(()), check_baseline);
-        let checked = [("baseline", baseline), ("resample", step), check_target(self.scale)];
+        let checked = [("baseline", baseline), ("resample", step), check_target(&self.scale)];
         found.extend(checked.into_iter().filter_map(|(key, result)| Some((key, result.err()?))));
         found
     }
@@ -73,8 +74,8 @@ fn check_baseline(baseline: Baseline) -> Result<(), Problem> {
 }
 
 /// A factor or a target that some record can be taken to, with the name of its field.
-fn check_target(scale: Scale) -> (&'static str, Result<(), Problem>) {
-    match scale {
+fn check_target(scale: &Scale) -> (&'static str, Result<(), Problem>) {
+    match *scale {
         Scale::Factor(factor) => ("scale", check_scale(factor)),
         Scale::Peak { target_m_s2 } => {
             let message = format!("must be above 0, not {target_m_s2} m/s2");
@@ -86,7 +87,17 @@ fn check_target(scale: Scale) -> (&'static str, Result<(), Problem>) {
             let hint = "an acceleration above 0, a period of 0 s or more, damping from 0 to below 100 %";
             ("scale_to_sa", require(holds, message, hint))
         }
+        Scale::Spectrum(ref target) => ("scale_to_spectrum", check_spectrum(target)),
     }
+}
+
+fn check_spectrum(target: &TargetSpectrum) -> Result<(), Problem> {
+    let (periods, targets, damping_ratio) = (target.periods_s.len(), target.psa_m_s2.len(), target.damping_ratio);
+    let message = format!("the target spectrum has {targets} accelerations for {periods} periods");
+    require(periods > 0 && periods == targets, message, "at least one period, and one acceleration for each")?;
+    let message = format!("the damping must be from 0 to below 100 %, not {damping_ratio}");
+    require((0.0..1.0).contains(&damping_ratio), message, "5 % is usual")?;
+    fault(&target.periods_s, &target.psa_m_s2).map_or(Ok(()), |(_, problem)| Err(problem))
 }
 
 fn is_positive(value: f64) -> bool {

@@ -2,6 +2,7 @@
 
 mod check;
 mod pair;
+mod target;
 mod written;
 
 use freestand::G0_M_S2;
@@ -9,7 +10,7 @@ use freestand::motion::Motion;
 use freestand::signal::baseline::{Baseline, corrected};
 use freestand::signal::filter::{Filtered, Pass, filtered};
 use freestand::signal::resample::resampled;
-use freestand::signal::scale::{LARGE_FACTOR, factor_to_peak, factor_to_sa};
+use freestand::signal::scale::{LARGE_FACTOR, SpectrumFit, factor_to_peak, factor_to_sa, fit_to_spectrum};
 use freestand::signal::taper::tapered;
 
 use crate::error::{Problem, ProblemKind};
@@ -18,7 +19,8 @@ use crate::words::number;
 
 pub use check::check_scale;
 pub use pair::{Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths};
-pub use written::{azimuth_deg, parse_baseline, parse_sa_target};
+pub use target::{TargetFile, TargetSource, TargetSpectrum, parse_target, read_target};
+pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_target_source};
 
 /// What the user asks to be done to the samples of a record, in the order in which it is done. The default alters nothing
 /// but the mean of raw formats.
@@ -45,7 +47,7 @@ pub struct Processing {
 }
 
 /// How a factor on the samples is found.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Scale {
     /// It is given; 1 changes nothing.
     Factor(f64),
@@ -63,6 +65,8 @@ pub enum Scale {
         /// Its damping ratio.
         damping_ratio: f64,
     },
+    /// As near as may be to a pseudo-acceleration spectrum: least squares of the logarithms, every period counting the same.
+    Spectrum(TargetSpectrum),
 }
 
 /// Order of the filters where none is given.
@@ -194,7 +198,7 @@ fn finish(
     {
         done.add(at_step(&done.motion, dt_s)?);
     }
-    let (factor, target) = factor(&done.motion, processing.scale)?;
+    let (factor, target) = factor(&done.motion, &processing.scale)?;
     if factor != 1.0 {
         let hint = "check the values and the scale";
         let motion = done.motion.scaled(factor).map_err(|error| refused(&format!("times {factor}"), error, hint))?;
@@ -283,9 +287,9 @@ fn at_step(motion: &Motion, dt_s: f64) -> Result<(Motion, String), Problem> {
 }
 
 /// The factor, and why.
-fn factor(motion: &Motion, scale: Scale) -> Result<(f64, String), Problem> {
+fn factor(motion: &Motion, scale: &Scale) -> Result<(f64, String), Problem> {
     let wrong = |error| refused("scale", error, "check the record and the target");
-    Ok(match scale {
+    Ok(match *scale {
         Scale::Factor(factor) => (factor, String::new()),
         Scale::Peak { target_m_s2 } => {
             let factor = factor_to_peak(motion, target_m_s2).map_err(wrong)?;
@@ -295,6 +299,13 @@ fn factor(motion: &Motion, scale: Scale) -> Result<(f64, String), Problem> {
             let factor = factor_to_sa(motion, period_s, damping_ratio, target_m_s2).map_err(wrong)?;
             let (target, damping) = (number(target_m_s2 / G0_M_S2, 6), number(100.0 * damping_ratio, 6));
             (factor, format!(" to a pseudo-acceleration of {target} g at {period_s} s, {damping} % damping"))
+        }
+        Scale::Spectrum(ref target) => {
+            let SpectrumFit { factor, misfit_ln } =
+                fit_to_spectrum(motion, target.damping_ratio, &target.periods_s, &target.psa_m_s2).map_err(wrong)?;
+            // Below, it is made of the digits that the target is written with.
+            let misfit = if misfit_ln < 1e-4 { "below 0.01".to_owned() } else { number(100.0 * misfit_ln, 3) };
+            (factor, format!(" to the spectrum of {}; misfit {misfit} % rms in ln)", target.words()))
         }
     })
 }

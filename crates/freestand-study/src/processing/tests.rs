@@ -176,7 +176,7 @@ fn factors_are_found_and_large_ones_are_noted() {
     let component = &file.components[0];
     let scaled = |scale| process(component, &Processing { scale, ..Processing::default() });
     let sa = Scale::Sa { target_m_s2: 2.0, period_s: 1.0, damping_ratio: 0.02 };
-    let done = scaled(sa).unwrap();
+    let done = scaled(sa.clone()).unwrap();
     let spectrum = freestand::oscillator::response_spectrum(&done.motion, 0.02, &[1.0]).unwrap();
     assert!((spectrum.psa_m_s2[0] - 2.0).abs() < 1e-14);
     assert!(done.steps[0].ends_with("to a pseudo-acceleration of 0.203943 g at 1 s, 2 % damping"), "{:?}", done.steps);
@@ -190,6 +190,70 @@ fn factors_are_found_and_large_ones_are_noted() {
     still.motion = Motion::new(0.01, vec![0.0; 10]).unwrap();
     let refused = process(&still, &Processing { scale: sa, ..Processing::default() }).unwrap_err();
     assert!(refused.message.contains("no factor takes it to a target"), "{refused}");
+}
+
+fn target(periods_s: &[f64], psa_m_s2: &[f64], damping_ratio: f64) -> TargetSpectrum {
+    TargetSpectrum {
+        name: "own".into(),
+        file: None,
+        periods_s: periods_s.to_vec(),
+        psa_m_s2: psa_m_s2.to_vec(),
+        damping_ratio,
+    }
+}
+
+/// Its own spectrum twice as high is met by a factor of 2 everywhere; a spectrum of another shape in the mean of the
+/// logarithms, and the step says how nearly.
+#[test]
+fn a_motion_is_scaled_to_a_spectrum() {
+    let file = three();
+    let component = &file.components[0];
+    let scaled = |target| process(component, &Processing { scale: Scale::Spectrum(target), ..Processing::default() });
+    let periods_s = [0.0, 0.2, 0.5, 1.0];
+    let own = freestand::oscillator::response_spectrum(&component.motion, 0.02, &periods_s).unwrap().psa_m_s2;
+    let twice: Vec<f64> = own.iter().map(|a| 2.0 * a).collect();
+    let done = scaled(target(&periods_s, &twice, 0.02)).unwrap();
+    // Four logarithms of exactly 2, their mean and its exponential.
+    assert!((done.scale_ratio - 2.0).abs() < 1e-15, "{}", done.scale_ratio);
+    let end = " to the spectrum of own (4 periods from 0 s to 1 s, 2 % damping; misfit below 0.01 % rms in ln)";
+    assert!(done.steps[0].starts_with("multiplied by ") && done.steps[0].ends_with(end), "{:?}", done.steps);
+    // Factors of e and 1/e besides that of 3: each period is 1 off, in ln.
+    let e = std::f64::consts::E;
+    let apart: Vec<f64> = own.iter().zip([e, 1.0 / e, e, 1.0 / e]).map(|(a, off)| 3.0 * a * off).collect();
+    let done = scaled(target(&periods_s, &apart, 0.02)).unwrap();
+    // Two roundings of each of the four targets.
+    assert!((done.scale_ratio - 3.0).abs() < 1e-14, "{}", done.scale_ratio);
+    assert!(done.steps[0].ends_with("; misfit 100 % rms in ln)") && done.notes.is_empty(), "{:?}", done.steps);
+    let far: Vec<f64> = own.iter().map(|a| 11.0 * a).collect();
+    assert_eq!(scaled(target(&periods_s, &far, 0.02)).unwrap().notes.len(), 1);
+    let mut still = component.clone();
+    still.motion = Motion::new(0.01, vec![0.0; 10]).unwrap();
+    let scale = Scale::Spectrum(target(&[1.0], &[1.0], 0.05));
+    let refused = process(&still, &Processing { scale, ..Processing::default() }).unwrap_err();
+    assert!(refused.message.contains("no factor takes it to a target"), "{refused}");
+}
+
+#[test]
+fn targets_of_no_spectrum_are_known_before_a_record_is_read() {
+    for (periods_s, psa_m_s2, damping_ratio, is_right) in [
+        (&[0.0, 1.0][..], &[1.0, 2.0][..], 0.0, true),
+        (&[], &[], 0.05, false),
+        (&[1.0], &[1.0, 2.0], 0.05, false),
+        (&[1.0], &[1.0], 1.0, false),
+        (&[1.0], &[1.0], f64::NAN, false),
+        (&[-1.0], &[1.0], 0.05, false),
+        (&[f64::INFINITY], &[1.0], 0.05, false),
+        (&[1.0], &[0.0], 0.05, false),
+        (&[1.0], &[f64::NAN], 0.05, false),
+        (&[1.0, 2.0, 1.0], &[1.0, 1.0, 2.0], 0.05, false),
+        (&[0.0, -0.0], &[1.0, 1.0], 0.05, false),
+    ] {
+        let scale = Scale::Spectrum(target(periods_s, psa_m_s2, damping_ratio));
+        let problems = Processing { scale, ..Processing::default() }.problems();
+        let keys: Vec<&str> = problems.iter().map(|(key, _)| *key).collect();
+        assert_eq!(keys, if is_right { vec![] } else { vec!["scale_to_spectrum"] }, "{periods_s:?} {psa_m_s2:?}");
+        assert!(problems.iter().all(|(_, problem)| problem.hint.is_some()));
+    }
 }
 
 #[test]
@@ -270,7 +334,7 @@ fn baselines_and_targets_of_no_record_are_known_before_one_is_read() {
         (3.0, 1.2, -0.01, false),
     ] {
         let scale = Scale::Sa { target_m_s2, period_s, damping_ratio };
-        let found = keys(&Processing { scale, ..Processing::default() });
+        let found = keys(&Processing { scale: scale.clone(), ..Processing::default() });
         assert_eq!(found, if is_right { vec![] } else { vec!["scale_to_sa"] }, "{scale:?}");
     }
     let all_wrong = Processing {

@@ -2,7 +2,7 @@
 
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
 
-use super::Scale;
+use super::{Scale, TargetSource};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, parse, parse_positive, shorten};
 
@@ -92,6 +92,49 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
     })
 }
 
+/// A file with a target spectrum, as `target.csv`, and behind commas a range of periods and a damping that is not the file's,
+/// `target.csv, 0.1 s to 2 s, 2 %`. The path stays as it is written.
+///
+/// # Errors
+/// No file, a range that ends before it begins, damping of 100 % or more, a part too many.
+///
+/// # Example
+/// ```
+/// use freestand_study::processing::{TargetSource, parse_target_source};
+/// let source = parse_target_source("target.csv, 200 ms to 2 s")?;
+/// let expected = TargetSource { path: "target.csv".into(), range_s: Some((0.2, 2.0)), damping_ratio: None };
+/// assert_eq!(source, expected);
+/// # Ok::<(), freestand_study::Problem>(())
+/// ```
+pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
+    const HINT: &str =
+        "write the name of a file, and behind commas periods and damping: \"target.csv, 0.1 s to 2 s, 2 %\"";
+    let mut parts = text.split(',').map(str::trim);
+    let path = parts.next().filter(|path| !path.is_empty()).ok_or_else(|| wrong(text, "names no file").hint(HINT))?;
+    let mut source = TargetSource { path: path.into(), range_s: None, damping_ratio: None };
+    for part in parts {
+        let given = if let Some((from, to)) = part.split_once(" to ") {
+            let from_s = crate::quantity::parse_non_negative(from, Dimension::Time, "the period")?;
+            let to_s = parse(to, Dimension::Time)?;
+            if from_s > to_s {
+                return Err(wrong(part, "ends before it begins").hint(HINT));
+            }
+            source.range_s.replace((from_s, to_s)).is_some()
+        } else {
+            let ratio = parse(part, Dimension::Ratio)
+                .map_err(|_| wrong(part, "is no range of periods and no damping").hint(HINT))?;
+            if !(0.0..1.0).contains(&ratio) {
+                return Err(wrong(part, "is no damping from 0 to below 100 %").hint(HINT));
+            }
+            source.damping_ratio.replace(ratio).is_some()
+        };
+        if given {
+            return Err(wrong(part, "is one part too many").hint(HINT));
+        }
+    }
+    Ok(source)
+}
+
 /// Radians to degrees, without the last bits that the way there and back leaves: 30 degrees are 30.
 pub fn azimuth_deg(azimuth_rad: f64) -> f64 {
     (azimuth_rad.to_degrees() * 1e9).round() / 1e9
@@ -156,6 +199,38 @@ mod tests {
             ["0.4 g", "0.4 at 1 s", "0.4 g at 1", "-1 g at 1 s", "0 g at 1 s", "1 g at -1 s", "1 g at 1 s, 100 %", ""]
         {
             assert!(parse_sa_target(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn sources_of_targets_are_read_as_they_are_written() {
+        let whole = TargetSource { path: "a b/t.csv".into(), range_s: None, damping_ratio: None };
+        for (text, expected) in [
+            (" a b/t.csv ", whole.clone()),
+            ("a b/t.csv, 2 %", TargetSource { damping_ratio: Some(0.02), ..whole.clone() }),
+            ("a b/t.csv,0.02", TargetSource { damping_ratio: Some(0.02), ..whole.clone() }),
+            ("a b/t.csv, 0 s to 500 ms", TargetSource { range_s: Some((0.0, 0.5)), ..whole.clone() }),
+            (
+                "a b/t.csv, 0 %, 1 s to 1 s",
+                TargetSource { range_s: Some((1.0, 1.0)), damping_ratio: Some(0.0), ..whole.clone() },
+            ),
+        ] {
+            assert_eq!(parse_target_source(text), Ok(expected), "{text}");
+        }
+        for text in [
+            "",
+            ", 5 %",
+            "t.csv,",
+            "t.csv, 5 s",
+            "t.csv, 100 %",
+            "t.csv, -1 %",
+            "t.csv, 2 s to 1 s",
+            "t.csv, -1 s to 1 s",
+            "t.csv, 1 to 2",
+            "t.csv, 1 %, 2 %",
+            "t.csv, 1 s to 2 s, 1 s to 2 s",
+        ] {
+            assert!(parse_target_source(text).is_err(), "{text}");
         }
     }
 }

@@ -3,11 +3,11 @@
 use super::dialect::Separator;
 use super::even_grid::on_even_grid;
 use super::fortran::is_missing_value;
-use super::headings::{Heading, heading, is_time_name, other_quantity};
+use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
 use super::sampling::{Uneven, even_step, time_step};
 use super::stated_step::{dt_in_comment, step_in_prose};
 use super::table::{self, Table};
-use super::units::{Stated, decide, missing, record_unit, requested, unit_in_prose};
+use super::units::{Stated, decide, missing, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, shorten};
@@ -142,7 +142,9 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
             notes.push(format!("the time step {dt_s} s is taken from the comment on line {line}"));
         }
     }
-    take_headings(table, &mut stating);
+    if let Some((headings, line)) = headings_of(table) {
+        (stating.headings, stating.line) = (Some(headings), line);
+    }
     if stating.unit.is_none() && !table.header.is_empty() {
         // Prose above the numbers may state the unit in so many words; brackets in it would be no such statement.
         let prose = table
@@ -173,51 +175,6 @@ fn has_no_time(table: &Table, stating: &Stating) -> bool {
             || heading.unit.is_some_and(|unit| unit.dimension == Dimension::Acceleration)
     });
     table.columns.len() == 1 || is_acceleration
-}
-
-/// The headings are the last header line, or the one above a line of units; in their absence a comment will do, if it
-/// names units, because a comment that happens to have as many words as there are columns is no header.
-fn take_headings(table: &Table, stating: &mut Stating) {
-    // Other programs' marks of a comment do not belong to the first heading.
-    let unmarked = |text: &str| text.trim_start_matches(['%', '!', '*', '/']).trim().to_owned();
-    let from = |text: &str| -> Option<Vec<Heading>> {
-        let text = &unmarked(text);
-        let headings: Vec<Heading> = table.names(text)?.iter().map(|cell| heading(cell)).collect();
-        // "Units: cm/s2" above two columns has two words and is no header.
-        let statement = says_unit(text) && headings.iter().all(|heading| heading.unit.is_none());
-        (!statement).then_some(headings)
-    };
-    // A line of dashes underlines the headings.
-    let lines: Vec<_> =
-        table.header.iter().rev().filter(|(_, text)| text.contains(char::is_alphanumeric)).take(4).collect();
-    let units_of =
-        |text: &str| -> Option<Vec<_>> { table.names(&unmarked(text))?.iter().map(|cell| record_unit(cell)).collect() };
-    // Plotting programs write a line of remarks below names and units.
-    let units = lines.iter().enumerate().find_map(|(i, (line, text))| Some((i, *line, units_of(text)?)));
-    if let Some((i, line, units)) = units {
-        let above = lines.get(i + 1).and_then(|(above, text)| Some((*above, from(text)?)));
-        let (line, mut headings) = above.unwrap_or_else(|| (line, vec![Heading::default(); units.len()]));
-        for (heading, unit) in headings.iter_mut().zip(units) {
-            heading.unit = Some(unit);
-        }
-        (stating.headings, stating.line) = (Some(headings), line);
-    } else if let Some((line, text)) = lines.first()
-        && let Some(headings) = from(text)
-    {
-        (stating.headings, stating.line) = (Some(headings), *line);
-    }
-    if stating.headings.is_none()
-        && let Some((line, text)) = table.comments.last()
-        && let Some(headings) = from(text)
-        && headings.iter().all(|heading| heading.unit.is_some() && !heading.name.is_empty())
-    {
-        (stating.headings, stating.line) = (Some(headings), *line);
-    }
-}
-
-/// Whether a line of prose states a unit in so many words.
-fn says_unit(text: &str) -> bool {
-    text.to_ascii_lowercase().contains("unit") && unit_in_prose(text).is_some()
 }
 
 /// With a step from the flag or the file every column is a component, unless the header says that the first is the time.

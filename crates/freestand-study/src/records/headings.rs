@@ -1,6 +1,7 @@
 //! What a header cell says about its column.
 
-use super::units::record_unit;
+use super::table::Table;
+use super::units::{record_unit, unit_in_prose};
 use crate::quantity::{Dimension, Unit, lookup};
 
 /// Name and unit of a column.
@@ -61,4 +62,47 @@ pub(super) fn other_quantity(heading: &Heading) -> Option<&'static str> {
             others.iter().find(|(start, _)| name.starts_with(start)).map(|(_, what)| *what)
         }
     }
+}
+
+/// The headings of a table and their line: the last header line, or the one above a line of units; in their absence a
+/// comment will do, if it names units, because a comment that happens to have as many words as there are columns is no header.
+pub(super) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
+    // Other programs' marks of a comment do not belong to the first heading.
+    let unmarked = |text: &str| text.trim_start_matches(['%', '!', '*', '/']).trim().to_owned();
+    let from = |text: &str| -> Option<Vec<Heading>> {
+        let text = &unmarked(text);
+        let headings: Vec<Heading> = table.names(text)?.iter().map(|cell| heading(cell)).collect();
+        // "Units: cm/s2" above two columns has two words and is no header.
+        let statement = says_unit(text) && headings.iter().all(|heading| heading.unit.is_none());
+        (!statement).then_some(headings)
+    };
+    // A line of dashes underlines the headings.
+    let lines: Vec<_> =
+        table.header.iter().rev().filter(|(_, text)| text.contains(char::is_alphanumeric)).take(4).collect();
+    let units_of =
+        |text: &str| -> Option<Vec<_>> { table.names(&unmarked(text))?.iter().map(|cell| record_unit(cell)).collect() };
+    // Plotting programs write a line of remarks below names and units.
+    let units = lines.iter().enumerate().find_map(|(i, (line, text))| Some((i, *line, units_of(text)?)));
+    if let Some((i, line, units)) = units {
+        let above = lines.get(i + 1).and_then(|(above, text)| Some((*above, from(text)?)));
+        let (line, mut headings) = above.unwrap_or_else(|| (line, vec![Heading::default(); units.len()]));
+        for (heading, unit) in headings.iter_mut().zip(units) {
+            heading.unit = Some(unit);
+        }
+        return Some((headings, line));
+    }
+    if let Some((line, text)) = lines.first()
+        && let Some(headings) = from(text)
+    {
+        return Some((headings, *line));
+    }
+    let (line, text) = table.comments.last()?;
+    let headings = from(text)?;
+    let all_named = headings.iter().all(|heading| heading.unit.is_some() && !heading.name.is_empty());
+    all_named.then_some((headings, *line))
+}
+
+/// Whether a line of prose states a unit in so many words.
+pub(super) fn says_unit(text: &str) -> bool {
+    text.to_ascii_lowercase().contains("unit") && unit_in_prose(text).is_some()
 }

@@ -10,6 +10,11 @@ const MAX_BYTES: u64 = 2 << 30;
 
 /// The bytes of a file, read once: a pipe has them only once.
 pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
+    load_up_to(path, MAX_BYTES, "is longer than 2 GiB", "split the record")
+}
+
+/// As [`load`], of a file of another greatest length \[bytes\]; what is said of a longer one, and the remedy.
+pub(super) fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Result<Vec<u8>, Problem> {
     let io = |what: &str, error: &std::io::Error| {
         Problem::new(ProblemKind::Io, format!("{what}: {error}"))
             .in_file(path)
@@ -23,9 +28,9 @@ pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
             .hint("name the record files themselves"));
     }
     let mut bytes = Vec::new();
-    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| io("cannot read the file", &error))?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(Problem::new(ProblemKind::Format, "is longer than 2 GiB").in_file(path).hint("split the record"));
+    file.take(most + 1).read_to_end(&mut bytes).map_err(|error| io("cannot read the file", &error))?;
+    if bytes.len() as u64 > most {
+        return Err(Problem::new(ProblemKind::Format, too_long).in_file(path).hint(remedy));
     }
     Ok(bytes)
 }

@@ -28,6 +28,7 @@ mod sac;
 mod sampling;
 mod sigma;
 mod smc;
+mod spectrum;
 mod stated_step;
 mod station_xml;
 mod table;
@@ -40,6 +41,7 @@ mod write;
 pub use direction::Direction;
 pub(crate) use found::check_step;
 pub(crate) use lines::load;
+pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};
 pub use write::{write_at2, write_csv};
 

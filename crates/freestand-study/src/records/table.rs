@@ -103,8 +103,12 @@ impl Table {
     /// The line on which row `row` (from 0) stands. Found by looking again: kept for every row it would cost more memory
     /// than the values of a column, and it is needed only to say what is wrong.
     pub(super) fn line_of_row(&self, bytes: &[u8], row: usize) -> usize {
-        let mut rows = lines(bytes).skip(self.line_of_first_value - 1).filter(is_row);
-        rows.nth(row).map_or(self.line_of_first_value, |line| line.number)
+        self.lines_of_rows(bytes).nth(row).unwrap_or(self.line_of_first_value)
+    }
+
+    /// The lines on which the rows stand, in order.
+    pub(super) fn lines_of_rows<'a>(&self, bytes: &'a [u8]) -> impl Iterator<Item = usize> + use<'a> {
+        lines(bytes).skip(self.line_of_first_value - 1).filter(is_row).map(|line| line.number)
     }
 
     /// The cells of a header line, if there are as many as columns.

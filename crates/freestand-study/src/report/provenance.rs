@@ -29,8 +29,15 @@ pub fn provenance(study: &Study) -> Provenance {
         }
         Ground::Recorded(records) => {
             let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
-            let inputs =
+            let mut inputs: Vec<(String, String)> =
                 records.iter().map(|r| (name(&r.path).unwrap_or_else(|| r.name.clone()), r.sha256.clone())).collect();
+            for target in records.iter().filter_map(|record| record.scale_target.as_ref()) {
+                let input = (name(&target.path).unwrap_or_default(), target.sha256.clone());
+                // All records have one target.
+                if !inputs.contains(&input) {
+                    inputs.push(input);
+                }
+            }
             (inputs, None, None)
         }
     };

@@ -1,8 +1,10 @@
 //! `processing` of `[ground]`, as meant.
 
 use super::{Resolver, or};
-use crate::options::{GroundOptions, ProcessingOptions};
-use crate::processing::{FILTER_ORDER, Processing, Scale, azimuth_deg, check_scale};
+use crate::options::{GroundOptions, ProcessingOptions, Written};
+use crate::processing::{
+    FILTER_ORDER, Processing, Scale, TargetSource, TargetSpectrum, azimuth_deg, check_scale, read_target,
+};
 
 impl Resolver<'_> {
     /// What is done to the records; what cannot be meant is noted.
@@ -20,7 +22,11 @@ impl Resolver<'_> {
         self.exclusive(("scale", &ground.scale), ("scale_to", &written.scale_to_m_s2));
         self.exclusive(("scale", &ground.scale), ("scale_to_sa", &written.scale_to_sa));
         self.exclusive(("scale_to", &written.scale_to_m_s2), ("scale_to_sa", &written.scale_to_sa));
-        let value = |written: &Option<_>| written.as_ref().map(|one: &crate::options::Written<f64>| one.value);
+        self.exclusive(("scale", &ground.scale), ("scale_to_spectrum", &written.scale_to_spectrum));
+        self.exclusive(("scale_to", &written.scale_to_m_s2), ("scale_to_spectrum", &written.scale_to_spectrum));
+        self.exclusive(("scale_to_sa", &written.scale_to_sa), ("scale_to_spectrum", &written.scale_to_spectrum));
+        let spectrum = written.scale_to_spectrum.as_ref().and_then(|source| self.target_spectrum(source));
+        let value = |written: &Option<_>| written.as_ref().map(|one: &Written<f64>| one.value);
         let peak = value(&written.scale_to_m_s2).map(|target_m_s2| Scale::Peak { target_m_s2 });
         let order = or(&written.filter_order, u64::from(FILTER_ORDER));
         let processing = Processing {
@@ -32,7 +38,10 @@ impl Resolver<'_> {
             high_cut_hz: value(&written.high_cut_hz),
             filter_order: u32::try_from(order).unwrap_or(u32::MAX),
             resample_dt_s: value(&written.resample_s),
-            scale: peak.or_else(|| written.scale_to_sa.as_ref().map(|sa| sa.value)).unwrap_or(factor),
+            scale: peak
+                .or_else(|| written.scale_to_sa.as_ref().map(|sa| sa.value.clone()))
+                .or(spectrum.map(Scale::Spectrum))
+                .unwrap_or(factor),
         };
         if let Some(order) = &written.filter_order
             && processing.low_cut_hz.is_none()
@@ -46,6 +55,23 @@ impl Resolver<'_> {
         }
         processing
     }
+
+    /// Reads a target; a file that is missing is a fault of the study's line, one that is broken of the file's.
+    fn target_spectrum(&mut self, written: &Written<TargetSource>) -> Option<TargetSpectrum> {
+        let source = TargetSource { path: self.base_dir.join(&written.value.path), ..written.value.clone() };
+        match read_target(&source) {
+            Ok(target) => Some(target),
+            Err(problem) if problem.line.is_some() => {
+                self.problems.push(problem);
+                None
+            }
+            Err(problem) => {
+                let message = format!("scale_to_spectrum: {problem}");
+                self.note(Some(written.line), message, problem.hint.unwrap_or_default());
+                None
+            }
+        }
+    }
 }
 
 fn line_of(written: &ProcessingOptions, key: &str) -> usize {
@@ -58,6 +84,7 @@ fn line_of(written: &ProcessingOptions, key: &str) -> usize {
         "filter_order" => written.filter_order.as_ref().map(|one| one.line),
         "resample" => written.resample_s.as_ref().map(|one| one.line),
         "scale_to" => written.scale_to_m_s2.as_ref().map(|one| one.line),
+        "scale_to_spectrum" => written.scale_to_spectrum.as_ref().map(|one| one.line),
         "scale_to_sa" => written.scale_to_sa.as_ref().map(|one| one.line),
         _ => None,
     };

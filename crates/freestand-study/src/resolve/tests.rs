@@ -177,6 +177,27 @@ fn the_motion_of_the_history_is_one_of_the_study() {
     }
 }
 
+/// The file of the target is beside the study, whatever the working folder, and stands in the summary with its fingerprint.
+#[test]
+fn a_study_scales_to_a_spectrum_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("a.csv"), "time [s],a [g]\n0,0\n0.01,0.5\n0.02,0\n").unwrap();
+    std::fs::create_dir(folder.path().join("targets")).unwrap();
+    let target = "T [s];PSA [g]\n0;1,5\n2;99\n";
+    std::fs::write(folder.path().join("targets/t.csv"), target).unwrap();
+    let text = "[ground]\nmotions = \"a.csv\"\nprocessing = { scale_to_spectrum = \"targets/t.csv, 0 s to 1 s\" }\n";
+    let study = resolve(text, Some(Path::new("s.toml")), folder.path()).unwrap();
+    let provenance = crate::report::provenance(&study);
+    let Ground::Recorded(motions) = study.ground else { panic!() };
+    // At 0 s the spectrum is the peak: 1.5 g over 0.5 g, by way of a logarithm.
+    assert!((motions[0].scale_ratio - 3.0).abs() < 1e-14);
+    let end = " to the spectrum of t.csv (1 period of 0 s, 5 % damping; misfit below 0.01 % rms in ln)";
+    assert!(motions[0].processing[0].ends_with(end), "{:?}", motions[0].processing);
+    let file = motions[0].scale_target.as_ref().unwrap();
+    assert_eq!(file.path, folder.path().join("targets/t.csv"));
+    assert_eq!(provenance.inputs[1], ("t.csv".to_owned(), crate::recorded::sha256_hex(target.as_bytes())));
+}
+
 /// The record has no step and no unit: only what was wrong in the study is said, not what follows from it.
 #[test]
 fn files_are_not_read_without_what_was_refused() {
@@ -277,6 +298,29 @@ fn records_are_processed_as_the_study_says() {
     // A fault of this record under this processing is one of the file.
     let nyquist = found("component = 1\nprocessing = { high_cut = \"60 Hz\" }\n");
     assert!(nyquist.len() == 1 && nyquist[0].contains("two.csv: filter: a corner frequency"), "{nyquist:?}");
+    // So is one of a target; the path is relative to the study, and the study's line is that of a file that is not there.
+    std::fs::write(folder.path().join("bad.csv"), "T [s],Sa [g]\n1,0\n").unwrap();
+    let bad = found("component = 1\nprocessing = { scale_to_spectrum = \"bad.csv\" }\n");
+    assert!(
+        bad.len() == 1 && bad[0].ends_with("bad.csv:2: the acceleration of a target must be above 0, not 0 m/s2"),
+        "{bad:?}"
+    );
+    for (keys, says) in [
+        ("processing = { scale_to_spectrum = \"none.csv\" }\n", "s.toml:3: scale_to_spectrum: "),
+        ("processing = { scale_to_spectrum = \"bad.csv, 5 s\" }\n", "s.toml:3: scale_to_spectrum: \"5 s\" is no range"),
+    ] {
+        let problems = found(keys);
+        assert!(problems.len() == 1 && problems[0].starts_with(says), "{problems:?}");
+    }
+    std::fs::write(folder.path().join("good.csv"), "T [s],Sa [g]\n1,0.1\n").unwrap();
+    for (scale, other) in [("scale = 2\n", ""), ("", "scale_to = \"1 g\", "), ("", "scale_to_sa = \"1 g at 1 s\", ")] {
+        let text = format!("{scale}processing = {{ {other}scale_to_spectrum = \"good.csv\" }}\n");
+        let problems = found(&text);
+        assert!(
+            problems.len() == 1 && problems[0].ends_with("and scale_to_spectrum exclude each other"),
+            "{problems:?}"
+        );
+    }
     let synthetic = problems("[ground]\nprocessing = { low_cut = \"1 Hz\" }\n");
     assert_eq!(synthetic, ["s.toml:2: processing goes with motions"]);
 }

@@ -70,6 +70,15 @@ pub fn factor_to_sa(motion: &Motion, period_s: f64, damping_ratio: f64, target_m
     factor(spectrum.psa_m_s2.first().copied().unwrap_or(0.0), target_m_s2, period_s)
 }
 
+/// How a scaled motion meets a target spectrum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectrumFit {
+    /// The factor on the motion.
+    pub factor: f64,
+    /// Root mean square of `ln(f PSA) − ln target` over the periods: 0 where both have one shape.
+    pub misfit_ln: f64,
+}
+
 /// The factor that brings the pseudo-acceleration spectrum of the motion nearest to a target over all `periods_s`:
 /// the least squares of `ln(f PSA) − ln target`, `ln f = mean(ln target − ln PSA)`.
 ///
@@ -92,15 +101,41 @@ pub fn factor_to_spectrum(
     periods_s: &[f64],
     target_m_s2: &[f64],
 ) -> Result<f64, ScaleError> {
+    Ok(fit_to_spectrum(motion, damping_ratio, periods_s, target_m_s2)?.factor)
+}
+
+/// The factor of [`factor_to_spectrum`], and how far the scaled spectrum is from the target.
+///
+/// # Errors
+/// As [`factor_to_spectrum`].
+///
+/// # Example
+/// ```
+/// use freestand::{motion::Motion, signal::scale::fit_to_spectrum};
+/// let pulse = Motion::new(0.01, vec![0.0, 1.0, 0.0])?;
+/// // 4 is a factor of 2 from either target.
+/// let fit = fit_to_spectrum(&pulse, 0.05, &[0.0, 0.0], &[2.0, 8.0])?;
+/// assert!((fit.misfit_ln - 2f64.ln()).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn fit_to_spectrum(
+    motion: &Motion,
+    damping_ratio: f64,
+    periods_s: &[f64],
+    target_m_s2: &[f64],
+) -> Result<SpectrumFit, ScaleError> {
     if periods_s.is_empty() || periods_s.len() != target_m_s2.len() {
         return Err(ScaleError::Shape { periods: periods_s.len(), targets: target_m_s2.len() });
     }
     let spectrum = response_spectrum(motion, damping_ratio, periods_s)?;
-    let mut sum = 0.0;
+    let mut ratios_ln = Vec::with_capacity(periods_s.len());
     for ((&period_s, &psa), &target) in periods_s.iter().zip(&spectrum.psa_m_s2).zip(target_m_s2) {
-        sum += factor(psa, target, period_s)?.ln();
+        ratios_ln.push(factor(psa, target, period_s)?.ln());
     }
-    Ok((sum / periods_s.len() as f64).exp())
+    let count = periods_s.len() as f64;
+    let mean_ln = ratios_ln.iter().sum::<f64>() / count;
+    let square = ratios_ln.iter().map(|ln| (ln - mean_ln).powi(2)).sum::<f64>() / count;
+    Ok(SpectrumFit { factor: mean_ln.exp(), misfit_ln: square.sqrt() })
 }
 
 fn factor(response_m_s2: f64, target_m_s2: f64, period_s: f64) -> Result<f64, ScaleError> {
@@ -137,6 +172,18 @@ mod tests {
         let scaled = motion.scaled(factor_to_spectrum(&motion, 0.02, &periods, &target).unwrap()).unwrap();
         let misfit: f64 = psa(&scaled, &periods).iter().zip(&target).map(|(a, b)| (a / b).ln()).sum();
         assert!(misfit.abs() < 1e-12, "{misfit:e}");
+        // The misfit is that of the motion as it is scaled, which no other factor makes less.
+        let rms = |motion: &Motion| {
+            let squares = psa(motion, &periods).iter().zip(&target).map(|(a, b)| (a / b).ln().powi(2)).sum::<f64>();
+            (squares / periods.len() as f64).sqrt()
+        };
+        let fit = fit_to_spectrum(&motion, 0.02, &periods, &target).unwrap();
+        assert!((fit.misfit_ln - rms(&scaled)).abs() < 1e-13 && fit.misfit_ln > 0.1, "{fit:?}");
+        for other in [0.99, 1.01] {
+            assert!(rms(&scaled.scaled(other).unwrap()) > fit.misfit_ln);
+        }
+        // One shape: the roundings of 39 ratios near 3.5.
+        assert!(fit_to_spectrum(&motion, 0.02, &periods, &own).unwrap().misfit_ln < 1e-13);
     }
 
     #[test]

@@ -1,4 +1,5 @@
 use super::*;
+use crate::records::headings::heading;
 use crate::records::{MotionFile, parse_motions, write_at2, write_csv};
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
