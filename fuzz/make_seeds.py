@@ -328,6 +328,8 @@ def ours():
         ("boore", "boore:10s:25s"),
         ("target", "0.4 g at 1.2 s"),
         ("damping", "3 m/s2 at 800 ms, 2 %"),
+        ("target_source", "target.csv, 0.1 s to 2 s, 2 %"),
+        ("spectrum", "period_s,psa_g,sa_g,damping_ratio\n0.5,0.3,0.31,0.02\n1,0.2,0.21,0.02\n"),
     ]:
         put("processing", name, text)
     put("quantity", "one", "2.3 m")

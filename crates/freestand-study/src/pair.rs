@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use crate::error::{Problem, ProblemKind};
 use crate::processing::{Processed, pair_of_one, turned, with_azimuths};
+use crate::quantity::shorten;
 use crate::recorded::{MotionFiles, name_of};
-use crate::records::{Component, MotionFile, read_motions};
+use crate::records::{Component, Direction, MotionFile, read_motions};
 use crate::words::number;
 
 /// Record files with two horizontal components.
@@ -79,9 +80,9 @@ impl ReadPair {
     /// The two components.
     ///
     /// # Errors
-    /// No such two: see [`MotionFile::select`] and [`pair_of_one`].
+    /// No such two (see [`MotionFile::select`] and [`pair_of_one`]), or one of them vertical.
     pub fn components(&self) -> Result<(&Component, &Component), Problem> {
-        match self.files.as_slice() {
+        let pair = match self.files.as_slice() {
             [one, two] => {
                 let component = self.request.files.component.as_deref();
                 Ok((one.select(component)?, two.select(component)?))
@@ -93,6 +94,11 @@ impl ReadPair {
             _ => {
                 Err(Problem::new(ProblemKind::Value, "one or two files are expected").hint("read them with read_pair"))
             }
+        }?;
+        match [pair.0, pair.1].into_iter().find(|one| one.direction == Some(Direction::Up)) {
+            Some(up) => Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))
+                .hint("name the two horizontal components: --components, or --component with two files")),
+            None => Ok(pair),
         }
     }
 

@@ -87,3 +87,13 @@ fn a_pair_is_turned_and_processed() {
     let second = read.components().unwrap().1.motion.peak_m_s2();
     assert_eq!(west.processed.motion.peak_m_s2(), 2.0 * second);
 }
+
+#[test]
+fn a_vertical_component_is_no_part_of_a_pair() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "time [s],N [g],Up [g]\n0,0,0\n0.01,0.3,0.4\n0.02,0,0\n";
+    let mut asked = request(folder.path(), &[("two.csv", text)]);
+    asked.components = Some(("1".to_owned(), "2".to_owned()));
+    let problem = read_pair(&asked).unwrap().components().unwrap_err();
+    assert_eq!(problem.message, "component Up is vertical");
+}
