@@ -4,8 +4,9 @@
     cargo build --release
     .venv/bin/python benches/compare.py [target/release/freestand]
 
-freestand is timed as a process, with its start, its reading of the files and its JSON; the others within Python, without
-the start of Python or of their imports. What is not installed is left out.
+freestand is timed as a process, with its start, its reading of the files and its JSON; reading alone by the example
+read_files, within the process on one thread. The others are timed within Python, without the start of Python or of their
+imports. What is not installed is left out.
 """
 
 import json
@@ -106,6 +107,9 @@ def reading(binary, folder, what, extension, write, name, other):
     assert len(found) == FILES and all(one["npts"] == SAMPLES for one in found)
     own_s = median_s(lambda: freestand(binary, *command))
     other_s = median_s(lambda: [other(path) for path in paths]) if other else None
+    example = ["cargo", "run", "-q", "--release", "-p", "freestand-benches", "--example", "read_files", "--", *paths]
+    reading_s = float(subprocess.run(example, check=True, capture_output=True, text=True).stdout)
+    line(f"{FILES} {what} files, reading only", reading_s, name, other_s)
     line(f"{FILES} {what} files with all measures", own_s, f"{name}, reading only,", other_s)
 
 

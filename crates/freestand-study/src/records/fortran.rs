@@ -22,45 +22,71 @@ pub(super) struct Number {
 /// a three-digit exponent is printed where the field has no room for its E. In a plain `.1234-.5678` the second sign
 /// begins the next field: only a sign with exactly three digits and no point after a mantissa with a point is an exponent.
 pub(super) fn scan(text: &[u8]) -> Option<Number> {
-    let digits =
-        |from: usize| text.get(from..).map_or(0, |rest| rest.iter().take_while(|b| b.is_ascii_digit()).count());
     let is_sign = |at: usize| matches!(text.get(at), Some(b'+' | b'-'));
+    let digits = |from: usize| run_of_digits(&text[from.min(text.len())..], 0).0;
 
     let start = usize::from(is_sign(0));
-    let whole = digits(start);
+    let (whole, significand) = run_of_digits(&text[start..], 0);
     let mut end = start + whole;
     let has_point = text.get(end) == Some(&b'.');
-    let fraction = if has_point { digits(end + 1) } else { 0 };
+    let (fraction, significand) =
+        if has_point { run_of_digits(&text[end + 1..], significand) } else { (0, significand) };
     if whole + fraction == 0 {
         return None;
     }
     end += usize::from(has_point) + fraction;
-    let mantissa_end = end;
+    let mantissa = &text[..end];
 
-    let mut plain = true;
-    let mut exponent_from = None;
+    let mut exponent: &[u8] = b"0";
     if matches!(text.get(end), Some(b'e' | b'E' | b'd' | b'D')) {
-        let sign = usize::from(is_sign(end + 1));
-        let length = digits(end + 1 + sign);
+        let from = end + 1;
+        let sign = usize::from(is_sign(from));
+        let length = digits(from + sign);
         if length > 0 {
-            plain = matches!(text[end], b'e' | b'E');
-            exponent_from = Some(end + 1);
-            end += 1 + sign + length;
+            end = from + sign + length;
+            exponent = &text[from..end];
         }
     } else if has_point && is_sign(end) && digits(end + 1) == 3 && text.get(end + 4) != Some(&b'.') {
-        plain = false;
-        exponent_from = Some(end);
+        exponent = &text[end..end + 4];
         end += 4;
     }
 
-    let printed = std::str::from_utf8(&text[..end]).ok()?;
-    let exponent = exponent_from.map_or("0", |from| &printed[from..]);
-    let value =
-        if plain { printed.parse().ok()? } else { format!("{}e{exponent}", &printed[..mantissa_end]).parse().ok()? };
     // An exponent beyond i32 makes the value 0 or infinite, and the last digit then says nothing.
-    let last_digit_exponent = exponent.parse::<i32>().unwrap_or(0).saturating_sub(fraction as i32);
-    let zero_padded = whole > 1 && text[start] == b'0' && !has_point && exponent_from.is_none();
+    let power = if exponent == b"0" { Some(0) } else { str_of(exponent)?.parse::<i32>().ok() };
+    let last_digit_exponent = power.unwrap_or(0).saturating_sub(fraction as i32);
+    let short = if power.is_some() && whole + fraction <= 15 { exact(significand, last_digit_exponent) } else { None };
+    let value = match short {
+        Some(size) if text[0] == b'-' => -size,
+        Some(size) => size,
+        None => format!("{}e{}", str_of(mantissa)?, str_of(exponent)?).parse().ok()?,
+    };
+    let zero_padded = whole > 1 && text[start] == b'0' && !has_point && end == start + whole;
     Some(Number { value, length: end, last_digit_exponent, zero_padded })
+}
+
+/// How many digits `text` begins with, and the whole number that they continue; of more than 19 digits that means nothing.
+fn run_of_digits(text: &[u8], mut number: u64) -> (usize, u64) {
+    let mut length = 0;
+    while let Some(digit) = text.get(length).map(|b| b.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
+        number = number.wrapping_mul(10).wrapping_add(u64::from(digit));
+        length += 1;
+    }
+    (length, number)
+}
+
+/// `significand` × 10^`exponent`. A number of up to 15 digits needs no general algorithm: f64 holds it exactly, powers of
+/// ten are exact up to 10^22, and one product or quotient of exact numbers is rounded once, to the nearest (Clinger 1990).
+fn exact(significand: u64, exponent: i32) -> Option<f64> {
+    const POWERS: [f64; 23] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
+        1e20, 1e21, 1e22,
+    ];
+    let power = *POWERS.get(exponent.unsigned_abs() as usize)?;
+    Some(if exponent < 0 { significand as f64 / power } else { significand as f64 * power })
+}
+
+fn str_of(text: &[u8]) -> Option<&str> {
+    std::str::from_utf8(text).ok()
 }
 
 /// The number that `text` is, from its first byte to its last.
@@ -135,6 +161,7 @@ fn first_word(text: &[u8]) -> &[u8] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn values(line: &str) -> Result<Vec<f64>, BadField> {
         let mut out = Vec::new();
@@ -190,6 +217,16 @@ mod tests {
             assert_eq!(number(text.as_bytes()).unwrap().last_digit_exponent, exponent, "{text}");
         }
         assert_eq!(number(b"1.5 "), None);
+    }
+
+    proptest! {
+        /// Short and long numbers alike are the nearest f64, as the standard library has it.
+        #[test]
+        fn every_number_is_the_nearest(text in "[+-]?([0-9]{1,18}\\.?[0-9]{0,12}|\\.[0-9]{1,20})([eE][+-]?[0-9]{1,3})?") {
+            let expected: f64 = text.parse().unwrap();
+            let found = number(text.as_bytes()).map(|number| number.value.to_bits());
+            prop_assert_eq!(found, Some(expected.to_bits()));
+        }
     }
 
     #[test]

@@ -1,0 +1,23 @@
+//! Seconds that reading record files takes, the median of five, on one thread: `compare.py` sets it beside other readers.
+
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop, and says what it measured")]
+
+use freestand_study::records::{ReadOptions, read_motions};
+use std::time::Instant;
+
+fn main() {
+    let paths: Vec<String> = std::env::args().skip(1).collect();
+    let options = ReadOptions::default();
+    let mut times_s: Vec<f64> = (0..5)
+        .map(|_| {
+            let start = Instant::now();
+            for path in &paths {
+                let file = read_motions(path.as_ref(), &options).unwrap();
+                assert!(file.components.iter().all(|one| one.motion.peak_m_s2() > 0.0), "{path}");
+            }
+            start.elapsed().as_secs_f64()
+        })
+        .collect();
+    times_s.sort_by(f64::total_cmp);
+    println!("{}", times_s[2]);
+}
