@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_study::processing::parse_target_source;
 use freestand_study::quantity::Dimension;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
 use freestand_study::records::ReadOptions;
@@ -75,6 +76,12 @@ impl ReadArgs {
             component: self.component.clone(),
             processing,
         }
+    }
+
+    /// The files that are read: records, and the target that they are scaled to.
+    pub(crate) fn inputs<'a>(&self, records: impl IntoIterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
+        let target = self.process.scale_to_spectrum.as_deref().and_then(|text| parse_target_source(text).ok());
+        records.into_iter().cloned().chain(target.map(|source| source.path)).collect()
     }
 
     /// One motion from each file.

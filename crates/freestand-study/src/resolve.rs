@@ -697,11 +697,14 @@ fn squat_warning(blocks: &[Block]) -> Option<String> {
     ))
 }
 
-/// The paths of a study's motion files, for copies and manifests.
+/// The paths of the files that a study's motions were read from, those of the targets of scaling among them.
 pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
     match &study.ground {
         Ground::Synthetic(_) => Vec::new(),
-        Ground::Recorded(motions) => motions.iter().map(|motion| motion.path.clone()).collect(),
+        Ground::Recorded(motions) => {
+            let targets = motions.iter().filter_map(|motion| Some(&motion.scale_target.as_ref()?.path));
+            motions.iter().map(|motion| &motion.path).chain(targets).cloned().collect()
+        }
     }
 }
 

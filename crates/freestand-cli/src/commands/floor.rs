@@ -130,7 +130,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let ground = &with_tail(&read.motion.motion, tail_s)?;
     let factor = args.upsample.get();
     check_upsampling(factor, ground.accel_m_s2().len())?;
-    let files = Files::begin(global, std::slice::from_ref(&args.motion))?;
+    let files = Files::begin(global, &args.read.inputs([&args.motion]))?;
     let failed = |error: freestand::building::BuildingError| Failure::computation(error.to_string());
     let floors = floor_motions(ground, &beam, &levels).map_err(failed)?;
     let fine = if factor == 1 {

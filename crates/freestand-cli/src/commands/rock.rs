@@ -86,7 +86,7 @@ pub(crate) struct RockArgs {
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (request, reading) = request(args)?;
-    let inputs: Vec<PathBuf> = args.motion.iter().chain(&args.vertical).cloned().collect();
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical));
     let files = Files::begin(global, &inputs)?;
     let mut report = rock(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);

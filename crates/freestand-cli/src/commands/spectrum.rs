@@ -111,7 +111,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
         options.restitution.ratios(block).map_err(problem)?;
     }
     let motions = args.read.read_all(&args.motion)?;
-    let files = Files::begin(global, &args.motion)?;
+    let files = Files::begin(global, &args.read.inputs(&args.motion))?;
 
     let mut warnings: Vec<String> =
         motions.iter().flat_map(|read| read.notes.iter().map(|note| format!("{}: {note}", read.motion.name))).collect();
@@ -163,7 +163,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     if args.csv.is_some() || files.wanted() {
         let columns = freestand_study::tables::records_csv(&rows)?;
         if let Some(path) = &args.csv {
-            write_file(path, &columns, &args.motion)?;
+            write_file(path, &columns, &args.read.inputs(&args.motion))?;
         }
         files.write("rows.csv", || columns)?;
     }

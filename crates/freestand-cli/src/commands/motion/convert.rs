@@ -65,7 +65,7 @@ pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) ->
     if global.out.is_none() && !global.json && read.len() > 1 {
         return Err(Failure::usage("several files cannot share standard output", "name a folder with --out"));
     }
-    let files = Files::begin(global, &args.files)?;
+    let files = Files::begin(global, &args.read.inputs(&args.files))?;
     let (mut motions, mut warnings) = (Vec::new(), Vec::new());
     for one in &read {
         warnings.extend(one.notes.iter().map(|note| format!("{}: {note}", one.motion.name)));

@@ -64,11 +64,11 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
         target.check(args.files.len())?;
     }
     let report = info(&InfoRequest { files, block, keep_motions: target.is_some() }).map_err(Failure::Problems)?;
-    let out = Files::begin(global, &args.files)?;
+    let out = Files::begin(global, &args.read.inputs(&args.files))?;
     let mut plots = Vec::new();
     if let Some(target) = target {
         target.check(report.motions.len())?;
-        plots = place(&target, figures(&report)?, &out, &args.files)?;
+        plots = place(&target, figures(&report)?, &out, &args.read.inputs(&args.files))?;
     }
     if out.wanted() {
         let csv = report.measures_csv()?;

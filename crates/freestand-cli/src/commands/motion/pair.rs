@@ -34,6 +34,11 @@ impl PairArgs {
         PairFiles { files: self.read.files(&self.files, values), components: self.called(values) }
     }
 
+    /// The files that are read.
+    pub(super) fn inputs(&self) -> Vec<PathBuf> {
+        self.read.inputs(&self.files)
+    }
+
     fn called(&self, values: &mut Values) -> Option<(String, String)> {
         let text = self.components.as_deref()?;
         match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {

@@ -51,7 +51,7 @@ pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> 
     let read = read_pair(&pair).map_err(Failure::Problems)?;
     let azimuth_deg = to.map(azimuth_deg).unwrap_or_default();
     let turned = rotate(&read, &RotateRequest { azimuth_deg, azimuths_deg })?;
-    let files = Files::begin(global, &args.pair.files)?;
+    let files = Files::begin(global, &args.pair.inputs())?;
     let done = &turned.processed;
     let motion = args.format.write(&files, &turned.path, &turned.name, &done.motion, &done.steps)?;
     let report = RotateReport { azimuth_deg: turned.azimuth_deg, motion };

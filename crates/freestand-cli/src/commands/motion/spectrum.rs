@@ -64,14 +64,14 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let target = args.plot.target(global)?;
     let read = args.read.read_one(&args.file)?;
     let report = spectrum(&read, &SpectrumRequest { damping_ratios, periods_s, upsample: args.upsample.get() })?;
-    let inputs = std::slice::from_ref(&args.file);
-    let files = Files::begin(global, inputs)?;
+    let inputs = args.read.inputs([&args.file]);
+    let files = Files::begin(global, &inputs)?;
     let columns = report.csv()?;
     files.write("spectrum.csv", || columns)?;
     let mut plots = Vec::new();
     if let Some(target) = target {
         let figure = report.figure().map_err(failed)?;
-        plots = place(&target, vec![(figure.name.clone(), figure)], &files, inputs)?;
+        plots = place(&target, vec![(figure.name.clone(), figure)], &files, &inputs)?;
     }
     let document = Document { report: &report, plots };
     files.print(printer, "freestand.motion-spectrum/1", &document, &report.warnings, || text(&report))?;

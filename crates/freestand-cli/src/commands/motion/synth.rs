@@ -94,7 +94,7 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (spectrum, mut warnings) = args.code.spectrum()?;
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global, std::slice::from_ref(&args.file))?;
+    let files = Files::begin(global, &args.read.inputs([&args.file]))?;
     let matched =
         match_motion(&read.motion.motion, |period_s| spectrum.sa_g(period_s), SynthesisOptions::default().passes)
             .map_err(|error| {
