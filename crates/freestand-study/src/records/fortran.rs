@@ -52,7 +52,7 @@ pub(super) fn scan(text: &[u8]) -> Option<Number> {
     }
 
     // An exponent beyond i32 makes the value 0 or infinite, and the last digit then says nothing.
-    let power = if exponent == b"0" { Some(0) } else { str_of(exponent)?.parse::<i32>().ok() };
+    let power = power_of(exponent);
     let last_digit_exponent = power.unwrap_or(0).saturating_sub(fraction as i32);
     let short = if power.is_some() && whole + fraction <= 15 { exact(significand, last_digit_exponent) } else { None };
     let value = match short {
@@ -62,6 +62,14 @@ pub(super) fn scan(text: &[u8]) -> Option<Number> {
     };
     let zero_padded = whole > 1 && text[start] == b'0' && !has_point && end == start + whole;
     Some(Number { value, length: end, last_digit_exponent, zero_padded })
+}
+
+/// The number of an exponent, `-03` or `7`, if i32 holds it.
+fn power_of(exponent: &[u8]) -> Option<i32> {
+    let is_signed = matches!(exponent.first(), Some(b'+' | b'-'));
+    let (length, size) = run_of_digits(&exponent[usize::from(is_signed)..], 0);
+    let size = i32::try_from(size).ok().filter(|_| length <= 19)?;
+    Some(if exponent.first() == Some(&b'-') { -size } else { size })
 }
 
 /// How many digits `text` begins with, and the whole number that they continue; of more than 19 digits that means nothing.

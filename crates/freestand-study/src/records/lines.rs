@@ -131,7 +131,7 @@ impl<'a> Iterator for Lines<'a> {
         if self.rest.is_empty() {
             return None;
         }
-        let end = self.rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(self.rest.len());
+        let end = memchr::memchr2(b'\n', b'\r', self.rest).unwrap_or(self.rest.len());
         let (bytes, tail) = self.rest.split_at(end);
         let ending = match tail {
             [b'\r', b'\r', b'\n', ..] => 3,
