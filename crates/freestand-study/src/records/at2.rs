@@ -2,6 +2,7 @@
 
 use super::fortran::{bad_field, fields, is_missing_value, scan};
 use super::lines::{Line, lines};
+use super::prints::Prints;
 use super::units::{Stated, decide, missing, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
@@ -73,7 +74,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .find_map(|(i, text)| unit_in_prose(text).map(|unit| Stated { unit, line: i + 1 }));
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
 
-    let (mut accel_m_s2, line_of_first_value) = read_values(bytes, &counts)?;
+    let mut notes = Vec::new();
+    let (mut accel_m_s2, line_of_first_value) = read_values(bytes, &counts, &mut notes)?;
     for value in &mut accel_m_s2 {
         *value = unit.to_si(*value);
     }
@@ -90,7 +92,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         motion,
         line_of_first_value,
     };
-    Ok(Reading { format: "PEER AT2", components: vec![component], notes: Vec::new() })
+    Ok(Reading { format: "PEER AT2", components: vec![component], notes })
 }
 
 /// VT2 and DT2 look the same and hold velocity and displacement.
@@ -153,6 +155,13 @@ fn read_counts(text: &str) -> Result<Counts, &'static str> {
     }
     let unit: String = upper[tail..].trim_start().chars().take_while(char::is_ascii_alphabetic).collect();
     let dt_s = if matches!(unit.as_str(), "MS" | "MSEC" | "MSECS" | "MILLISECONDS") { dt / 1000.0 } else { dt };
+    // "0,01" in some countries.
+    if dt.fract() == 0.0
+        && upper[tail..].starts_with(',')
+        && upper[tail + 1..].starts_with(|c: char| c.is_ascii_digit())
+    {
+        return Err("has a decimal comma: write a point");
+    }
     if !(dt_s > 0.0 && dt_s.is_finite()) {
         return Err("is not positive");
     }
@@ -167,10 +176,10 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
     Some((number.value, at + rest.len() - trimmed.len() + number.length))
 }
 
-fn read_values(bytes: &[u8], counts: &Counts) -> Result<(Vec<f64>, usize), Problem> {
+fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result<(Vec<f64>, usize), Problem> {
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
-    let mut line_of_first_value = 0;
+    let (mut line_of_first_value, mut prints) = (0, Prints::default());
     for line in lines(bytes).skip(counts.line) {
         let before = values.len();
         let mut gap = None;
@@ -178,6 +187,7 @@ fn read_values(bytes: &[u8], counts: &Counts) -> Result<(Vec<f64>, usize), Probl
             if is_missing_value(number.value) {
                 gap = Some(number.value);
             }
+            prints.see(&number, line.number);
             values.push(number.value);
         })
         .map_err(|bad| bad_field(&bad, line.number))?;
@@ -189,6 +199,7 @@ fn read_values(bytes: &[u8], counts: &Counts) -> Result<(Vec<f64>, usize), Probl
         }
     }
     if values.len() == counts.npts {
+        notes.extend(prints.note());
         return Ok((values, line_of_first_value));
     }
     let hint = if values.len() == 2 * counts.npts {

@@ -79,6 +79,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         }
         let stated = heading.unit.map(|unit| Stated { unit, line: stating.line }).or(stating.unit);
         let unit = decide(stated, requested, &what)?;
+        notes.extend(column.prints.note());
         let mut values = column.values;
         if let Some(row) = values.iter().position(|&value| is_missing_value(value)) {
             return Err(missing(&values[row].to_string(), table.line_of_row(bytes, row)));
@@ -130,6 +131,10 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
         notes.push(format!("the first row is read as the number of values and the time step, {dt_s} s"));
     } else if table.has_row_of_counts {
         notes.push("the first row is read as the number of values".to_owned());
+    } else if let Some(count) = table.possible_count() {
+        notes.push(format!(
+            "the first row, {count}, is read as a value; as many rows follow: remove it if it is their number"
+        ));
     }
     for (line, text) in &table.comments {
         if let Some(unit) = unit_in_prose(text) {

@@ -2,6 +2,7 @@
 
 use super::fortran::{bad_field, fields, number};
 use super::lines::{Line, Lines};
+use super::setting::Setting;
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
@@ -63,11 +64,12 @@ impl Format {
     /// format: it is read as numbers between blanks.
     ///
     /// # Errors
-    /// A field that is no number, too few or too many fields on a line, the end of the file.
+    /// A field that is no number, too few or too many fields on a line, a line too short for its fields where the others
+    /// are not, the end of the file.
     pub(super) fn read(self, lines: &mut Lines<'_>, count: usize, what: &str) -> Result<Block, Problem> {
         // A count in a damaged header must not reserve memory that the file cannot fill.
         let mut values: Vec<f64> = Vec::with_capacity(count.min(lines.bytes_left() / 2 + 1));
-        let mut first_line = 0;
+        let (mut first_line, mut setting) = (0, Setting::default());
         while values.len() < count {
             let Some(line) = lines.next() else {
                 return Err(Problem::new(
@@ -85,7 +87,8 @@ impl Format {
             }
             let before = values.len();
             let wanted = self.per_line.min(count - before);
-            self.read_line(&line, wanted, &mut values)?;
+            let by_column = self.read_line(&line, wanted, &mut values)?;
+            setting.see(&line, self, wanted, by_column);
             let found = values.len() - before;
             if found > wanted {
                 return Err(Problem::new(
@@ -96,11 +99,16 @@ impl Format {
                 .hint("the number of values in the header does not fit the file"));
             }
         }
+        setting.check()?;
         // A block of no values has no line; the one that was read last announced it.
         Ok(Block { values, first_line: if first_line == 0 { lines.line_number().max(1) } else { first_line } })
     }
 
-    pub(super) fn read_line(self, line: &Line<'_>, wanted: usize, values: &mut Vec<f64>) -> Result<(), Problem> {
+    /// Reads up to `wanted` values of a line, and tells whether they fill its columns.
+    ///
+    /// # Errors
+    /// A field that is no number.
+    pub(super) fn read_line(self, line: &Line<'_>, wanted: usize, values: &mut Vec<f64>) -> Result<bool, Problem> {
         let text = line.bytes.trim_ascii_end();
         let before = values.len();
         let by_column = text.len() <= wanted * self.width
@@ -109,10 +117,11 @@ impl Format {
                 .chunks(self.width)
                 .all(|field| number(field.trim_ascii()).map(|number| values.push(number.value)).is_some());
         if by_column {
-            return Ok(());
+            return Ok(true);
         }
         values.truncate(before);
-        fields(text, |number| values.push(number.value)).map_err(|bad| bad_field(&bad, line.number))
+        fields(text, |number| values.push(number.value)).map_err(|bad| bad_field(&bad, line.number))?;
+        Ok(false)
     }
 }
 

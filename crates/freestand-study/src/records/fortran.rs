@@ -14,6 +14,8 @@ pub(super) struct Number {
     pub(super) last_digit_exponent: i32,
     /// A whole number that begins with a zero, `0123`: not a number in its own right, but the digits behind a decimal comma.
     pub(super) zero_padded: bool,
+    /// How many characters it has from its point on; 0 where it has none.
+    pub(super) tail: usize,
 }
 
 /// The number at the start of `text`, if there is one.
@@ -61,7 +63,8 @@ pub(super) fn scan(text: &[u8]) -> Option<Number> {
         None => format!("{}e{}", str_of(mantissa)?, str_of(exponent)?).parse().ok()?,
     };
     let zero_padded = whole > 1 && text[start] == b'0' && !has_point && end == start + whole;
-    Some(Number { value, length: end, last_digit_exponent, zero_padded })
+    let tail = if has_point { end - start - whole } else { 0 };
+    Some(Number { value, length: end, last_digit_exponent, zero_padded, tail })
 }
 
 /// The number of an exponent, `-03` or `7`, if i32 holds it.

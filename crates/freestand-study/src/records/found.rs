@@ -115,6 +115,32 @@ pub(super) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Opt
     })
 }
 
+/// What is to be said of values that no motion has.
+///
+/// The largest acceleration of the ground on record is 4.4 g (Iwate-Miyagi 2008, IWTH25). Floors amplify the ground some
+/// times, so that 20 g is beyond both; a lost decimal point or another unit is nearer at hand than a shock of pyrotechnics.
+pub(super) fn extreme_note(component: &Component) -> Option<String> {
+    const HIGHEST_M_S2: f64 = 20.0 * freestand::G0_M_S2;
+    let motion = &component.motion;
+    // The offset of an instrument's own values may be anything; it is removed before they are used.
+    let offset_m_s2 = if component.is_raw { motion.mean_m_s2() } else { 0.0 };
+    let (at, peak_m_s2) = motion
+        .accel_m_s2()
+        .iter()
+        .map(|a| (a - offset_m_s2).abs())
+        .enumerate()
+        .fold((0, 0.0), |(at, peak), (i, a)| if a > peak { (i, a) } else { (at, peak) });
+    (peak_m_s2 > HIGHEST_M_S2).then(|| {
+        let (name, peak_g) = (shorten(&component.name), peak_m_s2 / freestand::G0_M_S2);
+        format!(
+            "{name}: value {} is {peak_g:.1} g, more than the ground or a floor does: is the unit right ({}), or a digit or \
+             a decimal point damaged?",
+            at + 1,
+            component.unit
+        )
+    })
+}
+
 /// Samples in m/s² as a motion.
 pub(super) fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
     check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;

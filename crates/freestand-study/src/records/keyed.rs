@@ -1,8 +1,9 @@
 //! Headers of lines `KEY: value`, which several archives write, and the rows of numbers below them.
 
 use super::fortran::bad_field;
-use super::fortran::{fields, is_missing_value, is_missing_word, number};
+use super::fortran::{Number, fields, is_missing_value, is_missing_word, number};
 use super::lines::{Line, Lines};
+use super::prints::Prints;
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
@@ -148,12 +149,19 @@ pub(super) fn read_rows(
 ) -> Result<Rows, Problem> {
     let mut rows = Rows { columns: vec![Vec::new(); width], first_line: 0 };
     let (mut found, mut row) = (0, Vec::with_capacity(width));
+    let mut prints: Vec<Prints> = (0..width).map(|_| Prints::default()).collect();
     for line in rest.by_ref() {
         if line.is_blank() {
             continue;
         }
         row.clear();
-        if let Err(bad) = fields(line.bytes, |number| row.push(number.value)) {
+        let each = |number: Number| {
+            if let Some(prints) = prints.get_mut(row.len()) {
+                prints.see(&number, line.number);
+            }
+            row.push(number.value);
+        };
+        if let Err(bad) = fields(line.bytes, each) {
             // Behind the last value there may be a footer.
             if row.is_empty() && declared.is_some_and(|(count, _)| count == found) {
                 notes.push(format!("line {} stands behind the last value and was not read", line.number));
@@ -178,6 +186,7 @@ pub(super) fn read_rows(
         }
         found += 1;
     }
+    notes.extend(prints.iter().filter_map(Prints::note));
     match declared {
         Some((count, line)) if count != found => Err(wrong_count(count, found).at_line(line)),
         _ if found == 0 => Err(Problem::new(ProblemKind::Format, "there are no values below the header")

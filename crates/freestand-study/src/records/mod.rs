@@ -23,9 +23,11 @@ mod lines;
 mod mseed;
 mod nsmn;
 mod pairs;
+mod prints;
 mod rows;
 mod sac;
 mod sampling;
+mod setting;
 mod sigma;
 mod smc;
 mod spectrum;
@@ -47,7 +49,7 @@ pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::quantity::shorten;
-use found::{Found, motion, peak_note, tell_apart};
+use found::{Found, extreme_note, motion, peak_note, tell_apart};
 use freestand::motion::Motion;
 use std::path::{Path, PathBuf};
 
@@ -142,6 +144,7 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
     let Reading { format, components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
+    notes.extend(components.iter().filter_map(extreme_note));
     if let Some(xml) = options.station_xml.as_ref().filter(|_| !format.starts_with("miniSEED")) {
         notes.push(format!("{} is not used: a {format} record needs no StationXML", xml.display()));
     }

@@ -3,6 +3,7 @@
 use super::format::Format;
 use super::fortran::is_missing_value;
 use super::lines::Lines;
+use super::setting::Setting;
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 
@@ -16,16 +17,18 @@ pub(super) struct Rows {
 /// Reads every line that is left as one row of `format`; blank lines hold none.
 ///
 /// # Errors
-/// No row at all, a field that is no number, a value that stands for a missing one, a row with more or fewer values.
+/// No row at all, a field that is no number, a value that stands for a missing one, a row with more or fewer values,
+/// or one too short for its fields where the others are not.
 pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Problem> {
     let mut columns: Vec<Vec<f64>> = vec![Vec::new(); format.per_line];
-    let (mut row, mut first_line) = (Vec::new(), 0);
+    let (mut row, mut first_line, mut setting) = (Vec::new(), 0, Setting::default());
     for line in lines.by_ref() {
         if line.is_blank() {
             continue;
         }
         row.clear();
-        format.read_line(&line, format.per_line, &mut row)?;
+        let by_column = format.read_line(&line, format.per_line, &mut row)?;
+        setting.see(&line, format, format.per_line, by_column);
         if row.len() != columns.len() {
             let message = format!("a row has {} values, this one {}", columns.len(), row.len());
             return Err(Problem::new(ProblemKind::Format, message)
@@ -47,6 +50,7 @@ pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Proble
             .at_line(lines.line_number().max(1))
             .hint("the file may be cut off: fetch it again"));
     }
+    setting.check()?;
     Ok(Rows { columns, first_line })
 }
 

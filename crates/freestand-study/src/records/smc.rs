@@ -2,6 +2,7 @@
 
 use super::format::Format;
 use super::fortran::is_missing_value;
+use super::keyed::refuse_more_values;
 use super::lines::{Line, lines};
 use super::sampling::step_of_rate;
 use super::{Direction, Found, ReadOptions, Reading, peak_note};
@@ -65,6 +66,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
     block.refuse_missing(VALUES, is_missing_value)?;
+    let mut notes = Vec::new();
+    refuse_more_values(&mut rest, &mut notes)?;
     let (station, name) = station_and_component(&text, path);
     let direction = Direction::parse(&name);
     let component = Found {
@@ -81,7 +84,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     .component(options)?;
     // Real headers 30 and 32 are the largest and the smallest value, 29 and 31 their times.
     let peak = reals.values[29..=31].iter().step_by(2).filter(|value| value.abs() < 1e30);
-    let notes = peak_note(&component, 0.01 * peak.fold(0.0, |a: f64, b| a.max(b.abs()))).into_iter().collect();
+    notes.extend(peak_note(&component, 0.01 * peak.fold(0.0, |a: f64, b| a.max(b.abs()))));
     Ok(Reading { format, components: vec![component], notes })
 }
 

@@ -3,6 +3,7 @@
 use super::dialect::{Dialect, Separator, cells, dialect_of};
 use super::fortran::{BadField, Number, bad_field, fields, is_missing_value};
 use super::lines::{Line, lines};
+use super::prints::Prints;
 use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 
@@ -25,6 +26,26 @@ pub(super) struct Column {
     pub(super) last_digit_exponent: i32,
     /// Some whole number in it begins with a zero, `0123`, or is `-0`.
     zero_padded: bool,
+    /// How its numbers are printed.
+    pub(super) prints: Prints,
+    /// How many of its numbers are printed as whole ones.
+    whole: usize,
+}
+
+impl Column {
+    fn new() -> Self {
+        Self { last_digit_exponent: i32::MAX, ..Self::default() }
+    }
+
+    fn push(&mut self, number: &Number, line: usize) {
+        self.prints.see(number, line);
+        self.whole += usize::from(number.tail == 0 && number.last_digit_exponent >= 0);
+        self.values.push(number.value);
+        self.last_digit_exponent = self.last_digit_exponent.min(number.last_digit_exponent);
+        // Nor is -0 a whole number.
+        let is_minus_zero = number.value == 0.0 && number.value.is_sign_negative();
+        self.zero_padded |= number.zero_padded || is_minus_zero && number.last_digit_exponent == 0;
+    }
 }
 
 /// A table with what stood above it.
@@ -88,6 +109,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Table, Problem> {
     };
     if !read_as_series(&mut table, rows.clone())? {
         read_rows(&mut table, rows)?;
+        check_first_row(&table)?;
     }
     Ok(table)
 }
@@ -100,6 +122,15 @@ fn keep(lines: &mut Vec<(usize, String)>, line: (usize, String)) {
 }
 
 impl Table {
+    /// The first of a single column of whole numbers, where it is how many stand below it: a value or their number. Of
+    /// fewer than ten, that is too easily chance.
+    pub(super) fn possible_count(&self) -> Option<usize> {
+        let [column] = self.columns.as_slice() else { return None };
+        let below = column.values.len().saturating_sub(1);
+        (below >= 10 && column.last_digit_exponent >= 0 && column.values.first() == Some(&(below as f64)))
+            .then_some(below)
+    }
+
     /// The line on which row `row` (from 0) stands. Found by looking again: kept for every row it would cost more memory
     /// than the values of a column, and it is needed only to say what is wrong.
     pub(super) fn line_of_row(&self, bytes: &[u8], row: usize) -> usize {
@@ -225,14 +256,10 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
         let first_row = table.columns.is_empty();
         let mut put = |columns: &mut Vec<Column>, number: Number| {
             if first_row {
-                columns.push(Column { last_digit_exponent: i32::MAX, ..Column::default() });
+                columns.push(Column::new());
             }
             if let Some(column) = columns.get_mut(at) {
-                column.values.push(number.value);
-                column.last_digit_exponent = column.last_digit_exponent.min(number.last_digit_exponent);
-                // Nor is -0 a whole number.
-                let is_minus_zero = number.value == 0.0 && number.value.is_sign_negative();
-                column.zero_padded |= number.zero_padded || is_minus_zero && number.last_digit_exponent == 0;
+                column.push(&number, line.number);
             }
             at += 1;
         };
@@ -272,6 +299,21 @@ fn ragged(line: usize, found: usize, expected: usize) -> Problem {
         .hint("every row must have the same columns; one series with several values a line needs an AT2 header (NPTS, DT)")
 }
 
+/// A whole number above a column of decimals, larger than all of them, is the number of values, which does not fit.
+fn check_first_row(table: &Table) -> Result<(), Problem> {
+    let [column] = table.columns.as_slice() else { return Ok(()) };
+    let Some((&first, others)) = column.values.split_first() else { return Ok(()) };
+    // Printed by the program that printed the others, it would have a point as well.
+    let is_count = column.whole == 1 && column.prints.first_is_whole() && first >= 2.0 && others.len() >= 2;
+    if !(is_count && others.iter().all(|other| other.abs() < first)) {
+        return Ok(());
+    }
+    let message = format!("the first row, {first}, seems to be the number of values, but {} follow", others.len());
+    Err(Problem::new(ProblemKind::Format, message)
+        .at_line(table.line_of_first_value)
+        .hint("the file may be cut off: fetch it again; if the row is a value, write it with a decimal point"))
+}
+
 /// Numbers with decimal commas read as two columns of whole numbers each: `0,0123`. No program prints a whole number with
 /// a zero in front, so the digits behind the comma give it away.
 fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
@@ -308,15 +350,14 @@ fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>
         }
         None if width != 1 => return Ok(false),
         _ => {
-            let mut column = Column { last_digit_exponent: i32::MAX, ..Column::default() };
+            let mut column = Column::new();
             for line in rows {
                 for cell in cells(&own, line.bytes) {
                     let number = cell.map_err(|bad| empty_or_bad(&bad, line.number))?;
                     if is_missing_value(number.value) {
                         return Err(missing(&number.value.to_string(), line.number));
                     }
-                    column.values.push(number.value);
-                    column.last_digit_exponent = column.last_digit_exponent.min(number.last_digit_exponent);
+                    column.push(&number, line.number);
                 }
             }
             // A number alone counts only above values with decimals, which tell it from them.

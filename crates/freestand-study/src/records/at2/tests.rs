@@ -143,3 +143,41 @@ fn what_is_refused() {
     let problem = read_with(g("NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();
     assert!(problem.message.contains("0.02 s as the header says, not 0.005 s"));
 }
+
+fn notes(text: &str) -> Vec<String> {
+    parse_motions(text.as_bytes().to_vec(), "x.AT2".as_ref(), &ReadOptions::default()).unwrap().notes
+}
+
+/// A record as PEER prints it, 201 values.
+fn printed() -> String {
+    let value = |i: i32| format!("  {:.7}E-02", f64::from(i * 7919 % 2003 - 1001) * 1e-3 + 1e-7).replace("0.", ".");
+    let rows: Vec<String> = (0..41).map(|row| (5 * row..(5 * row + 5).min(201)).map(value).collect()).collect();
+    format!("{TITLE}NPTS=  201, DT= .01000 SEC\n{}\n", rows.join("\n"))
+}
+
+#[test]
+fn a_number_that_lost_characters_is_said() {
+    let whole = printed();
+    assert_eq!(notes(&whole), Vec::<String>::new());
+    assert_eq!(notes(whole.trim_end()), Vec::<String>::new(), "a file need not end with a line end");
+    for lost in 1..=4 {
+        let cut = &whole[..whole.trim_end().len() - lost];
+        match parse_motions(cut.as_bytes().to_vec(), "x.AT2".as_ref(), &ReadOptions::default()) {
+            Ok(file) => assert!(file.notes.len() == 1 && file.notes[0].starts_with("line 45: "), "{:?}", file.notes),
+            Err(problem) => assert!(lost == 2 || lost == 3, "{lost}: {problem}"),
+        }
+    }
+    // A point, and with it the size of a value: 1e5 g.
+    let at = whole.rfind('.').unwrap();
+    let lost = notes(&format!("{}{}", &whole[..at], &whole[at + 1..]));
+    assert!(lost.len() == 2 && lost[0].starts_with("line 45: ") && lost[1].contains("value 201 is"), "{lost:?}");
+    assert!(lost[1].contains("is the unit right (g)"), "{lost:?}");
+}
+
+#[test]
+fn a_decimal_comma_is_named() {
+    let problem = read(&format!("{TITLE}NPTS= 2, DT= 0,01\n1 2")).unwrap_err();
+    assert!(problem.message.ends_with("has a decimal comma: write a point"), "{problem}");
+    // The comma behind a whole number separates: there is a blank, or no digit.
+    assert!(read(&format!("{TITLE}NPTS= 2, DT= 1, SEC\n1 2")).is_ok());
+}

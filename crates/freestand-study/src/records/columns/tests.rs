@@ -201,3 +201,45 @@ fn our_own_files_read_back() {
     let bits = |motion: &Motion| motion.accel_m_s2().iter().map(|a| a.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(&back.components[0].motion), bits(&motion));
 }
+
+/// One value a line, as OpenSees takes it.
+fn series(count: usize, print: impl Fn(f64) -> String) -> String {
+    (0..count).map(|i| print((i as f64 * 0.7 + 0.3).sin() * 0.3) + "\n").collect()
+}
+
+#[test]
+fn a_number_of_values_that_does_not_fit_is_no_value() {
+    let options = options("g", 0.01);
+    let decimals = series(300, |value| format!("{value:.6}"));
+    let problem = parse(&format!("400\n{decimals}"), &options).unwrap_err();
+    assert_eq!(problem.message, "the first row, 400, seems to be the number of values, but 300 follow");
+    assert!(problem.line == Some(1) && problem.hint.unwrap().contains("cut off"));
+    // The number that fits, a first value with a point, one that others exceed, one of several whole ones.
+    assert_eq!(parse(&format!("300\n{decimals}"), &options).unwrap().components[0].motion.accel_m_s2().len(), 300);
+    for text in [format!("400.0\n{decimals}"), format!("2\n3.5\n{decimals}"), format!("2\n1\n{decimals}")] {
+        assert!(parse(&text, &options).is_ok(), "{text}");
+    }
+    let whole = series(300, |value| format!("{:.0}", value * 1e3));
+    let file = parse(&format!("300\n{whole}"), &super::ReadOptions { unit: Some("mm/s2".into()), ..options.clone() });
+    let file = file.unwrap();
+    assert_eq!(file.components[0].motion.accel_m_s2().len(), 301);
+    assert!(file.notes[0].contains("the first row, 300, is read as a value"), "{:?}", file.notes);
+}
+
+#[test]
+fn values_that_no_motion_has_and_numbers_that_lost_characters_are_said() {
+    let options = options("g", 0.01);
+    let text = series(300, |value| {
+        format!("{value:.7E}").replace("E-1", "E-01").replace("E-2", "E-02").replace("E-3", "E-03")
+    });
+    let notes = |text: &str| parse(text, &options).unwrap().notes;
+    assert_eq!(notes(&text), Vec::<String>::new());
+    let cut = text.trim_end();
+    let cut = notes(&cut[..cut.len() - 5]);
+    assert!(cut.len() == 1 && cut[0].starts_with("line 300: a number has more or fewer"), "{cut:?}");
+    // A lost point makes 39,000 g of a record.
+    let at = text.match_indices('.').nth(99).unwrap().0;
+    let lost = notes(&format!("{}{}", &text[..at], &text[at + 1..]));
+    assert!(lost.len() == 2 && lost[0].starts_with("line 100: "), "{lost:?}");
+    assert!(lost[1].contains("value 100 is") && lost[1].contains("is the unit right (g)"), "{lost:?}");
+}

@@ -64,9 +64,9 @@ const VALUES: [f64; 10] = [1.0, -10.123, -99999.999, 0.0, 0.5, 0.25, 0.125, 0.0,
 fn sizes_and_formats_are_those_that_the_file_declares() {
     let wide = Channel { sizes: [(12, 6), (5, 15)], ..UNCORRECTED };
     for text in [text(&UNCORRECTED), text(&wide), text(&UNCORRECTED).replace('\n', "\r\n")] {
-        // The large value stands for one that touches its neighbour; the header's peak is another.
+        // The large value stands for one that touches its neighbour; the header's peak is another, and no ground has it.
         let file = read(&text).unwrap();
-        assert_eq!((file.format, file.components.len(), file.notes.len()), ("COSMOS V1", 1, 1));
+        assert_eq!((file.format, file.components.len(), file.notes.len()), ("COSMOS V1", 1, 2));
         let one = &file.components[0];
         // Exact: the same factor, and 5 ms over 1000 is the nearest number to 0.005.
         assert_eq!(one.motion.accel_m_s2(), VALUES.map(|value| value * 0.01));
@@ -174,7 +174,7 @@ fn one_value_more_or_less_is_taken_where_the_end_line_proves_it() {
     for (declared, ok) in [("      11", true), ("       9", true), ("      12", false), ("       8", false)] {
         let found = read(&text(&UNCORRECTED).replace("      10 acc", &format!("{declared} acc")));
         match found {
-            Ok(file) => assert!(ok && file.components[0].motion.accel_m_s2().len() == 10 && file.notes.len() == 2),
+            Ok(file) => assert!(ok && file.components[0].motion.accel_m_s2().len() == 10 && file.notes.len() == 3),
             Err(problem) => assert!(!ok && problem.starts_with("x.v1c:"), "{problem}"),
         }
     }

@@ -74,7 +74,8 @@ fn directions_scale_and_peak_are_told() {
         assert_eq!(found.components[0].direction, direction, "{azimuth} {incidence}");
     }
     let found = read(&file(false, 6, &[(3, 2.0), (1, -12344.0), (2, 12.0)], &[])).unwrap();
-    assert_eq!(found.notes.len(), 2, "{:?}", found.notes);
+    assert_eq!(found.notes.len(), 3, "{:?}", found.notes);
+    assert!(found.notes[2].contains("more than the ground or a floor"), "{:?}", found.notes);
     assert!(found.notes[1].contains("SCALE is 2") && found.notes[1].contains("not multiplied"));
     let found = read(&file(false, 6, &[(1, -1.0), (2, 12.0)], &[])).unwrap();
     assert!(found.notes[1].contains("states a peak of 12"), "{:?}", found.notes);

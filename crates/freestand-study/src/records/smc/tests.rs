@@ -87,3 +87,26 @@ fn what_is_wrong_names_its_line() {
         assert!(problem.starts_with(line) && problem.contains(message), "{problem}");
     }
 }
+
+#[test]
+fn what_stands_behind_the_values_is_refused_or_said() {
+    let text = file(&values(), (0.0, 0.0));
+    assert!(read(&format!("{text}\n\n")).unwrap().notes.is_empty());
+    assert!(read(&format!("{text}1.0 2.0 3.0\n")).unwrap_err().contains("x.txt:33: there are more values"));
+    // One value less than there are: 17, of which the last stands on a line of its own.
+    let short = file(&values()[..17], (0.0, 0.0)).replacen("        17", "        16", 1);
+    assert!(read(&short).unwrap_err().contains("more values than the header declares"));
+    let twice = read(&format!("{text}{text}")).unwrap();
+    assert_eq!(twice.notes, ["line 33 stands behind the last value and was not read"]);
+}
+
+/// Cut off within the last number, and a character lost: the columns show it.
+#[test]
+fn numbers_that_lost_a_character_are_refused() {
+    let text = file(&[values(), values()].concat()[2..39], (0.0, 0.0));
+    let cut = &text[..text.trim_end().len() - 3];
+    assert!(read(cut).unwrap_err().contains("x.txt:34: "), "cut off");
+    let at = text.rfind('.').unwrap();
+    let lost = format!("{}{}", &text[..at], &text[at + 1..]);
+    assert!(read(&lost).unwrap_err().contains("x.txt:34: the line has 49 characters, its numbers fill 50"));
+}
