@@ -5,7 +5,7 @@
 use super::format::Format;
 use super::fortran::{Number, fields, is_missing_value, scan};
 use super::lines::{Line, Lines, lines};
-use super::{Component, Direction, Found, ReadOptions, Reading};
+use super::{Component, Direction, Found, ReadOptions, Reading, end_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
 use freestand::G0_M_S2;
@@ -35,6 +35,10 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     while let Some(title) = next_title(&mut rest)? {
         let number = components.len() + 1;
         components.push(component(&mut rest, &title, number, options, &mut notes)?);
+    }
+    notes.extend(end_note(bytes, "end of record"));
+    if components.len() < 3 {
+        notes.push(format!("the file has {} of three components: it may be cut off", components.len()));
     }
     Ok(Reading { format: "BHRC volume 1", components, notes })
 }

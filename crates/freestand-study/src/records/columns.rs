@@ -5,7 +5,7 @@ use super::even_grid::on_even_grid;
 use super::fortran::is_missing_value;
 use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
 use super::sampling::{Uneven, even_step, time_step};
-use super::stated_step::{dt_in_comment, step_in_prose};
+use super::stated_step::{count_in_words, dt_in_comment, step_in_prose};
 use super::table::{self, Table};
 use super::units::{Stated, decide, missing, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
@@ -145,6 +145,12 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
             let dt_s = dt_s.map_err(|problem| problem.at_line(*line))?;
             stating.dt_s = Some((dt_s, *line));
             notes.push(format!("the time step {dt_s} s is taken from the comment on line {line}"));
+        }
+    }
+    let rows = table.columns.first().map_or(0, |column| column.values.len());
+    for (line, text) in table.header.iter().chain(&table.comments) {
+        if let Some(count) = count_in_words(text).filter(|count| *count != rows as f64) {
+            notes.push(format!("line {line} states {count} values, the table has {rows} rows: it may be cut off"));
         }
     }
     if let Some((headings, line)) = headings_of(table) {

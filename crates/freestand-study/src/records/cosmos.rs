@@ -10,7 +10,7 @@ use super::fortran::is_missing_value;
 use super::lines::{Line, Lines, lines};
 use super::units::record_unit;
 use super::volumes::first_integer;
-use super::{Component, Direction, Found, ReadOptions, Reading, peak_note};
+use super::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, shorten};
 use freestand::G0_M_S2;
@@ -45,7 +45,7 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
     let mut header: Option<Header> = None;
     // Where a header stands whose values have not come yet.
     let mut open = None;
-    let mut format = "COSMOS";
+    let (mut format, mut headers) = ("COSMOS", 0);
     while let Some(line) = rest.find(|line| !line.is_blank()) {
         if is_title(&line) {
             refuse_open(open)?;
@@ -54,6 +54,7 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                 format = stage(&found.text[0]);
             }
             rest = skip_comments(rest);
+            headers += 1;
             (header, open) = (Some(found), Some(line.number));
         } else if let (Some(series), Some(header)) = (series(&line)?, &header) {
             open = None;
@@ -72,6 +73,8 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
         }
     }
     refuse_open(open)?;
+    notes.extend(header.and_then(|header| channels_note(&header.text, headers)));
+    notes.extend(end_note(bytes, "end-of-data"));
     finish(format, components, notes, &refused)
 }
 

@@ -7,8 +7,8 @@ use super::{ReadOptions, Reading};
 use crate::error::Problem;
 use std::path::Path;
 
-const CSMIP: Network = Network { volume_one: "CSMIP V1", volume_two: "CSMIP V2", columns: 200 };
-const RENADIC: Network = Network { volume_one: "RENADIC", volume_two: "RENADIC", columns: 200 };
+const CSMIP: Network = Network { volume_one: "CSMIP V1", volume_two: "CSMIP V2", columns: 200, end_mark: Some("/&") };
+const RENADIC: Network = Network { volume_one: "RENADIC", volume_two: "RENADIC", columns: 200, end_mark: None };
 
 /// Whether the text is a CSMIP or RENADIC file: volume I says so on its first line, volume II and the spectra of volume
 /// III on the second or third too. A title alone does not make one: rows of whole numbers follow in every volume.

@@ -3,7 +3,7 @@
 use super::keyed::{Header, entry, no_step, read_rows};
 use super::lines::lines;
 use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use super::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Unit, shorten};
 use std::path::Path;
@@ -58,6 +58,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     // The peak is a check and no reason to refuse a record.
     if let Ok(Some((peak, _))) = header.number("PGA_CM/S^2") {
         notes.extend(peak_note(&component, 0.01 * peak));
+    }
+    if let Ok(Some((duration_s, _))) = header.number("DURATION_S") {
+        notes.extend(length_note(&component, duration_s));
     }
     Ok(Reading { format: "DYNA", components: vec![component], notes })
 }

@@ -1,5 +1,6 @@
 //! One component as readers find it in a file, and what is checked and said of each: its step, its peak, its name.
 
+use super::lines::Line;
 use super::{Component, Direction, ReadOptions, units};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
@@ -139,6 +140,44 @@ pub(super) fn extreme_note(component: &Component) -> Option<String> {
             component.unit
         )
     })
+}
+
+/// What is to be said where the values do not last as long as the header says \[s\]: one of step, length and number is
+/// wrong.
+///
+/// Lengths are printed with few digits, count the last step or not, and of a corrected record may be the uncorrected one's:
+/// 1 % and two steps are none of these, and far less than a step that is wrong.
+pub(super) fn length_note(component: &Component, stated_s: f64) -> Option<String> {
+    let (dt_s, count) = (component.motion.dt_s(), component.motion.accel_m_s2().len());
+    let found_s = count as f64 * dt_s;
+    let is_stated = stated_s > 0.0 && stated_s.is_finite();
+    (is_stated && (found_s - stated_s).abs() > 2.0 * dt_s + 0.01 * stated_s).then(|| {
+        let name = shorten(&component.name);
+        format!(
+            "{name}: {count} values at {dt_s} s last {found_s:.2} s, but the header states {stated_s:.2} s: the step may be wrong"
+        )
+    })
+}
+
+/// What is to be said where the file has fewer channels than a header says: `(3 Chns of  3 at Sta)`. Agencies also give
+/// one channel a file, with the same words in it.
+pub(super) fn channels_note(header: &[String], found: usize) -> Option<String> {
+    let stated: usize = header.iter().find_map(|line| {
+        let upper = line.to_ascii_uppercase();
+        let (before, _) = upper.split_once("CHNS OF")?;
+        before.rsplit(['(', ' ']).find(|word| !word.is_empty())?.parse().ok()
+    })?;
+    (found < stated).then(|| format!("the header states {stated} channels, the file has {found}: it may be cut off"))
+}
+
+/// What is to be said where no line with `mark` (in lower case) ends the last channel.
+pub(super) fn end_note(bytes: &[u8], mark: &str) -> Option<String> {
+    // Text behind the last channel has other lines.
+    const MOST: usize = 100;
+    let lines = bytes.rsplit(|b| matches!(b, b'\n' | b'\r')).map(|bytes| Line { number: 0, bytes });
+    let mut last = lines.filter(|line| !line.is_blank()).take(MOST).take_while(Line::is_text);
+    let is_there = last.any(|line| line.text().to_ascii_lowercase().contains(mark));
+    (!is_there).then(|| format!("no line \"{mark}\" ends the last channel: the file may be cut off"))
 }
 
 /// Samples in m/s² as a motion.

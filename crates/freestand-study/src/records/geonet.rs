@@ -6,7 +6,7 @@
 use super::format::{Block, Format};
 use super::fortran::{fields, is_missing_value};
 use super::lines::{Line, Lines, lines};
-use super::{Component, Direction, Found, ReadOptions, Reading, peak_note};
+use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
 use std::path::Path;
@@ -54,6 +54,9 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         }
         let number = components.len() + 1;
         components.push(component(&mut rest, volume, number, options, &mut notes)?);
+    }
+    if components.len() < 3 {
+        notes.push(format!("the file has {} of three components: it may be cut off", components.len()));
     }
     Ok(Reading { format, components, notes })
 }
@@ -104,6 +107,7 @@ fn component(
     };
     let others = [count(34, "velocities")?, count(35, "displacements")?];
     let block = data(rest, &counts, others)?;
+    let found = block.values.len();
     block.refuse_missing(VALUES, is_missing_value)?;
 
     let name = name(&text).unwrap_or_else(|| format!("component {number}"));
@@ -132,6 +136,14 @@ fn component(
     // Reals 31 and 36: the peaks of the unfiltered and of the filtered record.
     let peak = if volume == Volume::Uncorrected { reals.values[30] } else { reals.values[35] };
     notes.extend(peak_note(&component, 1e-3 * peak));
+    // Real 24: the duration. Integers 34 to 36 are one number in a file that is whole.
+    notes.extend(length_note(&component, reals.values[23]));
+    if let Some(other) = others.into_iter().find(|&other| other != 0 && other != found) {
+        notes.push(format!(
+            "{}: {found} accelerations were read, the header declares {other} velocities or displacements",
+            shorten(&component.name)
+        ));
+    }
     Ok(component)
 }
 

@@ -71,8 +71,9 @@ pub(super) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
     if bytes.starts_with(&[0xEF, 0xBB, 0xBF]) {
         bytes.drain(..3);
     }
-    while bytes.last() == Some(&0x1A) {
-        bytes.pop();
+    // A line end may follow the padding, or more padding that.
+    while let [.., 0x1A] = bytes.trim_ascii_end() {
+        bytes.truncate(bytes.trim_ascii_end().len() - 1);
     }
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(Problem::new(ProblemKind::Format, "the file is empty").hint("check that the record was saved"));
@@ -209,5 +210,8 @@ mod tests {
         let mut bytes = b"\xEF\xBB\xBF1\n\x1A".to_vec();
         check_text(&mut bytes).unwrap();
         assert_eq!(bytes, b"1\n");
+        let mut bytes = b"1\r\n\x1A\x1A\r\n\x1A\r\n".to_vec();
+        check_text(&mut bytes).unwrap();
+        assert_eq!(bytes, b"1\r\n");
     }
 }

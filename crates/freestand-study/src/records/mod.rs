@@ -49,7 +49,7 @@ pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::quantity::shorten;
-use found::{Found, extreme_note, motion, peak_note, tell_apart};
+use found::{Found, channels_note, end_note, extreme_note, length_note, motion, peak_note, tell_apart};
 use freestand::motion::Motion;
 use std::path::{Path, PathBuf};
 

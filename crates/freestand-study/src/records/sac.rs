@@ -3,7 +3,7 @@
 use super::binary::{Order, as_written, field};
 use super::instant::Instant;
 use super::lines::lines;
-use super::{Component, Direction, Found, ReadOptions, Reading, peak_note, units, without_line};
+use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note, units, without_line};
 use crate::error::{Problem, ProblemKind};
 use std::path::Path;
 
@@ -21,6 +21,7 @@ mod word {
     pub(super) const DEPMAX: usize = 2;
     pub(super) const SCALE: usize = 3;
     pub(super) const B: usize = 5;
+    pub(super) const E: usize = 6;
     pub(super) const CMPAZ: usize = 57;
     pub(super) const CMPINC: usize = 58;
     /// Year, day of the year, hour, minute, second and millisecond of the reference time.
@@ -114,6 +115,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     .component(options)
     .map_err(without_line)?;
     let component = Component { start_s: header.start_s(), ..component };
+    if let (Some(begin_s), Some(end_s)) = (header.real(word::B), header.real(word::E)) {
+        notes.extend(length_note(&component, f64::from(end_s) - f64::from(begin_s)));
+    }
     let stated = [word::DEPMIN, word::DEPMAX].iter().filter_map(|&at| header.real(at));
     notes.extend(peak_note(&component, unit.to_si(stated.fold(0.0, |a: f64, b| a.max(f64::from(b).abs())))));
     Ok(Reading { format: "SAC", components: vec![component], notes })

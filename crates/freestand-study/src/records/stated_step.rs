@@ -38,6 +38,15 @@ pub(super) fn step_in_prose(text: &str) -> Option<f64> {
     (dt_s > 0.0 && dt_s.is_finite()).then_some(dt_s)
 }
 
+/// The number of values that `npts: 6` or `NPTS=6` states.
+pub(super) fn count_in_words(text: &str) -> Option<f64> {
+    let lower = text.to_ascii_lowercase();
+    let (before, rest) = lower.split_once("npts")?;
+    let rest = rest.trim_start().strip_prefix(['=', ':'])?.trim_start();
+    let number = scan(rest.as_bytes()).filter(|number| number.value >= 1.0 && number.value.fract() == 0.0)?;
+    (!before.ends_with(|c: char| c.is_alphanumeric())).then_some(number.value)
+}
+
 /// A number and its unit of time at the start of `text`.
 fn seconds(text: &str) -> Option<f64> {
     let text = text.trim_start_matches([' ', '\t', '(']);
@@ -83,6 +92,11 @@ mod tests {
             ("width=3", None),
         ] {
             assert_eq!(dt_in_comment(text).map(|dt| dt.unwrap()), expected, "{text}");
+        }
+        for (text, count) in
+            [("npts: 6", Some(6.0)), ("dt=0.01 NPTS=1e3, x", Some(1000.0)), ("npts 6", None), ("xnpts=6", None)]
+        {
+            assert_eq!(count_in_words(text), count, "{text}");
         }
         for text in ["dt=-1", "dt=0", "dt=x", "dt=5 min", "dt=5us"] {
             assert!(dt_in_comment(text).unwrap().is_err(), "{text}");

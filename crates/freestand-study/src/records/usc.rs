@@ -7,7 +7,7 @@ use crate::error::Problem;
 use std::path::Path;
 
 /// From column 73 on stands the number of characters of the line.
-const USC: Network = Network { volume_one: "USC V1", volume_two: "USC V2", columns: 72 };
+const USC: Network = Network { volume_one: "USC V1", volume_two: "USC V2", columns: 72, end_mark: None };
 
 /// Whether the text is a file of USC or Caltech: one of the first lines refers to the uncorrected data of volume I.
 pub(super) fn is_usc(bytes: &[u8]) -> bool {

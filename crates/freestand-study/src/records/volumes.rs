@@ -13,7 +13,9 @@ use super::format::{Block, Format};
 use super::fortran::is_missing_value;
 use super::lines::{Line, Lines, lines};
 use super::units::{decide, requested};
-use super::{Component, Direction, Found, ReadOptions, Reading, pairs, peak_note};
+use super::{
+    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, pairs, peak_note,
+};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
 use freestand::G0_M_S2;
@@ -26,6 +28,8 @@ pub(super) struct Network {
     pub(super) volume_two: &'static str,
     /// Columns of text; behind them stand numbers that count something else.
     pub(super) columns: usize,
+    /// What the line that ends a channel has, where every file has one.
+    pub(super) end_mark: Option<&'static str>,
 }
 
 /// The line above equally spaced values.
@@ -61,7 +65,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
     let mut rest = lines(bytes);
     let (mut components, mut notes, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     let mut format = network.volume_one;
-    let mut channel = 0;
+    let (mut channel, mut last_text) = (0, Vec::new());
     while let Some(header) = read_header(&mut rest, network.columns, channel > 0, &mut notes)? {
         channel += 1;
         if channel == 1 && is_volume_two(&header.text) {
@@ -78,14 +82,18 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
             }?;
             notes.extend(said);
             notes.extend(peak_of(&header, format == network.volume_two, &component));
+            notes.extend(header.length_s().and_then(|stated_s| length_note(&component, stated_s)));
             components.push(component);
         }
+        last_text = header.text;
         skip_to_next_channel(&mut rest)?;
     }
     if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
         return Err(not_acceleration(what, *line));
     }
     notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} is left out")));
+    notes.extend(channels_note(&last_text, channel));
+    notes.extend(network.end_mark.and_then(|mark| end_note(bytes, mark)));
     super::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
@@ -133,7 +141,7 @@ fn is_title(text: &str) -> bool {
     ["POINT", "PTS", "FORMAT", "UNIT", "DATA"].iter().any(|word| upper.contains(word))
 }
 
-type Read = Result<(Component, Option<String>), Problem>;
+type Read = Result<(Component, Vec<String>), Problem>;
 
 fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions) -> Read {
     let upper = title.text.to_ascii_uppercase();
@@ -157,7 +165,16 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
         None if !is_volume_two(&header.text) => header.unit()?,
         stated => stated,
     };
-    found(header, channel, unit, dt_s, block, options).map(|component| (component, None))
+    let mut notes = Vec::new();
+    let name = shorten(&header.name(channel));
+    if let Some(other) = header.other_count(title.count, is_volume_two(&header.text)) {
+        notes.push(format!("{name}: line {} declares {} values, the header {other}", title.line, title.count));
+    }
+    // One part in a thousand: rates and steps are printed with three digits or more.
+    if let Some(other_s) = header.step().filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s) {
+        notes.push(format!("{name}: the time step is {dt_s} s above the values and {other_s} s in the header"));
+    }
+    found(header, channel, unit, dt_s, block, options).map(|component| (component, notes))
 }
 
 /// How many samples interpolation may still make: all channels together are no more than one motion may be, for a short
@@ -187,7 +204,8 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let (dt_s, values, note) = pairs.evenly(&shorten(&name), options, room)?;
     let block = Block { values, first_line };
     // The step given by the user is for files that state none; here the times state it.
-    found(header, channel, header.unit()?, dt_s, block, options).map(|component| (component, note))
+    found(header, channel, header.unit()?, dt_s, block, options)
+        .map(|component| (component, note.into_iter().collect()))
 }
 
 fn found(

@@ -81,3 +81,14 @@ fn what_is_refused() {
         assert!(problem.contains(message), "{problem}");
     }
 }
+
+#[test]
+fn components_that_are_not_there_are_said() {
+    let points = "NO OF POINTS = 24  DURATION = 0.120 SEC";
+    let three: String = ["L", "V", "T"].iter().map(|name| part(name, points, &values())).collect();
+    assert_eq!(read(&three).unwrap().notes.len(), 3, "one of each step");
+    let cut = read(three.trim_end().strip_suffix("-END OF RECORD-").unwrap()).unwrap();
+    assert_eq!(cut.notes[3..], ["no line \"end of record\" ends the last channel: the file may be cut off"]);
+    let one = read(&part("L", points, &values())).unwrap();
+    assert_eq!(one.notes[1..], ["the file has 1 of three components: it may be cut off"]);
+}

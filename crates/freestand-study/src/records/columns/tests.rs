@@ -243,3 +243,17 @@ fn values_that_no_motion_has_and_numbers_that_lost_characters_are_said() {
     assert!(lost.len() == 2 && lost[0].starts_with("line 100: "), "{lost:?}");
     assert!(lost[1].contains("value 100 is") && lost[1].contains("is the unit right (g)"), "{lost:?}");
 }
+
+#[test]
+fn a_number_of_rows_that_is_stated_is_compared() {
+    let rows = "0,1\n0.01,2\n0.02,3\n";
+    for (head, told) in [
+        ("# npts: 6\nt [s],a [m/s2]\n", true),
+        ("NPTS=6\nt [s],a [m/s2]\n", true),
+        ("# NPTS = 3\nt [s],a [m/s2]\n", false),
+    ] {
+        let file = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap();
+        let note = "line 1 states 6 values, the table has 3 rows: it may be cut off";
+        assert_eq!(file.notes.iter().any(|found| found == note), told, "{head} {:?}", file.notes);
+    }
+}

@@ -228,3 +228,15 @@ fn damaged_files_are_read_or_refused() {
         }
     }
 }
+
+#[test]
+fn channels_that_are_not_there_are_said() {
+    let one = text(&UNCORRECTED)
+        .replace("-99999.999", "     1.000")
+        .replace("Recorder: x", "Recorder: x ( 2 Chns of   3 at Sta)");
+    let two = one.clone() + &one;
+    assert_eq!(read(&two).unwrap().notes, Vec::<String>::new());
+    assert_eq!(read(&one).unwrap().notes, ["the header states 2 channels, the file has 1: it may be cut off"]);
+    let cut = two.trim_end().strip_suffix(UNCORRECTED.end).unwrap();
+    assert_eq!(read(cut).unwrap().notes, ["no line \"end-of-data\" ends the last channel: the file may be cut off"]);
+}

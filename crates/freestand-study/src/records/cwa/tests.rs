@@ -96,3 +96,13 @@ fn what_is_wrong_names_its_line() {
     let header_only: String = text.lines().take(17).map(|line| format!("{line}\n")).collect();
     assert!(read(&header_only).unwrap_err().contains("x.txt:17: no row of numbers"));
 }
+
+#[test]
+fn a_row_less_than_the_length_holds_is_said() {
+    let found = read(&file(true).replace("(sec):    1.000", "(sec):    1.005")).unwrap();
+    assert_eq!(found.notes, ["200 rows were read, 1.005 s at 200 Hz would be 201"]);
+    // A length that leaves out the last step, and one that is rounded.
+    for length in ["0.995", "1.0", "1"] {
+        assert!(read(&file(true).replace("(sec):    1.000", &format!("(sec): {length}"))).unwrap().notes.is_empty());
+    }
+}

@@ -107,3 +107,9 @@ fn what_is_refused() {
     let options = ReadOptions { unit: Some("g".to_owned()), ..ReadOptions::default() };
     assert!(read_with(&file(), &options).unwrap_err().contains("is in cm/s2 as the file says, not in g"));
 }
+
+#[test]
+fn a_duration_that_contradicts_the_step_is_said() {
+    let notes = read(&file().replace("DURATION_S: 0.025", "DURATION_S: 0.050")).unwrap().notes;
+    assert_eq!(notes, ["HNE: 5 values at 0.005 s last 0.03 s, but the header states 0.05 s: the step may be wrong"]);
+}

@@ -117,7 +117,8 @@ fn one_component_and_other_counts() {
     }
     let found = read(&Part { factor: 0.5, ..part("Uncorrected", "N", &values) }.text()).unwrap();
     assert_eq!(found.components[0].motion.accel_m_s2()[0], values[0] * 0.5 * 1e-3);
-    assert!(found.notes.len() == 1 && found.notes[0].contains("0.5 mm/s2"), "{:?}", found.notes);
+    assert!(found.notes.len() == 2 && found.notes[0].contains("0.5 mm/s2"), "{:?}", found.notes);
+    assert_eq!(found.notes[1], "the file has 1 of three components: it may be cut off");
     // A corrected record whose velocities are cut off is no whole file, though all its accelerations are there.
     let text = part("Corrected", "N", &values).text();
     let cut: Vec<&str> = text.lines().take(31).collect();
@@ -142,4 +143,17 @@ fn what_is_refused() {
     }
     let few = Part { counts: (10, 10), ..part("Corrected", "N", &values) }.text();
     assert!(read(&few).unwrap_err().contains("more values than the header declares"));
+}
+
+#[test]
+fn lengths_and_numbers_that_contradict_are_said() {
+    let values = values();
+    let three: String = ["N", "E", "Up"].map(|name| part("Corrected", name, &values).text()).concat();
+    assert_eq!(read(&three).unwrap().notes, Vec::<String>::new());
+    let long = read(&three.replacen("      0.  0.0050", "    0.88  0.0050", 1)).unwrap();
+    assert_eq!(long.notes, ["N: 23 values at 0.02 s last 0.46 s, but the header states 0.88 s: the step may be wrong"]);
+    let odd = Part { others: 22, ..part("Corrected", "N", &values) }.text();
+    let odd = odd + &part("Corrected", "E", &values).text() + &part("Corrected", "Up", &values).text();
+    let note = "N: 23 accelerations were read, the header declares 22 velocities or displacements";
+    assert_eq!(read(&odd).unwrap().notes, [note]);
 }

@@ -137,12 +137,16 @@ struct Scan<'a> {
     texts: usize,
     rateless: usize,
     control_headers: usize,
+    /// Records that state no samples, but hold something where samples stand.
+    countless: usize,
 }
 
 impl<'a> Scan<'a> {
     fn take(&mut self, source: Source, record: Record<'a>) {
         if record.encoding == Some(0) {
             self.texts += 1;
+        } else if record.samples == 0 {
+            self.countless += 1;
         } else if record.dt_s.is_none() {
             self.rateless += 1;
         } else if let Some((_, records)) = self.places.get(&source).and_then(|&place| self.channels.get_mut(place)) {
@@ -158,6 +162,7 @@ impl<'a> Scan<'a> {
             (self.control_headers, "blocks of control headers", "the response in them is not read"),
             (self.texts, "records of text", "they are not read"),
             (self.rateless, "records without a sampling rate", "they are not read"),
+            (self.countless, "records that state 0 samples and hold data", "samples may be lost, they are not read"),
         ];
         skipped
             .iter()

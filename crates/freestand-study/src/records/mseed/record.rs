@@ -96,7 +96,10 @@ pub(super) fn version2(
         }
     };
     let record = rest.get(..length).ok_or_else(cut)?;
-    if samples == 0 {
+    // A record of 0 samples reports the state of the instrument; its number may also be damaged.
+    let has_data = record.get(data_at..).is_some_and(|data| data_at >= HEADER && data.iter().any(|byte| *byte != 0));
+    let is_text = blockettes.data_only.is_some_and(|(encoding, ..)| encoding == 0);
+    if samples == 0 && (is_text || !has_data) {
         return Ok((None, length));
     }
     let data = record

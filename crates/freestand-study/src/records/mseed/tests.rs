@@ -505,3 +505,16 @@ proptest! {
         }
     }
 }
+
+/// A damaged number of samples must not lose them in silence; a record of none has nothing where they would stand.
+#[test]
+fn records_of_no_samples_that_hold_some_are_said() {
+    let good = record2(&HEADER, 29, &big(&STEIM1));
+    let told = |first: &[u8]| {
+        let notes = read(&[first, &good].concat()).unwrap().notes;
+        notes.iter().any(|note| note.starts_with("1 records that state 0 samples and hold data"))
+    };
+    assert!(told(&record2(&HEADER, 0, &big(&STEIM1))));
+    assert!(!told(&record2(&HEADER, 0, &[])));
+    assert!(!told(&record2(&Header { encoding: Some(0), ..HEADER }, 0, b"a message")));
+}

@@ -148,3 +148,12 @@ fn a_number_of_samples_below_zero_is_refused() {
     assert_eq!(problem.message, "the number of samples (NPTS) is -5");
     assert!(problem.hint.as_ref().unwrap().contains("fetch it again"));
 }
+
+#[test]
+fn an_end_that_contradicts_the_step_is_said() {
+    for (end, count) in [(5.06, 1), (5.08, 1), (5.16, 2)] {
+        let found = read(&file(false, 6, &[(5, 5.0), (6, end)], &[(79, 3)]).split_off(0)[..644]).unwrap();
+        let found = found.notes.into_iter().filter(|note| !note.contains("more than the ground")).collect::<Vec<_>>();
+        assert_eq!(found.len(), count, "{end}: {found:?}");
+    }
+}

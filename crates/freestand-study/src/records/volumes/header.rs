@@ -186,6 +186,24 @@ impl Header {
         counted.filter(|count| count.fract() == 0.0)
     }
 
+    /// A number of values other than `count` that the header states: volume I in its text, volume II in text line 16,
+    /// `3251 POINTS OF INSTRUMENT- AND BASELINE-CORRECTED ACCEL`, and integer 53; there `NO. OF POINTS` are the digitised.
+    pub(super) fn other_count(&self, count: usize, is_volume_two: bool) -> Option<f64> {
+        let of_text = || {
+            let line =
+                self.lines_with("CORRECTED").find(|line| line.contains("DATA") && first_integer(line).is_some())?;
+            first_integer(&line).map(|count| count as f64)
+        };
+        let stated =
+            if is_volume_two { [of_text(), self.integers.get(52).copied().flatten()] } else { [self.points(), None] };
+        stated.into_iter().flatten().find(|other| *other > 0.0 && *other != count as f64)
+    }
+
+    /// `RECORD LENGTH = 65.000 SEC`, `DURATION =  37.714 SEC`.
+    pub(super) fn length_s(&self) -> Option<f64> {
+        ["RECORD LENGTH", "DURATION"].iter().find_map(|words| number_after(&self.lines_with(words).next()?, words))
+    }
+
     /// `CHAN  1:  90 DEG` or `COMP N08W`.
     pub(super) fn name(&self, channel: usize) -> String {
         let of_channel = self.text.iter().find_map(|line| {
