@@ -124,11 +124,22 @@ static UNITS: &[Unit] = &[
     unit("ms", Dimension::Time, -3, false),
     Unit { factor: G0_M_S2, ..unit("g", Dimension::Acceleration, 0, true) },
     Unit { aliases: &["m/s/s"], ..unit("m/s2", Dimension::Acceleration, 0, false) },
-    Unit { factor: G0_M_S2, ..unit("mg", Dimension::Acceleration, -3, false) },
+    Unit { factor: G0_M_S2, aliases: &["milli-g", "milli·g"], ..unit("mg", Dimension::Acceleration, -3, false) },
     Unit { aliases: &["cm/s/s"], ..unit("cm/s2", Dimension::Acceleration, -2, true) },
     Unit { aliases: &["mm/s/s"], ..unit("mm/s2", Dimension::Acceleration, -3, false) },
     Unit { aliases: &["nm/s/s"], ..unit("nm/s2", Dimension::Acceleration, -9, false) },
     unit("gal", Dimension::Acceleration, -2, true),
+    Unit { aliases: &["µm/s2", "μm/s2", "um/s/s"], ..unit("um/s2", Dimension::Acceleration, -6, false) },
+    Unit { factor: G0_M_S2, aliases: &["%·g"], ..unit("%g", Dimension::Acceleration, -2, true) },
+    Unit { factor: G0_M_S2, ..unit("g/10", Dimension::Acceleration, -1, true) },
+    Unit {
+        factor: G0_M_S2,
+        aliases: &["µg", "μg", "micro-g", "micro·g"],
+        ..unit("ug", Dimension::Acceleration, -6, false)
+    },
+    // An inch is 25.4 mm and a foot 12 inches, exactly (1959).
+    Unit { factor: 0.0254, aliases: &["in/s/s"], ..unit("in/s2", Dimension::Acceleration, 0, true) },
+    Unit { factor: 0.3048, aliases: &["ft/s/s"], ..unit("ft/s2", Dimension::Acceleration, 0, true) },
     unit("N/mm", Dimension::Stiffness, 3, true),
     unit("N/m", Dimension::Stiffness, 0, true),
     unit("kN/m", Dimension::Stiffness, 3, true),
@@ -148,14 +159,14 @@ static UNITS: &[Unit] = &[
     unit("%", Dimension::Ratio, -2, false),
 ];
 
-/// One spelling for many: `m / s²` → `m/s2`, `kg m^2` and `kg*m2` → `kg·m2`.
+/// One spelling for many: `m / s²`, `m s^-2`, `m·s⁻²` → `m/s2`, `kg m^2` and `kg*m2` → `kg·m2`.
 fn canonical(text: &str) -> String {
-    let spaced = text.replace('²', "2").replace(['⋅', '*'], "·").replace('^', "").replace('º', "°");
+    let spaced = text.replace('⁻', "-").replace('²', "2").replace(['⋅', '*'], "·").replace('^', "").replace('º', "°");
     let mut out = spaced.split_whitespace().collect::<Vec<_>>().join(" ");
     for sign in ["/", "·"] {
         out = out.split(sign).map(str::trim).collect::<Vec<_>>().join(sign);
     }
-    out.replace(' ', "·").replace("kg.m2", "kg·m2")
+    out.replace(' ', "·").replace("kg.m2", "kg·m2").replace("·s-2", "/s2").replace(".s-2", "/s2")
 }
 
 /// The unit written `text`, whatever it measures.

@@ -3,7 +3,7 @@
 use super::fortran::{bad_field, fields, is_missing_value, scan};
 use super::lines::{Line, lines};
 use super::prints::Prints;
-use super::units::{Stated, decide, missing, requested, unit_in_prose};
+use super::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::Dimension;
@@ -72,7 +72,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .enumerate()
         .rev()
         .find_map(|(i, text)| unit_in_prose(text).map(|unit| Stated { unit, line: i + 1 }));
-    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let unit = decide(stated, requested(options.unit.as_deref())?, "the record").map_err(|problem| {
+        let lines = header.iter().enumerate().map(|(i, text)| (i + 1, text.as_str()));
+        let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
+        not_known(units).filter(|_| stated.is_none()).unwrap_or(problem)
+    })?;
 
     let mut notes = Vec::new();
     let (mut accel_m_s2, line_of_first_value) = read_values(bytes, &counts, &mut notes)?;

@@ -7,7 +7,7 @@ use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_u
 use super::sampling::{Uneven, even_step, time_step};
 use super::stated_step::{count_in_words, dt_in_comment, step_in_prose};
 use super::table::{self, Table};
-use super::units::{Stated, decide, missing, requested, unit_in_prose};
+use super::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, shorten};
@@ -65,6 +65,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         }
         Time::Column => (spacing_of_column(&table, bytes, first, &stating, options, &mut notes)?, first + 1),
     };
+    refuse_spectrum(&stating, first)?;
     let requested = requested(options.unit.as_deref())?;
     let mut components = Vec::new();
     let mut refused = None;
@@ -78,7 +79,16 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             continue;
         }
         let stated = heading.unit.map(|unit| Stated { unit, line: stating.line }).or(stating.unit);
-        let unit = decide(stated, requested, &what)?;
+        let unit = decide(stated, requested, &what).map_err(|problem| {
+            let own = [(stating.line, heading.name.as_str())];
+            let others = table
+                .comments
+                .iter()
+                .chain(&table.header)
+                .filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
+            let lines = own.into_iter().chain(others.map(|(line, text)| (*line, text.as_str())));
+            not_known(lines).filter(|_| stated.is_none()).unwrap_or(problem)
+        })?;
         notes.extend(column.prints.note());
         let mut values = column.values;
         if let Some(row) = values.iter().position(|&value| is_missing_value(value)) {
@@ -211,6 +221,23 @@ fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOption
                 .hint("put the time first; where there is none, give the step (--dt, or dt in the study)"))
         }
         _ => Ok(Time::Column),
+    }
+}
+
+/// Refuses a column of periods where the time is expected: no motion has one.
+fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    match heading.filter(|heading| heading.name.to_ascii_lowercase().starts_with("period")) {
+        None => Ok(()),
+        Some(heading) => {
+            let name = shorten(&heading.name);
+            Err(Problem::new(
+                ProblemKind::Format,
+                format!("\"{name}\" is no time: this seems to be a spectrum, not a record"),
+            )
+            .at_line(stating.line)
+            .hint("name the record; a spectrum is what a record is scaled to (--scale-to-spectrum)"))
+        }
     }
 }
 

@@ -11,7 +11,8 @@ pub(super) struct Heading {
     pub(super) unit: Option<&'static Unit>,
 }
 
-/// `time [ms]`, `Accel[g]`, `accel (m/s2)`, `Time, s`, `a / g`, and the unit suffixes of our own files, `time_s` and `accel_m_s2`.
+/// `time [ms]`, `Accel[g]`, `accel (m/s2)`, `Time, s`, `a / g`, `acc in g`, and the unit suffixes of
+/// our own files and their like, `time_s`, `accel_m_s2`, `acc_g`.
 pub(super) fn heading(cell: &str) -> Heading {
     let cell = cell.trim().trim_matches('"').trim();
     if let (Some(open), Some(close)) = (cell.rfind(['[', '(']), cell.rfind([']', ')']))
@@ -22,18 +23,27 @@ pub(super) fn heading(cell: &str) -> Heading {
         let name = if unit.is_some() { cell[..open].trim() } else { cell };
         return Heading { name: name.to_owned(), unit };
     }
-    for separator in [", ", " / "] {
+    for separator in [", ", " / ", " in "] {
         if let Some((name, unit)) = cell.rsplit_once(separator)
             && let Some(unit) = record_unit(unit)
         {
             return Heading { name: name.trim().to_owned(), unit: Some(unit) };
         }
     }
-    let suffixes = [("_m_s2", "m/s2"), ("_m_s", "m/s"), ("_rad_s", "rad/s"), ("_m", "m"), ("_g", "g")];
+    let suffixes = [
+        ("_cm_s2", "cm/s2"),
+        ("_mm_s2", "mm/s2"),
+        ("_gal", "gal"),
+        ("_m_s2", "m/s2"),
+        ("_m_s", "m/s"),
+        ("_rad_s", "rad/s"),
+        ("_m", "m"),
+        ("_g", "g"),
+    ];
     let suffix = suffixes.iter().find(|(suffix, _)| cell.ends_with(suffix));
     let unit = match suffix {
         // `_g` and `_m` end ordinary names too; only on names of what they measure are they units.
-        Some(("_g", _)) if !cell.to_ascii_lowercase().starts_with("accel") => None,
+        Some(("_g", _)) if !cell.to_ascii_lowercase().starts_with("acc") => None,
         Some(("_m", _)) if !is_other_name(cell) => None,
         Some((_, symbol)) => lookup(symbol),
         None if matches!(cell, "time_s" | "t_s") => lookup("s"),

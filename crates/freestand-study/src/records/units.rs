@@ -25,7 +25,6 @@ pub(super) fn record_unit(text: &str) -> Option<&'static Unit> {
     {
         name = name.replace(long, short);
     }
-    name = name.replace(" s-2", "/s2").replace(".s-2", "/s2").replace("·s-2", "/s2");
     lookup(&name)
 }
 
@@ -70,7 +69,42 @@ fn starts_with_ignore_case(text: &str, start: &str) -> bool {
 
 fn leading_unit(text: &str) -> Option<&'static Unit> {
     let joined = text.split('/').map(str::trim).collect::<Vec<_>>().join("/");
-    record_unit(joined.split(|c: char| c.is_whitespace() || ",;)]".contains(c)).next()?)
+    let mut words = joined.split(|c: char| c.is_whitespace() || ",;)]".contains(c));
+    let (first, second) = (words.next()?, words.next().unwrap_or(""));
+    // "m s^-2" is two words.
+    let is_power = second.starts_with(['s', 'S']) && (second.ends_with("-2") || second.ends_with("⁻²"));
+    if is_power { record_unit(&format!("{first} {second}")) } else { record_unit(first) }
+}
+
+/// What is to be said where the first of `lines` that seems to state a unit states one that is not known: `a [kN]`,
+/// `Units: furlong`.
+pub(super) fn not_known<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> Option<Problem> {
+    let (line, text) = lines.filter_map(|(line, text)| Some((line, unknown_unit(text)?))).next()?;
+    Some(
+        Problem::new(ProblemKind::Value, format!("the unit \"{}\" is not known", shorten(&text)))
+            .at_line(line)
+            .hint("say what it is, such as g, m/s2 or cm/s2 (--unit, or unit in the study)"),
+    )
+}
+
+/// What stands in the last brackets of a heading, or behind `units:`, `unit =`, `in units of`, where it is no unit.
+fn unknown_unit(text: &str) -> Option<String> {
+    let lower = text.to_ascii_lowercase();
+    let stated = lower.find("unit").and_then(|at| {
+        let rest = text[at + 4..].trim_start_matches(['s', 'S']).trim_start();
+        let words = [":", "=", "of ", "are "];
+        let rest =
+            words.iter().find(|word| starts_with_ignore_case(rest, word)).and_then(|word| rest.get(word.len()..))?;
+        rest.trim_start().split(|c: char| c.is_whitespace() || ",;".contains(c)).next()
+    });
+    let bracketed = || {
+        let open = text.rfind(['[', '('])?;
+        let inside = &text[open + 1..];
+        inside.find([']', ')']).map(|close| &inside[..close])
+    };
+    let stated = stated.or_else(bracketed)?.trim();
+    let is_other = stated.is_empty() || record_unit(stated).is_some() || super::Direction::parse(stated).is_some();
+    (!is_other && stated.contains(char::is_alphabetic)).then(|| stated.to_owned())
 }
 
 /// What `--unit` says.
@@ -141,12 +175,34 @@ mod tests {
             ("VELOCITY TIME SERIES IN UNITS OF CM/S", Some("cm/s")),
             ("DISPLACEMENT TIME SERIES IN UNITS OF CM", Some("cm")),
             ("UNITS ARE SEC AND G/10", None),
+            ("UNITS OF G/10", Some("g/10")),
+            ("units: m s^-2", Some("m/s2")),
+            ("UNITS: CM S-2, corrected", Some("cm/s2")),
+            ("acceleration [%g]", Some("%g")),
+            ("acceleration (in/sec^2)", Some("in/s2")),
             ("United States Geological Survey (USGS)", None),
             ("recorded in g block 4", None),
             ("UNITS OF MG", None),
             ("units", None),
         ] {
             assert_eq!(unit_in_prose(line).map(|unit| unit.symbol), symbol, "{line}");
+        }
+    }
+
+    #[test]
+    fn units_that_are_not_known_are_named() {
+        for (line, unit) in [
+            ("a [furlong/s2]", Some("furlong/s2")),
+            ("Units: counts, raw", Some("counts")),
+            ("IN UNITS OF VOLT", Some("VOLT")),
+            ("a (NS)", None),
+            ("a [g]", None),
+            ("a [1]", None),
+            ("a", None),
+            ("United States Geological Survey", None),
+        ] {
+            let said = unit.map(|unit| format!("line 7: the unit \"{unit}\" is not known"));
+            assert_eq!(not_known([(7, line)].into_iter()).map(|problem| problem.to_string()), said, "{line}");
         }
     }
 

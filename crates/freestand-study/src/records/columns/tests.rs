@@ -169,6 +169,10 @@ fn header_cells() {
         ("time_s", "time_s", Some("s")),
         ("ah_m_s2", "ah_m_s2", Some("m/s2")),
         ("accel_g", "accel_g", Some("g")),
+        ("acc_g", "acc_g", Some("g")),
+        ("acc_cm_s2", "acc_cm_s2", Some("cm/s2")),
+        ("acc in g", "acc", Some("g")),
+        ("station in town", "station in town", None),
         ("vel_m_s", "vel_m_s", Some("m/s")),
         ("height_m", "height_m", None),
         ("a_g", "a_g", None),
@@ -256,4 +260,23 @@ fn a_number_of_rows_that_is_stated_is_compared() {
         let note = "line 1 states 6 values, the table has 3 rows: it may be cut off";
         assert_eq!(file.notes.iter().any(|found| found == note), told, "{head} {:?}", file.notes);
     }
+}
+
+#[test]
+fn units_that_are_stated_but_not_known_are_said_to_be_so() {
+    for (head, line) in [("t [s],a [furlong/s2]", 1), ("# Units: furlong/s2\nt [s],a", 1)] {
+        let problem = parse(&format!("{head}\n0,1\n0.01,2\n"), &ReadOptions::default()).unwrap_err();
+        assert_eq!((problem.message.as_str(), problem.line), ("the unit \"furlong/s2\" is not known", Some(line)));
+        assert!(parse(&format!("{head}\n0,1\n0.01,2\n"), &options("g", 0.0)).is_ok());
+    }
+    let file = parse("t [s],a [in/s2],b [%g]\n0,1,1\n0.01,2,2\n", &ReadOptions::default()).unwrap();
+    // Exact: one product each.
+    assert_eq!(file.components[0].motion.accel_m_s2(), [0.0254, 2.0 * 0.0254]);
+    assert_eq!(file.components[1].motion.accel_m_s2(), [0.01 * G0_M_S2, 0.02 * G0_M_S2]);
+}
+
+#[test]
+fn a_spectrum_is_no_motion() {
+    let problem = parse("period [s],Sa [g]\n0.1,1\n0.2,2\n", &ReadOptions::default()).unwrap_err();
+    assert!(problem.message.contains("seems to be a spectrum") && problem.line == Some(1), "{problem}");
 }
