@@ -1,9 +1,10 @@
 //! PEER AT2: prose, a unit, a line with NPTS and DT, then the values in any number a line.
 
-use super::fortran::{bad_field, fields, is_missing_value, scan};
+use super::fortran::{bad_field, fields, scan};
+use super::gaps::Markers;
 use super::lines::{Line, lines};
 use super::prints::Prints;
-use super::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
+use super::units::{Stated, decide, not_known, requested, unit_in_prose};
 use super::{Component, Direction, ReadOptions, Reading, motion};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::Dimension;
@@ -183,25 +184,22 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
 fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result<(Vec<f64>, usize), Problem> {
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
-    let (mut line_of_first_value, mut prints) = (0, Prints::default());
+    let (mut line_of_first_value, mut prints, mut markers) = (0, Prints::default(), Markers::default());
     for line in lines(bytes).skip(counts.line) {
         let before = values.len();
-        let mut gap = None;
         fields(line.bytes, |number| {
-            if is_missing_value(number.value) {
-                gap = Some(number.value);
-            }
             prints.see(&number, line.number);
             values.push(number.value);
         })
         .map_err(|bad| bad_field(&bad, line.number))?;
-        if let Some(gap) = gap {
-            return Err(missing(&gap.to_string(), line.number));
+        for value in &values[before..] {
+            markers.see(*value, line.number)?;
         }
         if before == 0 && !values.is_empty() {
             line_of_first_value = line.number;
         }
     }
+    notes.extend(markers.judge(&values)?);
     if values.len() == counts.npts {
         notes.extend(prints.note());
         return Ok((values, line_of_first_value));

@@ -77,7 +77,7 @@ fn component(
     let (npts, dt_s) = npts_and_step(&text, title.number)?;
     rest.by_ref().take(NUMBER_LINES).for_each(drop);
     let block = VALUES.read(rest, npts, "acceleration")?;
-    block.refuse_missing(VALUES, is_missing_value)?;
+    notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
     // The letter stands alone on its line.
     let name = text.iter().map(|line| line.trim()).find(|line| matches!(*line, "L" | "V" | "T" | "l" | "v" | "t"));
     let name = name.map_or_else(|| format!("component {number}"), str::to_ascii_uppercase);

@@ -3,6 +3,7 @@
 use super::dialect::Separator;
 use super::even_grid::on_even_grid;
 use super::fortran::is_missing_value;
+use super::gaps::{gap, ordinary_note};
 use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
 use super::sampling::{Uneven, even_step, time_step};
 use super::stated_step::{count_in_words, dt_in_comment, step_in_prose};
@@ -91,8 +92,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         })?;
         notes.extend(column.prints.note());
         let mut values = column.values;
-        if let Some(row) = values.iter().position(|&value| is_missing_value(value)) {
+        if let Some(row) = gap(&values, is_missing_value) {
             return Err(missing(&values[row].to_string(), table.line_of_row(bytes, row)));
+        }
+        if let Some(row) = values.iter().position(|&value| is_missing_value(value)) {
+            notes.push(ordinary_note(values[row], table.line_of_row(bytes, row)));
         }
         for value in &mut values {
             *value = unit.to_si(*value);

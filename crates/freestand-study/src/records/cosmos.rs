@@ -277,13 +277,13 @@ fn component(
     if is_raw {
         // These are ordinary counts, which every second record passes.
         let is_ordinary = |value: f64| value == -999.0 || value == -9999.0;
-        block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?;
+        notes.extend(block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?);
         let count = block.values.iter().filter(|value| is_ordinary(**value)).count();
         if count > 0 {
             notes.push(format!("{}: {count} values are -999 or -9999 counts, read as counts", shorten(&name)));
         }
     } else {
-        block.refuse_missing(series.format, is_unknown)?;
+        notes.extend(block.refuse_missing(series.format, is_unknown)?);
     }
     let found = Found {
         direction: Direction::parse(&name),

@@ -59,7 +59,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let length_note = check_length(&header, &rows, rate_hz)?;
 
     let station = header.value("#StationCode").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
-    let (mut components, mut notes) = (Vec::new(), Vec::from_iter(length_note));
+    let (mut components, mut notes) = (Vec::new(), rows.notes.iter().cloned().chain(length_note).collect::<Vec<_>>());
     for (channel, values) in sequence.into_iter().zip(rows.columns.into_iter().skip(1)) {
         let peak = header.peak(&channel.name);
         let component = Found {

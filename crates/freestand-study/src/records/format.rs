@@ -1,6 +1,7 @@
 //! Blocks of numbers in columns of fixed width, as a Fortran format describes them: `8F10.3`, `16I5`, `10F8`.
 
 use super::fortran::{bad_field, fields, number};
+use super::gaps::{gap, ordinary_note};
 use super::lines::{Line, Lines};
 use super::setting::Setting;
 use super::units::missing;
@@ -126,18 +127,22 @@ impl Format {
 }
 
 impl Block {
-    /// Refuses values that stand for missing ones, by the line on which they are.
+    /// Refuses values that stand for missing ones, by the line on which they are; says where there is one that
+    /// `is_marker` names and that is a value like others.
     ///
     /// # Errors
-    /// The first such value.
-    pub(super) fn refuse_missing(&self, format: Format, is_missing: impl Fn(f64) -> bool) -> Result<(), Problem> {
-        match self.values.iter().position(|&value| is_missing(value)) {
-            Some(at) => {
-                let text = shorten(&self.values[at].to_string());
-                Err(missing(&text, self.first_line + at / format.per_line))
-            }
-            None => Ok(()),
+    /// The first value that stands for a missing one.
+    pub(super) fn refuse_missing(
+        &self,
+        format: Format,
+        is_marker: impl Fn(f64) -> bool,
+    ) -> Result<Option<String>, Problem> {
+        let line_of = |at: usize| self.first_line + at / format.per_line;
+        if let Some(at) = gap(&self.values, &is_marker) {
+            return Err(missing(&shorten(&self.values[at].to_string()), line_of(at)));
         }
+        let ordinary = self.values.iter().position(|&value| is_marker(value));
+        Ok(ordinary.map(|at| ordinary_note(self.values[at], line_of(at))))
     }
 
     /// The number of something that a header has at place `at`, counted from 0.

@@ -108,7 +108,7 @@ fn component(
     let others = [count(34, "velocities")?, count(35, "displacements")?];
     let block = data(rest, &counts, others)?;
     let found = block.values.len();
-    block.refuse_missing(VALUES, is_missing_value)?;
+    notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
 
     let name = name(&text).unwrap_or_else(|| format!("component {number}"));
     // Real 8 makes mm/s² of the readings of an uncorrected record; it is 1 wherever they are in mm/s² already.

@@ -1,10 +1,10 @@
 //! Headers of lines `KEY: value`, which several archives write, and the rows of numbers below them.
 
 use super::fortran::bad_field;
-use super::fortran::{Number, fields, is_missing_value, is_missing_word, number};
+use super::fortran::{Number, fields, is_missing_word, number};
+use super::gaps::Markers;
 use super::lines::{Line, Lines};
 use super::prints::Prints;
-use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
 
@@ -149,6 +149,7 @@ pub(super) fn read_rows(
 ) -> Result<Rows, Problem> {
     let mut rows = Rows { columns: vec![Vec::new(); width], first_line: 0 };
     let (mut found, mut row) = (0, Vec::with_capacity(width));
+    let mut markers: Vec<Markers> = (0..width).map(|_| Markers::default()).collect();
     let mut prints: Vec<Prints> = (0..width).map(|_| Prints::default()).collect();
     for line in rest.by_ref() {
         if line.is_blank() {
@@ -175,8 +176,8 @@ pub(super) fn read_rows(
                 .at_line(line.number)
                 .hint("the file may be damaged: fetch it again"));
         }
-        if let Some(gap) = row.iter().find(|value| is_missing_value(**value)) {
-            return Err(missing(&gap.to_string(), line.number));
+        for (markers, value) in markers.iter_mut().zip(&row) {
+            markers.see(*value, line.number)?;
         }
         for (column, value) in rows.columns.iter_mut().zip(&row) {
             column.push(*value);
@@ -185,6 +186,9 @@ pub(super) fn read_rows(
             rows.first_line = line.number;
         }
         found += 1;
+    }
+    for (markers, column) in markers.iter().zip(&rows.columns) {
+        notes.extend(markers.judge(column)?);
     }
     notes.extend(prints.iter().filter_map(Prints::note));
     match declared {

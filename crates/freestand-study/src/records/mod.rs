@@ -14,6 +14,7 @@ mod even_grid;
 mod format;
 mod fortran;
 mod found;
+mod gaps;
 mod geonet;
 mod headings;
 mod instant;

@@ -3,6 +3,7 @@
 use super::ReadOptions;
 use super::even_grid::{common_step, on_even_grid};
 use super::fortran::{Number, bad_field, fields, is_missing_value, number};
+use super::gaps::Markers;
 use super::lines::{Line, Lines};
 use super::sampling::{Uneven, time_step};
 use super::units::missing;
@@ -21,6 +22,8 @@ pub(super) struct Pairs {
     /// Line of the first pair, counted from 1.
     pub(super) first_line: usize,
     pairs_per_line: usize,
+    /// What is to be said of the values.
+    pub(super) notes: Vec<String>,
 }
 
 /// Reads pairs up to the next line of text, which is left unread.
@@ -28,8 +31,15 @@ pub(super) struct Pairs {
 /// # Errors
 /// A field that is no number, a value that stands for a missing one, half a pair.
 pub(super) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
-    let mut found =
-        Pairs { times_s: Vec::new(), values: Vec::new(), last_digit_exponent: 0, first_line: 0, pairs_per_line: 1 };
+    let mut found = Pairs {
+        times_s: Vec::new(),
+        values: Vec::new(),
+        last_digit_exponent: 0,
+        first_line: 0,
+        pairs_per_line: 1,
+        notes: Vec::new(),
+    };
+    let mut markers = Markers::default();
     loop {
         let before = rest.clone();
         let Some(line) = rest.next() else { break };
@@ -51,16 +61,16 @@ pub(super) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
                     .at_line(line.number)
                     .hint("the file may be damaged: fetch it again"));
             };
-            for number in pair {
-                if is_missing_value(number.value) {
-                    return Err(missing(&number.value.to_string(), line.number));
-                }
+            if is_missing_value(time.value) {
+                return Err(missing(&time.value.to_string(), line.number));
             }
+            markers.see(value.value, line.number)?;
             found.last_digit_exponent = found.last_digit_exponent.min(time.last_digit_exponent);
             found.times_s.push(time.value);
             found.values.push(value.value);
         }
     }
+    found.notes.extend(markers.judge(&found.values)?);
     Ok(found)
 }
 

@@ -1,10 +1,9 @@
 //! Columns of a Fortran format, one row a line, to the end of the file.
 
 use super::format::Format;
-use super::fortran::is_missing_value;
+use super::gaps::Markers;
 use super::lines::Lines;
 use super::setting::Setting;
-use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 
 /// Columns of equal length.
@@ -12,6 +11,8 @@ pub(super) struct Rows {
     pub(super) columns: Vec<Vec<f64>>,
     /// Line of the first row, counted from 1.
     pub(super) first_line: usize,
+    /// What is to be said of the values.
+    pub(super) notes: Vec<String>,
 }
 
 /// Reads every line that is left as one row of `format`; blank lines hold none.
@@ -21,6 +22,7 @@ pub(super) struct Rows {
 /// or one too short for its fields where the others are not.
 pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Problem> {
     let mut columns: Vec<Vec<f64>> = vec![Vec::new(); format.per_line];
+    let mut markers: Vec<Markers> = columns.iter().map(|_| Markers::default()).collect();
     let (mut row, mut first_line, mut setting) = (Vec::new(), 0, Setting::default());
     for line in lines.by_ref() {
         if line.is_blank() {
@@ -35,8 +37,8 @@ pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Proble
                 .at_line(line.number)
                 .hint("the file may be cut off or damaged: fetch it again"));
         }
-        if let Some(gap) = row.iter().find(|&&value| is_missing_value(value)) {
-            return Err(missing(&gap.to_string(), line.number));
+        for (markers, value) in markers.iter_mut().zip(&row) {
+            markers.see(*value, line.number)?;
         }
         if first_line == 0 {
             first_line = line.number;
@@ -51,7 +53,11 @@ pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Proble
             .hint("the file may be cut off: fetch it again"));
     }
     setting.check()?;
-    Ok(Rows { columns, first_line })
+    let mut notes = Vec::new();
+    for (markers, column) in markers.iter().zip(&columns) {
+        notes.extend(markers.judge(column)?);
+    }
+    Ok(Rows { columns, first_line, notes })
 }
 
 #[cfg(test)]

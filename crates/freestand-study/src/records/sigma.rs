@@ -44,7 +44,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     })?;
     let mut notes = Vec::new();
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
-    block.refuse_missing(VALUES, is_missing_value)?;
+    notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
     refuse_more_values(&mut rest, &mut notes)?;
     let name = match header.text("Orientation") {
         "" => file_stem(path),

@@ -65,8 +65,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         .hint("the file is damaged or cut off: fetch it again"));
     }
     let block = VALUES.read(&mut rest, npts, "acceleration")?;
-    block.refuse_missing(VALUES, is_missing_value)?;
-    let mut notes = Vec::new();
+    let mut notes = Vec::from_iter(block.refuse_missing(VALUES, is_missing_value)?);
     refuse_more_values(&mut rest, &mut notes)?;
     let (station, name) = station_and_component(&text, path);
     let direction = Direction::parse(&name);

@@ -1,10 +1,10 @@
 //! Columns of numbers as text: separators, headers and comments of many hands, told apart by looking.
 
 use super::dialect::{Dialect, Separator, cells, dialect_of};
-use super::fortran::{BadField, Number, bad_field, fields, is_missing_value};
+use super::fortran::{BadField, Number, bad_field, fields};
+use super::gaps::Markers;
 use super::lines::{Line, lines};
 use super::prints::Prints;
-use super::units::missing;
 use crate::error::{Problem, ProblemKind};
 
 /// How far down the first row of numbers may stand; files with thousands of lines above it are met.
@@ -350,13 +350,11 @@ fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>
         }
         None if width != 1 => return Ok(false),
         _ => {
-            let mut column = Column::new();
+            let (mut column, mut markers) = (Column::new(), Markers::default());
             for line in rows {
                 for cell in cells(&own, line.bytes) {
                     let number = cell.map_err(|bad| empty_or_bad(&bad, line.number))?;
-                    if is_missing_value(number.value) {
-                        return Err(missing(&number.value.to_string(), line.number));
-                    }
+                    markers.see(number.value, line.number)?;
                     column.push(&number, line.number);
                 }
             }
@@ -364,6 +362,8 @@ fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>
             if column.values.len() as f64 != npts || dt.is_none() && column.last_digit_exponent >= 0 {
                 return Ok(false);
             }
+            // What is to be said of a value that is none, the reader of the columns says.
+            markers.judge(&column.values)?;
             table.columns = vec![column];
             table.series_dt_s = dt;
         }

@@ -58,7 +58,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let names = header.names(columns)?;
 
     let mut rows = rows::read(&mut rest, format)?;
-    let mut notes = Vec::new();
+    let mut notes = std::mem::take(&mut rows.notes);
     header.check_counts(&mut rows.columns, &names, &mut notes)?;
     header.check_durations(dt_s, &rows.columns, &mut notes)?;
     let peaks = header.list("ACEL. MAX.(GAL)").map(|(_, peaks)| peaks).unwrap_or_default();

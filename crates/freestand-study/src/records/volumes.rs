@@ -150,7 +150,7 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     }
     let format = format_of(title, rest);
     let block = format.read(rest, title.count, "acceleration")?;
-    block.refuse_missing(format, is_missing_value)?;
+    let mut notes = Vec::from_iter(block.refuse_missing(format, is_missing_value)?);
     if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
         return Err(Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", title.count))
             .at_line(line.number)
@@ -165,7 +165,6 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
         None if !is_volume_two(&header.text) => header.unit()?,
         stated => stated,
     };
-    let mut notes = Vec::new();
     let name = shorten(&header.name(channel));
     if let Some(other) = header.other_count(title.count, is_volume_two(&header.text)) {
         notes.push(format!("{name}: line {} declares {} values, the header {other}", title.line, title.count));
@@ -185,7 +184,8 @@ fn room(components: &[Component]) -> usize {
 }
 
 fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions, room: usize) -> Read {
-    let pairs = pairs::read(rest)?;
+    let mut pairs = pairs::read(rest)?;
+    let notes = std::mem::take(&mut pairs.notes);
     let count = pairs.times_s.len();
     let of_integers = [27, 32].map(|at| header.integers.get(at).copied().flatten());
     let of_text = header.points();
@@ -205,7 +205,7 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let block = Block { values, first_line };
     // The step given by the user is for files that state none; here the times state it.
     found(header, channel, header.unit()?, dt_s, block, options)
-        .map(|component| (component, note.into_iter().collect()))
+        .map(|component| (component, notes.into_iter().chain(note).collect()))
 }
 
 fn found(

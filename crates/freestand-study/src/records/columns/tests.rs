@@ -280,3 +280,17 @@ fn a_spectrum_is_no_motion() {
     let problem = parse("period [s],Sa [g]\n0.1,1\n0.2,2\n", &ReadOptions::default()).unwrap_err();
     assert!(problem.message.contains("seems to be a spectrum") && problem.line == Some(1), "{problem}");
 }
+
+#[test]
+fn minus_999_is_missing_where_it_stands_out() {
+    let rows = "0,-998\n0.01,-999\n0.02,-700.5\n";
+    let head = "t [s],a [mm/s2]\n";
+    let file = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap();
+    assert_eq!(
+        file.notes,
+        ["line 3: -999 is read as a value, for others are as large; it may stand for a missing one"]
+    );
+    let rows = rows.replace("-998", "9").replace("-700.5", "400");
+    let problem = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap_err();
+    assert_eq!((problem.message.as_str(), problem.line), ("\"-999\" stands for a missing value", Some(3)));
+}

@@ -186,7 +186,7 @@ fn one_value_more_or_less_is_taken_where_the_end_line_proves_it() {
 fn what_is_wrong_names_its_line() {
     let text = text(&UNCORRECTED);
     for (from, to, start, message) in [
-        ("     2.000    -2.000", "     2.000  -999.000", "x.v1c:48:", "missing value"),
+        ("     2.000    -2.000", "     2.000 -1.70E+38", "x.v1c:48:", "missing value"),
         ("     2.000    -2.000", "     2.000       NaN", "x.v1c:48:", "missing value"),
         (" 100 Real-header", " 100 Other-header", "x.v1c:", "real header"),
         ("Format=(8F10.3)", "Format=(A80)", "x.v1c:46:", "format is missing"),
@@ -239,4 +239,13 @@ fn channels_that_are_not_there_are_said() {
     assert_eq!(read(&one).unwrap().notes, ["the header states 2 channels, the file has 1: it may be cut off"]);
     let cut = two.trim_end().strip_suffix(UNCORRECTED.end).unwrap();
     assert_eq!(read(cut).unwrap().notes, ["no line \"end-of-data\" ends the last channel: the file may be cut off"]);
+}
+
+/// What the header says stands for an unknown value does, unless the others are as large.
+#[test]
+fn the_value_for_unknown_stands_out() {
+    let gap = text(&UNCORRECTED).replace("     2.000    -2.000", "     2.000  -999.000");
+    assert!(read(&gap).unwrap().notes[0].contains("line 48: -999 is read as a value"));
+    let weak = gap.replace("-99999.999", "   499.000");
+    assert!(read(&weak).unwrap_err().contains("x.v1c:48: \"-999\" stands for a missing value"));
 }

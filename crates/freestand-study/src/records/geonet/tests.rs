@@ -136,7 +136,7 @@ fn what_is_refused() {
         ("      23", "      -1", "x.V1A:20: the number of accelerations is -1"),
         ("  0.0200", "  0.0000", "x.V1A:23: the time step must be positive"),
         ("-10000.0 -9208.1", "******** -9208.1", "x.V1A:27: \"********\" stands for a missing value"),
-        ("-10000.0 -9208.1", "  -999.0 -9208.1", "x.V1A:27: \"-999\" stands for a missing value"),
+        ("-10000.0 -9208.1", "-32768.0 -9208.1", "x.V1A:27: \"-32768\" stands for a missing value"),
     ] {
         let problem = read(&text.replace(from, to)).expect_err(message);
         assert!(problem.contains(message), "{problem}");
@@ -156,4 +156,16 @@ fn lengths_and_numbers_that_contradict_are_said() {
     let odd = odd + &part("Corrected", "E", &values).text() + &part("Corrected", "Up", &values).text();
     let note = "N: 23 accelerations were read, the header declares 22 velocities or displacements";
     assert_eq!(read(&odd).unwrap().notes, [note]);
+}
+
+/// mm/s² pass -999 in every second strong record; a gap in a weak one stands out.
+#[test]
+fn minus_999_is_missing_where_it_stands_out() {
+    let strong: Vec<f64> = (0..23).map(|i| f64::from(i * 163 % 23 - 11) * 111.0).collect();
+    assert!(strong.contains(&-999.0));
+    let found = read(&part("Corrected", "N", &strong).text()).unwrap();
+    assert_eq!(found.components[0].motion.accel_m_s2().len(), 23);
+    assert!(found.notes[0].contains("-999 is read as a value"), "{:?}", found.notes);
+    let weak: Vec<f64> = strong.iter().map(|value| if *value == -999.0 { -999.0 } else { value / 10.0 }).collect();
+    assert!(read(&part("Corrected", "N", &weak).text()).unwrap_err().contains("\"-999\" stands for a missing value"));
 }
