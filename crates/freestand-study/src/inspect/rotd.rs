@@ -61,7 +61,9 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
             .hint("name each percentile once"));
     }
     let (first, second) = read.components()?;
-    let (one, two) = process_pair(first, second, &read.request.files.processing)?;
+    let names = read.names((first, second));
+    let names = (names.0.as_str(), names.1.as_str());
+    let (one, two) = process_pair((first, second), names, &read.request.files.processing)?;
     let spectrum = Pair::new(&one.motion, &two.motion)
         .and_then(|pair| directional_spectrum(&pair, request.damping_ratio, &request.periods_s, &request.percentiles))
         .map_err(|error| {

@@ -1,5 +1,6 @@
 //! What is done to a record between its file and its use, each step in words.
 
+mod align;
 mod check;
 mod pair;
 mod target;
@@ -147,8 +148,9 @@ pub fn process_file(
     };
     let (first, second) = horizontal_pair(file)?;
     let in_file = |problem: Problem| problem.in_file(&file.path);
-    let processed = turned(first, second, azimuth_deg, processing).map_err(in_file)?;
-    let name = format!(", components {} and {}", first.0.name, second.0.name);
+    let names = (first.0.name.as_str(), second.0.name.as_str());
+    let processed = turned(first, second, names, azimuth_deg, processing).map_err(in_file)?;
+    let name = format!(", components {} and {}", names.0, names.1);
     Ok((processed, name + &station_words(first.0)))
 }
 

@@ -12,7 +12,7 @@ fn file(header: &str) -> MotionFile {
     parse_motions(format!("{header}\n{rows}").into_bytes(), "three.csv".as_ref(), &ReadOptions::default()).unwrap()
 }
 
-fn three() -> MotionFile {
+pub(super) fn three() -> MotionFile {
     let mut file = file("time [s],N-S [g],E-W [g],UP [g]");
     let directions = [Direction::Azimuth(0.0), Direction::Azimuth(90.0), Direction::Up];
     for (component, direction) in file.components.iter_mut().zip(directions) {
@@ -125,32 +125,6 @@ fn components_of_different_length_are_cut_to_the_shorter_and_it_is_said() {
     let (done, _) = process_file(&file, None, &azimuth).unwrap();
     assert_eq!(done.motion.accel_m_s2().len(), 700);
     assert_eq!(done.steps[0], "last 101 samples of N-S left out: the other component ends before");
-}
-
-/// Two channels of one instrument that begin 0.05 s apart: the same times belong together, whatever their numbers.
-#[test]
-fn components_are_brought_to_the_times_that_both_have() {
-    let whole = three();
-    let mut file = three();
-    let late = file.components[1].motion.accel_m_s2()[5..].to_vec();
-    file.components[1].motion = Motion::new(0.01, late).unwrap();
-    file.components[1].start_s = file.components[1].start_s.map(|start_s| start_s + 0.05);
-    let (one, two) = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap();
-    assert_eq!(one.motion.accel_m_s2(), &whole.components[0].motion.accel_m_s2()[5..]);
-    assert_eq!(two.motion.accel_m_s2(), &whole.components[1].motion.accel_m_s2()[5..]);
-    assert_eq!(one.notes, ["first 5 samples of N-S left out: the other component begins after"]);
-    let (two, one) = process_pair(&file.components[1], &file.components[0], &Processing::default()).unwrap();
-    assert_eq!((one.motion.accel_m_s2().len(), two.motion.accel_m_s2().len()), (796, 796));
-    file.components[1].start_s = Some(1e9);
-    let problem = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap_err();
-    assert!(problem.message.contains("no time in common"), "{problem}");
-    // A third of a sample is left, and said; without a time on both sides the first samples belong together.
-    file.components[1].start_s = Some(0.0533);
-    let (one, _) = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap();
-    assert_eq!(one.notes[0], "components N-S and E-W are 0.33 of a sample apart");
-    file.components[1].start_s = None;
-    let (one, _) = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap();
-    assert_eq!(one.notes, ["last 5 samples of N-S left out: the other component ends before"]);
 }
 
 #[test]
