@@ -2,7 +2,8 @@
 
 use freestand::motion::Motion;
 
-use super::{refused, take_mean};
+use super::raw::take_mean;
+use super::refused;
 use crate::error::{Problem, ProblemKind};
 use crate::records::Component;
 use crate::words::number;

@@ -1,5 +1,6 @@
 use super::*;
 use crate::records::{Direction, ReadOptions, parse_motions};
+use freestand::G0_M_S2;
 
 /// Two horizontal components and a vertical one: north 0.2 g, east −0.1 g and up 0.05 g times a wave of 2 Hz for 8 s.
 fn file(header: &str) -> MotionFile {
@@ -173,6 +174,7 @@ fn target(periods_s: &[f64], psa_m_s2: &[f64], damping_ratio: f64) -> TargetSpec
         periods_s: periods_s.to_vec(),
         psa_m_s2: psa_m_s2.to_vec(),
         damping_ratio,
+        note: None,
     }
 }
 
@@ -202,9 +204,45 @@ fn a_motion_is_scaled_to_a_spectrum() {
     assert_eq!(scaled(target(&periods_s, &far, 0.02)).unwrap().notes.len(), 1);
     let mut still = component.clone();
     still.motion = Motion::new(0.01, vec![0.0; 10]).unwrap();
+    // Its own is met by a factor of 1, and that is a step with its misfit.
+    let done = scaled(TargetSpectrum { note: Some("said".into()), ..target(&periods_s, &own, 0.02) }).unwrap();
+    assert!(done.steps.len() == 1 && done.steps[0].ends_with(end), "{:?}", done.steps);
+    assert_eq!(done.notes, ["said"]);
     let scale = Scale::Spectrum(target(&[1.0], &[1.0], 0.05));
     let refused = process(&still, &Processing { scale, ..Processing::default() }).unwrap_err();
     assert!(refused.message.contains("no factor takes it to a target"), "{refused}");
+}
+
+#[test]
+fn huge_and_tiny_factors_are_short_in_words_and_exact_in_numbers() {
+    let file = three();
+    for (factor, words) in [
+        (1.234567891e200, "multiplied by 1.23457e200"),
+        (-1.5e-200, "multiplied by -1.5e-200"),
+        (123456789.5, "multiplied by 123456789.5"),
+        (0.1 + 0.2, "multiplied by 0.30000000000000004"),
+    ] {
+        let processing = Processing { scale: Scale::Factor(factor), ..Processing::default() };
+        let done = process(&file.components[0], &processing).unwrap();
+        assert_eq!((done.steps, done.scale_ratio), (vec![words.to_owned()], factor));
+    }
+}
+
+/// Ten steps of 0.01 s are 0.1 s: shorter periods of a target are warned of, the peak itself and longer ones are not.
+#[test]
+fn short_periods_of_a_target_are_warned_of() {
+    let file = three();
+    let notes = |scale| process(&file.components[0], &Processing { scale, ..Processing::default() }).unwrap().notes;
+    let at = |period_s| Scale::Sa { target_m_s2: 2.0, period_s, damping_ratio: 0.05 };
+    assert_eq!((notes(at(0.0)).len(), notes(at(0.1)).len()), (0, 0));
+    let said = "the shortest period of the target, 0.03 s, has fewer than ten steps of 0.01 s";
+    let sa = notes(at(0.03));
+    assert!(sa[0].starts_with(said) && sa[0].ends_with("resampled to 0.0025 s (--resample) it has ten"), "{sa:?}");
+    let spectrum = notes(Scale::Spectrum(target(&[0.0, 0.03, 1.0], &[2.0, 2.0, 2.0], 0.05)));
+    assert!(spectrum.iter().any(|note| note.starts_with(said)), "{spectrum:?}");
+    // At a quarter of the step it has ten.
+    let finer = Processing { resample_dt_s: Some(0.0025), scale: at(0.03), ..Processing::default() };
+    assert_eq!(process(&file.components[0], &finer).unwrap().notes.len(), 0);
 }
 
 #[test]
