@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::error::{Problem, ProblemKind};
 use crate::processing::{Processed, pair_of_one, turned, with_azimuths};
 use crate::quantity::shorten;
-use crate::recorded::{MotionFiles, name_of};
+use crate::recorded::{MotionFiles, name_of, start_note};
 use crate::records::{Component, Direction, MotionFile, read_motions};
 use crate::words::number;
 
@@ -186,6 +186,8 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
     let processed = turned(first, second, names, request.azimuth_deg, &read.request.files.processing)?;
     let path = read.files.first().map(|file| file.path.clone()).unwrap_or_default();
     let mut warnings = read.warnings();
+    let start = |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
+    warnings.extend(read.files.iter().filter_map(start));
     warnings.extend(processed.notes.iter().cloned());
     let name = format!("{}-{}deg", name_of(&path), number(request.azimuth_deg.rem_euclid(360.0), 6));
     Ok(Rotated { name, path, azimuth_deg: request.azimuth_deg, processed, warnings })

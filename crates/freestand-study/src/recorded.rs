@@ -8,8 +8,9 @@ use sha2::{Digest, Sha256};
 
 use crate::error::Problem;
 use crate::processing::{Processing, Scale, process_file};
-use crate::records::{ReadOptions, load, parse_motions};
+use crate::records::{MotionFile, ReadOptions, load, parse_motions};
 use crate::study::RecordedMotion;
+use crate::words::number;
 
 /// Files whose motions are used.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +32,21 @@ pub struct ReadMotion {
     pub motion: RecordedMotion,
     /// What was concluded or left out.
     pub notes: Vec<String>,
+    /// What is to be said where the motion is written to a file: see [`start_note`].
+    pub start_note: Option<String>,
+}
+
+/// What is lost of a file with a time column where its motion is written to another: times are counted from the first
+/// sample everywhere here, so that they and the time step keep every bit.
+pub fn start_note(file: &MotionFile) -> Option<String> {
+    let has_clock = matches!(file.format, "CSV" | "columns");
+    let start_s = file.components.iter().filter(|_| has_clock).find_map(|one| one.start_s)?;
+    (start_s != 0.0).then(|| {
+        format!(
+            "the time column begins at {} s, and this is not kept: what is written begins at 0 s",
+            number(start_s, 9)
+        )
+    })
 }
 
 /// Reads all files; what fails is listed with its index and hides nothing else.
@@ -70,8 +86,9 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
         processing: processed.steps,
         motion: processed.motion,
     };
+    let start_note = start_note(&file);
     let notes = file.notes.into_iter().chain(processed.notes).collect();
-    Ok(ReadMotion { motion, notes })
+    Ok(ReadMotion { motion, notes, start_note })
 }
 
 /// SHA-256 in hexadecimal.

@@ -96,7 +96,7 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
         processing: Vec::new(),
         motion: Motion::new(dt_s, accel).unwrap(),
     };
-    ReadMotion { motion, notes: Vec::new() }
+    ReadMotion { motion, notes: Vec::new(), start_note: None }
 }
 
 #[test]
