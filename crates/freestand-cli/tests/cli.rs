@@ -677,11 +677,13 @@ fn a_motion_is_scaled_to_the_spectrum_of_its_own() {
         assert!(misfit && (expected == 1.0 || step[0].is_string()), "{step}");
     }
     // What is read is not replaced, whatever is allowed.
-    let onto = [&one[..], &["--scale-to-spectrum", "once/spectrum.csv", "--out", "once", "--force"]].concat();
     let before = std::fs::read(folder.path().join("once/spectrum.csv")).unwrap();
-    let refused = freestand_in(folder.path(), &onto);
-    assert!(refused.contains("exit status 2") && refused.contains("once/spectrum.csv"), "{refused}");
-    assert_eq!(std::fs::read(folder.path().join("once/spectrum.csv")).unwrap(), before);
+    for flag in ["--scale-to-spectrum", "--station-xml"] {
+        let onto = [&one[..], &[flag, "once/spectrum.csv", "--out", "once", "--force"]].concat();
+        let refused = freestand_in(folder.path(), &onto);
+        assert!(refused.contains("exit status 2") && refused.contains("once/spectrum.csv"), "{refused}");
+        assert_eq!(std::fs::read(folder.path().join("once/spectrum.csv")).unwrap(), before);
+    }
 }
 
 #[test]

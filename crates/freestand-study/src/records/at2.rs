@@ -87,6 +87,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         unit: unit.symbol,
         is_raw: false,
         start_s: None,
+        station_xml: None,
         motion,
         line_of_first_value,
     };

@@ -75,6 +75,7 @@ impl Found {
             unit: self.unit,
             is_raw: self.is_raw,
             start_s: None,
+            station_xml: None,
             motion: motion(self.dt_s, self.values, self.line)?,
             line_of_first_value: self.line,
         })

@@ -39,14 +39,15 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut stations = Stations::new(path, options);
     let (mut components, mut first_left_out) = (Vec::new(), None);
     for (series, name) in channels.into_iter().zip(names) {
-        let (full_name, start_s) = (series.source.full_name(), Some(series.start.seconds()));
+        let (source, start_s) = (series.source.clone(), Some(series.start.seconds()));
         match scaled(series, name, &mut stations, options, &mut notes)? {
             Ok(found) => {
                 let component = found.component(options).map_err(|mut problem| {
-                    problem.message = format!("{full_name}: {}", problem.message);
+                    problem.message = format!("{}: {}", source.full_name(), problem.message);
                     without_line(problem)
                 })?;
-                components.push(Component { start_s, ..component });
+                let station_xml = stations.of(&source)?.map(|inventory| inventory.file().clone());
+                components.push(Component { start_s, station_xml, ..component });
             }
             Err(problem) => {
                 notes.push(format!("{}; it is left out", problem.message));
