@@ -1,5 +1,6 @@
 //! Headers of lines `KEY: value`, which several archives write, and the rows of numbers below them.
 
+use super::ReadOptions;
 use super::fortran::bad_field;
 use super::fortran::{fields, is_missing_value, is_missing_word, number};
 use super::lines::{Line, Lines};
@@ -81,16 +82,22 @@ impl Header {
         Ok(Some((value, entry.line)))
     }
 
-    /// The time step \[s\] that a key has; a key may state its unit in brackets.
+    /// The time step \[s\] that a key has, with its line; a key may state its unit in brackets. Where there is none, the
+    /// user's.
     ///
     /// # Errors
-    /// A value that is no number, or a unit other than seconds and milliseconds.
-    pub(super) fn step_s(&self, key: &str) -> Result<Option<(f64, usize)>, Problem> {
-        let Some((value, line)) = self.number(key)? else { return Ok(None) };
+    /// A value that is no number, or a unit other than seconds and milliseconds; no step at all.
+    pub(super) fn step_s(&self, key: &str, options: &ReadOptions) -> Result<(f64, usize), Problem> {
+        let Some((value, line)) = self.number(key)? else {
+            return options.dt_s.map(|dt_s| (dt_s, 1)).ok_or_else(|| {
+                Problem::new(ProblemKind::Value, format!("the header has no time step ({key})"))
+                    .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")
+            });
+        };
         let unit = self.get(key).and_then(|entry| entry.key.split_once('(')).map_or("s", |(_, unit)| unit);
         match unit.trim_end_matches(')').trim().to_ascii_lowercase().as_str() {
-            "s" | "sec" | "secs" | "second" | "seconds" => Ok(Some((value, line))),
-            "ms" | "msec" => Ok(Some((value / 1000.0, line))),
+            "s" | "sec" | "secs" | "second" | "seconds" => Ok((value, line)),
+            "ms" | "msec" => Ok((value / 1000.0, line)),
             other => Err(Problem::new(ProblemKind::Format, format!("\"{}\" is no unit of time", shorten(other)))
                 .at_line(line)
                 .hint("the step must be in s or ms")),
@@ -109,12 +116,6 @@ impl Header {
             None => Err(entry.problem("a whole number")),
         }
     }
-}
-
-/// What is said where neither the header nor the user gives the time step.
-pub(super) fn no_step(key: &str) -> Problem {
-    Problem::new(ProblemKind::Value, format!("the header has no time step ({key})"))
-        .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")
 }
 
 /// Whether a line is a row of numbers. A row of words that stand for missing values is one: it must be refused, not

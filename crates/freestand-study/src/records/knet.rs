@@ -29,7 +29,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
     let rate_hz = header.number("sampling freq", "the sampling rate")?;
-    let dt_s = step_of_rate(rate_hz, header.value("sampling freq")?.0)?;
+    let (line_of_step, _) = header.value("sampling freq")?;
+    let dt_s = step_of_rate(rate_hz, line_of_step)?;
     let scale = header.scale()?;
     let (name, direction, borehole) = component(&header, path);
     let (mut values, line) = read_counts(&mut rest)?;
@@ -42,9 +43,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         *count *= scale.per_count;
     }
     let station = header.value("station code").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
-    let (unit, unit_m_s2) = (scale.unit.symbol, scale.unit.to_si(1.0));
+    let unit = *scale.unit;
     let component =
-        Found { name, station, direction, unit, unit_m_s2, dt_s, values, line, is_raw: true }.component(options)?;
+        Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: true }.component(options)?;
     // The header's peak is the one about the mean, in gal, as NIED's description of the format says.
     if let Ok(peak) = header.number("max acc", "the peak") {
         let (accel_m_s2, mean_m_s2) = (component.motion.accel_m_s2(), component.motion.mean_m_s2());

@@ -9,6 +9,7 @@ pub(super) use record::Source;
 use super::station_xml::{Sensed, Stations};
 use super::{Component, Direction, Found, ReadOptions, Reading, units, without_line};
 use crate::error::{Problem, ProblemKind};
+use crate::quantity::Unit;
 use record::{Record, header_order, is_version3, version2, version3};
 use series::{Series, join};
 use std::collections::{HashMap, HashSet};
@@ -77,7 +78,7 @@ fn scaled(
     let Series { source, start, end, dt_s, mut values, notes: found } = series;
     notes.extend(found);
     let full_name = source.full_name();
-    let (unit, unit_m_s2, direction) = match (stations.of(&source)?, units::requested(options.unit.as_deref())?) {
+    let (unit, direction) = match (stations.of(&source)?, units::requested(options.unit.as_deref())?) {
         (Some(inventory), Some(unit)) => {
             let message = format!(
                 "{} has the sensitivity of its counts, and the unit {} is given too",
@@ -97,11 +98,11 @@ fn scaled(
                 *value /= scaling.counts_per_m_s2;
             }
             notes.extend(scaling.notes);
-            ("m/s2", 1.0, scaling.direction)
+            (Unit::acceleration("m/s2", 0, 1.0), scaling.direction)
         }
         (None, Some(unit)) => {
             notes.push(format!("{full_name}: the values are taken to be in {}, without a sensitivity", unit.symbol));
-            (unit.symbol, unit.to_si(1.0), Direction::parse(&source.channel))
+            (*unit, Direction::parse(&source.channel))
         }
         (None, None) => {
             return Err(Problem::new(ProblemKind::Value, format!("{full_name}: the sensitivity of the counts is not known"))
@@ -112,7 +113,7 @@ fn scaled(
         }
     };
     let station = source.full_station();
-    Ok(Ok(Found { name, station, direction, unit, unit_m_s2, dt_s, values, line: 1, is_raw: true }))
+    Ok(Ok(Found { name, station, direction, unit, dt_s, line_of_step: 1, values, line: 1, is_raw: true }))
 }
 
 /// The shortest names that tell the channels apart: `HNE`, `10.HNE`, `CI.CLC.10.HNE`.
