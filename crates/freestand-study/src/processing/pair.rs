@@ -117,9 +117,9 @@ pub fn process_pair(
         return Err(Problem::new(ProblemKind::Value, "two components have no one factor to a target")
             .hint("give the factor itself: --scale"));
     }
-    let mut unasked = Vec::new();
-    let (one, two) = aligned(first, second, processing.keep_mean, &mut unasked)?;
-    Ok((finish(one, unasked.clone(), None, processing)?, finish(two, unasked, None, processing)?))
+    let [one, two] = aligned(first, second, processing.keep_mean)?;
+    let finished = |(motion, unasked): Aligned| finish(motion, unasked, None, processing);
+    Ok((finished(one)?, finished(two)?))
 }
 
 /// What must be said of components that are taken as perpendicular but point otherwise.
@@ -142,8 +142,8 @@ pub fn turned(
     azimuth_deg: f64,
     processing: &Processing,
 ) -> Result<Processed, Problem> {
-    let mut unasked = Vec::new();
-    let (one, two) = aligned(first.0, second.0, processing.keep_mean, &mut unasked)?;
+    let [(one, mut unasked), (two, of_second)] = aligned(first.0, second.0, processing.keep_mean)?;
+    unasked.extend(of_second);
     let rotated = Pair::new(&one, &two).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
     let motion = rotated.map_err(|error| {
         let hint = match error {
@@ -191,42 +191,47 @@ fn later_by(first: &Component, second: &Component, steps: &mut Vec<String>) -> R
     Ok(whole as i64)
 }
 
+/// A component of a pair, and what was done to it unasked; what concerns both stands with the first.
+type Aligned = (Motion, Vec<String>);
+
 /// Two components from the same time on and with the same number of samples, raw ones without their means.
-fn aligned(
-    first: &Component,
-    second: &Component,
-    keep_mean: bool,
-    steps: &mut Vec<String>,
-) -> Result<(Motion, Motion), Problem> {
-    let later = later_by(first, second, steps)?;
+fn aligned(first: &Component, second: &Component, keep_mean: bool) -> Result<[Aligned; 2], Problem> {
+    let mut of_both = Vec::new();
+    let later = later_by(first, second, &mut of_both)?;
     let skipped = |by: i64| usize::try_from(by).unwrap_or(0);
     let (skip_1, skip_2) = (skipped(later), skipped(-later));
     let left = |component: &Component, skip: usize| component.motion.accel_m_s2().len().saturating_sub(skip);
     let length = left(first, skip_1).min(left(second, skip_2));
-    let mut one_of = |component: &Component, skip: usize| -> Result<Motion, Problem> {
-        let mut motion = component.motion.clone();
-        let surplus = left(component, skip).saturating_sub(length);
-        if skip > 0 || surplus > 0 {
-            let kept = motion.accel_m_s2().iter().skip(skip).take(length).copied().collect();
-            motion = Motion::new(motion.dt_s(), kept)
-                .map_err(|error| refused("the time in common", error, "give two components of one record"))?;
-            let name = &component.name;
-            let samples = |count: usize, end: &str| {
-                if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") }
-            };
-            if skip > 0 {
-                steps.push(format!("{} of {name} left out: the other component begins after", samples(skip, "first")));
-            }
-            if surplus > 0 {
-                steps.push(format!("{} of {name} left out: the other component ends before", samples(surplus, "last")));
+    let one = cut(first, skip_1, length, keep_mean, of_both)?;
+    Ok([one, cut(second, skip_2, length, keep_mean, Vec::new())?])
+}
+
+/// `length` samples of a component behind the first `skip`, of a raw one without their mean; what was done comes behind
+/// `steps`.
+fn cut(
+    component: &Component,
+    skip: usize,
+    length: usize,
+    keep_mean: bool,
+    mut steps: Vec<String>,
+) -> Result<Aligned, Problem> {
+    let (name, mut motion) = (&component.name, component.motion.clone());
+    let surplus = motion.accel_m_s2().len().saturating_sub(skip + length);
+    if skip > 0 || surplus > 0 {
+        let kept = motion.accel_m_s2().iter().skip(skip).take(length).copied().collect();
+        motion = Motion::new(motion.dt_s(), kept)
+            .map_err(|error| refused("the time in common", error, "give two components of one record"))?;
+        for (count, end, when) in [(skip, "first", "begins after"), (surplus, "last", "ends before")] {
+            let samples = if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") };
+            if count > 0 {
+                steps.push(format!("{samples} of {name} left out: the other component {when}"));
             }
         }
-        if component.is_raw && !keep_mean {
-            let (centred, mean_m_s2) = take_mean(&motion)?;
-            steps.push(format!("mean of {mean_m_s2:.6} m/s2 removed from {} (raw record)", component.name));
-            motion = centred;
-        }
-        Ok(motion)
-    };
-    Ok((one_of(first, skip_1)?, one_of(second, skip_2)?))
+    }
+    if component.is_raw && !keep_mean {
+        let (centred, mean_m_s2) = take_mean(&motion)?;
+        motion = centred;
+        steps.push(format!("mean of {mean_m_s2:.6} m/s2 removed from {name} (raw record)"));
+    }
+    Ok((motion, steps))
 }
