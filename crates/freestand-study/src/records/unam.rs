@@ -197,9 +197,7 @@ impl Header {
         if (1..=24).contains(&columns) {
             return Ok(Format::new(columns, 10));
         }
-        Err(Problem::new(ProblemKind::Format, "no row of numbers follows the header")
-            .at_line(rest.line_number().max(1))
-            .hint("the file may be cut off: fetch it again"))
+        Err(rows::no_row(rest))
     }
 
     /// The step, which all channels must share: a row is one moment.

@@ -56,7 +56,7 @@ fn rows_are_counted_and_a_footer_is_noted() {
         ("1 2\n3\n", Some(2), "line 2: a row has 2 values, this one 1"),
         ("1 2\n3 -999\n", Some(2), "line 2: \"-999\" stands for a missing value"),
         ("1 2\n3 NaN\n", Some(2), "line 2: \"NaN\" stands for a missing value"),
-        ("\n", None, "there are no values below the header"),
+        ("\n", None, "line 1: no row of numbers follows the header"),
     ] {
         let found = rows(text, declared).expect_err(text);
         assert!(found.contains(message), "{found}");
