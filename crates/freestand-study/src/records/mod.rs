@@ -15,6 +15,7 @@ mod format;
 mod fortran;
 mod found;
 mod geonet;
+mod head;
 mod headings;
 mod instant;
 mod keyed;
