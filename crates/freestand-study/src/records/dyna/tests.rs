@@ -10,7 +10,7 @@ fn file() -> String {
          DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS: 20190728_160919.870\nSAMPLING_INTERVAL_S: 0.005000\nNDATA: 5\n\
          DURATION_S: 0.025\nSTREAM: HNE\nUNITS: cm/s^2\nINSTRUMENT: sensor = X | digitizer = Y\nPGA_CM/S^2: 2.250000\n\
          BASELINE_CORRECTION: BASELINE REMOVED\nHEADER_FORMAT: DYNA 1.2\nDATA_TYPE: ACCELERATION\n\
-         ORIGINAL_DATA_MEDIATOR: http://example.org/\nUSER1: /home/x --le 0.1\nUSER5: \n",
+         ORIGINAL_DATA_MEDIATOR: http://example.org/\nUSER1: filter --le 0.1\nUSER5: \n",
     );
     for value in VALUES {
         text.push_str(&format!("{value:.6}\n"));
