@@ -1,12 +1,10 @@
 //! Ground motions from record files: read, one component chosen, scaled, named and fingerprinted.
 
 use std::collections::HashSet;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
-
 use crate::error::Problem;
+use crate::input::sha256_hex;
 use crate::processing::{Processing, Scale, process_file};
 use crate::records::{MotionFile, ReadOptions, load, parse_motions};
 use crate::study::RecordedMotion;
@@ -82,6 +80,7 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
         sha256,
         description: format!("{}{chosen}", file.format),
         scale_ratio: processed.scale_ratio,
+        station_xml: file.station_xml(),
         scale_target,
         processing: processed.steps,
         motion: processed.motion,
@@ -89,21 +88,6 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
     let start_note = start_note(&file);
     let notes = file.notes.into_iter().chain(processed.notes).collect();
     Ok(ReadMotion { motion, notes, start_note })
-}
-
-/// SHA-256 in hexadecimal.
-///
-/// # Example
-/// ```
-/// let digest = freestand_study::recorded::sha256_hex(b"abc");
-/// assert!(digest.starts_with("ba7816bf") && digest.len() == 64);
-/// ```
-pub fn sha256_hex(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }
 
 /// The file's name without its extension, with what is unsafe in a file name replaced by `-`.

@@ -122,6 +122,7 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
         sha256: String::new(),
         description: String::new(),
         scale_ratio: 1.0,
+        station_xml: Vec::new(),
         scale_target: None,
         processing: Vec::new(),
         motion: Motion::new(dt_s, accel).unwrap(),

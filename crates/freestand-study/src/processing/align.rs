@@ -14,15 +14,13 @@ const SAME_TIME: f64 = 0.05;
 
 const ONE_RECORD: &str = "give two components of one record";
 
-/// Two components from the same time on, with the same number of samples, raw ones without their means.
+/// One of two components from the same time on, with the same number of samples; a raw one without its mean.
 #[derive(Debug)]
 pub(super) struct Aligned {
-    /// The motions.
-    pub(super) motions: (Motion, Motion),
-    /// What is to be said of both together.
-    pub(super) both: Vec<String>,
-    /// What was done to each.
-    pub(super) each: (Vec<String>, Vec<String>),
+    /// The motion.
+    pub(super) motion: Motion,
+    /// What was done to it unasked; what concerns both stands with the first.
+    pub(super) steps: Vec<String>,
 }
 
 /// Brings two components to the times that both have; `names` are what they are called in words.
@@ -33,7 +31,7 @@ pub(super) fn aligned(
     (first, second): (&Component, &Component),
     names: (&str, &str),
     keep_mean: bool,
-) -> Result<Aligned, Problem> {
+) -> Result<[Aligned; 2], Problem> {
     let mut both = Vec::new();
     let later = later_by((first, second), names, &mut both)?;
     let skipped = |by: i64| usize::try_from(by).unwrap_or(0);
@@ -41,17 +39,18 @@ pub(super) fn aligned(
     let left = |component: &Component, skip: usize| component.motion.accel_m_s2().len().saturating_sub(skip);
     let (left_1, left_2) = (left(first, skip_1), left(second, skip_2));
     let length = left_1.min(left_2);
-    let (one, steps_1) = cut(first, names.0, skip_1..skip_1 + length, keep_mean)?;
-    let (mut two, mut steps_2) = cut(second, names.1, skip_2..skip_2 + length, keep_mean)?;
-    if let Some(step) = one_step(&one, &two, names) {
-        two = Motion::new(one.dt_s(), two.accel_m_s2().to_vec())
+    let mut one = cut(first, names.0, skip_1..skip_1 + length, keep_mean)?;
+    let mut two = cut(second, names.1, skip_2..skip_2 + length, keep_mean)?;
+    if let Some(step) = one_step(&one.motion, &two.motion, names) {
+        two.motion = Motion::new(one.motion.dt_s(), two.motion.accel_m_s2().to_vec())
             .map_err(|error| refused("the time step", error, ONE_RECORD))?;
-        steps_2.insert(0, step);
+        two.steps.insert(0, step);
     }
-    if one.accel_m_s2() == two.accel_m_s2() && one.peak_m_s2() > 0.0 {
+    if one.motion.accel_m_s2() == two.motion.accel_m_s2() && one.motion.peak_m_s2() > 0.0 {
         both.push(format!("components {} and {} are equal sample by sample", names.0, names.1));
     }
-    Ok(Aligned { motions: (one, two), both, each: (steps_1, steps_2) })
+    one.steps.splice(..0, both);
+    Ok([one, two])
 }
 
 /// Samples by which the second component begins later than the first (earlier: negative), by the times that both have.
@@ -95,12 +94,7 @@ fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<String> {
 }
 
 /// The samples of a component that are kept, of a raw one without their mean, and what was done.
-fn cut(
-    component: &Component,
-    name: &str,
-    kept: std::ops::Range<usize>,
-    keep_mean: bool,
-) -> Result<(Motion, Vec<String>), Problem> {
+fn cut(component: &Component, name: &str, kept: std::ops::Range<usize>, keep_mean: bool) -> Result<Aligned, Problem> {
     let mut steps = Vec::new();
     let mut motion = component.motion.clone();
     let samples = motion.accel_m_s2();
@@ -124,7 +118,7 @@ fn cut(
         steps.push(format!("mean of {mean_m_s2:.6} m/s2 removed from {name} (raw record)"));
         motion = centred;
     }
-    Ok((motion, steps))
+    Ok(Aligned { motion, steps })
 }
 
 #[cfg(test)]

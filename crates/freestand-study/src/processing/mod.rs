@@ -27,7 +27,7 @@ pub use check::check_scale;
 pub use pair::{Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths};
 pub use short_period::short_period_warning;
 pub(crate) use short_period::{few_steps, samples_needed};
-pub use target::{TargetFile, TargetSource, TargetSpectrum, parse_target, read_target};
+pub use target::{TargetSource, TargetSpectrum, parse_target, read_target};
 pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_target_source};
 
 /// What the user asks to be done to the samples of a record, in the order in which it is done. The default alters nothing

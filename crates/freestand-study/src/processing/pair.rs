@@ -104,8 +104,8 @@ pub fn with_azimuths<'f>(
     Ok((bearing(first)?, bearing(second)?))
 }
 
-/// Both components of a pair, each processed by itself. `names` are what they are called in words; what concerns both is
-/// among the steps of each, and among the notes of the first.
+/// Both components of a pair, each processed by itself. `names` are what they are called in words; what concerns both
+/// stands with the first.
 ///
 /// # Errors
 /// A scale that is found from the record, which would not be the same for both; otherwise as [`super::process`].
@@ -118,13 +118,9 @@ pub fn process_pair(
         return Err(Problem::new(ProblemKind::Value, "two components have no one factor to a target")
             .hint("give the factor itself: --scale"));
     }
-    let Aligned { motions: (one, two), both, each } = aligned((first, second), names, processing.keep_mean)?;
-    let of_first = both.iter().cloned().chain(each.0).collect();
-    let of_second = both.iter().cloned().chain(each.1).collect();
-    let one = finish(one, of_first, None, processing)?;
-    let mut two = finish(two, of_second, None, processing)?;
-    two.notes.retain(|note| !both.contains(note));
-    Ok((one, two))
+    let [one, two] = aligned((first, second), names, processing.keep_mean)?;
+    let finished = |one: Aligned| finish(one.motion, one.steps, None, processing);
+    Ok((finished(one)?, finished(two)?))
 }
 
 /// What must be said of components that are taken as perpendicular but point otherwise.
@@ -148,8 +144,9 @@ pub fn turned(
     azimuth_deg: f64,
     processing: &Processing,
 ) -> Result<Processed, Problem> {
-    let Aligned { motions: (one, two), both, each } = aligned((first.0, second.0), names, processing.keep_mean)?;
-    let rotated = Pair::new(&one, &two).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
+    let [Aligned { motion: one, steps: mut unasked }, two] = aligned((first.0, second.0), names, processing.keep_mean)?;
+    unasked.extend(two.steps);
+    let rotated = Pair::new(&one, &two.motion).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
     let motion = rotated.map_err(|error| {
         let hint = match error {
             RotateError::Steps { .. } => {
@@ -167,5 +164,5 @@ pub fn turned(
         number(second.1, 6),
         number(azimuth_deg, 6)
     );
-    finish(motion, both.into_iter().chain(each.0).chain(each.1).collect(), Some(step), processing)
+    finish(motion, unasked, Some(step), processing)
 }

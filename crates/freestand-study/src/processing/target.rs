@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::{Problem, ProblemKind};
-use crate::recorded::sha256_hex;
+use crate::input::InputFile;
 use crate::records::{SpectrumRow, load_spectrum, parse_spectrum};
 use crate::words::number;
 
@@ -24,22 +24,13 @@ pub struct TargetSource {
     pub damping_ratio: Option<f64>,
 }
 
-/// A file that was read for a target.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TargetFile {
-    /// The file.
-    pub path: PathBuf,
-    /// Its SHA-256, in hexadecimal.
-    pub sha256: String,
-}
-
 /// A spectrum that records are scaled to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TargetSpectrum {
     /// What it is called in the step that scales to it.
     pub name: String,
     /// The file that it was read from.
-    pub file: Option<TargetFile>,
+    pub file: Option<InputFile>,
     /// Periods, each once; 0 is the peak acceleration \[s\].
     pub periods_s: Vec<f64>,
     /// Pseudo-accelerations at them \[m/s²\].
@@ -73,7 +64,7 @@ pub fn read_target(source: &TargetSource) -> Result<TargetSpectrum, Problem> {
 /// # Ok::<(), freestand_study::Problem>(())
 /// ```
 pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpectrum, Problem> {
-    let sha256 = sha256_hex(&bytes);
+    let file = InputFile::new(&source.path, &bytes);
     let in_file = |problem: Problem| problem.in_file(&source.path);
     let mut rows = parse_spectrum(bytes).map_err(in_file)?;
     let (damping_ratio, left_out) = take_damping(&mut rows, source.damping_ratio).map_err(in_file)?;
@@ -106,7 +97,7 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
     }
     Ok(TargetSpectrum {
         name,
-        file: Some(TargetFile { path: source.path.clone(), sha256 }),
+        file: Some(file),
         periods_s: rows.iter().map(|row| row.period_s).collect(),
         psa_m_s2: rows.iter().map(|row| row.psa_m_s2).collect(),
         damping_ratio,

@@ -136,6 +136,12 @@ fn the_mean_of_raw_components_goes_first() {
         let shifted = component.motion.accel_m_s2().iter().map(|a| a + 5.0).collect();
         component.motion = Motion::new(0.01, shifted).unwrap();
     }
+    // Of each it is said once, and with the component that lost it.
+    let (one, two) =
+        process_pair((&file.components[0], &file.components[1]), ("N-S", "E-W"), &Processing::default()).unwrap();
+    for (done, end) in [(one, "removed from N-S (raw record)"), (two, "removed from E-W (raw record)")] {
+        assert!(done.notes.len() == 1 && done.notes[0].ends_with(end) && done.steps == done.notes, "{:?}", done.notes);
+    }
     let azimuth = Processing { azimuth_deg: Some(45.0), ..Processing::default() };
     let (done, _) = process_file(&file, None, &azimuth).unwrap();
     assert!(done.steps[0].starts_with("mean of 5.00") && done.steps[0].ends_with("removed from N-S (raw record)"));

@@ -1,4 +1,4 @@
-//! Columns of a Fortran format, one row a line, to the end of the file.
+//! Columns of numbers, one row a line, to the end of the file.
 
 use super::format::Format;
 use super::fortran::is_missing_value;
@@ -9,45 +9,71 @@ use crate::error::{Problem, ProblemKind};
 /// Columns of equal length.
 pub(super) struct Rows {
     pub(super) columns: Vec<Vec<f64>>,
-    /// Line of the first row, counted from 1.
+    /// Line of the first row, counted from 1; 0 before there is one.
     pub(super) first_line: usize,
+}
+
+impl Rows {
+    pub(super) fn of_width(width: usize) -> Self {
+        Self { columns: vec![Vec::new(); width], first_line: 0 }
+    }
+
+    /// How many rows there are.
+    pub(super) fn count(&self) -> usize {
+        self.columns.first().map_or(0, Vec::len)
+    }
+
+    /// Adds the numbers of a line.
+    ///
+    /// # Errors
+    /// More or fewer than there are columns, a value that stands for a missing one.
+    pub(super) fn push(&mut self, row: &[f64], line: usize) -> Result<(), Problem> {
+        if row.len() != self.columns.len() {
+            let message = format!("a row has {} values, this one {}", self.columns.len(), row.len());
+            return Err(Problem::new(ProblemKind::Format, message)
+                .at_line(line)
+                .hint("the file may be cut off or damaged: fetch it again"));
+        }
+        if let Some(gap) = row.iter().find(|&&value| is_missing_value(value)) {
+            return Err(missing(&gap.to_string(), line));
+        }
+        if self.first_line == 0 {
+            self.first_line = line;
+        }
+        for (column, value) in self.columns.iter_mut().zip(row) {
+            column.push(*value);
+        }
+        Ok(())
+    }
+
+    /// The rows, if there are any; `lines` is where they end.
+    ///
+    /// # Errors
+    /// None at all.
+    pub(super) fn not_empty(self, lines: &Lines<'_>) -> Result<Self, Problem> {
+        if self.first_line == 0 { Err(no_row(lines)) } else { Ok(self) }
+    }
+}
+
+/// What is said of a header without a row.
+pub(super) fn no_row(lines: &Lines<'_>) -> Problem {
+    Problem::new(ProblemKind::Format, "no row of numbers follows the header")
+        .at_line(lines.line_number().max(1))
+        .hint("the file may be cut off: fetch it again")
 }
 
 /// Reads every line that is left as one row of `format`; blank lines hold none.
 ///
 /// # Errors
-/// No row at all, a field that is no number, a value that stands for a missing one, a row with more or fewer values.
+/// No row at all, a field that is no number; otherwise as [`Rows::push`].
 pub(super) fn read(lines: &mut Lines<'_>, format: Format) -> Result<Rows, Problem> {
-    let mut columns: Vec<Vec<f64>> = vec![Vec::new(); format.per_line];
-    let (mut row, mut first_line) = (Vec::new(), 0);
-    for line in lines.by_ref() {
-        if line.is_blank() {
-            continue;
-        }
+    let (mut rows, mut row) = (Rows::of_width(format.per_line), Vec::new());
+    for line in lines.by_ref().filter(|line| !line.is_blank()) {
         row.clear();
         format.read_line(&line, format.per_line, &mut row)?;
-        if row.len() != columns.len() {
-            let message = format!("a row has {} values, this one {}", columns.len(), row.len());
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line.number)
-                .hint("the file may be cut off or damaged: fetch it again"));
-        }
-        if let Some(gap) = row.iter().find(|&&value| is_missing_value(value)) {
-            return Err(missing(&gap.to_string(), line.number));
-        }
-        if first_line == 0 {
-            first_line = line.number;
-        }
-        for (column, value) in columns.iter_mut().zip(&row) {
-            column.push(*value);
-        }
+        rows.push(&row, line.number)?;
     }
-    if first_line == 0 {
-        return Err(Problem::new(ProblemKind::Format, "no row of numbers follows the header")
-            .at_line(lines.line_number().max(1))
-            .hint("the file may be cut off: fetch it again"));
-    }
-    Ok(Rows { columns, first_line })
+    rows.not_empty(lines)
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
 use super::*;
+use crate::input::sha256_hex;
 
 fn read(text: &str, source: &str) -> Result<TargetSpectrum, Problem> {
     parse_target(text.as_bytes().to_vec(), &super::super::parse_target_source(source)?)
