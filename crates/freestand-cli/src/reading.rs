@@ -78,10 +78,11 @@ impl ReadArgs {
         }
     }
 
-    /// The files that are read: records, and the target that they are scaled to.
+    /// The files that are read: records, the StationXML that is named, and the target that they are scaled to.
     pub(crate) fn inputs<'a>(&self, records: impl IntoIterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
         let target = self.process.scale_to_spectrum.as_deref().and_then(|text| parse_target_source(text).ok());
-        records.into_iter().cloned().chain(target.map(|source| source.path)).collect()
+        let others = self.station_xml.iter().cloned().chain(target.map(|source| source.path));
+        records.into_iter().cloned().chain(others).collect()
     }
 
     /// One motion from each file.

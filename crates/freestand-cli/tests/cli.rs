@@ -673,15 +673,22 @@ fn a_motion_is_scaled_to_the_spectrum_of_its_own() {
             assert!((ratio - expected).abs() < 1e-12, "{target}: {ratio}");
         }
         let step = &scaled["processing"];
-        let misfit = step[0].as_str().is_none_or(|step| step.ends_with("misfit below 0.01 % rms in ln)"));
-        assert!(misfit && (expected == 1.0 || step[0].is_string()), "{step}");
+        // A factor of 1 has its step too.
+        let misfit = step[0].as_str().is_some_and(|step| step.ends_with("misfit below 0.01 % rms in ln)"));
+        assert!(misfit && (scaled["scale_ratio"].as_f64().unwrap() / expected - 1.0).abs() < 1e-12, "{step}");
+        // Where the damping is not named, the one that is left out is.
+        let is_named = target.ends_with('%');
+        let left_out = scaled["warnings"].to_string().contains("those for 2 % are left out");
+        assert_eq!(left_out, !is_named, "{target}: {}", scaled["warnings"]);
     }
     // What is read is not replaced, whatever is allowed.
-    let onto = [&one[..], &["--scale-to-spectrum", "once/spectrum.csv", "--out", "once", "--force"]].concat();
     let before = std::fs::read(folder.path().join("once/spectrum.csv")).unwrap();
-    let refused = freestand_in(folder.path(), &onto);
-    assert!(refused.contains("exit status 2") && refused.contains("once/spectrum.csv"), "{refused}");
-    assert_eq!(std::fs::read(folder.path().join("once/spectrum.csv")).unwrap(), before);
+    for flag in ["--scale-to-spectrum", "--station-xml"] {
+        let onto = [&one[..], &[flag, "once/spectrum.csv", "--out", "once", "--force"]].concat();
+        let refused = freestand_in(folder.path(), &onto);
+        assert!(refused.contains("exit status 2") && refused.contains("once/spectrum.csv"), "{refused}");
+        assert_eq!(std::fs::read(folder.path().join("once/spectrum.csv")).unwrap(), before);
+    }
 }
 
 #[test]
@@ -767,4 +774,70 @@ fn azimuth_and_rotate_agree() {
     let converted = text(&["motion", "convert", "two.csv", "--to", "csv", "--azimuth", "30 deg"]);
     let rotated = text(&["motion", "rotate", "two.csv", "--to", "30 deg"]);
     assert!(converted == rotated && converted.len() > 1000);
+}
+
+/// Of many files the broken ones are listed and hide nothing else: exit status 1. Where nothing is left: 2.
+#[test]
+fn motion_info_goes_on_behind_broken_files() {
+    let folder = folder(&[
+        ("pulse.csv", RECORD),
+        ("nan.csv", "time [s],a [g]\n0,0\n0.1,nan\n0.2,0\n"),
+        ("two.csv", "time [s],ns [g],up [g]\n0,0,0\n0.25,0.5,0.1\n0.5,0,-0.1\n0.75,-0.5,0\n1,0,0\n"),
+    ]);
+    let info = |args: &[&str]| freestand_in(folder.path(), &[&["motion", "info"], args].concat());
+    let all = [
+        info(&["pulse.csv", "nan.csv", "two.csv", "gone.csv"]),
+        info(&["nan.csv", "pulse.csv", "--quiet"]),
+        info(&["nan.csv", "gone.csv"]),
+        info(&["nan.csv"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+    let shown = info(&["nan.csv", "pulse.csv", "two.csv", "--out", "out", "--json"]);
+    assert!(shown.contains("exit status 1\n"), "{shown}");
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    assert_eq!(read("measures.csv").lines().count(), 4);
+    let json: serde_json::Value = serde_json::from_str(&read("result.json")).unwrap();
+    let failed = json["failed"].as_array().unwrap();
+    assert_eq!((failed.len(), json["motions"].as_array().unwrap().len()), (1, 3));
+    assert_eq!((failed[0]["path"].as_str(), failed[0]["hint"].is_string()), (Some("nan.csv"), true));
+    assert!(failed[0]["reason"].as_str().unwrap().starts_with("line 3: "), "{failed:?}");
+}
+
+/// Times are counted from the first sample in what is written, and that the start is lost is said where it is.
+#[test]
+fn a_start_that_is_not_kept_is_said() {
+    let late = "time [s],N [g],E [g]\n12.5,0,0\n12.75,0.5,0.1\n13,0,0\n";
+    let folder = folder(&[("late.csv", late), ("pulse.csv", RECORD)]);
+    let motion = |args: &[&str]| freestand_in(folder.path(), &[&["motion"], args].concat());
+    let all = [
+        motion(&["convert", "late.csv", "--to", "csv", "--component", "N"]),
+        motion(&["rotate", "late.csv", "--to", "0 deg"]),
+        motion(&["convert", "pulse.csv", "--to", "csv"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+    // Nothing is written by others, and so nothing is lost.
+    let spectrum = motion(&["spectrum", "late.csv", "--component", "N", "--periods", "5 s"]);
+    assert!(!spectrum.contains("not kept"), "{spectrum}");
+}
+
+/// One recorder, times in four decimals, two lengths: one pair. Components of one name are told apart by their files, each
+/// warning is said once, and one file is no pair.
+#[test]
+fn pairs_of_two_files() {
+    let recorded = |rows: u32, pace: f64| {
+        let row = |k: u32| format!("{:.4},{}\n", f64::from(k) / 128.0, 0.1 * (pace * f64::from(k)).sin());
+        format!("time [s],a0 [g]\n{}", (0..rows).map(row).collect::<String>())
+    };
+    let (north, east) = (recorded(1000, 0.1), recorded(900, 0.13));
+    let folder = folder(&[("north.csv", &north), ("east.csv", &east), ("copy.csv", &north)]);
+    let rotd = |files: &[&str]| {
+        freestand_in(folder.path(), &[&["motion", "rotd"], files, &["--periods", "0.05 s, 0.5 s"]].concat())
+    };
+    let all = [
+        rotd(&["north.csv", "east.csv"]),
+        rotd(&["north.csv", "copy.csv"]),
+        rotd(&["north.csv", "./north.csv"]),
+        rotd(&["north.csv", "east.csv", "--json"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
 }

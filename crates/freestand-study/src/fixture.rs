@@ -16,7 +16,7 @@ use freestand::spectra::UpliftCell;
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 
-use crate::processing::TargetFile;
+use crate::input::InputFile;
 use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
 use crate::study::{
@@ -81,7 +81,8 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
         sha256: "ab".repeat(32),
         description: "PEER AT2 & more".into(),
         scale_ratio: 1.25,
-        scale_target: Some(TargetFile { path: "targets/<b>.csv".into(), sha256: "cd".repeat(32) }),
+        station_xml: vec![InputFile { path: "stations/<c>.xml".into(), sha256: "ef".repeat(32) }],
+        scale_target: Some(InputFile { path: "targets/<b>.csv".into(), sha256: "cd".repeat(32) }),
         processing: vec!["multiplied by 1.25".to_owned()],
         motion: g.motion.clone(),
     });

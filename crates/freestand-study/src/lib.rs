@@ -4,6 +4,7 @@ pub mod error;
 pub mod figures;
 #[cfg(test)]
 mod fixture;
+pub mod input;
 pub mod inspect;
 mod options;
 pub mod output;

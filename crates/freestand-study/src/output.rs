@@ -19,6 +19,8 @@ const STAGING_PREFIX: &str = ".freestand-partial-";
 /// Most of a manifest that is read to see whose it is. Ours are far shorter; a stranger's may be of any size.
 const MANIFEST_BYTES: u64 = 64 << 20;
 
+const ANOTHER_FOLDER: &str = "name another folder with --out";
+
 /// One JSON document: the keys of `body` between `schema` and `warnings`; a number that is not finite is `null`.
 ///
 /// # Errors
@@ -49,7 +51,7 @@ pub fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Re
 /// A folder that is absent or may not be written, a full disk, or a folder in the file's place.
 pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), Problem> {
     let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
-    refuse_input(&inputs, path)?;
+    refuse_input(&inputs, path, "name another file to write")?;
     let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
     if path.is_dir() {
         return Err(Problem::new(ProblemKind::Io, "is a folder, a file is to be written there")
@@ -103,7 +105,7 @@ impl OutputFolder {
         let place = check_replaceable(&target, force)?;
         let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
         for name in place.listed() {
-            refuse_input(&inputs, &target.join(name))?;
+            refuse_input(&inputs, &target.join(name), ANOTHER_FOLDER)?;
         }
         // A folder that exists may be a mount point, or stand where nothing else may be written: we stay inside it.
         let staging = match place {
@@ -129,7 +131,7 @@ impl OutputFolder {
         let place = check_replaceable(&self.target, self.force)?;
         for name in names {
             let path = self.target.join(name);
-            refuse_input(&self.inputs, &path)?;
+            refuse_input(&self.inputs, &path, ANOTHER_FOLDER)?;
             let in_the_way = |what: &str| {
                 Problem::new(ProblemKind::Io, format!("{what}, an output is to be there"))
                     .in_file(&path)
@@ -344,13 +346,13 @@ fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
     Ok(())
 }
 
-fn refuse_input(inputs: &[PathBuf], output: &Path) -> Result<(), Problem> {
+fn refuse_input(inputs: &[PathBuf], output: &Path, hint: &str) -> Result<(), Problem> {
     if inputs.is_empty() || !fs::canonicalize(output).is_ok_and(|output| inputs.contains(&output)) {
         return Ok(());
     }
     Err(Problem::new(ProblemKind::Io, "is read by this command, and its output would replace it")
         .in_file(output)
-        .hint("name another folder with --out"))
+        .hint(hint))
 }
 
 /// Whether `target` may become our output folder, and what of it is ours.

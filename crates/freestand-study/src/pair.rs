@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::error::{Problem, ProblemKind};
 use crate::processing::{Processed, pair_of_one, turned, with_azimuths};
 use crate::quantity::shorten;
-use crate::recorded::{MotionFiles, name_of};
+use crate::recorded::{MotionFiles, name_of, start_note};
 use crate::records::{Component, Direction, MotionFile, read_motions};
 use crate::words::number;
 
@@ -30,13 +30,14 @@ pub struct ReadPair {
 /// Reads the files of a pair.
 ///
 /// # Errors
-/// Not one file or two, a choice of components that does not go with them, an azimuth (the direction to turn to is that of
-/// a [`RotateRequest`]); everything that is wrong with either file.
+/// Not one file or two, one file twice, a choice of components that does not go with them, an azimuth (the direction to
+/// turn to is that of a [`RotateRequest`]); everything that is wrong with either file.
 pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Vec<Problem>> {
     let wrong = misfit(request);
     if !wrong.is_empty() {
         return Err(wrong);
     }
+    refuse_same_file(&request.files.paths)?;
     let (mut files, mut problems) = (Vec::new(), Vec::new());
     for path in &request.files.paths {
         match read_motions(path, &request.files.read) {
@@ -76,6 +77,24 @@ fn misfit(request: &PairFiles) -> Vec<Problem> {
     found.map(|(_, message, hint)| Problem::new(ProblemKind::Value, message).hint(hint)).collect()
 }
 
+/// One file given twice would be one component taken for two: of each file the same is chosen.
+fn refuse_same_file(paths: &[PathBuf]) -> Result<(), Vec<Problem>> {
+    let [first, second] = paths else { return Ok(()) };
+    let real = |path: &PathBuf| std::fs::canonicalize(path).ok();
+    match (real(first), real(second)) {
+        // A device or a pipe may give other bytes each time.
+        (Some(one), Some(two)) if one == two && one.is_file() => {
+            let message = "is given twice: two components are two files, or two of one file";
+            Err(vec![
+                Problem::new(ProblemKind::Value, message)
+                    .in_file(second)
+                    .hint("give it once, and name two components with --components where it has more"),
+            ])
+        }
+        _ => Ok(()),
+    }
+}
+
 impl ReadPair {
     /// The two components.
     ///
@@ -99,6 +118,25 @@ impl ReadPair {
             Some(up) => Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))
                 .hint("name the two horizontal components: --components, or --component with two files")),
             None => Ok(pair),
+        }
+    }
+
+    /// What the two components are called in words: by their names where those differ, else with the names of their files
+    /// too, else with their paths.
+    pub fn names(&self, components: (&Component, &Component)) -> (String, String) {
+        let (one, two) = (components.0.name.clone(), components.1.name.clone());
+        match self.files.as_slice() {
+            [first, second] if one == two => {
+                let short = |file: &MotionFile| {
+                    file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy().into_owned()
+                };
+                let mut files = (short(first), short(second));
+                if files.0 == files.1 {
+                    files = (first.path.display().to_string(), second.path.display().to_string());
+                }
+                (format!("{one} of {}", files.0), format!("{two} of {}", files.1))
+            }
+            _ => (one, two),
         }
     }
 
@@ -141,10 +179,15 @@ pub struct Rotated {
 /// # Errors
 /// An azimuth that neither the file nor the request states; otherwise as [`ReadPair::components`] and [`turned`].
 pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Problem> {
-    let (first, second) = with_azimuths(read.components()?, request.azimuths_deg)?;
-    let processed = turned(first, second, request.azimuth_deg, &read.request.files.processing)?;
+    let components = read.components()?;
+    let (first, second) = with_azimuths(components, request.azimuths_deg)?;
+    let names = read.names(components);
+    let names = (names.0.as_str(), names.1.as_str());
+    let processed = turned(first, second, names, request.azimuth_deg, &read.request.files.processing)?;
     let path = read.files.first().map(|file| file.path.clone()).unwrap_or_default();
     let mut warnings = read.warnings();
+    let start = |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
+    warnings.extend(read.files.iter().filter_map(start));
     warnings.extend(processed.notes.iter().cloned());
     let name = format!("{}-{}deg", name_of(&path), number(request.azimuth_deg.rem_euclid(360.0), 6));
     Ok(Rotated { name, path, azimuth_deg: request.azimuth_deg, processed, warnings })

@@ -84,6 +84,11 @@ pub struct Unit {
 }
 
 impl Unit {
+    /// A unit of acceleration that only a record format has: one is `10^decimal_exponent · factor` m/s².
+    pub(crate) const fn acceleration(symbol: &'static str, decimal_exponent: i32, factor: f64) -> Self {
+        Self { factor, ..unit(symbol, Dimension::Acceleration, decimal_exponent, false) }
+    }
+
     /// A value in this unit, in SI.
     pub fn to_si(&self, value: f64) -> f64 {
         // Powers of ten up to 10^22 are exact in binary, negative ones are not: divide by the exact one. One rounding.

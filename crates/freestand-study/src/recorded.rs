@@ -1,15 +1,14 @@
 //! Ground motions from record files: read, one component chosen, scaled, named and fingerprinted.
 
 use std::collections::HashSet;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
-
 use crate::error::Problem;
+use crate::input::sha256_hex;
 use crate::processing::{Processing, Scale, process_file};
-use crate::records::{ReadOptions, load, parse_motions};
+use crate::records::{MotionFile, ReadOptions, load, parse_motions};
 use crate::study::RecordedMotion;
+use crate::words::number;
 
 /// Files whose motions are used.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +30,21 @@ pub struct ReadMotion {
     pub motion: RecordedMotion,
     /// What was concluded or left out.
     pub notes: Vec<String>,
+    /// What is to be said where the motion is written to a file: see [`start_note`].
+    pub start_note: Option<String>,
+}
+
+/// What is lost of a file with a time column where its motion is written to another: times are counted from the first
+/// sample everywhere here, so that they and the time step keep every bit.
+pub fn start_note(file: &MotionFile) -> Option<String> {
+    let has_clock = matches!(file.format, "CSV" | "columns");
+    let start_s = file.components.iter().filter(|_| has_clock).find_map(|one| one.start_s)?;
+    (start_s != 0.0).then(|| {
+        format!(
+            "the time column begins at {} s, and this is not kept: what is written begins at 0 s",
+            number(start_s, 9)
+        )
+    })
 }
 
 /// Reads all files; what fails is listed with its index and hides nothing else.
@@ -66,27 +80,14 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
         sha256,
         description: format!("{}{chosen}", file.format),
         scale_ratio: processed.scale_ratio,
+        station_xml: file.station_xml(),
         scale_target,
         processing: processed.steps,
         motion: processed.motion,
     };
+    let start_note = start_note(&file);
     let notes = file.notes.into_iter().chain(processed.notes).collect();
-    Ok(ReadMotion { motion, notes })
-}
-
-/// SHA-256 in hexadecimal.
-///
-/// # Example
-/// ```
-/// let digest = freestand_study::recorded::sha256_hex(b"abc");
-/// assert!(digest.starts_with("ba7816bf") && digest.len() == 64);
-/// ```
-pub fn sha256_hex(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    Ok(ReadMotion { motion, notes, start_note })
 }
 
 /// The file's name without its extension, with what is unsafe in a file name replaced by `-`.

@@ -24,7 +24,9 @@ use crate::options::{
 use crate::quantity::{Dimension, format_si, shorten};
 use crate::recorded::{MotionFiles, read_recorded};
 use crate::records::ReadOptions;
-use crate::study::{BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, Study, SyntheticGround};
+use crate::study::{
+    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
+};
 
 /// Most synthetic motions of a study.
 pub const MAX_MOTIONS: u64 = 1000;
@@ -697,13 +699,13 @@ fn squat_warning(blocks: &[Block]) -> Option<String> {
     ))
 }
 
-/// The paths of the files that a study's motions were read from, those of the targets of scaling among them.
+/// The paths of the files that a study's motions were read from, those of StationXML and of targets of scaling among them.
 pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
     match &study.ground {
         Ground::Synthetic(_) => Vec::new(),
         Ground::Recorded(motions) => {
-            let targets = motions.iter().filter_map(|motion| Some(&motion.scale_target.as_ref()?.path));
-            motions.iter().map(|motion| &motion.path).chain(targets).cloned().collect()
+            let others = motions.iter().flat_map(RecordedMotion::other_inputs).map(|file| &file.path);
+            motions.iter().map(|motion| &motion.path).chain(others).cloned().collect()
         }
     }
 }

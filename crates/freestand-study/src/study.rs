@@ -6,7 +6,7 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
 
-use crate::processing::TargetFile;
+use crate::input::InputFile;
 
 /// Everything that `run` needs, and nothing that it does not.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,12 +79,21 @@ pub struct RecordedMotion {
     pub description: String,
     /// Factor that the samples were multiplied by.
     pub scale_ratio: f64,
+    /// StationXML with the sensitivities of its counts, where they came from one.
+    pub station_xml: Vec<InputFile>,
     /// The file with the spectrum that they were scaled to, where there was one.
-    pub scale_target: Option<TargetFile>,
+    pub scale_target: Option<InputFile>,
     /// What was done to the samples, one step each, in words.
     pub processing: Vec<String>,
     /// The samples, as used.
     pub motion: Motion,
+}
+
+impl RecordedMotion {
+    /// The files that were read beside its own.
+    pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
+        self.station_xml.iter().chain(&self.scale_target)
+    }
 }
 
 /// The building, as the shear-flexure beam takes it.

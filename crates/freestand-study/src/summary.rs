@@ -4,6 +4,7 @@ use freestand::rocking::Outcome;
 use freestand::synthesis;
 use serde_json::{Value, json};
 
+use crate::input::{InputFile, sha256_hex};
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::ranked_quantile;
 use crate::study::{Ground, Study};
@@ -143,7 +144,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
         },
         "inputs": {
             "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
-            "study_sha256": crate::recorded::sha256_hex(study.toml.as_bytes()),
+            "study_sha256": sha256_hex(study.toml.as_bytes()),
             "ground": ground_inputs(&study.ground),
             "motions": motions,
             "building": {
@@ -202,15 +203,17 @@ fn ground_inputs(ground: &Ground) -> Value {
                     "sha256": record.sha256,
                     "description": record.description,
                     "scale_ratio": record.scale_ratio,
-                    "scale_target": record.scale_target.as_ref().map(|target| json!({
-                        "path": target.path.display().to_string(),
-                        "sha256": target.sha256,
-                    })),
+                    "station_xml": record.station_xml.iter().map(input_file).collect::<Vec<_>>(),
+                    "scale_target": record.scale_target.as_ref().map(input_file),
                     "processing": record.processing,
                 })
             })
             .collect(),
     }
+}
+
+fn input_file(file: &InputFile) -> Value {
+    json!({"path": file.path.display().to_string(), "sha256": file.sha256})
 }
 
 /// How a restitution is written in outputs.

@@ -11,9 +11,11 @@ use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use super::failed::{Failed, Found};
 use crate::error::Problem;
 use crate::figures::{Figure, FigureError, Words, record_figure};
 use crate::processing::{Processed, process};
+use crate::quantity::shorten;
 use crate::recorded::{MotionFiles, name_of, unique};
 use crate::records::{Component, Direction, MotionFile, read_motions};
 use crate::tables::records_csv;
@@ -34,13 +36,15 @@ pub struct InfoRequest {
 pub struct InfoReport {
     /// One for each component, in the order of the files and within them.
     pub motions: Vec<MotionInfo>,
+    /// What could not be read or processed, in the order of the files.
+    pub failed: Vec<Failed>,
     /// What readers concluded or left out.
     #[serde(skip)]
     pub warnings: Vec<String>,
 }
 
-/// One component of a file. First, last, mean and sum are of the values as the file has them; the measures are of the
-/// motion after `processing`.
+/// One component of a file. First, last, mean and sum are of the values as the file has them; the measures, and the values
+/// that are called processed, are of the motion after `processing`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct MotionInfo {
@@ -95,6 +99,12 @@ pub struct MotionInfo {
     pub first_values_m_s2: Vec<f64>,
     /// The last two.
     pub last_values_m_s2: Vec<f64>,
+    /// The first five after `processing`.
+    pub processed_first_values_m_s2: Vec<f64>,
+    /// The last two after `processing`.
+    pub processed_last_values_m_s2: Vec<f64>,
+    /// The factor on the samples, with every digit.
+    pub scale_ratio: f64,
     /// What was done to the samples, one step each, in words.
     pub processing: Vec<String>,
     /// The motion, where it was to be kept.
@@ -105,49 +115,59 @@ pub struct MotionInfo {
 /// Looks into the files, on the threads of the current pool; the report does not depend on them.
 ///
 /// # Errors
-/// Everything that is wrong with any of the files; one that fails hides nothing else.
+/// Everything that is wrong with the only file, or with all of several; of others the report has what is right, and
+/// lists what failed.
 pub fn info(request: &InfoRequest) -> Result<InfoReport, Vec<Problem>> {
     let each: Vec<_> = request.files.paths.par_iter().map(|path| info_of_file(path, request)).collect();
-    let (mut motions, mut warnings, mut problems) = (Vec::new(), Vec::new(), Vec::new());
+    let mut report = InfoReport { motions: Vec::new(), failed: Vec::new(), warnings: Vec::new() };
+    for (path, found) in request.files.paths.iter().zip(each) {
+        report.motions.extend(found.motions);
+        report.warnings.extend(found.notes.iter().map(|note| format!("{}: {note}", path.display())));
+        report.failed.extend(found.problems.into_iter().map(|problem| Failed::new(path, problem)));
+    }
+    if !report.failed.is_empty() && (report.motions.is_empty() || request.files.paths.len() == 1) {
+        return Err(report.failed.into_iter().map(|one| one.problem).collect());
+    }
     let mut names = HashSet::new();
-    for one in each {
-        match one {
-            Ok((found, notes)) => {
-                motions.extend(found);
-                warnings.extend(notes);
-            }
-            Err(found) => problems.extend(found),
-        }
-    }
-    if !problems.is_empty() {
-        return Err(problems);
-    }
-    for one in &mut motions {
+    for one in &mut report.motions {
         one.name = unique(&one.name, &mut names);
     }
-    Ok(InfoReport { motions, warnings })
+    Ok(report)
 }
 
-fn info_of_file(path: &Path, request: &InfoRequest) -> Result<(Vec<MotionInfo>, Vec<String>), Vec<Problem>> {
-    let file = read_motions(path, &request.files.read).map_err(|error| error.problems)?;
+fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
+    let file = match read_motions(path, &request.files.read) {
+        Ok(file) => file,
+        Err(error) => return Found { problems: error.problems, ..Found::default() },
+    };
     let components: Vec<&Component> = match request.files.component.as_deref() {
-        Some(wanted) => vec![file.select(Some(wanted)).map_err(|problem| vec![problem])?],
+        Some(wanted) => match file.select(Some(wanted)) {
+            Ok(component) => vec![component],
+            Err(problem) => return Found { problems: vec![problem], ..Found::default() },
+        },
         None => file.components.iter().collect(),
     };
-    let each: Vec<Result<(MotionInfo, Vec<String>), Problem>> =
-        components.into_par_iter().map(|component| info_of_component(&file, component, request)).collect();
-    let (mut found, mut notes, mut problems) = (Vec::new(), file.notes.clone(), Vec::new());
+    let count = components.len();
+    let of = |component: &Component| {
+        info_of_component(&file, component, request).map_err(|mut problem| {
+            if count > 1 {
+                problem.message = format!("component {}: {}", shorten(&component.name), problem.message);
+            }
+            problem
+        })
+    };
+    let each: Vec<Result<(MotionInfo, Vec<String>), Problem>> = components.into_par_iter().map(of).collect();
+    let mut found = Found { notes: file.notes.clone(), ..Found::default() };
     for one in each {
         match one {
             Ok((info, more)) => {
-                notes.extend(more.into_iter().map(|note| format!("{}: {note}", info.component)));
-                found.push(info);
+                found.notes.extend(more.into_iter().map(|note| format!("{}: {note}", info.component)));
+                found.motions.push(info);
             }
-            Err(problem) => problems.push(problem),
+            Err(problem) => found.problems.push(problem),
         }
     }
-    let notes = notes.iter().map(|note| format!("{}: {note}", path.display())).collect();
-    if problems.is_empty() { Ok((found, notes)) } else { Err(problems) }
+    found
 }
 
 fn info_of_component(
@@ -155,7 +175,7 @@ fn info_of_component(
     component: &Component,
     request: &InfoRequest,
 ) -> Result<(MotionInfo, Vec<String>), Problem> {
-    let Processed { motion, steps, notes, .. } =
+    let Processed { motion, steps, notes, scale_ratio } =
         process(component, &request.files.processing).map_err(|problem| problem.in_file(&file.path))?;
     let m = measures(&motion);
     let spectral = spectral_measures(&motion);
@@ -206,12 +226,23 @@ fn info_of_component(
         excursions_above_threshold: rocking.map(|r| r.excursions),
         mean_m_s2: component.motion.mean_m_s2(),
         sum_abs_m_s2: raw.iter().map(|a| a.abs()).sum(),
-        first_values_m_s2: raw.iter().take(5).copied().collect(),
-        last_values_m_s2: raw[raw.len() - 2..].to_vec(),
+        first_values_m_s2: first(raw),
+        last_values_m_s2: last(raw),
+        processed_first_values_m_s2: first(motion.accel_m_s2()),
+        processed_last_values_m_s2: last(motion.accel_m_s2()),
+        scale_ratio,
         processing: steps,
         motion: request.keep_motions.then_some(motion),
     };
     Ok((info, notes))
+}
+
+fn first(values: &[f64]) -> Vec<f64> {
+    values.iter().take(5).copied().collect()
+}
+
+fn last(values: &[f64]) -> Vec<f64> {
+    values.iter().skip(values.len().saturating_sub(2)).copied().collect()
 }
 
 /// The file's name, with the component's where there are several.

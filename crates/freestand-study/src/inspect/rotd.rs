@@ -6,7 +6,7 @@ use serde::{Serialize, Serializer};
 
 use crate::error::{Problem, ProblemKind};
 use crate::pair::ReadPair;
-use crate::processing::{not_perpendicular, process_pair};
+use crate::processing::{not_perpendicular, process_pair, short_period_warning};
 use crate::tables::columns_csv;
 
 /// Spectra over all directions to compute.
@@ -61,7 +61,9 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
             .hint("name each percentile once"));
     }
     let (first, second) = read.components()?;
-    let (one, two) = process_pair(first, second, &read.request.files.processing)?;
+    let names = read.names((first, second));
+    let names = (names.0.as_str(), names.1.as_str());
+    let (one, two) = process_pair((first, second), names, &read.request.files.processing)?;
     let spectrum = Pair::new(&one.motion, &two.motion)
         .and_then(|pair| directional_spectrum(&pair, request.damping_ratio, &request.periods_s, &request.percentiles))
         .map_err(|error| {
@@ -72,6 +74,7 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
     let ranked = request.percentiles.iter().zip(&spectrum.rotd_m_s2);
     let mut warnings = read.warnings();
     warnings.extend(not_perpendicular(first, second));
+    warnings.extend(short_period_warning("the spectrum", &request.periods_s, one.motion.dt_s()));
     warnings.extend([&one, &two].into_iter().flat_map(|done| done.notes.iter().cloned()));
     Ok(RotdReport {
         paths: read.files.iter().map(|file| file.path.to_string_lossy().into_owned()).collect(),

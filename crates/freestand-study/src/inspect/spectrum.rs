@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::error::{Problem, ProblemKind};
 use crate::figures::{Figure, FigureError, Words, response_spectrum_figure};
+use crate::processing::{few_steps, samples_needed};
 use crate::recorded::ReadMotion;
 use crate::tables::columns_csv;
 
@@ -30,6 +31,8 @@ pub struct SpectrumReport {
     pub name: String,
     pub upsample: usize,
     pub processing: Vec<String>,
+    /// The factor on the samples, with every digit.
+    pub scale_ratio: f64,
     pub periods_s: Vec<f64>,
     /// That of the first damping; its four arrays stand beside the periods.
     #[serde(flatten)]
@@ -91,12 +94,13 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
         .next()
         .ok_or_else(|| Problem::new(ProblemKind::Value, "a spectrum needs a damping ratio").hint("5 % is usual"))?;
     let mut warnings = read.notes.clone();
-    warnings.extend(short_period_warning(&request.periods_s, recorded.motion.dt_s(), request.upsample));
+    warnings.extend(short_period_note(&request.periods_s, recorded.motion.dt_s(), request.upsample));
     Ok(SpectrumReport {
         path: recorded.path.to_string_lossy().into_owned(),
         name: recorded.name.clone(),
         upsample: request.upsample,
         processing,
+        scale_ratio: recorded.scale_ratio,
         periods_s: request.periods_s.clone(),
         first,
         more: all.collect(),
@@ -104,19 +108,15 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
     })
 }
 
-/// Peaks at the samples of a motion miss those between them where a period has fewer than ten.
-fn short_period_warning(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<String> {
-    const SAMPLES_A_PERIOD: f64 = 10.0;
-    let shortest_s = periods_s.iter().copied().filter(|&t| t > 0.0).fold(f64::INFINITY, f64::min);
-    // A period of ten steps, but for its last bits, has ten.
-    let needed = (SAMPLES_A_PERIOD * dt_s / shortest_s * (1.0 - 1e-9)).ceil();
-    (needed > upsample.max(1) as f64).then(|| {
-        let given = if upsample > 1 { format!(", in {upsample} parts each") } else { String::new() };
-        format!(
-            "the shortest period, {shortest_s} s, has fewer than ten steps of {dt_s} s{given}: there the record says little \
-             and peaks are missed; {needed} samples in place of each (--upsample) would give it ten"
-        )
-    })
+/// What is said of periods with fewer than ten samples; here more of them can be had.
+fn short_period_note(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<String> {
+    let (shortest_s, needed) = samples_needed(periods_s, dt_s, upsample)?;
+    let given = if upsample > 1 { format!(", in {upsample} parts each") } else { String::new() };
+    Some(format!(
+        "{}{given}: there the record says little and peaks are missed; {needed} samples in place of each (--upsample) would \
+         give it ten",
+        few_steps("the shortest period", shortest_s, dt_s)
+    ))
 }
 
 impl DampedSpectrum {

@@ -52,7 +52,11 @@ fn values_as_in_the_file_stand_beside_measures_after_the_processing() {
         (one.first_values_m_s2.as_slice(), one.last_values_m_s2.as_slice()),
         (&[0.0, 0.5 * g, -g, 0.0][..], &[-g, 0.0][..])
     );
-    assert_eq!((one.sum_abs_m_s2, one.mean_m_s2), (1.5 * g, -0.125 * g));
+    assert_eq!(
+        (one.processed_first_values_m_s2.as_slice(), one.processed_last_values_m_s2.as_slice()),
+        (&[0.0, -g, 2.0 * g, 0.0][..], &[2.0 * g, 0.0][..])
+    );
+    assert_eq!((one.sum_abs_m_s2, one.mean_m_s2, one.scale_ratio), (1.5 * g, -0.125 * g, -2.0));
     assert_eq!((one.pga_signed_m_s2, one.pga_index), (2.0 * g, 2));
     assert_eq!(one.processing, ["multiplied by -2"]);
     assert_eq!((one.uplift_threshold_g, one.excursions_above_threshold), (Some(0.5), Some(2)));
@@ -63,12 +67,38 @@ fn values_as_in_the_file_stand_beside_measures_after_the_processing() {
 }
 
 #[test]
-fn every_broken_file_is_reported() {
+fn broken_files_are_listed_beside_what_could_be_read() {
     let folder = tempfile::tempdir().unwrap();
-    let request = request(folder.path(), &[("a.csv", "time [s],a [g]\n0,x\n"), ("b.csv", TWO), ("c.csv", "")]);
+    let broken = "time [s],a [g]\n0,0\n0.1,x\n0.2,0\n";
+    let mut request = request(folder.path(), &[("a.csv", broken), ("b.csv", TWO), ("c.csv", "")]);
+    let report = info(&request).unwrap();
+    let names: Vec<&str> = report.motions.iter().map(|one| one.name.as_str()).collect();
+    assert_eq!(names, ["b_ns", "b_up"]);
+    let failed: Vec<_> = report.failed.iter().map(|one| Path::new(&one.path).file_name().unwrap()).collect();
+    assert_eq!(failed, ["a.csv", "c.csv"]);
+    // The path stands beside the reason, and in the message for people.
+    assert!(report.failed[0].reason.starts_with("line 3: "), "{:?}", report.failed);
+    assert!(report.failed[0].problem.to_string().contains("a.csv:3: ") && report.failed[0].hint.is_some());
+    assert_eq!(String::from_utf8(report.measures_csv().unwrap()).unwrap().lines().count(), 3);
+    // Nothing is left to report of one file or of broken ones only.
+    request.files.paths.remove(1);
     let problems = info(&request).unwrap_err();
     let files: Vec<_> = problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
     assert_eq!(files, ["a.csv", "c.csv"]);
+}
+
+/// A component of zeros has no factor to a target; the other one of its file has.
+#[test]
+fn a_component_that_fails_hides_no_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let still = TWO.replace("0.1\n", "0\n");
+    let mut request = request(folder.path(), &[("one.csv", TWO), ("two.csv", &still)]);
+    request.files.processing.scale = Scale::Peak { target_m_s2: 1.0 };
+    let report = info(&request).unwrap();
+    assert_eq!((report.motions.len(), report.failed.len()), (3, 1));
+    assert!(report.failed[0].reason.starts_with("component up: scale: "), "{:?}", report.failed);
+    request.files.paths.remove(0);
+    assert_eq!(info(&request).unwrap_err().len(), 1);
 }
 
 #[test]
@@ -79,7 +109,7 @@ fn measures_as_csv_have_a_row_a_component_and_no_lists() {
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 3);
     assert!(lines[0].starts_with("motion,format,component,station,direction,azimuth_deg,unit,is_raw,dt_s,npts"));
-    assert!(lines[0].ends_with(",mean_m_s2,sum_abs_m_s2,processing") && !lines[0].contains("values"));
+    assert!(lines[0].ends_with(",mean_m_s2,sum_abs_m_s2,scale_ratio,processing") && !lines[0].contains("values"));
     // No station, no block: empty fields.
     assert!(lines[1].starts_with("z_ns,CSV,ns,,horizontal,0,g,false,0.5,4,1.5,"), "{}", lines[1]);
     assert_eq!(lines[0].split(',').count(), lines[1].split(',').count());
@@ -92,11 +122,12 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
         sha256: String::new(),
         description: String::new(),
         scale_ratio: 1.0,
+        station_xml: Vec::new(),
         scale_target: None,
         processing: Vec::new(),
         motion: Motion::new(dt_s, accel).unwrap(),
     };
-    ReadMotion { motion, notes: Vec::new() }
+    ReadMotion { motion, notes: Vec::new(), start_note: None }
 }
 
 #[test]
@@ -143,6 +174,37 @@ fn samples_are_refined_up_to_the_one_bound_of_resampling() {
     let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s: vec![1.0], upsample: MAX_LENGTH };
     let problem = spectrum(&read(0.01, vec![0.0, 1.0, 0.0]), &request).unwrap_err();
     assert!(problem.message.contains("in place of each of 3 "), "{problem}");
+}
+
+#[test]
+fn short_periods_over_directions_are_warned_of_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let pair = read_pair(&PairFiles {
+        files: request(folder.path(), &[("two.csv", "time [s],N [g],E [g]\n0,0,0\n0.01,0.3,0.4\n0.02,0,0\n")]).files,
+        components: None,
+    });
+    let pair = pair.unwrap();
+    let warnings = |period_s: f64| {
+        let request = RotdRequest { damping_ratio: 0.05, periods_s: vec![0.0, period_s], percentiles: vec![50.0] };
+        rotd(&pair, &request).unwrap().warnings
+    };
+    assert!(warnings(0.1).is_empty());
+    assert!(warnings(0.09)[0].starts_with("the shortest period of the spectrum, 0.09 s, has fewer than ten steps"));
+}
+
+/// Two files of one component each, of one name: what is done to either is said once, by the name of its file.
+#[test]
+fn pair_warnings_are_said_once_with_their_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let short = "time [s],a0 [g]\n0,0\n0.01,0.3\n0.02,0\n";
+    let long = "time [s],a0 [g]\n0,0\n0.01,0.4\n0.02,0\n0.03,0.1\n";
+    let files = request(folder.path(), &[("n.csv", short), ("e.csv", long)]).files;
+    let pair = read_pair(&PairFiles { files, components: None }).unwrap();
+    let request = RotdRequest { damping_ratio: 0.05, periods_s: vec![0.5], percentiles: vec![50.0] };
+    let report = rotd(&pair, &request).unwrap();
+    let said = "last sample of a0 of e.csv left out: the other component ends before";
+    assert_eq!(report.warnings, [said]);
+    assert_eq!(report.processing, [vec![], vec![said.to_owned()]]);
 }
 
 fn directions(text: &str, percentiles: &[f64], processing: Processing) -> Result<RotdReport, crate::Problem> {

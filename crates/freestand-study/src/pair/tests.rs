@@ -97,3 +97,37 @@ fn a_vertical_component_is_no_part_of_a_pair() {
     let problem = read_pair(&asked).unwrap().components().unwrap_err();
     assert_eq!(problem.message, "component Up is vertical");
 }
+
+#[test]
+fn one_file_twice_is_refused_and_equal_names_are_told_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut twice = request(folder.path(), &[("one.csv", ONE)]);
+    std::fs::create_dir(folder.path().join("b")).unwrap();
+    twice.files.paths.push(folder.path().join("b/../one.csv"));
+    let problems = read_pair(&twice).unwrap_err();
+    assert!(problems.len() == 1 && problems[0].message.starts_with("is given twice"), "{problems:?}");
+    let names = |files: &[(&str, &str)]| {
+        let read = read_pair(&request(folder.path(), files)).unwrap();
+        read.names(read.components().unwrap())
+    };
+    let other = ONE.replace("H [g]", "V2 [g]");
+    assert_eq!(names(&[("one.csv", ONE), ("c.csv", &other)]), ("H".to_owned(), "V2".to_owned()));
+    assert_eq!(names(&[("one.csv", ONE), ("c.csv", ONE)]), ("H of one.csv".to_owned(), "H of c.csv".to_owned()));
+    let (first, second) = names(&[("one.csv", ONE), ("b/one.csv", ONE)]);
+    assert!(first != second && second.starts_with("H of ") && second.ends_with("one.csv"), "{first} {second}");
+}
+
+#[test]
+fn turned_components_of_equal_names_are_named_with_their_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let longer = ONE.replace("0.2\n", "0.1\n") + "0.03,0\n";
+    let read = read_pair(&request(folder.path(), &[("north.csv", ONE), ("east.csv", &longer)])).unwrap();
+    let turned = rotate(&read, &RotateRequest { azimuth_deg: 30.0, azimuths_deg: Some((0.0, 90.0)) }).unwrap();
+    assert_eq!(
+        turned.processed.steps,
+        [
+            "last sample of H of east.csv left out: the other component ends before",
+            "components H of north.csv (0 deg) and H of east.csv (90 deg) turned to 30 deg"
+        ]
+    );
+}

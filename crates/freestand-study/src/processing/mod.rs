@@ -1,25 +1,33 @@
 //! What is done to a record between its file and its use, each step in words.
 
+mod align;
 mod check;
+mod factor;
 mod pair;
+mod raw;
+mod short_period;
 mod target;
 mod written;
 
-use freestand::G0_M_S2;
 use freestand::motion::Motion;
 use freestand::signal::baseline::{Baseline, corrected};
 use freestand::signal::filter::{Filtered, Pass, filtered};
 use freestand::signal::resample::resampled;
-use freestand::signal::scale::{LARGE_FACTOR, SpectrumFit, factor_to_peak, factor_to_sa, fit_to_spectrum};
+use freestand::signal::scale::LARGE_FACTOR;
 use freestand::signal::taper::tapered;
 
 use crate::error::{Problem, ProblemKind};
 use crate::records::{Component, MotionFile};
 use crate::words::number;
 
+use factor::{factor, factor_words, target_notes};
+use raw::without_mean;
+
 pub use check::check_scale;
 pub use pair::{Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths};
-pub use target::{TargetFile, TargetSource, TargetSpectrum, parse_target, read_target};
+pub use short_period::short_period_warning;
+pub(crate) use short_period::{few_steps, samples_needed};
+pub use target::{TargetSource, TargetSpectrum, parse_target, read_target};
 pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_target_source};
 
 /// What the user asks to be done to the samples of a record, in the order in which it is done. The default alters nothing
@@ -147,28 +155,14 @@ pub fn process_file(
     };
     let (first, second) = horizontal_pair(file)?;
     let in_file = |problem: Problem| problem.in_file(&file.path);
-    let processed = turned(first, second, azimuth_deg, processing).map_err(in_file)?;
-    let name = format!(", components {} and {}", first.0.name, second.0.name);
+    let names = (first.0.name.as_str(), second.0.name.as_str());
+    let processed = turned(first, second, names, azimuth_deg, processing).map_err(in_file)?;
+    let name = format!(", components {} and {}", names.0, names.1);
     Ok((processed, name + &station_words(first.0)))
 }
 
 fn station_words(component: &Component) -> String {
     component.station.as_ref().map_or(String::new(), |station| format!(", {station}"))
-}
-
-/// The samples, of a raw record without their mean.
-fn without_mean(component: &Component, processing: &Processing, steps: &mut Vec<String>) -> Result<Motion, Problem> {
-    if !component.is_raw || processing.keep_mean {
-        return Ok(component.motion.clone());
-    }
-    let (motion, mean_m_s2) = take_mean(&component.motion)?;
-    steps.push(format!("mean of {mean_m_s2:.6} m/s2 removed (raw record)"));
-    Ok(motion)
-}
-
-fn take_mean(motion: &Motion) -> Result<(Motion, f64), Problem> {
-    let centred = corrected(motion, Baseline::Mean).map_err(|error| refused("the mean", error, "check the values"))?;
-    Ok((centred, motion.mean_m_s2()))
 }
 
 /// All steps that come after the choice of a component.
@@ -199,13 +193,16 @@ fn finish(
         done.add(at_step(&done.motion, dt_s)?);
     }
     let (factor, target) = factor(&done.motion, &processing.scale)?;
-    if factor != 1.0 {
+    let is_found = !matches!(processing.scale, Scale::Factor(_));
+    // What a target asks for is said also where it asks for nothing.
+    if factor != 1.0 || is_found {
         let hint = "check the values and the scale";
-        let motion = done.motion.scaled(factor).map_err(|error| refused(&format!("times {factor}"), error, hint))?;
-        done.add((motion, format!("multiplied by {factor}{target}")));
+        let words = factor_words(factor);
+        let motion = done.motion.scaled(factor).map_err(|error| refused(&format!("times {words}"), error, hint))?;
+        done.add((motion, format!("multiplied by {words}{target}")));
     }
     done.scale_ratio = factor;
-    let is_found = !matches!(processing.scale, Scale::Factor(_));
+    done.notes.extend(target_notes(&processing.scale, done.motion.dt_s()));
     if is_found && !(1.0 / LARGE_FACTOR..=LARGE_FACTOR).contains(&factor) {
         let factor = number(factor, 4);
         done.notes.push(format!(
@@ -284,30 +281,6 @@ fn at_step(motion: &Motion, dt_s: f64) -> Result<(Motion, String), Problem> {
         String::new()
     };
     Ok((result, format!("resampled from {} s to {dt_s} s (band-limited){lost}", motion.dt_s())))
-}
-
-/// The factor, and why.
-fn factor(motion: &Motion, scale: &Scale) -> Result<(f64, String), Problem> {
-    let wrong = |error| refused("scale", error, "check the record and the target");
-    Ok(match *scale {
-        Scale::Factor(factor) => (factor, String::new()),
-        Scale::Peak { target_m_s2 } => {
-            let factor = factor_to_peak(motion, target_m_s2).map_err(wrong)?;
-            (factor, format!(" to a peak of {} g", number(target_m_s2 / G0_M_S2, 6)))
-        }
-        Scale::Sa { target_m_s2, period_s, damping_ratio } => {
-            let factor = factor_to_sa(motion, period_s, damping_ratio, target_m_s2).map_err(wrong)?;
-            let (target, damping) = (number(target_m_s2 / G0_M_S2, 6), number(100.0 * damping_ratio, 6));
-            (factor, format!(" to a pseudo-acceleration of {target} g at {period_s} s, {damping} % damping"))
-        }
-        Scale::Spectrum(ref target) => {
-            let SpectrumFit { factor, misfit_ln } =
-                fit_to_spectrum(motion, target.damping_ratio, &target.periods_s, &target.psa_m_s2).map_err(wrong)?;
-            // Below, it is made of the digits that the target is written with.
-            let misfit = if misfit_ln < 1e-4 { "below 0.01".to_owned() } else { number(100.0 * misfit_ln, 3) };
-            (factor, format!(" to the spectrum of {}; misfit {misfit} % rms in ln)", target.words()))
-        }
-    })
 }
 
 fn refused(step: &str, why: impl std::fmt::Display, hint: &str) -> Problem {

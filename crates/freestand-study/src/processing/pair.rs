@@ -1,9 +1,9 @@
 //! Two horizontal components of a record, taken together.
 
-use freestand::motion::Motion;
 use freestand::signal::rotate::{Pair, RotateError};
 
-use super::{Processed, Processing, Scale, finish, refused, take_mean};
+use super::align::{Aligned, aligned};
+use super::{Processed, Processing, Scale, finish, refused};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
 use crate::records::{Component, Direction, MotionFile};
@@ -104,22 +104,23 @@ pub fn with_azimuths<'f>(
     Ok((bearing(first)?, bearing(second)?))
 }
 
-/// Both components of a pair, each processed by itself.
+/// Both components of a pair, each processed by itself. `names` are what they are called in words; what concerns both
+/// stands with the first.
 ///
 /// # Errors
 /// A scale that is found from the record, which would not be the same for both; otherwise as [`super::process`].
 pub fn process_pair(
-    first: &Component,
-    second: &Component,
+    (first, second): (&Component, &Component),
+    names: (&str, &str),
     processing: &Processing,
 ) -> Result<(Processed, Processed), Problem> {
     if !matches!(processing.scale, Scale::Factor(_)) {
         return Err(Problem::new(ProblemKind::Value, "two components have no one factor to a target")
             .hint("give the factor itself: --scale"));
     }
-    let mut unasked = Vec::new();
-    let (one, two) = aligned(first, second, processing.keep_mean, &mut unasked)?;
-    Ok((finish(one, unasked.clone(), None, processing)?, finish(two, unasked, None, processing)?))
+    let [one, two] = aligned((first, second), names, processing.keep_mean)?;
+    let finished = |one: Aligned| finish(one.motion, one.steps, None, processing);
+    Ok((finished(one)?, finished(two)?))
 }
 
 /// What must be said of components that are taken as perpendicular but point otherwise.
@@ -132,19 +133,20 @@ pub fn not_perpendicular(first: &Component, second: &Component) -> Option<String
 }
 
 /// The component at an azimuth, of two others, processed. The means of raw ones are removed before; where one is longer,
-/// what the other does not have is left out.
+/// what the other does not have is left out. `names` are what they are called in words.
 ///
 /// # Errors
 /// Different time steps, components nearly parallel; otherwise as [`super::process`].
 pub fn turned(
     first: Bearing<'_>,
     second: Bearing<'_>,
+    names: (&str, &str),
     azimuth_deg: f64,
     processing: &Processing,
 ) -> Result<Processed, Problem> {
-    let mut unasked = Vec::new();
-    let (one, two) = aligned(first.0, second.0, processing.keep_mean, &mut unasked)?;
-    let rotated = Pair::new(&one, &two).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
+    let [Aligned { motion: one, steps: mut unasked }, two] = aligned((first.0, second.0), names, processing.keep_mean)?;
+    unasked.extend(two.steps);
+    let rotated = Pair::new(&one, &two.motion).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
     let motion = rotated.map_err(|error| {
         let hint = match error {
             RotateError::Steps { .. } => {
@@ -156,77 +158,11 @@ pub fn turned(
     })?;
     let step = format!(
         "components {} ({} deg) and {} ({} deg) turned to {} deg",
-        first.0.name,
+        names.0,
         number(first.1, 6),
-        second.0.name,
+        names.1,
         number(second.1, 6),
         number(azimuth_deg, 6)
     );
     finish(motion, unasked, Some(step), processing)
-}
-
-/// Samples by which the second component begins later than the first (earlier: negative), by the times that both have.
-///
-/// # Errors
-/// Components that have no time in common.
-fn later_by(first: &Component, second: &Component, steps: &mut Vec<String>) -> Result<i64, Problem> {
-    let (Some(start_1_s), Some(start_2_s)) = (first.start_s, second.start_s) else { return Ok(0) };
-    let later = (start_2_s - start_1_s) / first.motion.dt_s();
-    let whole = later.round();
-    let longest = first.motion.accel_m_s2().len().max(second.motion.accel_m_s2().len());
-    if whole.abs() >= longest as f64 {
-        let message = format!(
-            "component {} begins {} s after {}: they have no time in common",
-            second.name,
-            number(start_2_s - start_1_s, 6),
-            first.name
-        );
-        return Err(Problem::new(ProblemKind::Value, message).hint("give two components of one record"));
-    }
-    // Clocks of two channels agree to some microseconds, and times in columns to their last digit.
-    if (later - whole).abs() > 0.05 {
-        let part = number((later - whole).abs(), 2);
-        steps.push(format!("components {} and {} are {part} of a sample apart", first.name, second.name));
-    }
-    Ok(whole as i64)
-}
-
-/// Two components from the same time on and with the same number of samples, raw ones without their means.
-fn aligned(
-    first: &Component,
-    second: &Component,
-    keep_mean: bool,
-    steps: &mut Vec<String>,
-) -> Result<(Motion, Motion), Problem> {
-    let later = later_by(first, second, steps)?;
-    let skipped = |by: i64| usize::try_from(by).unwrap_or(0);
-    let (skip_1, skip_2) = (skipped(later), skipped(-later));
-    let left = |component: &Component, skip: usize| component.motion.accel_m_s2().len().saturating_sub(skip);
-    let length = left(first, skip_1).min(left(second, skip_2));
-    let mut one_of = |component: &Component, skip: usize| -> Result<Motion, Problem> {
-        let mut motion = component.motion.clone();
-        let surplus = left(component, skip).saturating_sub(length);
-        if skip > 0 || surplus > 0 {
-            let kept = motion.accel_m_s2().iter().skip(skip).take(length).copied().collect();
-            motion = Motion::new(motion.dt_s(), kept)
-                .map_err(|error| refused("the time in common", error, "give two components of one record"))?;
-            let name = &component.name;
-            let samples = |count: usize, end: &str| {
-                if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") }
-            };
-            if skip > 0 {
-                steps.push(format!("{} of {name} left out: the other component begins after", samples(skip, "first")));
-            }
-            if surplus > 0 {
-                steps.push(format!("{} of {name} left out: the other component ends before", samples(surplus, "last")));
-            }
-        }
-        if component.is_raw && !keep_mean {
-            let (centred, mean_m_s2) = take_mean(&motion)?;
-            steps.push(format!("mean of {mean_m_s2:.6} m/s2 removed from {} (raw record)", component.name));
-            motion = centred;
-        }
-        Ok(motion)
-    };
-    Ok((one_of(first, skip_1)?, one_of(second, skip_2)?))
 }

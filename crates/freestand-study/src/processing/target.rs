@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::{Problem, ProblemKind};
-use crate::recorded::sha256_hex;
+use crate::input::InputFile;
 use crate::records::{SpectrumRow, load_spectrum, parse_spectrum};
 use crate::words::number;
 
@@ -24,28 +24,21 @@ pub struct TargetSource {
     pub damping_ratio: Option<f64>,
 }
 
-/// A file that was read for a target.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TargetFile {
-    /// The file.
-    pub path: PathBuf,
-    /// Its SHA-256, in hexadecimal.
-    pub sha256: String,
-}
-
 /// A spectrum that records are scaled to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TargetSpectrum {
     /// What it is called in the step that scales to it.
     pub name: String,
     /// The file that it was read from.
-    pub file: Option<TargetFile>,
+    pub file: Option<InputFile>,
     /// Periods, each once; 0 is the peak acceleration \[s\].
     pub periods_s: Vec<f64>,
     /// Pseudo-accelerations at them \[m/s²\].
     pub psa_m_s2: Vec<f64>,
     /// Their damping ratio.
     pub damping_ratio: f64,
+    /// What was left out of the file without being asked to.
+    pub note: Option<String>,
 }
 
 /// Reads a target from its file.
@@ -71,10 +64,18 @@ pub fn read_target(source: &TargetSource) -> Result<TargetSpectrum, Problem> {
 /// # Ok::<(), freestand_study::Problem>(())
 /// ```
 pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpectrum, Problem> {
-    let sha256 = sha256_hex(&bytes);
+    let file = InputFile::new(&source.path, &bytes);
     let in_file = |problem: Problem| problem.in_file(&source.path);
     let mut rows = parse_spectrum(bytes).map_err(in_file)?;
-    let damping_ratio = take_damping(&mut rows, source.damping_ratio).map_err(in_file)?;
+    let (damping_ratio, left_out) = take_damping(&mut rows, source.damping_ratio).map_err(in_file)?;
+    let name = name_of(&source.path);
+    let note = left_out.map(|others| {
+        format!(
+            "{name} has spectra for several dampings: that for {} is the target, those for {others} are left out (behind \
+             the file name write another)",
+            percent(damping_ratio)
+        )
+    });
     // The whole of it, so that what is wrong does not hide behind a range.
     let (periods_s, psa_m_s2): (Vec<f64>, Vec<f64>) = rows.iter().map(|row| (row.period_s, row.psa_m_s2)).unzip();
     if let Some((row, problem)) = fault(&periods_s, &psa_m_s2) {
@@ -95,20 +96,31 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
         }
     }
     Ok(TargetSpectrum {
-        name: name_of(&source.path),
-        file: Some(TargetFile { path: source.path.clone(), sha256 }),
+        name,
+        file: Some(file),
         periods_s: rows.iter().map(|row| row.period_s).collect(),
         psa_m_s2: rows.iter().map(|row| row.psa_m_s2).collect(),
         damping_ratio,
+        note,
     })
+}
+
+fn percent(ratio: f64) -> String {
+    format!("{} %", number(100.0 * ratio, 6))
+}
+
+fn percents<'a>(ratios: impl Iterator<Item = &'a f64>) -> String {
+    let shown: Vec<String> = ratios.take(8).copied().map(percent).collect();
+    shown.join(", ")
 }
 
 fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-/// The damping that is meant; of a file with several the rows of others go.
-fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<f64, Problem> {
+/// The damping that is meant; of a file with several the rows of others go, and unless one was asked for the others are
+/// named.
+fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64, Option<String>), Problem> {
     let is = |one: f64, other: f64| (one - other).abs() <= SAME;
     let mut stated: Vec<f64> = Vec::new();
     for row in rows.iter() {
@@ -129,15 +141,14 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<f64, 
     if !stated.is_empty() {
         rows.retain(|row| row.damping_ratio.is_some_and(|ratio| is(ratio, damping_ratio)));
         if rows.is_empty() {
-            let percent = |ratio: f64| format!("{} %", number(100.0 * ratio, 6));
-            let shown: Vec<String> = stated.iter().take(8).map(|&ratio| percent(ratio)).collect();
             let message = format!("the spectrum is not for {} damping", percent(damping_ratio));
-            return Err(
-                wrong(message).hint(format!("behind the file name write one that it is for: {}", shown.join(", ")))
-            );
+            return Err(wrong(message)
+                .hint(format!("behind the file name write one that it is for: {}", percents(stated.iter()))));
         }
     }
-    Ok(damping_ratio)
+    let mut others = stated.iter().filter(|&&ratio| !is(ratio, damping_ratio)).peekable();
+    let left_out = (asked.is_none() && others.peek().is_some()).then(|| percents(others));
+    Ok((damping_ratio, left_out))
 }
 
 /// The first row that no spectrum has, and why.

@@ -1,5 +1,6 @@
 use super::*;
 use crate::records::{Direction, ReadOptions, parse_motions};
+use freestand::G0_M_S2;
 
 /// Two horizontal components and a vertical one: north 0.2 g, east −0.1 g and up 0.05 g times a wave of 2 Hz for 8 s.
 fn file(header: &str) -> MotionFile {
@@ -12,7 +13,7 @@ fn file(header: &str) -> MotionFile {
     parse_motions(format!("{header}\n{rows}").into_bytes(), "three.csv".as_ref(), &ReadOptions::default()).unwrap()
 }
 
-fn three() -> MotionFile {
+pub(super) fn three() -> MotionFile {
     let mut file = file("time [s],N-S [g],E-W [g],UP [g]");
     let directions = [Direction::Azimuth(0.0), Direction::Azimuth(90.0), Direction::Up];
     for (component, direction) in file.components.iter_mut().zip(directions) {
@@ -127,32 +128,6 @@ fn components_of_different_length_are_cut_to_the_shorter_and_it_is_said() {
     assert_eq!(done.steps[0], "last 101 samples of N-S left out: the other component ends before");
 }
 
-/// Two channels of one instrument that begin 0.05 s apart: the same times belong together, whatever their numbers.
-#[test]
-fn components_are_brought_to_the_times_that_both_have() {
-    let whole = three();
-    let mut file = three();
-    let late = file.components[1].motion.accel_m_s2()[5..].to_vec();
-    file.components[1].motion = Motion::new(0.01, late).unwrap();
-    file.components[1].start_s = file.components[1].start_s.map(|start_s| start_s + 0.05);
-    let (one, two) = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap();
-    assert_eq!(one.motion.accel_m_s2(), &whole.components[0].motion.accel_m_s2()[5..]);
-    assert_eq!(two.motion.accel_m_s2(), &whole.components[1].motion.accel_m_s2()[5..]);
-    assert_eq!(one.notes, ["first 5 samples of N-S left out: the other component begins after"]);
-    let (two, one) = process_pair(&file.components[1], &file.components[0], &Processing::default()).unwrap();
-    assert_eq!((one.motion.accel_m_s2().len(), two.motion.accel_m_s2().len()), (796, 796));
-    file.components[1].start_s = Some(1e9);
-    let problem = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap_err();
-    assert!(problem.message.contains("no time in common"), "{problem}");
-    // A third of a sample is left, and said; without a time on both sides the first samples belong together.
-    file.components[1].start_s = Some(0.0533);
-    let (one, _) = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap();
-    assert_eq!(one.notes[0], "components N-S and E-W are 0.33 of a sample apart");
-    file.components[1].start_s = None;
-    let (one, _) = process_pair(&file.components[0], &file.components[1], &Processing::default()).unwrap();
-    assert_eq!(one.notes, ["last 5 samples of N-S left out: the other component ends before"]);
-}
-
 #[test]
 fn the_mean_of_raw_components_goes_first() {
     let mut file = three();
@@ -160,6 +135,12 @@ fn the_mean_of_raw_components_goes_first() {
         component.is_raw = true;
         let shifted = component.motion.accel_m_s2().iter().map(|a| a + 5.0).collect();
         component.motion = Motion::new(0.01, shifted).unwrap();
+    }
+    // Of each it is said once, and with the component that lost it.
+    let (one, two) =
+        process_pair((&file.components[0], &file.components[1]), ("N-S", "E-W"), &Processing::default()).unwrap();
+    for (done, end) in [(one, "removed from N-S (raw record)"), (two, "removed from E-W (raw record)")] {
+        assert!(done.notes.len() == 1 && done.notes[0].ends_with(end) && done.steps == done.notes, "{:?}", done.notes);
     }
     let azimuth = Processing { azimuth_deg: Some(45.0), ..Processing::default() };
     let (done, _) = process_file(&file, None, &azimuth).unwrap();
@@ -199,6 +180,7 @@ fn target(periods_s: &[f64], psa_m_s2: &[f64], damping_ratio: f64) -> TargetSpec
         periods_s: periods_s.to_vec(),
         psa_m_s2: psa_m_s2.to_vec(),
         damping_ratio,
+        note: None,
     }
 }
 
@@ -228,9 +210,45 @@ fn a_motion_is_scaled_to_a_spectrum() {
     assert_eq!(scaled(target(&periods_s, &far, 0.02)).unwrap().notes.len(), 1);
     let mut still = component.clone();
     still.motion = Motion::new(0.01, vec![0.0; 10]).unwrap();
+    // Its own is met by a factor of 1, and that is a step with its misfit.
+    let done = scaled(TargetSpectrum { note: Some("said".into()), ..target(&periods_s, &own, 0.02) }).unwrap();
+    assert!(done.steps.len() == 1 && done.steps[0].ends_with(end), "{:?}", done.steps);
+    assert_eq!(done.notes, ["said"]);
     let scale = Scale::Spectrum(target(&[1.0], &[1.0], 0.05));
     let refused = process(&still, &Processing { scale, ..Processing::default() }).unwrap_err();
     assert!(refused.message.contains("no factor takes it to a target"), "{refused}");
+}
+
+#[test]
+fn huge_and_tiny_factors_are_short_in_words_and_exact_in_numbers() {
+    let file = three();
+    for (factor, words) in [
+        (1.234567891e200, "multiplied by 1.23457e200"),
+        (-1.5e-200, "multiplied by -1.5e-200"),
+        (123456789.5, "multiplied by 123456789.5"),
+        (0.1 + 0.2, "multiplied by 0.30000000000000004"),
+    ] {
+        let processing = Processing { scale: Scale::Factor(factor), ..Processing::default() };
+        let done = process(&file.components[0], &processing).unwrap();
+        assert_eq!((done.steps, done.scale_ratio), (vec![words.to_owned()], factor));
+    }
+}
+
+/// Ten steps of 0.01 s are 0.1 s: shorter periods of a target are warned of, the peak itself and longer ones are not.
+#[test]
+fn short_periods_of_a_target_are_warned_of() {
+    let file = three();
+    let notes = |scale| process(&file.components[0], &Processing { scale, ..Processing::default() }).unwrap().notes;
+    let at = |period_s| Scale::Sa { target_m_s2: 2.0, period_s, damping_ratio: 0.05 };
+    assert_eq!((notes(at(0.0)).len(), notes(at(0.1)).len()), (0, 0));
+    let said = "the shortest period of the target, 0.03 s, has fewer than ten steps of 0.01 s";
+    let sa = notes(at(0.03));
+    assert!(sa[0].starts_with(said) && sa[0].ends_with("resampled to 0.0025 s (--resample) it has ten"), "{sa:?}");
+    let spectrum = notes(Scale::Spectrum(target(&[0.0, 0.03, 1.0], &[2.0, 2.0, 2.0], 0.05)));
+    assert!(spectrum.iter().any(|note| note.starts_with(said)), "{spectrum:?}");
+    // At a quarter of the step it has ten.
+    let finer = Processing { resample_dt_s: Some(0.0025), scale: at(0.03), ..Processing::default() };
+    assert_eq!(process(&file.components[0], &finer).unwrap().notes.len(), 0);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::gaps::Markers;
 use super::lines::{Line, lines};
 use super::prints::Prints;
 use super::units::{Stated, decide, not_known, requested, unit_in_prose};
-use super::{Component, Direction, ReadOptions, Reading, motion};
+use super::{Direction, Found, ReadOptions, Reading};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::Dimension;
 use std::path::Path;
@@ -65,7 +65,6 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             .hint("the header line reads like \"NPTS=  4000, DT= .01000 SEC\"")
     })?;
     let counts = Counts { line: header_line, ..counts };
-    check_dt(&counts, options)?;
 
     // The last line that states a unit is the one nearest to the values; line 3 in every file of PEER.
     let stated = header
@@ -80,23 +79,12 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     })?;
 
     let mut notes = Vec::new();
-    let (mut accel_m_s2, line_of_first_value) = read_values(bytes, &counts, &mut notes)?;
-    for value in &mut accel_m_s2 {
-        *value = unit.to_si(*value);
-    }
-    let motion = motion(counts.dt_s, accel_m_s2, counts.line)?;
+    let (values, line) = read_values(bytes, &counts, &mut notes)?;
     let (name, station) = name_and_station(header.get(1).map_or("", String::as_str), path);
     let direction = station.as_ref().and_then(|_| Direction::parse(&name));
-    let component = Component {
-        name,
-        station,
-        direction,
-        unit: unit.symbol,
-        is_raw: false,
-        start_s: None,
-        motion,
-        line_of_first_value,
-    };
+    let (unit, dt_s, line_of_step) = (*unit, counts.dt_s, counts.line);
+    let component =
+        Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: false }.component(options)?;
     Ok(Reading { format: "PEER AT2", components: vec![component], notes })
 }
 
@@ -122,19 +110,6 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
         }
     }
     Ok(())
-}
-
-fn check_dt(counts: &Counts, options: &ReadOptions) -> Result<(), Problem> {
-    match options.dt_s {
-        // One part in a million is a difference in printing, not in meaning.
-        Some(dt_s) if (dt_s - counts.dt_s).abs() > 1e-6 * counts.dt_s => Err(Problem::new(
-            ProblemKind::Value,
-            format!("the time step is {} s as the header says, not {dt_s} s", counts.dt_s),
-        )
-        .at_line(counts.line)
-        .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong")),
-        _ => Ok(()),
-    }
 }
 
 /// `NPTS=  4000, DT= .01000 SEC`, `DT=0.01 NPTS=4000`, `NPTS, DT: 4000 .01`, or with the numbers first: `4000  .01  NPTS, DT`.
@@ -184,7 +159,8 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
 fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result<(Vec<f64>, usize), Problem> {
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
-    let (mut line_of_first_value, mut prints, mut markers) = (0, Prints::default(), Markers::default());
+    // Of no values, the line that says so.
+    let (mut line_of_first_value, mut prints, mut markers) = (counts.line, Prints::default(), Markers::default());
     for line in lines(bytes).skip(counts.line) {
         let before = values.len();
         fields(line.bytes, |number| {

@@ -5,10 +5,10 @@
 use super::format::Format;
 use super::fortran::{Number, fields, is_missing_value, scan};
 use super::lines::{Line, Lines, lines};
+use super::units::TENTHS_OF_G;
 use super::{Component, Direction, Found, ReadOptions, Reading, end_note};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
-use freestand::G0_M_S2;
 use std::path::Path;
 
 const VALUES: Format = Format::new(10, 13);
@@ -74,7 +74,7 @@ fn component(
             .hint("use the uncorrected file (volume 1) of the same record"));
     }
     let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
-    let (npts, dt_s) = npts_and_step(&text, title.number)?;
+    let (npts, dt_s, line_of_step) = npts_and_step(&text, title.number)?;
     rest.by_ref().take(NUMBER_LINES).for_each(drop);
     let block = VALUES.read(rest, npts, "acceleration")?;
     notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
@@ -86,9 +86,9 @@ fn component(
         direction: direction(&text, &name),
         name,
         station: station(title, &text),
-        unit: "g/10",
-        unit_m_s2: G0_M_S2 / 10.0,
+        unit: TENTHS_OF_G,
         dt_s,
+        line_of_step,
         values: block.values,
         line: block.first_line,
         is_raw: false,
@@ -97,8 +97,9 @@ fn component(
 }
 
 /// `NO OF POINTS = 6013  DURATION = 30.065 SEC`: the line that names the duration, else the eleventh of the header.
-fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64), Problem> {
+fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, usize), Problem> {
     let at = text.iter().position(|line| line.to_ascii_uppercase().contains("DURATION")).unwrap_or(9);
+    let line = line_of_title + at + 1;
     let numbers = text.get(at).map(|line| numbers_in(line)).unwrap_or_default();
     // Both must be told before a step can be made of them.
     if let [count, duration] = numbers.as_slice()
@@ -107,12 +108,10 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64), 
         && count.value.fract() == 0.0
         && duration.value > 0.0
     {
-        let dt_s = step(count.value, *duration);
-        super::check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line_of_title + at + 1))?;
-        return Ok((count.value as usize, dt_s));
+        return Ok((count.value as usize, step(count.value, *duration), line));
     }
     Err(Problem::new(ProblemKind::Format, "the header has no number of values and duration")
-        .at_line(line_of_title + at + 1)
+        .at_line(line)
         .hint("the line has two numbers, how many values there are and the duration in s"))
 }
 

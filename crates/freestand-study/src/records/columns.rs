@@ -125,6 +125,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             unit,
             is_raw: false,
             start_s: spacing.start_s,
+            station_xml: None,
             motion,
             line_of_first_value,
         });

@@ -12,7 +12,7 @@ use super::units::record_unit;
 use super::volumes::first_integer;
 use super::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::{Dimension, shorten};
+use crate::quantity::{Dimension, Unit, shorten};
 use freestand::G0_M_S2;
 use header::{Header, channel_name, read_header, station};
 use std::path::Path;
@@ -220,22 +220,25 @@ fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
         .map(str::to_owned)
 }
 
-/// Unit of the values, by table 2 of the format: name and worth in m/s²; 0 for counts.
-fn unit_of_code(code: usize) -> Option<(&'static str, f64)> {
+/// Counts, before the header tells what one is worth.
+const COUNTS: Unit = Unit::acceleration("counts", 0, 0.0);
+
+/// Unit of the values, by table 2 of the format.
+fn unit_of_code(code: usize) -> Option<Unit> {
     Some(match code {
-        2 => ("g", G0_M_S2),
-        4 => ("cm/s2", 0.01),
-        7 => ("in/s2", 0.0254),
-        10 => ("gal", 0.01),
-        11 => ("mg", 0.001 * G0_M_S2),
-        12 => ("micro-g", 1e-6 * G0_M_S2),
-        50 => ("counts", 0.0),
+        2 => Unit::acceleration("g", 0, G0_M_S2),
+        4 => Unit::acceleration("cm/s2", -2, 1.0),
+        7 => Unit::acceleration("in/s2", 0, 0.0254),
+        10 => Unit::acceleration("gal", -2, 1.0),
+        11 => Unit::acceleration("mg", -3, G0_M_S2),
+        12 => Unit::acceleration("micro-g", -6, G0_M_S2),
+        50 => COUNTS,
         _ => return None,
     })
 }
 
 /// `units=g.     (02)`: the code, else the name.
-fn unit(series: &Series) -> Result<(&'static str, f64), Problem> {
+fn unit(series: &Series) -> Result<Unit, Problem> {
     let stated = series.title.split_once("unit").map_or("", |(_, tail)| tail);
     let stated =
         stated.split("format").next().unwrap_or("").trim_start_matches('s').trim_start_matches([' ', '=', ':']);
@@ -248,13 +251,13 @@ fn unit(series: &Series) -> Result<(&'static str, f64), Problem> {
         Err(Problem::new(ProblemKind::Format, message).at_line(series.line).hint(hint))
     };
     match (of_code, named) {
-        (Some(unit), Some(named)) if (named.to_si(1.0) - unit.1).abs() > 1e-9 * unit.1 => {
-            let message = format!("the unit is {} by its name and {} by its code", named.symbol, unit.0);
+        (Some(unit), Some(named)) if (named.to_si(1.0) - unit.to_si(1.0)).abs() > 1e-9 * unit.to_si(1.0) => {
+            let message = format!("the unit is {} by its name and {} by its code", named.symbol, unit.symbol);
             wrong(message, "one of the two is wrong: ask where the file comes from, and correct it")
         }
         (Some(unit), _) => Ok(unit),
-        (None, Some(named)) if code.is_none() => Ok((named.symbol, named.to_si(1.0))),
-        (None, None) if code.is_none() && name.contains("count") => Ok(("counts", 0.0)),
+        (None, Some(named)) if code.is_none() => Ok(*named),
+        (None, None) if code.is_none() && name.contains("count") => Ok(COUNTS),
         _ => wrong(
             format!("the unit \"{}\" is not one of acceleration that is known", shorten(stated.trim())),
             "units read: g (02), cm/s2 (04), in/s2 (07), gal (10), mg (11), micro-g (12), counts (50)",
@@ -270,8 +273,8 @@ fn component(
     options: &ReadOptions,
     notes: &mut Vec<String>,
 ) -> Result<Component, Problem> {
-    let (unit, unit_m_s2) = unit(series)?;
-    let is_raw = unit == "counts";
+    let unit = unit(series)?;
+    let is_raw = unit == COUNTS;
     let is_unknown = |value: f64| value == header.missing[1] || is_missing_value(value);
     let name = channel_name(&header.text).unwrap_or_else(|| format!("channel {channel}"));
     if is_raw {
@@ -285,13 +288,14 @@ fn component(
     } else {
         notes.extend(block.refuse_missing(series.format, is_unknown)?);
     }
+    let (dt_s, line_of_step) = header.step(series, is_raw, options)?;
     let found = Found {
         direction: Direction::parse(&name),
         name,
         station: station(&header.text),
-        unit,
-        unit_m_s2: if is_raw { header.count_m_s2(notes)? } else { unit_m_s2 },
-        dt_s: header.dt_s(series, is_raw, options)?,
+        unit: if is_raw { Unit::acceleration("counts", 0, header.count_m_s2(notes)?) } else { unit },
+        dt_s,
+        line_of_step,
         values: block.values,
         line: block.first_line,
         is_raw,
@@ -299,7 +303,7 @@ fn component(
     .component(options)?;
     // Of counts the header has the peak in g or in volts, with the mean removed or not.
     if !is_raw && let Some(peak) = header.real(64) {
-        notes.extend(peak_note(&found, peak * unit_m_s2));
+        notes.extend(peak_note(&found, unit.to_si(peak)));
     }
     Ok(found)
 }

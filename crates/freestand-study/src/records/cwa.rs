@@ -2,6 +2,7 @@
 
 use super::format::Format;
 use super::fortran::scan;
+use super::head::{Head, leading_number};
 use super::lines::lines;
 use super::rows::{self, Rows};
 use super::sampling::step_of_rate;
@@ -34,16 +35,7 @@ fn key_is(line: &str, key: &str) -> bool {
 /// Reads such a file: lines that begin with `#`, then rows of time, and the components that the header names.
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
-    let mut header = Header { lines: Vec::new() };
-    for _ in 0..HEADER_LINES {
-        let before = rest.clone();
-        let Some(line) = rest.next() else { break };
-        if !line.is_comment() && !line.is_blank() {
-            rest = before;
-            break;
-        }
-        header.lines.push((line.number, line.text()));
-    }
+    let header = Header(Head::take(&mut rest, HEADER_LINES, |line| !line.is_comment() && !line.is_blank()));
     let (rate_line, rate_hz) = header.number("#SampleRate")?;
     let dt_s = step_of_rate(rate_hz, rate_line)?;
     let sequence = header.sequence()?;
@@ -54,21 +46,22 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let is_raw = !text.to_ascii_lowercase().contains("(corr)");
 
     let format = header.format(sequence.len() + 1)?;
-    let rows = rows::read(&mut rest, format)?;
+    let mut notes = Vec::new();
+    let rows = rows::read(&mut rest, format, &mut notes)?;
     check_times(&rows, rate_hz)?;
-    let length_note = check_length(&header, &rows, rate_hz)?;
+    notes.extend(check_length(&header, &rows, rate_hz)?);
 
     let station = header.value("#StationCode").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
-    let (mut components, mut notes) = (Vec::new(), rows.notes.iter().cloned().chain(length_note).collect::<Vec<_>>());
+    let mut components = Vec::new();
     for (channel, values) in sequence.into_iter().zip(rows.columns.into_iter().skip(1)) {
         let peak = header.peak(&channel.name);
         let component = Found {
             direction: channel.direction(),
             name: channel.name,
             station: station.clone(),
-            unit: unit.symbol,
-            unit_m_s2: unit.to_si(1.0),
+            unit: *unit,
             dt_s,
+            line_of_step: rate_line,
             values,
             line: rows.first_line,
             is_raw,
@@ -100,29 +93,19 @@ impl Channel {
 }
 
 /// The lines above the numbers.
-struct Header {
-    lines: Vec<(usize, String)>,
-}
+struct Header(Head);
 
 impl Header {
     /// What stands behind the colon of the line that begins with `key`.
     fn value(&self, key: &str) -> Result<(usize, &str), Problem> {
-        let found = self.lines.iter().find(|(_, text)| key_is(text, key));
-        found.and_then(|(line, text)| Some((*line, text.split_once(':')?.1.trim()))).ok_or_else(|| {
-            Problem::new(ProblemKind::Format, format!("the header has no line \"{key}\""))
-                .at_line(self.lines.last().map_or(1, |(line, _)| *line))
-                .hint("the header is incomplete: fetch the file again")
+        self.0.find(key, "the header is incomplete: fetch the file again", |text| {
+            Some(text.split_once(':').filter(|_| key_is(text, key))?.1.trim())
         })
     }
 
     fn number(&self, key: &str) -> Result<(usize, f64), Problem> {
-        let (line, text) = self.value(key)?;
-        let number = scan(text.as_bytes()).filter(|number| number.value.is_finite());
-        number.map(|number| (line, number.value)).ok_or_else(|| {
-            Problem::new(ProblemKind::Format, format!("\"{}\" is no number", shorten(text)))
-                .at_line(line)
-                .hint("the header is damaged: fetch the file again")
-        })
+        let found = self.value(key)?;
+        Ok((found.0, leading_number(key, found)?))
     }
 
     /// `#DataSequence: Time U(+); N(+); E(+)`: the columns behind the time.

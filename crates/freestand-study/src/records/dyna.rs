@@ -1,6 +1,6 @@
 //! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`, then one value a line.
 
-use super::keyed::{Header, entry, no_step, read_rows};
+use super::keyed::{Header, entry, read_rows};
 use super::lines::lines;
 use super::units::{Stated, decide, record_unit, requested};
 use super::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
@@ -26,12 +26,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let header = Header::read(&mut rest);
     refuse_other_series(&header)?;
     let unit = unit(&header, options)?;
-    let dt_s = match header.step_s("SAMPLING_INTERVAL_S")? {
-        Some((dt_s, line)) => {
-            super::check_step(dt_s, ProblemKind::Format).map(|()| dt_s).map_err(|p| p.at_line(line))?
-        }
-        None => options.dt_s.ok_or_else(|| no_step("SAMPLING_INTERVAL_S"))?,
-    };
+    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options)?;
     let mut notes = Vec::new();
     let declared = header.count("NDATA")?;
     let rows = read_rows(&mut rest, 1, declared, &mut notes)?;
@@ -47,9 +42,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         name,
         station: station(&header),
         direction,
-        unit: unit.symbol,
-        unit_m_s2: unit.to_si(1.0),
+        unit: *unit,
         dt_s,
+        line_of_step,
         values,
         line: rows.first_line,
         is_raw: false,

@@ -3,7 +3,7 @@
 use super::lines::Line;
 use super::{Component, Direction, ReadOptions, units};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::shorten;
+use crate::quantity::{Unit, shorten};
 use freestand::motion::Motion;
 use std::collections::HashMap;
 
@@ -25,16 +25,16 @@ pub(crate) fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
     Err(Problem::new(kind, message).hint(hint))
 }
 
-/// One component as a reader finds it in an agency's file, where unit and step are never open.
+/// One component as a reader finds it in an agency's file, where unit and step are not open any more.
 pub(super) struct Found {
     pub(super) name: String,
     pub(super) station: Option<String>,
     pub(super) direction: Option<Direction>,
-    /// Name of the unit in the file.
-    pub(super) unit: &'static str,
-    /// What one of it is worth \[m/s²\].
-    pub(super) unit_m_s2: f64,
+    /// The unit of the values.
+    pub(super) unit: Unit,
     pub(super) dt_s: f64,
+    /// Line that states the step, counted from 1.
+    pub(super) line_of_step: usize,
     pub(super) values: Vec<f64>,
     /// Line of the first value, counted from 1.
     pub(super) line: usize,
@@ -49,33 +49,35 @@ impl Found {
     pub(super) fn component(mut self, options: &ReadOptions) -> Result<Component, Problem> {
         if let Some(unit) = units::requested(options.unit.as_deref())?
             // The last bit may differ where a factor is composed, as in counts times a scale.
-            && (unit.to_si(1.0) - self.unit_m_s2).abs() > 1e-12 * self.unit_m_s2
-            && unit.symbol != self.unit
+            && (unit.to_si(1.0) - self.unit.to_si(1.0)).abs() > 1e-12 * self.unit.to_si(1.0)
+            && unit.symbol != self.unit.symbol
         {
-            let message = format!("the record is in {} as the file says, not in {}", self.unit, unit.symbol);
+            let message = format!("the record is in {} as the file says, not in {}", self.unit.symbol, unit.symbol);
             return Err(Problem::new(ProblemKind::Value, message)
                 .at_line(self.line)
                 .hint("leave out the unit (--unit, or unit in the study), or correct the file if it is wrong"));
         }
+        let at_step = |problem: Problem| problem.at_line(self.line_of_step);
+        check_step(self.dt_s, ProblemKind::Format).map_err(at_step)?;
         if let Some(dt_s) = options.dt_s
             // One part in a million is a difference in printing, not in meaning.
             && (dt_s - self.dt_s).abs() > 1e-6 * self.dt_s
         {
             let message = format!("the time step is {} s as the header says, not {dt_s} s", self.dt_s);
-            return Err(Problem::new(ProblemKind::Value, message)
-                .at_line(self.line)
+            return Err(at_step(Problem::new(ProblemKind::Value, message))
                 .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"));
         }
         for value in &mut self.values {
-            *value *= self.unit_m_s2;
+            *value = self.unit.to_si(*value);
         }
         Ok(Component {
             name: self.name,
             station: self.station,
             direction: self.direction,
-            unit: self.unit,
+            unit: self.unit.symbol,
             is_raw: self.is_raw,
             start_s: None,
+            station_xml: None,
             motion: motion(self.dt_s, self.values, self.line)?,
             line_of_first_value: self.line,
         })

@@ -8,12 +8,13 @@ use super::fortran::{fields, is_missing_value};
 use super::lines::{Line, Lines, lines};
 use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::shorten;
+use crate::quantity::{Unit, shorten};
 use std::path::Path;
 
 const INTEGERS: Format = Format::new(10, 8);
 const REALS: Format = Format::new(10, 8);
 const VALUES: Format = Format::new(10, 8);
+const UNIT: Unit = Unit::acceleration("mm/s2", -3, 1.0);
 const TEXT_LINES: usize = 16;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -118,16 +119,14 @@ fn component(
         notes.push(format!("{}: the readings are in units of {factor} mm/s2, as the header says", shorten(&name)));
     }
     let scale = if is_scaled { factor } else { 1.0 };
-    // Real 26 is the interval of the samples in the file; real 25 that of the instrument, which may be finer.
-    let dt_s = reals.values[25];
-    super::check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(reals.first_line + 2))?;
     let component = Found {
         direction: Direction::parse(&name),
         name,
         station: station(&text),
-        unit: "mm/s2",
-        unit_m_s2: 1e-3,
-        dt_s,
+        unit: UNIT,
+        // Real 26 is the interval of the samples in the file; real 25 that of the instrument, which may be finer.
+        dt_s: reals.values[25],
+        line_of_step: reals.first_line + 2,
         values: block.values.into_iter().map(|value| value * scale).collect(),
         line: block.first_line,
         is_raw: false,
@@ -135,7 +134,7 @@ fn component(
     .component(options)?;
     // Reals 31 and 36: the peaks of the unfiltered and of the filtered record.
     let peak = if volume == Volume::Uncorrected { reals.values[30] } else { reals.values[35] };
-    notes.extend(peak_note(&component, 1e-3 * peak));
+    notes.extend(peak_note(&component, UNIT.to_si(peak)));
     // Real 24: the duration. Integers 34 to 36 are one number in a file that is whole.
     notes.extend(length_note(&component, reals.values[23]));
     if let Some(other) = others.into_iter().find(|&other| other != 0 && other != found) {

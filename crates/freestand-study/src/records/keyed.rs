@@ -1,10 +1,10 @@
 //! Headers of lines `KEY: value`, which several archives write, and the rows of numbers below them.
 
-use super::fortran::bad_field;
-use super::fortran::{Number, fields, is_missing_word, number};
-use super::gaps::Markers;
+use super::ReadOptions;
+use super::fortran::{Number, bad_field, fields, is_missing_word, number};
 use super::lines::{Line, Lines};
 use super::prints::Prints;
+use super::rows::Rows;
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::shorten;
 
@@ -82,16 +82,22 @@ impl Header {
         Ok(Some((value, entry.line)))
     }
 
-    /// The time step \[s\] that a key has; a key may state its unit in brackets.
+    /// The time step \[s\] that a key has, with its line; a key may state its unit in brackets. Where there is none, the
+    /// user's.
     ///
     /// # Errors
-    /// A value that is no number, or a unit other than seconds and milliseconds.
-    pub(super) fn step_s(&self, key: &str) -> Result<Option<(f64, usize)>, Problem> {
-        let Some((value, line)) = self.number(key)? else { return Ok(None) };
+    /// A value that is no number, or a unit other than seconds and milliseconds; no step at all.
+    pub(super) fn step_s(&self, key: &str, options: &ReadOptions) -> Result<(f64, usize), Problem> {
+        let Some((value, line)) = self.number(key)? else {
+            return options.dt_s.map(|dt_s| (dt_s, 1)).ok_or_else(|| {
+                Problem::new(ProblemKind::Value, format!("the header has no time step ({key})"))
+                    .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")
+            });
+        };
         let unit = self.get(key).and_then(|entry| entry.key.split_once('(')).map_or("s", |(_, unit)| unit);
         match unit.trim_end_matches(')').trim().to_ascii_lowercase().as_str() {
-            "s" | "sec" | "secs" | "second" | "seconds" => Ok(Some((value, line))),
-            "ms" | "msec" => Ok(Some((value / 1000.0, line))),
+            "s" | "sec" | "secs" | "second" | "seconds" => Ok((value, line)),
+            "ms" | "msec" => Ok((value / 1000.0, line)),
             other => Err(Problem::new(ProblemKind::Format, format!("\"{}\" is no unit of time", shorten(other)))
                 .at_line(line)
                 .hint("the step must be in s or ms")),
@@ -112,12 +118,6 @@ impl Header {
     }
 }
 
-/// What is said where neither the header nor the user gives the time step.
-pub(super) fn no_step(key: &str) -> Problem {
-    Problem::new(ProblemKind::Value, format!("the header has no time step ({key})"))
-        .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")
-}
-
 /// Whether a line is a row of numbers. A row of words that stand for missing values is one: it must be refused, not
 /// taken for a header.
 fn is_row(line: &Line<'_>) -> bool {
@@ -129,32 +129,19 @@ fn is_row(line: &Line<'_>) -> bool {
     words.all(|word| is_missing_word(word) || number(word).is_some())
 }
 
-/// The rows below a header.
-pub(super) struct Rows {
-    /// The values of each column.
-    pub(super) columns: Vec<Vec<f64>>,
-    /// Line of the first row, counted from 1.
-    pub(super) first_line: usize,
-}
-
 /// Reads rows of `width` numbers to the end of the file; `declared` is how many the header promises, and where.
 ///
 /// # Errors
-/// A field that is no number or stands for a missing value, a row of another width, another number of rows.
+/// A field that is no number, another number of rows, none at all; otherwise as [`Rows::push`].
 pub(super) fn read_rows(
     rest: &mut Lines<'_>,
     width: usize,
     declared: Option<(usize, usize)>,
     notes: &mut Vec<String>,
 ) -> Result<Rows, Problem> {
-    let mut rows = Rows { columns: vec![Vec::new(); width], first_line: 0 };
-    let (mut found, mut row) = (0, Vec::with_capacity(width));
-    let mut markers: Vec<Markers> = (0..width).map(|_| Markers::default()).collect();
+    let (mut rows, mut row) = (Rows::of_width(width), Vec::with_capacity(width));
     let mut prints: Vec<Prints> = (0..width).map(|_| Prints::default()).collect();
-    for line in rest.by_ref() {
-        if line.is_blank() {
-            continue;
-        }
+    for line in rest.by_ref().filter(|line| !line.is_blank()) {
         row.clear();
         let each = |number: Number| {
             if let Some(prints) = prints.get_mut(row.len()) {
@@ -164,39 +151,19 @@ pub(super) fn read_rows(
         };
         if let Err(bad) = fields(line.bytes, each) {
             // Behind the last value there may be a footer.
-            if row.is_empty() && declared.is_some_and(|(count, _)| count == found) {
+            if row.is_empty() && declared.is_some_and(|(count, _)| count == rows.count()) {
                 notes.push(format!("line {} stands behind the last value and was not read", line.number));
                 break;
             }
             return Err(bad_field(&bad, line.number));
         }
-        if row.len() != width {
-            let message = format!("a row has {width} values, this one {}", row.len());
-            return Err(Problem::new(ProblemKind::Format, message)
-                .at_line(line.number)
-                .hint("the file may be damaged: fetch it again"));
-        }
-        for (markers, value) in markers.iter_mut().zip(&row) {
-            markers.see(*value, line.number)?;
-        }
-        for (column, value) in rows.columns.iter_mut().zip(&row) {
-            column.push(*value);
-        }
-        if found == 0 {
-            rows.first_line = line.number;
-        }
-        found += 1;
+        rows.push(&row, line.number)?;
     }
-    for (markers, column) in markers.iter().zip(&rows.columns) {
-        notes.extend(markers.judge(column)?);
-    }
+    notes.extend(rows.judge()?);
     notes.extend(prints.iter().filter_map(Prints::note));
     match declared {
-        Some((count, line)) if count != found => Err(wrong_count(count, found).at_line(line)),
-        _ if found == 0 => Err(Problem::new(ProblemKind::Format, "there are no values below the header")
-            .at_line(rest.line_number())
-            .hint("the file may be cut off: fetch it again")),
-        _ => Ok(rows),
+        Some((count, line)) if count != rows.count() => Err(wrong_count(count, rows.count()).at_line(line)),
+        _ => rows.not_empty(rest),
     }
 }
 

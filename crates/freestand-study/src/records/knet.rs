@@ -3,7 +3,8 @@
 
 use super::fortran::{fields, scan};
 use super::found::peak_note_of;
-use super::lines::{Line, Lines, lines};
+use super::head::{Head, leading_number};
+use super::lines::{Lines, lines};
 use super::sampling::step_of_rate;
 use super::units::{missing, record_unit};
 use super::{Direction, Found, ReadOptions, Reading, file_stem};
@@ -28,8 +29,9 @@ pub(super) fn is_knet(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
-    let rate_hz = header.number("sampling freq", "the sampling rate")?;
-    let dt_s = step_of_rate(rate_hz, header.value("sampling freq")?.0)?;
+    let rate_hz = header.number("sampling freq")?;
+    let (line_of_step, _) = header.value("sampling freq")?;
+    let dt_s = step_of_rate(rate_hz, line_of_step)?;
     let scale = header.scale()?;
     let (name, direction, borehole) = component(&header, path);
     let (mut values, line) = read_counts(&mut rest)?;
@@ -42,11 +44,11 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         *count *= scale.per_count;
     }
     let station = header.value("station code").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
-    let (unit, unit_m_s2) = (scale.unit.symbol, scale.unit.to_si(1.0));
+    let unit = *scale.unit;
     let component =
-        Found { name, station, direction, unit, unit_m_s2, dt_s, values, line, is_raw: true }.component(options)?;
+        Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: true }.component(options)?;
     // The header's peak is the one about the mean, in gal, as NIED's description of the format says.
-    if let Ok(peak) = header.number("max acc", "the peak") {
+    if let Ok(peak) = header.number("max acc") {
         let (accel_m_s2, mean_m_s2) = (component.motion.accel_m_s2(), component.motion.mean_m_s2());
         let found = accel_m_s2.iter().fold(0.0f64, |largest, a| largest.max((a - mean_m_s2).abs()));
         notes.extend(peak_note_of(&component.name, found, 0.01 * peak));
@@ -76,10 +78,8 @@ fn value_of<'a>(line: &'a str, key: &str) -> Option<&'a str> {
     Some(rest.trim_start_matches(':').trim())
 }
 
-/// The lines above the counts, with their numbers.
-struct Header {
-    lines: Vec<(usize, String)>,
-}
+/// The lines above the counts.
+struct Header(Head);
 
 /// What one count is worth.
 struct Scale {
@@ -90,43 +90,22 @@ struct Scale {
 impl Header {
     /// Takes the lines down to the memo; where there is none, down to the first line of numbers.
     fn read(rest: &mut Lines<'_>) -> Self {
-        let mut header = Self { lines: Vec::new() };
-        let is_counts = |line: &Line<'_>| !line.is_blank() && fields(line.bytes, |_| ()).is_ok();
-        for _ in 0..HEADER_LINES {
-            let before = rest.clone();
-            let Some(line) = rest.next() else { break };
-            if is_counts(&line) {
-                *rest = before;
-                break;
-            }
-            let text = line.text();
-            let is_memo = value_of(&text, "memo").is_some();
-            header.lines.push((line.number, text));
-            if is_memo {
-                break;
-            }
-        }
-        header
+        let mut is_below_memo = false;
+        Self(Head::take(rest, HEADER_LINES, |line| {
+            let ends = is_below_memo || !line.is_blank() && fields(line.bytes, |_| ()).is_ok();
+            is_below_memo = value_of(&line.text(), "memo").is_some();
+            ends
+        }))
     }
 
     /// The line that begins with `key`, and what stands on it.
     fn value(&self, key: &str) -> Result<(usize, &str), Problem> {
-        let found = self.lines.iter().find_map(|(line, text)| Some((*line, value_of(text, key)?)));
-        found.ok_or_else(|| {
-            Problem::new(ProblemKind::Format, format!("the header has no line \"{key}\""))
-                .at_line(self.lines.last().map_or(1, |(line, _)| *line))
-                .hint("a K-NET header has 17 lines, from Origin Time to Memo.: fetch the file again")
-        })
+        let hint = "a K-NET header has 17 lines, from Origin Time to Memo.: fetch the file again";
+        self.0.find(key, hint, |text| value_of(text, key))
     }
 
-    /// The number behind `key`; what follows it, as in `100Hz`, does not matter.
-    fn number(&self, key: &str, what: &str) -> Result<f64, Problem> {
-        let (line, text) = self.value(key)?;
-        scan(text.as_bytes()).map(|number| number.value).filter(|value| value.is_finite()).ok_or_else(|| {
-            Problem::new(ProblemKind::Format, format!("\"{}\" is no number for {what}", shorten(text)))
-                .at_line(line)
-                .hint("the header is damaged: fetch the file again")
-        })
+    fn number(&self, key: &str) -> Result<f64, Problem> {
+        leading_number(key, self.value(key)?)
     }
 
     /// `3920(gal)/6182761`: so many gal over so many counts.
@@ -211,7 +190,7 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
 /// second ends.
 fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<String>, Problem> {
     let (line, _) = header.value("duration time")?;
-    let duration_s = header.number("duration time", "the duration")?;
+    let duration_s = header.number("duration time")?;
     let expected = (duration_s * rate_hz).round();
     let difference = (found as f64 - expected).abs();
     if difference > 1.0 {

@@ -16,6 +16,7 @@ mod fortran;
 mod found;
 mod gaps;
 mod geonet;
+mod head;
 mod headings;
 mod instant;
 mod keyed;
@@ -49,6 +50,7 @@ pub(crate) use write::{push_shortest, shortest};
 pub use write::{write_at2, write_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
+use crate::input::InputFile;
 use crate::quantity::shorten;
 use found::{Found, channels_note, end_note, extreme_note, length_note, motion, peak_note, tell_apart};
 use freestand::motion::Motion;
@@ -111,6 +113,8 @@ pub struct Component {
     /// Time of the first value \[s\] where the file has one: since 1970 in files with dates for each component, else on
     /// the clock of their time column. The motion itself begins at 0.
     pub start_s: Option<f64>,
+    /// The StationXML with the sensitivity of its counts, where they were scaled by one.
+    pub station_xml: Option<InputFile>,
     /// The motion, as the file has it.
     pub motion: Motion,
     /// Line of the first value, counted from 1; 1 in a binary file.
@@ -146,10 +150,8 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
     let Reading { format, components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
     notes.extend(components.iter().filter_map(extreme_note));
-    if let Some(xml) = options.station_xml.as_ref().filter(|_| !format.starts_with("miniSEED")) {
-        notes.push(format!("{} is not used: a {format} record needs no StationXML", xml.display()));
-    }
-    Ok(MotionFile { path: path.to_path_buf(), format, components, notes })
+    let file = MotionFile { path: path.to_path_buf(), format, components, notes };
+    Ok(file.with_unused(options))
 }
 
 /// What a reader finds in a file.
@@ -218,6 +220,25 @@ fn reader(bytes: &mut Vec<u8>) -> Result<Reader, Problem> {
 }
 
 impl MotionFile {
+    /// The StationXML that its components were scaled by, each once.
+    pub fn station_xml(&self) -> Vec<InputFile> {
+        let mut files: Vec<InputFile> = Vec::new();
+        for file in self.components.iter().filter_map(|component| component.station_xml.as_ref()) {
+            if !files.contains(file) {
+                files.push(file.clone());
+            }
+        }
+        files
+    }
+
+    /// Notes a StationXML that was named and had no use.
+    fn with_unused(mut self, options: &ReadOptions) -> Self {
+        if let Some(xml) = options.station_xml.as_ref().filter(|_| self.station_xml().is_empty()) {
+            self.notes.push(format!("{} is not used: a {} record needs no StationXML", xml.display(), self.format));
+        }
+        self
+    }
+
     /// The component called for: by name (capitals do not matter), or by number counted from 1; the only one where
     /// nothing is called for.
     ///

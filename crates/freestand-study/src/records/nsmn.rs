@@ -1,11 +1,11 @@
 //! The older text files of Turkey's network (AFAD, NSMN): lines `KEY : value`, then columns N-S, E-W and U-D in gal.
 
 use super::fortran::scan;
-use super::keyed::{Entry, Header, entry, no_step, read_rows};
+use super::keyed::{Entry, Header, entry, read_rows};
 use super::lines::lines;
 use super::units::{Stated, decide, requested, unit_in_prose};
 use super::{Direction, Found, ReadOptions, Reading, peak_note};
-use crate::error::{Problem, ProblemKind};
+use crate::error::Problem;
 use crate::quantity::lookup;
 use std::path::Path;
 
@@ -27,11 +27,7 @@ pub(super) fn is_nsmn(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
-    let (dt_s, line_of_step) = match header.step_s(STEP)? {
-        Some((dt_s, line)) => (dt_s, line),
-        None => (options.dt_s.ok_or_else(|| no_step(STEP))?, 1),
-    };
-    super::check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line_of_step))?;
+    let (dt_s, line_of_step) = header.step_s(STEP, options)?;
     let mut notes = Vec::new();
     let names = column_names(&header, &mut notes);
     let declared = header.count(COUNT)?;
@@ -54,9 +50,9 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             direction: Direction::parse(&name),
             name,
             station: station.clone(),
-            unit: unit.symbol,
-            unit_m_s2: unit.to_si(1.0),
+            unit: *unit,
             dt_s,
+            line_of_step,
             values,
             line: rows.first_line,
             is_raw: false,

@@ -2,7 +2,7 @@
 
 use super::format::Format;
 use super::fortran::is_missing_value;
-use super::keyed::{Header, entry, no_step, refuse_more_values};
+use super::keyed::{Header, entry, refuse_more_values};
 use super::lines::lines;
 use super::units::{Stated, decide, requested, unit_in_prose};
 use super::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
@@ -31,12 +31,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         Some(Stated { unit, line: entry.line })
     });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
-    let dt_s = match header.step_s("Time Increment")? {
-        Some((dt_s, line)) => {
-            super::check_step(dt_s, ProblemKind::Format).map(|()| dt_s).map_err(|p| p.at_line(line))?
-        }
-        None => options.dt_s.ok_or_else(|| no_step("Time Increment"))?,
-    };
+    let (dt_s, line_of_step) = header.step_s("Time Increment", options)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
         Problem::new(ProblemKind::Format, "the header has no number of values (Number of Data)")
             .at_line(1)
@@ -55,9 +50,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         direction: Direction::parse(&name),
         name,
         station,
-        unit: unit.symbol,
-        unit_m_s2: unit.to_si(1.0),
+        unit: *unit,
         dt_s,
+        line_of_step,
         values: block.values,
         line: block.first_line,
         is_raw: false,

@@ -7,12 +7,13 @@ use super::lines::{Line, lines};
 use super::sampling::step_of_rate;
 use super::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::shorten;
+use crate::quantity::{Unit, shorten};
 use std::path::Path;
 
 const INTEGERS: Format = Format::new(8, 10);
 const REALS: Format = Format::new(5, 15);
 const VALUES: Format = Format::new(8, 10);
+const UNIT: Unit = Unit::acceleration("cm/s2", -2, 1.0);
 const TEXT_LINES: usize = 11;
 
 /// What the first line says the file holds.
@@ -73,9 +74,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         name,
         station,
         direction,
-        unit: "cm/s2",
-        unit_m_s2: 0.01,
+        unit: UNIT,
         dt_s,
+        line_of_step: reals.first_line,
         values: block.values,
         line: block.first_line,
         is_raw: false,
@@ -83,7 +84,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     .component(options)?;
     // Real headers 30 and 32 are the largest and the smallest value, 29 and 31 their times.
     let peak = reals.values[29..=31].iter().step_by(2).filter(|value| value.abs() < 1e30);
-    notes.extend(peak_note(&component, 0.01 * peak.fold(0.0, |a: f64, b| a.max(b.abs()))));
+    notes.extend(peak_note(&component, UNIT.to_si(peak.fold(0.0, |a: f64, b| a.max(b.abs())))));
     Ok(Reading { format, components: vec![component], notes })
 }
 

@@ -7,6 +7,7 @@ use super::mseed::Source;
 use super::units::record_unit;
 use super::{Direction, ReadOptions};
 use crate::error::{Problem, ProblemKind};
+use crate::input::InputFile;
 use crate::quantity::{Dimension, shorten};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::path::{Path, PathBuf};
@@ -25,7 +26,7 @@ pub(super) struct Stations<'a> {
 
 /// One StationXML.
 pub(super) struct Inventory {
-    path: PathBuf,
+    file: InputFile,
     /// Where each line but the first begins.
     line_starts: Vec<usize>,
     epochs: Vec<Epoch>,
@@ -83,7 +84,7 @@ impl<'a> Stations<'a> {
     pub(super) fn of(&mut self, source: &Source) -> Result<Option<&Inventory>, Problem> {
         let path = self.named.map(Path::to_path_buf).or_else(|| beside(self.record, source));
         let Some(path) = path else { return Ok(None) };
-        let place = match self.read.iter().position(|one| one.path == path) {
+        let place = match self.read.iter().position(|one| one.file.path == path) {
             Some(place) => place,
             None => {
                 self.read.push(Inventory::load(path)?);
@@ -147,12 +148,17 @@ impl Inventory {
             }
         }
         let line_starts = text.match_indices('\n').map(|(at, _)| at + 1).collect();
-        Ok(Self { path: path.to_path_buf(), line_starts, epochs })
+        Ok(Self { file: InputFile::new(path, bytes), line_starts, epochs })
+    }
+
+    /// The file.
+    pub(super) fn file(&self) -> &InputFile {
+        &self.file
     }
 
     /// The file's name, for notes.
     pub(super) fn name(&self) -> String {
-        self.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+        self.file.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
     }
 
     /// How the counts of a channel between two times become m/s².
@@ -177,11 +183,11 @@ impl Inventory {
                     format!("it describes {}; name another (--station-xml)", self.listing()),
                 )
             };
-            return Err(Problem::new(ProblemKind::Value, what).in_file(&self.path).hint(hint));
+            return Err(Problem::new(ProblemKind::Value, what).in_file(&self.file.path).hint(hint));
         };
         let refused = |message: String| {
             Problem::new(ProblemKind::Value, format!("{name}: {message}"))
-                .in_file(&self.path)
+                .in_file(&self.file.path)
                 .at_line(self.line_of(epoch.at))
         };
         if let Some(date) = of_channel().find_map(|epoch| epoch.bad_date.as_deref()) {

@@ -3,6 +3,7 @@
 
 use super::format::Format;
 use super::fortran::{fields, scan};
+use super::head::Head;
 use super::lines::{Line, Lines, lines};
 use super::rows;
 use super::units::{Stated, decide, record_unit, requested};
@@ -57,8 +58,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
     let names = header.names(columns)?;
 
-    let mut rows = rows::read(&mut rest, format)?;
-    let mut notes = std::mem::take(&mut rows.notes);
+    let mut notes = Vec::new();
+    let mut rows = rows::read(&mut rest, format, &mut notes)?;
     header.check_counts(&mut rows.columns, &names, &mut notes)?;
     header.check_durations(dt_s, &rows.columns, &mut notes)?;
     let peaks = header.list("ACEL. MAX.(GAL)").map(|(_, peaks)| peaks).unwrap_or_default();
@@ -70,9 +71,9 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             direction: direction(&name),
             name: name.split(';').next().unwrap_or(&name).trim().to_owned(),
             station: station.clone(),
-            unit: unit.symbol,
-            unit_m_s2: unit.to_si(1.0),
+            unit: *unit,
             dt_s,
+            line_of_step: dt_line,
             values,
             line: rows.first_line,
             is_raw: false,
@@ -101,10 +102,8 @@ fn direction(name: &str) -> Option<Direction> {
     }
 }
 
-/// The lines above the numbers, with their numbers.
-struct Header {
-    lines: Vec<(usize, String)>,
-}
+/// The lines above the numbers.
+struct Header(Head);
 
 impl Header {
     /// Takes the lines down to the first row: the first line of numbers below the heading of the data, or below the line
@@ -115,29 +114,14 @@ impl Header {
         let above = last_before("DATOS DE ACELERACION").or_else(|| last_before("FORMATO DATOS"));
         let above = above.map_or(usize::MAX, |line| line.number);
         let is_row = |line: &Line<'_>| !line.is_blank() && fields(line.bytes, |_| ()).is_ok();
-        let mut header = Self { lines: Vec::new() };
-        for _ in 0..HEADER_LINES {
-            let before = rest.clone();
-            let Some(line) = rest.next() else { break };
-            if line.number > above && is_row(&line) {
-                *rest = before;
-                break;
-            }
-            header.lines.push((line.number, line.text()));
-        }
-        header
+        Self(Head::take(rest, HEADER_LINES, |line| line.number > above && is_row(line)))
     }
 
     /// What stands behind the first colon of the line whose name begins with `name`.
     fn value(&self, name: &str) -> Result<(usize, &str), Problem> {
-        let found = self.lines.iter().find_map(|(line, text)| {
+        self.0.find(name, "the header is incomplete: fetch the file again", |text| {
             let (own, value) = text.split_once(':')?;
-            plain(own.trim_start()).starts_with(name).then_some((*line, value.trim()))
-        });
-        found.ok_or_else(|| {
-            Problem::new(ProblemKind::Format, format!("the header has no line \"{name}\""))
-                .at_line(self.lines.last().map_or(1, |(line, _)| *line))
-                .hint("the header is incomplete: fetch the file again")
+            plain(own.trim_start()).starts_with(name).then_some(value.trim())
         })
     }
 
@@ -145,7 +129,7 @@ impl Header {
     fn list(&self, name: &str) -> Result<(usize, Vec<&str>), Problem> {
         let (first, _) = self.value(name)?;
         let mut entries = Vec::new();
-        for (_, text) in self.lines.iter().filter(|(line, _)| *line >= first) {
+        for (_, text) in self.0.lines.iter().filter(|(line, _)| *line >= first) {
             if let Some((own, value)) = text.split_once(':')
                 // "ACEL. MAX. C1-C6, EN LA MUESTRA" is another list.
                 && plain(own.trim_start()).starts_with(name)
@@ -197,9 +181,7 @@ impl Header {
         if (1..=24).contains(&columns) {
             return Ok(Format::new(columns, 10));
         }
-        Err(Problem::new(ProblemKind::Format, "no row of numbers follows the header")
-            .at_line(rest.line_number().max(1))
-            .hint("the file may be cut off: fetch it again"))
+        Err(rows::no_row(rest))
     }
 
     /// The step, which all channels must share: a row is one moment.
@@ -224,7 +206,7 @@ impl Header {
             *name = format!("component {}", i + 1);
         }
         names.extend((names.len()..columns).map(|i| format!("component {}", i + 1)));
-        for (line, text) in self.lines.iter().rev().take(5) {
+        for (line, text) in self.0.lines.iter().rev().take(5) {
             let above: Vec<&str> = text.split_whitespace().collect();
             let contradicts = |(own, name): (&&str, &String)| match (direction(own), direction(name)) {
                 (Some(above), Some(listed)) => above != listed && !text.contains(':'),

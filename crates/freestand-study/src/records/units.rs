@@ -2,6 +2,10 @@
 
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, Unit, find_unit, lookup, shorten};
+use freestand::G0_M_S2;
+
+/// Tenths of g, as records of film have them.
+pub(super) const TENTHS_OF_G: Unit = Unit::acceleration("g/10", -1, G0_M_S2);
 
 /// A unit that a file states, and the line that states it.
 #[derive(Clone, Copy)]

@@ -17,10 +17,10 @@ use super::{
     Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, pairs, peak_note,
 };
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::shorten;
+use crate::quantity::{Unit, shorten};
 use freestand::G0_M_S2;
 use freestand::motion::MAX_SAMPLES;
-use header::{Header, NamedUnit, number_after, read_header, unit_of};
+use header::{Header, number_after, read_header, unit_of};
 
 /// What differs from one network to the other.
 pub(super) struct Network {
@@ -156,7 +156,9 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
             .at_line(line.number)
             .hint(format!("the number of values on line {} does not fit the file", title.line)));
     }
-    let Some(dt_s) = step_in(&upper).or_else(|| header.step()).or(options.dt_s) else {
+    let of_header = || header.step().map(|dt_s| (dt_s, header.first_line));
+    let at_title = |dt_s| (dt_s, title.line);
+    let Some(step) = step_in(&upper).map(at_title).or_else(of_header).or(options.dt_s.map(at_title)) else {
         return Err(Problem::new(ProblemKind::Format, "the time step is not stated above the values")
             .at_line(title.line)
             .hint("give the step, such as \"0.02 s\" (--dt, or dt in the study)"));
@@ -170,10 +172,11 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
         notes.push(format!("{name}: line {} declares {} values, the header {other}", title.line, title.count));
     }
     // One part in a thousand: rates and steps are printed with three digits or more.
+    let (dt_s, _) = step;
     if let Some(other_s) = header.step().filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s) {
         notes.push(format!("{name}: the time step is {dt_s} s above the values and {other_s} s in the header"));
     }
-    found(header, channel, unit, dt_s, block, options).map(|component| (component, notes))
+    found(header, channel, unit, step, block, options).map(|component| (component, notes))
 }
 
 /// How many samples interpolation may still make: all channels together are no more than one motion may be, for a short
@@ -204,25 +207,22 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let (dt_s, values, note) = pairs.evenly(&shorten(&name), options, room)?;
     let block = Block { values, first_line };
     // The step given by the user is for files that state none; here the times state it.
-    found(header, channel, header.unit()?, dt_s, block, options)
+    found(header, channel, header.unit()?, (dt_s, first_line), block, options)
         .map(|component| (component, notes.into_iter().chain(note).collect()))
 }
 
 fn found(
     header: &Header,
     channel: usize,
-    unit: Option<NamedUnit>,
-    dt_s: f64,
+    unit: Option<Unit>,
+    (dt_s, line_of_step): (f64, usize),
     block: Block,
     options: &ReadOptions,
 ) -> Result<Component, Problem> {
-    let (unit, unit_m_s2) = match unit {
+    let unit = match unit {
         Some(unit) => unit,
-        None => {
-            let unit = decide(None, requested(options.unit.as_deref())?, "the record")
-                .map_err(|problem| problem.at_line(block.first_line))?;
-            (unit.symbol, unit.to_si(1.0))
-        }
+        None => *decide(None, requested(options.unit.as_deref())?, "the record")
+            .map_err(|problem| problem.at_line(block.first_line))?,
     };
     let name = header.name(channel);
     Found {
@@ -230,8 +230,8 @@ fn found(
         name,
         station: header.station(),
         unit,
-        unit_m_s2,
         dt_s,
+        line_of_step,
         values: block.values,
         line: block.first_line,
         is_raw: false,

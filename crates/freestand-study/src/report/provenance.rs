@@ -1,7 +1,7 @@
 //! Where the numbers come from.
 
-use crate::recorded::sha256_hex;
-use crate::study::{Ground, Study};
+use crate::input::sha256_hex;
+use crate::study::{Ground, RecordedMotion, Study};
 use crate::words::escape;
 
 use super::html::{figure, markup, paragraph, properties, table, words};
@@ -31,9 +31,9 @@ pub fn provenance(study: &Study) -> Provenance {
             let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
             let mut inputs: Vec<(String, String)> =
                 records.iter().map(|r| (name(&r.path).unwrap_or_else(|| r.name.clone()), r.sha256.clone())).collect();
-            for target in records.iter().filter_map(|record| record.scale_target.as_ref()) {
-                let input = (name(&target.path).unwrap_or_default(), target.sha256.clone());
-                // All records have one target.
+            for file in records.iter().flat_map(RecordedMotion::other_inputs) {
+                let input = (name(&file.path).unwrap_or_default(), file.sha256.clone());
+                // All records have one target, and those of a station one StationXML.
                 if !inputs.contains(&input) {
                     inputs.push(input);
                 }

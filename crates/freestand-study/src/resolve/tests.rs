@@ -195,7 +195,25 @@ fn a_study_scales_to_a_spectrum_beside_it() {
     assert!(motions[0].processing[0].ends_with(end), "{:?}", motions[0].processing);
     let file = motions[0].scale_target.as_ref().unwrap();
     assert_eq!(file.path, folder.path().join("targets/t.csv"));
-    assert_eq!(provenance.inputs[1], ("t.csv".to_owned(), crate::recorded::sha256_hex(target.as_bytes())));
+    assert_eq!(provenance.inputs[1], ("t.csv".to_owned(), crate::input::sha256_hex(target.as_bytes())));
+}
+
+/// What scales the counts of a record is an input like the record itself, named or found beside it.
+#[test]
+fn a_study_has_the_station_xml_among_its_inputs() {
+    let folder = tempfile::tempdir().unwrap();
+    let seeds = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
+    let copy = |from: &str, to: &str| std::fs::copy(seeds.join(from), folder.path().join(to)).unwrap();
+    copy("mseed/int32.mseed", "a.mseed");
+    copy("station_xml/one.xml", "a.xml");
+    let sha256 = crate::input::sha256_hex(&std::fs::read(folder.path().join("a.xml")).unwrap());
+    for key in ["", "station_xml = \"a.xml\"\n"] {
+        let text = format!("[ground]\nmotions = [\"a.mseed\", \"a.mseed\"]\n{key}");
+        let study = resolve(&text, Some(Path::new("s.toml")), folder.path()).unwrap();
+        let inputs = crate::report::provenance(&study).inputs;
+        assert_eq!((inputs.len(), &inputs[2]), (3, &("a.xml".to_owned(), sha256.clone())));
+        assert_eq!(motion_paths(&study)[2], folder.path().join("a.xml"));
+    }
 }
 
 /// The record has no step and no unit: only what was wrong in the study is said, not what follows from it.

@@ -56,6 +56,8 @@ pub(super) struct Converted {
     npts: usize,
     /// What was done to it, one step each.
     processing: Vec<String>,
+    /// The factor on the samples, with every digit.
+    scale_ratio: f64,
     /// The file itself, where it was not written to `--out`.
     text: Option<String>,
 }
@@ -68,9 +70,10 @@ pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) ->
     let files = Files::begin(global, &args.read.inputs(&args.files))?;
     let (mut motions, mut warnings) = (Vec::new(), Vec::new());
     for one in &read {
-        warnings.extend(one.notes.iter().map(|note| format!("{}: {note}", one.motion.name)));
-        let RecordedMotion { name, path, motion, processing, .. } = &one.motion;
-        motions.push(args.to.write(&files, path, name, motion, processing)?);
+        let notes = one.notes.iter().chain(&one.start_note);
+        warnings.extend(notes.map(|note| format!("{}: {note}", one.motion.name)));
+        let RecordedMotion { name, path, motion, processing, scale_ratio, .. } = &one.motion;
+        motions.push(args.to.write(&files, (path, name), motion, processing, *scale_ratio)?);
     }
     let report = ConvertReport { motions };
     const SCHEMA: &str = "freestand.motion-convert/1";
@@ -84,10 +87,10 @@ impl Target {
     pub(super) fn write(
         self,
         files: &Files,
-        source: &Path,
-        name: &str,
+        (source, name): (&Path, &str),
         motion: &Motion,
         processing: &[String],
+        scale_ratio: f64,
     ) -> Result<Converted, Failure> {
         let (text, extension, format) = match self {
             Self::Csv => (write_csv(motion), "csv", "csv"),
@@ -102,6 +105,7 @@ impl Target {
             dt_s: motion.dt_s(),
             npts: motion.accel_m_s2().len(),
             processing: processing.to_vec(),
+            scale_ratio,
         })
     }
 }

@@ -16,7 +16,7 @@ use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant, table};
+use crate::printer::{Printer, optional, pairs, print_failure, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::Values;
 
@@ -27,7 +27,11 @@ Examples:
   freestand motion info record.AT2
   freestand motion info columns.txt --unit gal --dt \"0.01 s\" --plot record.svg
   freestand motion info *.AT2 --height \"2 m\" --thickness \"500 mm\" --json
-  freestand motion info *.AT2 --plot --out records")]
+  freestand motion info *.AT2 --plot --out records
+
+Measures are of the motion after what is done to it; first and last values, mean and sum of JSON are as in the file, and
+processed_first_values_m_s2 and processed_last_values_m_s2 after. A file that fails hides no other: it is listed, and the
+exit status is 1.")]
 // Every component is looked into as it is: known but refused.
 #[command(mut_arg("azimuth", |arg| arg.hide(true)))]
 pub(crate) struct InfoArgs {
@@ -75,8 +79,10 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
         out.write("measures.csv", || csv)?;
     }
     let document = Document { report: &report, plots };
-    out.print(printer, "freestand.motion-info/1", &document, &report.warnings, || text(&report.motions))?;
-    Ok(Done::OK)
+    out.print(printer, "freestand.motion-info/1", &document, &report.warnings, || text(&report))?;
+    let problems: Vec<Problem> = report.failed.iter().map(|one| one.problem.clone()).collect();
+    print_failure(&Failure::Problems(problems));
+    Ok(Done { criterion_met: report.failed.is_empty() })
 }
 
 fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
@@ -100,11 +106,13 @@ fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
     drawn.into_iter().collect::<Result<_, _>>().map_err(failed)
 }
 
-fn text(motions: &[MotionInfo]) -> String {
-    match motions {
+fn text(report: &InfoReport) -> String {
+    let motions = match report.motions.as_slice() {
         [one] => one_motion(one),
         several => many_motions(several),
-    }
+    };
+    let failed = report.failed.iter().map(|one| format!("failed: {}: {}\n", one.path, one.reason));
+    motions + &failed.collect::<String>()
 }
 
 /// One motion from top to bottom.

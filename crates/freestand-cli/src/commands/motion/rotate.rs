@@ -53,7 +53,8 @@ pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> 
     let turned = rotate(&read, &RotateRequest { azimuth_deg, azimuths_deg })?;
     let files = Files::begin(global, &args.pair.inputs())?;
     let done = &turned.processed;
-    let motion = args.format.write(&files, &turned.path, &turned.name, &done.motion, &done.steps)?;
+    let motion =
+        args.format.write(&files, (&turned.path, &turned.name), &done.motion, &done.steps, done.scale_ratio)?;
     let report = RotateReport { azimuth_deg: turned.azimuth_deg, motion };
     const SCHEMA: &str = "freestand.motion-rotate/1";
     files.finish(SCHEMA, &report, &turned.warnings)?;

@@ -49,7 +49,7 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;
     let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(0.05), periods_s, percentiles })?;
-    let files = Files::begin(global, &args.pair.files)?;
+    let files = Files::begin(global, &args.pair.inputs())?;
     let csv = report.csv()?;
     files.write("rotd.csv", || csv)?;
     files.print(printer, "freestand.motion-rotd/1", &report, &report.warnings, || text(&report))?;

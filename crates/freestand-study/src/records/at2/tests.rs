@@ -112,7 +112,7 @@ fn what_is_refused() {
         (g("NPTS= 4, DT= .02\n1 2 3"), 4, "declares 4 values, the file has 3"),
         (g("NPTS= 2, DT= .02\n1 2 3"), 4, "declares 2 values, the file has 3"),
         (g("NPTS= 999999999999, DT= .02\n1 2 3"), 4, "declares 999999999999 values"),
-        (g("NPTS= 1, DT= .02\n1"), 4, "at least 2 samples"),
+        (g("NPTS= 1, DT= .02\n1"), 5, "at least 2 samples"),
         (g("NPTS= 0, DT= .02\n"), 4, "at least 2 samples"),
         (g("NPTS= 2, DT= 0\n1 2"), 4, "not positive"),
         (g("NPTS= 2, DT= -.1\n1 2"), 4, "not positive"),
@@ -142,6 +142,7 @@ fn what_is_refused() {
     let options = ReadOptions { dt_s: Some(0.005), ..ReadOptions::default() };
     let problem = read_with(g("NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();
     assert!(problem.message.contains("0.02 s as the header says, not 0.005 s"));
+    assert_eq!(problem.line, Some(4));
 }
 
 fn notes(text: &str) -> Vec<String> {

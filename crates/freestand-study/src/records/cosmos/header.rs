@@ -90,9 +90,9 @@ impl Header {
         Ok(volts / volts_a_g * G0_M_S2)
     }
 
-    /// The time step \[s\]: real header 62 in ms, else the rate above the values, which the first version of the format
-    /// has. Real header 34 is the recorder's, which holds for its own values only.
-    pub(super) fn dt_s(&self, series: &Series, is_raw: bool, options: &ReadOptions) -> Result<f64, Problem> {
+    /// The time step \[s\] and its line: real header 62 in ms, else the rate above the values, which the first version of
+    /// the format has. Real header 34 is the recorder's, which holds for its own values only.
+    pub(super) fn step(&self, series: &Series, is_raw: bool, options: &ReadOptions) -> Result<(f64, usize), Problem> {
         let of_title = step_in(&series.title.to_ascii_uppercase());
         let of_header = self.real(62).filter(|dt_ms| *dt_ms > 0.0).map(|dt_ms| dt_ms / 1000.0);
         if let (Some(of_title), Some(of_header)) = (of_title, of_header)
@@ -105,7 +105,9 @@ impl Header {
                 .hint("one of the two is wrong: ask where the file comes from, and correct it"));
         }
         let recorder = self.real(34).filter(|dt_s| is_raw && *dt_s > 0.0);
-        of_header.or(of_title).or(recorder).or(options.dt_s).ok_or_else(|| {
+        let at_reals = |dt_s| (dt_s, self.line_of_reals);
+        let of_title = of_title.map(|dt_s| (dt_s, series.line));
+        of_header.map(at_reals).or(of_title).or(recorder.or(options.dt_s).map(at_reals)).ok_or_else(|| {
             Problem::new(ProblemKind::Format, "the header does not give the time step (real header 62)")
                 .at_line(self.line_of_reals)
                 .hint("give the step, such as \"0.005 s\" (--dt, or dt in the study)")

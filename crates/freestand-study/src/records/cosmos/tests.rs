@@ -68,8 +68,8 @@ fn sizes_and_formats_are_those_that_the_file_declares() {
         let file = read(&text).unwrap();
         assert_eq!((file.format, file.components.len(), file.notes.len()), ("COSMOS V1", 1, 2));
         let one = &file.components[0];
-        // Exact: the same factor, and 5 ms over 1000 is the nearest number to 0.005.
-        assert_eq!(one.motion.accel_m_s2(), VALUES.map(|value| value * 0.01));
+        // Exact: one division by an exact number, and 5 ms over 1000 is the nearest number to 0.005.
+        assert_eq!(one.motion.accel_m_s2(), VALUES.map(|value| value / 100.0));
         assert_eq!((one.name.as_str(), one.unit, one.is_raw), ("360 deg", "cm/s2", false));
         assert_eq!((one.direction, one.motion.dt_s()), (Some(Direction::Azimuth(0.0)), 0.005));
         assert_eq!(one.station.as_deref(), Some("A Town - Main St"));
@@ -160,7 +160,7 @@ fn the_first_version_states_the_rate_above_the_values() {
     let file = read(&text).unwrap();
     let one = &file.components[0];
     assert_eq!((one.name.as_str(), one.motion.dt_s()), ("0 deg", 0.005));
-    assert_eq!(one.motion.accel_m_s2(), [0.001 * 0.01, -0.5 * 0.01, 0.25 * 0.01]);
+    assert_eq!(one.motion.accel_m_s2(), [0.001 / 100.0, -0.5 / 100.0, 0.25 / 100.0]);
     let named = text.replace(old.name, "Sta Chan   3  90    HNE           Location:   --");
     assert_eq!(read(&named).unwrap().components[0].name, "90");
     let unnamed = text.replace(old.name, "Sta Chan  1:");

@@ -31,7 +31,7 @@ fn read(text: &str) -> Result<MotionFile, String> {
 }
 
 fn expected() -> Vec<f64> {
-    VALUES.iter().map(|v| v * 0.01).collect()
+    VALUES.iter().map(|v| v / 100.0).collect()
 }
 
 #[test]

@@ -88,7 +88,7 @@ fn three_components_of_two_volumes() {
             for (one, direction) in found.components.iter().zip(directions) {
                 assert_eq!((one.unit, one.direction, one.motion.dt_s()), ("mm/s2", direction, 0.02));
                 // Exact: the printed decimals are the values.
-                assert_eq!(one.motion.accel_m_s2(), values.iter().map(|v| v * 1e-3).collect::<Vec<_>>());
+                assert_eq!(one.motion.accel_m_s2(), values.iter().map(|v| v / 1000.0).collect::<Vec<_>>());
             }
             assert_eq!(found.notes, Vec::<String>::new());
         }

@@ -20,10 +20,15 @@ fn a_key_ends_at_the_first_colon_and_the_header_before_the_numbers() {
 
 #[test]
 fn steps_have_units_and_counts_are_whole() {
-    let step = |text: &str| read(text).0.step_s("dt").map_err(|problem| problem.to_string());
-    assert_eq!(step("DT (sec): 0.01"), Ok(Some((0.01, 1))));
-    assert_eq!(step("dt (ms): 5"), Ok(Some((0.005, 1))));
-    assert_eq!(step("other: 5"), Ok(None));
+    let asked = ReadOptions { dt_s: Some(0.02), ..ReadOptions::default() };
+    let step_of =
+        |text: &str, options: &ReadOptions| read(text).0.step_s("dt", options).map_err(|problem| problem.to_string());
+    let step = |text: &str| step_of(text, &ReadOptions::default());
+    assert_eq!(step("DT (sec): 0.01"), Ok((0.01, 1)));
+    assert_eq!(step("dt (ms): 5"), Ok((0.005, 1)));
+    assert_eq!(step_of("dt (ms): 5", &asked), Ok((0.005, 1)));
+    assert!(step("other: 5").unwrap_err().contains("no time step (dt)"));
+    assert_eq!(step_of("other: 5", &asked), Ok((0.02, 1)));
     assert!(step("dt (min): 5").unwrap_err().contains("no unit of time"));
     assert!(step("dt: O.01").unwrap_err().contains("a number is expected"));
     for text in ["n: 1.5", "n: -3", "n: 1e20", "n: NaN"] {
@@ -51,7 +56,7 @@ fn rows_are_counted_and_a_footer_is_noted() {
         ("1 2\n3\n", Some(2), "line 2: a row has 2 values, this one 1"),
         ("1 2\n3 -999\n", Some(2), "line 2: \"-999\" stands for a missing value"),
         ("1 2\n3 NaN\n", Some(2), "line 2: \"NaN\" stands for a missing value"),
-        ("\n", None, "there are no values below the header"),
+        ("\n", None, "line 1: no row of numbers follows the header"),
     ] {
         let found = rows(text, declared).expect_err(text);
         assert!(found.contains(message), "{found}");

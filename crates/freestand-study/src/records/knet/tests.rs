@@ -137,7 +137,7 @@ fn what_is_wrong_names_its_line() {
     let text = file("N-S", &counts(), 0.995);
     for (from, to, line, message) in [
         ("Duration Time(s)  2", "Duration Time(s)  3", "x.NS:12:", "300 values; the file has 200"),
-        ("Duration Time(s)  2", "Duration Time(s)  two", "x.NS:12:", "no number for the duration"),
+        ("Duration Time(s)  2", "Duration Time(s)  two", "x.NS:12:", "\"two\" is no number for \"duration time\""),
         ("Duration Time(s)  2\n", "", "x.NS:16:", "no line \"duration time\""),
         ("100Hz", "0Hz", "x.NS:11:", "sampling rate is 0"),
         ("100Hz", "1E300Hz", "x.NS:11:", "sampling rate is"),

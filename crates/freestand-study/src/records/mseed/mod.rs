@@ -9,6 +9,7 @@ pub(super) use record::Source;
 use super::station_xml::{Sensed, Stations};
 use super::{Component, Direction, Found, ReadOptions, Reading, units, without_line};
 use crate::error::{Problem, ProblemKind};
+use crate::quantity::Unit;
 use record::{Record, header_order, is_version3, version2, version3};
 use series::{Series, join};
 use std::collections::{HashMap, HashSet};
@@ -39,14 +40,15 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut stations = Stations::new(path, options);
     let (mut components, mut first_left_out) = (Vec::new(), None);
     for (series, name) in channels.into_iter().zip(names) {
-        let (full_name, start_s) = (series.source.full_name(), Some(series.start.seconds()));
+        let (source, start_s) = (series.source.clone(), Some(series.start.seconds()));
         match scaled(series, name, &mut stations, options, &mut notes)? {
             Ok(found) => {
                 let component = found.component(options).map_err(|mut problem| {
-                    problem.message = format!("{full_name}: {}", problem.message);
+                    problem.message = format!("{}: {}", source.full_name(), problem.message);
                     without_line(problem)
                 })?;
-                components.push(Component { start_s, ..component });
+                let station_xml = stations.of(&source)?.map(|inventory| inventory.file().clone());
+                components.push(Component { start_s, station_xml, ..component });
             }
             Err(problem) => {
                 notes.push(format!("{}; it is left out", problem.message));
@@ -76,7 +78,7 @@ fn scaled(
     let Series { source, start, end, dt_s, mut values, notes: found } = series;
     notes.extend(found);
     let full_name = source.full_name();
-    let (unit, unit_m_s2, direction) = match (stations.of(&source)?, units::requested(options.unit.as_deref())?) {
+    let (unit, direction) = match (stations.of(&source)?, units::requested(options.unit.as_deref())?) {
         (Some(inventory), Some(unit)) => {
             let message = format!(
                 "{} has the sensitivity of its counts, and the unit {} is given too",
@@ -96,11 +98,11 @@ fn scaled(
                 *value /= scaling.counts_per_m_s2;
             }
             notes.extend(scaling.notes);
-            ("m/s2", 1.0, scaling.direction)
+            (Unit::acceleration("m/s2", 0, 1.0), scaling.direction)
         }
         (None, Some(unit)) => {
             notes.push(format!("{full_name}: the values are taken to be in {}, without a sensitivity", unit.symbol));
-            (unit.symbol, unit.to_si(1.0), Direction::parse(&source.channel))
+            (*unit, Direction::parse(&source.channel))
         }
         (None, None) => {
             return Err(Problem::new(ProblemKind::Value, format!("{full_name}: the sensitivity of the counts is not known"))
@@ -111,7 +113,7 @@ fn scaled(
         }
     };
     let station = source.full_station();
-    Ok(Ok(Found { name, station, direction, unit, unit_m_s2, dt_s, values, line: 1, is_raw: true }))
+    Ok(Ok(Found { name, station, direction, unit, dt_s, line_of_step: 1, values, line: 1, is_raw: true }))
 }
 
 /// The shortest names that tell the channels apart: `HNE`, `10.HNE`, `CI.CLC.10.HNE`.

@@ -48,7 +48,7 @@ fn three_columns_in_gal() {
         ];
         assert_eq!(facts, expected);
         // Exact: the printed decimals are the values.
-        assert_eq!(found.components[2].motion.accel_m_s2(), [0.000071, -120.25, 0.0, 2.0].map(|v| v * 0.01));
+        assert_eq!(found.components[2].motion.accel_m_s2(), [0.000071, -120.25, 0.0, 2.0].map(|v| v / 100.0));
         assert_eq!((found.components[0].motion.dt_s(), found.components[0].line_of_first_value), (0.01, 13));
         assert_eq!(found.components[0].station.as_deref(), Some("1210 BINGÖL MERKEZÝ"));
         assert_eq!(found.notes, Vec::<String>::new());

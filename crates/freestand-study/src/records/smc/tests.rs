@@ -59,7 +59,7 @@ fn values_that_touch_are_read_by_column() {
     assert_eq!((one.direction, one.motion.dt_s()), (Some(Direction::Azimuth(196.0)), 0.005));
     assert_eq!((one.line_of_first_value, one.is_raw), (30, false));
     // Exact: the printed numbers have five digits, as have these.
-    let expected: Vec<f64> = values().iter().map(|v| printed(*v).parse::<f64>().unwrap() * 0.01).collect();
+    let expected: Vec<f64> = values().iter().map(|v| printed(*v).parse::<f64>().unwrap() / 100.0).collect();
     assert_eq!(one.motion.accel_m_s2(), expected);
 }
 

@@ -188,6 +188,7 @@ fn the_description_is_named_or_lies_beside_the_record() {
         let one = &file.components[0];
         assert_eq!((one.motion.peak_m_s2(), one.unit, one.is_raw), (peak_m_s2, "m/s2", true), "{name}");
         assert!(file.notes[0].contains(&format!("in {name}, {value} counts/(M/S**2)")), "{:?}", file.notes);
+        assert_eq!(file.station_xml(), [InputFile::new(&folder.join(name), text(value).as_bytes())]);
     }
     // Channels that sense something else are left out, as long as one remains.
     let velocity = sensitivity("1000", "1", "M/S", "COUNTS");

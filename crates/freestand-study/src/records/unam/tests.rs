@@ -56,7 +56,7 @@ fn three_channels_in_the_order_of_the_header() {
         assert_eq!((one.unit, one.is_raw, one.motion.dt_s()), ("gal", false, 0.01));
         assert_eq!((one.station.as_deref(), one.line_of_first_value), (Some("UNA ESTACI\u{d3}N"), 110));
         // Exact: both are the product of the same two f64.
-        assert_eq!((one.motion.accel_m_s2()[7], one.motion.accel_m_s2().len()), (at_7 * 0.01, 120));
+        assert_eq!((one.motion.accel_m_s2()[7], one.motion.accel_m_s2().len()), (at_7 / 100.0, 120));
     }
 }
 
@@ -101,7 +101,7 @@ fn headers_of_other_hands() {
     ] {
         assert!(text.contains(from), "{from}");
         let found = read(&text.replace(from, to)).unwrap_or_else(|problem| panic!("{to}: {problem}"));
-        assert_eq!(found.components[2].motion.accel_m_s2()[7], 1234.5 * 0.01, "{to}");
+        assert_eq!(found.components[2].motion.accel_m_s2()[7], 1234.5 / 100.0, "{to}");
         assert_eq!(found.notes, Vec::<String>::new(), "{to}");
     }
     let peak = read(&text.replace("/2.25/", "/4.50/")).unwrap();

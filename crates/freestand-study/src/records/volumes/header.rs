@@ -2,11 +2,10 @@
 
 use super::{MOST_REALS, is_numbers, not_acceleration, unannounced};
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, Unit};
 use crate::records::fortran::{number, scan};
 use crate::records::lines::{Line, Lines};
-use crate::records::units::{record_unit, unit_in_prose};
-use freestand::G0_M_S2;
+use crate::records::units::{TENTHS_OF_G, record_unit, unit_in_prose};
 
 /// Most lines of text above a channel: 13 in volume I, 25 in volume II, and some wrapped.
 const MOST_TEXT: usize = 60;
@@ -132,21 +131,18 @@ pub(super) fn number_after(text: &str, words: &str) -> Option<f64> {
     scan(tail.as_bytes()).map(|number| number.value)
 }
 
-/// Name of a unit, and what it is worth in m/s².
-pub(super) type NamedUnit = (&'static str, f64);
-
 /// The unit that a line states: `IN UNITS CM/SEC/SEC`, `units of g.`, `SEC AND G/10`.
 ///
 /// # Errors
 /// A unit of another quantity.
-pub(super) fn unit_of(text: &str, line: usize) -> Result<Option<NamedUnit>, Problem> {
+pub(super) fn unit_of(text: &str, line: usize) -> Result<Option<Unit>, Problem> {
     let upper = text.to_ascii_uppercase();
     if upper.contains("G/10") {
-        return Ok(Some(("g/10", 0.1 * G0_M_S2)));
+        return Ok(Some(TENTHS_OF_G));
     }
     let stated = upper.split_once("SEC AND ").and_then(|(_, tail)| record_unit(tail.split_whitespace().next()?));
     match stated.or_else(|| unit_in_prose(text)) {
-        Some(unit) if unit.dimension == Dimension::Acceleration => Ok(Some((unit.symbol, unit.to_si(1.0)))),
+        Some(unit) if unit.dimension == Dimension::Acceleration => Ok(Some(*unit)),
         Some(unit) if unit.dimension != Dimension::Time => {
             Err(not_acceleration(&format!("values in {}", unit.symbol), line))
         }
@@ -165,7 +161,7 @@ impl Header {
     }
 
     /// The unit of volume I: of the line with the word, else of one that names tenths of g.
-    pub(super) fn unit(&self) -> Result<Option<NamedUnit>, Problem> {
+    pub(super) fn unit(&self) -> Result<Option<Unit>, Problem> {
         for word in ["UNIT", "UNIDAD", "G/10"] {
             for line in self.lines_with(word) {
                 let stated = unit_of(&line, self.first_line)?;

@@ -88,9 +88,15 @@ fn read_with(text: &str, options: &ReadOptions) -> Result<MotionFile, String> {
 }
 
 /// Values times their unit, as the reader multiplies: exact.
+/// How many of a unit make one of another, and that in m/s²: exact numbers both, or nearest.
+type Unit = (f64, f64);
+const CM_S2: Unit = (100.0, 1.0);
+const G: Unit = (1.0, G0_M_S2);
+const TENTHS_OF_G: Unit = (10.0, G0_M_S2);
+
 #[track_caller]
-fn assert_values(file: &MotionFile, component: usize, values: &[f64], unit_m_s2: f64) {
-    let expected: Vec<f64> = values.iter().map(|value| value * unit_m_s2).collect();
+fn assert_values(file: &MotionFile, component: usize, values: &[f64], (parts, whole_m_s2): Unit) {
+    let expected: Vec<f64> = values.iter().map(|value| value / parts * whole_m_s2).collect();
     assert_eq!(file.components[component].motion.accel_m_s2(), expected);
 }
 
@@ -103,7 +109,7 @@ fn pairs_at_uneven_times_are_straight_lines_on_their_common_step() {
     // 20, 35, 50, 90 and 110 ms are multiples of 5 ms.
     assert_eq!((one.motion.dt_s(), one.motion.accel_m_s2().len()), (0.005, 23));
     for (t, a) in UNEVEN {
-        assert_eq!(one.motion.accel_m_s2()[(t / 0.005_f64).round() as usize], a * (0.1 * G0_M_S2), "a point is kept");
+        assert_eq!(one.motion.accel_m_s2()[(t / 0.005_f64).round() as usize], a / 10.0 * G0_M_S2, "a point is kept");
     }
     // Halfway from 1 to -12.5; rounding of one product and one sum.
     assert!((one.motion.accel_m_s2()[2] + 5.75 * 0.1 * G0_M_S2).abs() < 1e-14);
@@ -120,7 +126,7 @@ fn pairs_at_equal_times_keep_their_step() {
     assert!(text.contains("100.000 -7.500100.010"), "fields touch");
     let file = read(&text).unwrap();
     assert_eq!((file.components[0].motion.dt_s(), file.notes.len()), (0.01, 0));
-    assert_values(&file, 0, &points.iter().map(|point| point.1).collect::<Vec<_>>(), 0.1 * G0_M_S2);
+    assert_values(&file, 0, &points.iter().map(|point| point.1).collect::<Vec<_>>(), TENTHS_OF_G);
     // Of two counts, one is right; the last value is lost with its time.
     assert!(read(&text.replace("POINTS =  13", "POINTS =  99")).is_ok());
     let cut = text.replace("100.070  -.500", "").replace("100.070 -0.500", "");
@@ -141,9 +147,9 @@ fn a_title_line_gives_count_step_unit_and_format() {
     assert_eq!((file.format, file.components.len()), ("CSMIP V1", 2));
     assert_eq!((file.components[1].name.as_str(), file.components[1].direction), ("H1", None));
     assert_eq!((file.components[1].unit, file.components[1].motion.dt_s()), ("g", 0.01));
-    assert_values(&file, 1, &values, G0_M_S2);
+    assert_values(&file, 1, &values, G);
     for text in [text.replace("Format: (8f9.6)", ""), text.replace('\n', "\r\n"), format!("\x0C\n{text}\n\n")] {
-        assert_values(&read(&text).unwrap(), 0, &values, G0_M_S2);
+        assert_values(&read(&text).unwrap(), 0, &values, G);
     }
     for (from, to, start, message) in [
         (" 10 Acc", " 11 Acc", "x:", "not a number"),
@@ -179,13 +185,13 @@ fn of_volume_two_the_acceleration_is_read() {
         assert_eq!((file.format, file.notes.len()), ("CSMIP V2", 0));
         let names: Vec<&str> = file.components.iter().map(|one| one.name.as_str()).collect();
         assert_eq!((names, file.components[0].motion.dt_s()), (vec!["UP", "H2"], 0.02));
-        assert_values(&file, 1, &SERIES, 0.01);
+        assert_values(&file, 1, &SERIES, CM_S2);
     }
     // As it is printed today.
     let today =
         v2("UP", (10, 6), "").to_lowercase().replace(" sec.  (units: cm/sec/sec)", " sec, in cm/sec2. (8f10.6)");
     assert!(today.contains("in cm/sec2. (8f10.6)"));
-    assert_values(&read(&today).unwrap(), 0, &SERIES, 0.01);
+    assert_values(&read(&today).unwrap(), 0, &SERIES, CM_S2);
     let text = v2("UP", (10, 3), "");
     let (start, tail) = text.split_once(" 11 POINTS OF ACCEL").unwrap();
     let (_, tail) = tail.split_once(" 11 POINTS OF VELOC").unwrap();
@@ -221,7 +227,7 @@ fn no_channel_is_lost_in_silence() {
         let found = read(&format!("{text}{between}{alien}")).unwrap();
         assert_eq!((found.components.len(), found.notes.len()), (2, 1), "{between:?}");
         assert!(found.notes[0].contains("no line \"/&\" ends the last channel"), "{:?}", found.notes);
-        assert_values(&found, 1, &SERIES, 0.01);
+        assert_values(&found, 1, &SERIES, CM_S2);
     }
     for end in ["", "/&\n"] {
         // Text alone holds no channel, however long it is.
@@ -271,7 +277,7 @@ fn usc_counts_characters_behind_its_text_and_wraps_it() {
     assert_eq!(one.station.as_deref(), Some("A STATION, CA"));
     // The header's peak has the other sign.
     assert_eq!((one.motion.dt_s(), found.notes.len()), (0.02, 0));
-    assert_values(&found, 0, &SERIES, 0.01);
+    assert_values(&found, 0, &SERIES, CM_S2);
 
     let head = text[2..13].iter().map(|line| format!("{line}\n")).collect::<String>().replace("8820", "   6");
     let head = format!("FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:\n{head}");
@@ -282,7 +288,7 @@ fn usc_counts_characters_behind_its_text_and_wraps_it() {
             let one = &found.components[0];
             assert_eq!((found.format, one.name.as_str(), one.unit), ("USC V1", "N08W", "g/10"));
             assert_eq!((one.motion.dt_s(), one.motion.accel_m_s2().len()), (0.005, 23));
-            assert_eq!(one.motion.accel_m_s2()[4], -12.5 * (0.1 * G0_M_S2));
+            assert_eq!(one.motion.accel_m_s2()[4], -12.5 / 10.0 * G0_M_S2);
         }
     }
 }
@@ -307,7 +313,7 @@ fn renadic_is_volume_one_in_latin_letters() {
         ("EW, channel 2", Some(Direction::Azimuth(90.0)))
     );
     assert_eq!(file.components[1].motion.dt_s(), 0.01);
-    assert_values(&file, 1, &points.iter().map(|point| point.1).collect::<Vec<_>>(), 0.1 * G0_M_S2);
+    assert_values(&file, 1, &points.iter().map(|point| point.1).collect::<Vec<_>>(), TENTHS_OF_G);
 }
 
 #[test]
