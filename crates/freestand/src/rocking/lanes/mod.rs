@@ -107,7 +107,7 @@ struct Plan {
 }
 
 /// Degrees that the kernel is compiled for.
-const DEGREES: [usize; 4] = [6, 6, 6, 11];
+const DEGREES: [usize; 5] = [5, 6, 7, 8, 11];
 
 /// Steps of an interval beyond which a block is followed by itself.
 const MOST_PARTS: usize = 64;
@@ -140,16 +140,17 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
 }
 
 /// Part of the tolerance.
-const SHARE: f64 = 0.01;
+const SHARE: f64 = 1000.0;
 
 /// The cheapest series and number of steps at which the first term left out, xⁿ⁺¹/(n+1)!, stays below the tolerance.
 fn steps(step: f64, accuracy: Accuracy) -> Option<Plan> {
     let tolerance = accuracy.tolerance();
     let mut best: Option<(f64, Plan)> = None;
     for degree in DEGREES {
-        let factorial: f64 = (2..=degree + 1).map(|n| n as f64).product();
-        let longest = (tolerance * SHARE * factorial).powf(1.0 / (degree + 1) as f64);
-        let parts = 1.0_f64;
+        let factorial: f64 = (4..=degree + 1).map(|n| n as f64).product();
+        let power = 2 * ((degree - 2) / 2);
+        let longest = (tolerance * SHARE * factorial).powf(1.0 / power as f64);
+        let parts = (step / longest).ceil().max(1.0);
         // Operations of a step: half of them are sums of products, whose number grows like the square of the degree.
         let cost = parts * (35.0 + (degree * degree) as f64);
         if parts <= MOST_PARTS as f64 && best.is_none_or(|(least, _)| cost < least) {
@@ -176,6 +177,7 @@ impl WithSimd for Run<'_> {
             (true, _) => self.tile.run::<S, 11, true>(m, quiet),
             (_, 5) => self.tile.run::<S, 5, false>(m, quiet),
             (_, 6) => self.tile.run::<S, 6, false>(m, quiet),
+            (_, 7) => self.tile.run::<S, 7, false>(m, quiet),
             (_, 8) => self.tile.run::<S, 8, false>(m, quiet),
             _ => self.tile.run::<S, 11, false>(m, quiet),
         }

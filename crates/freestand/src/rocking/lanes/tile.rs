@@ -764,8 +764,8 @@ fn root<S: Simd, const K: usize>(m: Math<S>, q: &[S::f64s; TERMS], wanted: S::m6
         let newton = m.sub(x, m.div(p, slope));
         let inside = m.and(m.ge(newton, low), m.ge(high, newton));
         let next = m.select(inside, newton, m.mul(m.splat(0.5), m.add(low, high)));
-        // Newton doubles the digits: a move in the ninth one is the last.
-        let moved = m.gt(m.abs(m.sub(next, x)), m.mul(m.splat(1e-9), x));
+        // Newton doubles the digits: a move in the eighth one is the last.
+        let moved = m.gt(m.abs(m.sub(next, x)), m.mul(m.splat(1e-7), x));
         x = m.select(open, next, x);
         open = m.and(open, moved);
         if !m.any(open) {
