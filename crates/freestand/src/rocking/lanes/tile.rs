@@ -691,25 +691,30 @@ impl Batch {
                 }
             });
             end = m.add(m.add(end, q[1]), q[0]);
-            let starts = m.ge(q[0], zero);
+            let begins_above = m.gt(q[0], zero);
+            let ends_above = m.gt(end, zero);
+            // Too far from the floor, or rising too fast to come back.
             let far = m.gt(q[0], m.add(beyond, m.abs(q[1])));
-            let rising = m.and(starts, m.gt(q[1], beyond));
-            // q falls all the way: one root, or none.
-            let one_way = m.and(m.gt(q[0], zero), m.gt(zero, m.add(q[1], bend_of_q)));
-            let calm = m.or(m.or(far, rising), m.and(one_way, m.gt(end, zero)));
-            let landing = m.and(one_way, m.ge(zero, end));
-            // A maximum of a slope that falls all the way: one, and before a landing, since y begins at or above the floor.
+            let rising = m.and(m.ge(q[0], zero), m.gt(q[1], beyond));
+            // One root where y bends down all the way, or q falls all the way, and ends below the floor; none if it does not.
+            let concave = series.is_concave(m);
+            let falls = m.gt(zero, m.add(q[1], bend_of_q));
+            let one_way = m.and(begins_above, m.or(concave, falls));
+            let safe = m.or(far, rising);
+            let landing = m.and(m.and(one_way, m.not(ends_above)), m.not(safe));
+            let calm = m.or(safe, m.and(one_way, ends_above));
+            // Where y bends down all the way it has one maximum at most, where its slope passes zero, and before a landing.
             let (_, w1) = series.end(m);
-            let falls = m.and(m.gt(w, zero), m.and(m.gt(zero, w1), series.is_concave(m)));
-            let hidden = m.and(turning, m.not(falls));
+            let climbs = m.and(lifting, m.gt(q[1], bend_of_q));
+            let hidden = m.and(turning, m.not(m.or(concave, climbs)));
             let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
-            let certain = m.and(simple, turning);
-            if m.any(certain) {
+            let landing = m.and(simple, landing);
+            let summits = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.gt(zero, w1))));
+            if m.any(summits) {
                 let (summit, _) = series.at(m, series.summit(m));
-                let higher = m.and(certain, m.gt(summit, best));
+                let higher = m.and(summits, m.gt(summit, best));
                 S::as_mut_simd_f64s(&mut self.best).0[i] = m.select(higher, summit, best);
             }
-            let landing = m.and(simple, m.and(landing, m.not(m.or(far, rising))));
 
             let mut x = one;
             if m.any(landing) {
