@@ -18,6 +18,8 @@
 
 mod equation;
 mod history;
+#[allow(missing_docs)]
+pub mod lanes;
 mod solve;
 
 use thiserror::Error;
@@ -26,6 +28,7 @@ use crate::block::Block;
 use crate::motion::Motion;
 
 pub use equation::Segment;
+pub use lanes::rock_many;
 pub use history::{HistoryPoint, HistoryRecorder};
 pub use solve::{rock, rock_observed};
 
@@ -273,6 +276,39 @@ pub struct Rocking {
     pub restitution_ratio: f64,
     /// Work that it took.
     pub effort: Effort,
+}
+
+/// What a spectrum keeps of a history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RockingSummary {
+    /// What happened.
+    pub outcome: Outcome,
+    /// Why the history stopped.
+    pub stop: StopReason,
+    /// Largest |θ| \[rad\]; π/2 when overturned.
+    pub peak_rotation_rad: f64,
+    /// Extremes on the right and the left edge.
+    pub sides: [SideExtremes; 2],
+    /// Impacts until rest or the end.
+    pub impact_count: usize,
+    /// B sin(peak rotation): lift of the free base edge \[m\].
+    pub uplift_m: f64,
+    /// Largest rise of the centre of gravity \[m\]; R(1 − cos α) once |θ| has passed α.
+    pub cg_rise_m: f64,
+}
+
+impl From<&Rocking> for RockingSummary {
+    fn from(rocking: &Rocking) -> Self {
+        Self {
+            outcome: rocking.outcome,
+            stop: rocking.stop,
+            peak_rotation_rad: rocking.peak_rotation_rad,
+            sides: rocking.sides,
+            impact_count: rocking.impacts.len(),
+            uplift_m: rocking.uplift_m,
+            cg_rise_m: rocking.cg_rise_m,
+        }
+    }
 }
 
 /// Extremes of the motion about one edge.
