@@ -101,13 +101,17 @@ impl<S: Simd> Math<S> {
     #[inline(always)]
     pub(super) fn sin_cos(self, y: S::f64s) -> (S::f64s, S::f64s) {
         let t = self.mul(y, y);
-        let (mut sin, mut cos) = (self.splat(SIN[SIN.len() - 1]), self.splat(COS[COS.len() - 1]));
-        for i in (1..SIN.len() - 1).rev() {
-            sin = self.fma(sin, t, self.splat(SIN[i]));
-        }
-        for i in (0..COS.len() - 1).rev() {
-            cos = self.fma(cos, t, self.splat(COS[i]));
-        }
+        let t2 = self.mul(t, t);
+        let t4 = self.mul(t2, t2);
+        // Pairs of terms, and pairs of pairs: a short chain.
+        let pair = |c: &[f64], i: usize| self.fma(self.splat(c[i + 1]), t, self.splat(c[i]));
+        let sin = self.fma(
+            t4,
+            self.fma(self.splat(SIN[7]), t2, pair(&SIN, 5)),
+            self.fma(pair(&SIN, 3), t2, pair(&SIN, 1)),
+        );
+        let four = |i: usize| self.fma(pair(&COS, i + 2), t2, pair(&COS, i));
+        let cos = self.fma(t4, self.fma(t4, self.splat(COS[8]), four(4)), four(0));
         (self.fma(self.mul(sin, t), y, y), cos)
     }
 }

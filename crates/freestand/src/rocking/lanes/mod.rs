@@ -1,6 +1,9 @@
 //! Many blocks under one motion: the kernel of spectra and portfolios.
 
+mod batch;
+mod chatter;
 mod math;
+mod ranks;
 mod series;
 mod unroll;
 mod shaking;
@@ -15,11 +18,12 @@ use super::{
 };
 use crate::block::Block;
 use math::Math;
+use series::TERMS;
 use shaking::Shaking;
 use tile::{EdgeTerms, Record, Rocker, State, Tile};
 
 /// Blocks of a tile: their lanes stay in the first-level cache.
-const TILE: usize = 2048;
+const TILE: usize = 4096;
 
 /// Follows many blocks through the motion of their base: [`rock`], without the histories.
 ///
@@ -120,44 +124,62 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
     let pivots = [block.right_pivot(), block.pivot()];
     let from_edge = [block.cg_from_right_m(), block.cg_from_left_m()];
     let p = pivots.map(|pivot| pivot.frequency_parameter_rad_s(options.gravity_m_s2));
-    let step = p[0].max(p[1]) * shaking.dt_s * shaking.largest.sqrt();
-    let plan = steps(step, options.accuracy)?;
+    let x = p[0].max(p[1]) * shaking.dt_s;
+    let plan = steps(x * x, shaking, options.accuracy)?;
     let h = shaking.dt_s / plan.parts as f64;
-    let mut edges = [EdgeTerms { a: 0.0, b: 0.0, a_of_d: 0.0, threshold: 0.0, alpha: 0.0 }; 2];
-    for (i, terms) in edges.iter_mut().enumerate() {
+    let edges = [0, 1].map(|i| {
         let f = (p[i] * h) * (p[i] * h);
         let pivot = pivots[i];
         let alpha = pivot.slenderness_angle_rad;
-        *terms = if options.model == RockingModel::Linearised {
-            EdgeTerms { a: f * alpha, b: f, a_of_d: 0.0, threshold: alpha, alpha }
+        if options.model == RockingModel::Linearised {
+            EdgeTerms { alpha, x2: f, a: f * alpha, b: f, a_of_d: 0.0, threshold: alpha }
         } else {
             let a = f * from_edge[i] / pivot.half_diagonal_m;
             let threshold = from_edge[i] / block.cg_height_m();
-            EdgeTerms { a, b: f * block.cg_height_m() / pivot.half_diagonal_m, a_of_d: a, threshold, alpha }
-        };
-    }
+            EdgeTerms { alpha, x2: f, a, b: f * block.cg_height_m() / pivot.half_diagonal_m, a_of_d: a, threshold }
+        }
+    });
     Some((plan, Rocker { edges, restitution }))
 }
 
-/// Part of the tolerance.
-const SHARE: f64 = 1000.0;
+/// Largest first term left out, relative to the acceleration: what a rotation may be wrong by, which is a sum of
+/// accelerations. `benches/README.md` has what is reached.
+fn tolerance(accuracy: Accuracy) -> f64 {
+    match accuracy {
+        Accuracy::Tight => 3e-15,
+        given => 300.0 * given.tolerance(),
+    }
+}
 
-/// The cheapest series and number of steps at which the first term left out, xⁿ⁺¹/(n+1)!, stays below the tolerance.
-fn steps(step: f64, accuracy: Accuracy) -> Option<Plan> {
-    let tolerance = accuracy.tolerance();
+/// The cheapest series and number of steps of an interval whose first term left out stays below the tolerance.
+fn steps(x2: f64, shaking: &Shaking, accuracy: Accuracy) -> Option<Plan> {
+    let tolerance = tolerance(accuracy);
     let mut best: Option<(f64, Plan)> = None;
     for degree in DEGREES {
-        let factorial: f64 = (4..=degree + 1).map(|n| n as f64).product();
-        let power = 2 * ((degree - 2) / 2);
-        let longest = (tolerance * SHARE * factorial).powf(1.0 / power as f64);
-        let parts = (step / longest).ceil().max(1.0);
+        let reaches = |parts: usize| left_out(x2, shaking, degree, parts) <= tolerance;
+        let Some(parts) = (1..=MOST_PARTS).find(|&parts| reaches(parts)) else { continue };
         // Operations of a step: half of them are sums of products, whose number grows like the square of the degree.
-        let cost = parts * (35.0 + (degree * degree) as f64);
-        if parts <= MOST_PARTS as f64 && best.is_none_or(|(least, _)| cost < least) {
-            best = Some((cost, Plan { degree, parts: parts as usize }));
+        let cost = parts as f64 * (35.0 + (degree * degree) as f64);
+        if best.is_none_or(|(least, _)| cost < least) {
+            best = Some((cost, Plan { degree, parts }));
         }
     }
     best.map(|(_, plan)| plan)
+}
+
+/// A bound of the term of degree K + 1 in units of that of degree 2, x² ü: with |φ| ≤ 1 and a velocity of x or less,
+/// cₙ₊₂ = x²(A cₙ + U cₙ₋₁)/((n+1)(n+2)) with the largest acceleration A and its largest change U over a step.
+fn left_out(x2: f64, shaking: &Shaking, degree: usize, parts: usize) -> f64 {
+    let parts = parts as f64;
+    let x2 = x2 / (parts * parts);
+    let (level, change) = (x2 * shaking.largest, x2 * shaking.steepest / parts);
+    let mut c = [0.0; TERMS + 2];
+    (c[0], c[1]) = (1.0, level.sqrt());
+    for n in 0..=degree - 1 {
+        let before = if n > 0 { change * c[n - 1] } else { 0.0 };
+        c[n + 2] = (level * c[n] + before) / ((n + 1) * (n + 2)) as f64;
+    }
+    c[degree + 1] / level
 }
 
 struct Run<'a> {

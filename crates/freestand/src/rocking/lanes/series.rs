@@ -21,6 +21,22 @@ const INVERSE: [f64; TERMS] = {
     inverse
 };
 
+/// The edge that a block turns about: α, and p²h² for a step h.
+#[derive(Clone, Copy)]
+pub(super) struct Edge<S: Simd> {
+    pub(super) alpha: S::f64s,
+    pub(super) x2: S::f64s,
+}
+
+/// Base acceleration over a step: s ü_h/g and 1 + ü_v/g at its start, and their changes; v is 1 without vertical motion.
+#[derive(Clone, Copy)]
+pub(super) struct Ground<S: Simd> {
+    pub(super) su: S::f64s,
+    pub(super) su_change: S::f64s,
+    pub(super) v: S::f64s,
+    pub(super) v_change: S::f64s,
+}
+
 /// y = Σ cₖ xᵏ over a step, x from 0 to 1.
 #[derive(Clone, Copy)]
 pub(super) struct Series<S: Simd, const K: usize> {
@@ -31,29 +47,36 @@ pub(super) struct Series<S: Simd, const K: usize> {
 }
 
 impl<S: Simd, const K: usize> Series<S, K> {
-    /// ÿ = −(E cos y − D sin y) with E = e₀ + e₁x, D = d₀ + d₁x, all in units of the step, from (y, w); linearised: sin y → y,
-    /// cos y → 1.
+    /// ÿ = −x²\[(v₀+v₁x) sin φ + s(u₀+u₁x) cos φ\], φ = α − y, in units of the step, from (y, w); linearised: sin φ → φ,
+    /// cos φ → 1. `first` may change ÿ at the start.
     #[inline(always)]
-    pub(super) fn new<const LINEARISED: bool>(
+    pub(super) fn new<const LINEARISED: bool, const VERTICAL: bool>(
         m: Math<S>,
         y: S::f64s,
         w: S::f64s,
-        e: [S::f64s; 2],
-        d: [S::f64s; 2],
+        edge: Edge<S>,
+        ground: Ground<S>,
+        first: impl FnOnce(S::f64s) -> S::f64s,
     ) -> Self {
         let zero = m.splat(0.0);
-        let mut c = [zero; TERMS];
-        let mut slope = [zero; TERMS];
-        let mut sin = [zero; TERMS];
-        let mut cos = [zero; TERMS];
+        let (mut c, mut slope) = ([zero; TERMS], [zero; TERMS]);
+        // x² sin φ and x² cos φ.
+        let (mut sin, mut cos) = ([zero; TERMS], [zero; TERMS]);
         c[0] = y;
         c[1] = w;
         slope[1] = w;
-        (sin[0], cos[0]) = if LINEARISED { (y, m.splat(1.0)) } else { m.sin_cos(y) };
+        let phi = m.sub(edge.alpha, y);
+        (sin[0], cos[0]) = if LINEARISED { (phi, m.splat(1.0)) } else { m.sin_cos(phi) };
+        (sin[0], cos[0]) = (m.mul(edge.x2, sin[0]), m.mul(edge.x2, cos[0]));
+        let pull = |sin: S::f64s, cos: S::f64s| {
+            let vertical = if VERTICAL { m.mul(ground.v, sin) } else { sin };
+            m.fma(ground.su, cos, vertical)
+        };
+        let mut first = Some(first);
         unroll!(N, {
             if N + 2 <= K {
                 if N > 0 && LINEARISED {
-                    sin[N] = c[N];
+                    sin[N] = m.mul(edge.x2, m.sub(zero, c[N]));
                 } else if N > 0 {
                     let mut sum = m.mul(slope[1], cos[N - 1]);
                     let mut difference = m.mul(slope[1], sin[N - 1]);
@@ -63,14 +86,24 @@ impl<S: Simd, const K: usize> Series<S, K> {
                             difference = m.fma(slope[J], sin[N - J], difference);
                         }
                     });
-                    sin[N] = m.mul(sum, m.splat(INVERSE[N]));
-                    cos[N] = m.mul(difference, m.splat(-INVERSE[N]));
+                    sin[N] = m.mul(sum, m.splat(-INVERSE[N]));
+                    cos[N] = m.mul(difference, m.splat(INVERSE[N]));
                 }
-                let mut f = m.fnma(e[0], cos[N], m.mul(d[0], sin[N]));
-                if N > 0 {
-                    f = m.fma(d[1], sin[N - 1], m.fnma(e[1], cos[N - 1], f));
-                }
-                slope[N + 2] = m.mul(f, m.splat(INVERSE[N + 1]));
+                // −ÿ; what comes last last: the chain from one term to the next but one is short.
+                let f = if N == 0 {
+                    pull(sin[0], cos[0])
+                } else {
+                    let mut before = m.mul(ground.su_change, cos[N - 1]);
+                    if VERTICAL {
+                        before = m.fma(ground.v_change, sin[N - 1], before);
+                        before = m.fma(ground.v, sin[N], before);
+                    } else {
+                        before = m.add(sin[N], before);
+                    }
+                    m.fma(ground.su, cos[N], before)
+                };
+                let f = if N == 0 { first.take().map_or(f, |first| first(f)) } else { f };
+                slope[N + 2] = m.mul(f, m.splat(-INVERSE[N + 1]));
                 c[N + 2] = m.mul(slope[N + 2], m.splat(INVERSE[N + 2]));
             }
         });
@@ -88,19 +121,6 @@ impl<S: Simd, const K: usize> Series<S, K> {
             }
         });
         (m.add(y, self.c[0]), slope)
-    }
-
-    /// y and dy/dx at x.
-    #[inline(always)]
-    pub(super) fn at(&self, m: Math<S>, x: S::f64s) -> (S::f64s, S::f64s) {
-        let (mut y, mut slope) = (self.c[K], self.slope[K]);
-        unroll_down!(N, {
-            if N > 0 && N < K {
-                y = m.fma(y, x, self.c[N]);
-                slope = m.fma(slope, x, self.slope[N]);
-            }
-        });
-        (m.fma(y, x, self.c[0]), slope)
     }
 
     /// Σ k|cₖ| from k = 2 on: how far the slope can leave c₁; half of it bounds how far y can leave c₀ + c₁x.
@@ -125,26 +145,5 @@ impl<S: Simd, const K: usize> Series<S, K> {
             }
         });
         m.gt(m.splat(0.0), sum)
-    }
-
-    /// The x in (0, 1) of the maximum of a step whose slope falls from above zero to below it without a turn.
-    #[inline(always)]
-    pub(super) fn summit(&self, m: Math<S>) -> S::f64s {
-        // From the parabola through both slopes.
-        let (_, end) = self.end(m);
-        let mut x = m.div(self.slope[1], m.sub(self.slope[1], end));
-        // Newton on the slope: a curve without a turn, so close to a line that four steps reach rounding.
-        for _ in 0..4 {
-            let (mut p, mut dp) = (self.slope[K], m.mul(self.slope[K], m.splat((K - 1) as f64)));
-            unroll_down!(N, {
-                if N > 1 && N < K {
-                    p = m.fma(p, x, self.slope[N]);
-                    dp = m.fma(dp, x, m.mul(self.slope[N], m.splat((N - 1) as f64)));
-                }
-            });
-            p = m.fma(p, x, self.slope[1]);
-            x = m.sub(x, m.div(p, dp));
-        }
-        x
     }
 }

@@ -16,6 +16,8 @@ pub(super) struct Shaking {
     peaks: [Peaks; 2],
     /// Largest |ü_h|/g + |1 + ü_v/g|.
     pub(super) largest: f64,
+    /// Largest change of |ü_h|/g and of ü_v/g, together, from a sample to the next.
+    pub(super) steepest: f64,
 }
 
 #[derive(Debug, Clone, Default)]
@@ -49,7 +51,9 @@ impl Shaking {
         let ratio = |k: usize| u[k] / v.get(k).copied().unwrap_or(1.0);
         let peaks = [1.0, -1.0].map(|side| Peaks::new((0..u.len()).map(|k| -side * ratio(k)).collect()));
         let largest = (0..u.len()).map(|k| u[k].abs() + v.get(k).copied().unwrap_or(1.0)).fold(1.0, f64::max);
-        Some(Self { dt_s: given.dt_s(), u, v, peaks, largest })
+        let change = |values: &[f64]| values.windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
+        let steepest = change(&u) + change(&v);
+        Some(Self { dt_s: given.dt_s(), u, v, peaks, largest, steepest })
     }
 
     /// Base acceleration at the start of interval `k` and its change over it.
@@ -84,7 +88,7 @@ impl Interval {
     /// ü_h/g and 1 + ü_v/g at a ratio of the interval.
     #[inline(always)]
     pub(super) fn at(&self, ratio: f64) -> (f64, f64) {
-        (ratio.mul_add(self.u_change, self.u), ratio.mul_add(self.v_change, self.v))
+        (self.u + ratio * self.u_change, self.v + ratio * self.v_change)
     }
 }
 

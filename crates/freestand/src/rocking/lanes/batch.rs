@@ -1,0 +1,281 @@
+//! Lanes from where they are in a step to their next event, some vectors of them at a time: their chains of operations
+//! overlap.
+
+use std::f64::consts::FRAC_PI_2;
+
+use pulp::Simd;
+
+use super::math::Math;
+use super::series::{Edge, Ground, Series, TERMS};
+use super::shaking::Interval;
+use super::ranks::{ABREAST, Ranks};
+use super::unroll::{unroll, unroll_down};
+
+/// Lanes of a batch.
+pub(super) const BATCH: usize = 4 * ABREAST;
+
+pub(super) const CALM: f64 = 0.0;
+pub(super) const LANDING: f64 = 1.0;
+pub(super) const INTRICATE: f64 = 2.0;
+
+/// One number of every lane.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Numbers(pub(super) [f64; BATCH]);
+
+impl Default for Numbers {
+    fn default() -> Self {
+        Self([0.0; BATCH])
+    }
+}
+
+impl Numbers {
+    #[inline(always)]
+    fn get<S: Simd>(&self, i: usize) -> S::f64s {
+        S::as_simd_f64s(&self.0).0[i]
+    }
+
+    #[inline(always)]
+    fn set<S: Simd>(&mut self, i: usize, value: S::f64s) {
+        S::as_mut_simd_f64s(&mut self.0).0[i] = value;
+    }
+}
+
+/// Lanes with an event in the step.
+#[derive(Default)]
+pub(super) struct Batch {
+    pub(super) y: Numbers,
+    pub(super) w: Numbers,
+    alpha: Numbers,
+    x2: Numbers,
+    side: Numbers,
+    pub(super) best: Numbers,
+    pub(super) tau: Numbers,
+    /// The part of the step that was left.
+    pub(super) rest: Numbers,
+    pub(super) event: Numbers,
+    /// 1 where y may have its largest maximum so far inside the step.
+    summit: Numbers,
+    /// Terms of y.
+    pub(super) c: [Numbers; TERMS],
+    /// Terms of y without the zero that it starts from.
+    q: [Numbers; TERMS],
+}
+
+impl Batch {
+    #[inline(always)]
+    pub(super) fn gather(&mut self, moving: &Ranks, batch: &[u32]) {
+        for (i, &lane) in batch.iter().enumerate() {
+            let (rank, place) = moving.rank(lane as usize);
+            self.y.0[i] = rank.y[place];
+            self.w.0[i] = rank.w[place];
+            self.alpha.0[i] = rank.alpha[place];
+            self.x2.0[i] = rank.x2[place];
+            self.side.0[i] = rank.side[place];
+            self.best.0[i] = rank.best[place];
+            self.tau.0[i] = rank.tau[place];
+        }
+        for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
+            // A block that nothing moves.
+            (self.y.0[i], self.w.0[i], self.x2.0[i], self.best.0[i], self.tau.0[i]) = (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
+        }
+    }
+
+    /// To the next event of each of the first lanes, or to the end of the step.
+    #[inline(always)]
+    pub(super) fn solve<S: Simd, const K: usize, const LINEARISED: bool>(
+        &mut self,
+        m: Math<S>,
+        ground: Interval,
+        lanes: usize,
+    ) {
+        let vectors = lanes.div_ceil(S::F64_LANES);
+        for i in 0..vectors {
+            self.expand::<S, K, LINEARISED>(m, ground, i);
+        }
+        for i in 0..vectors {
+            if m.any(m.gt(self.summit.get::<S>(i), m.splat(0.0))) {
+                self.climb::<S, K>(m, i);
+            }
+        }
+        for i in 0..vectors {
+            self.fall::<S, K>(m, i);
+        }
+    }
+
+    /// The series of a vector of lanes, and what happens in the rest of the step.
+    #[inline(always)]
+    fn expand<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S>, ground: Interval, i: usize) {
+        let (u_start, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
+        let (v_start, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
+        let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
+        let [y, w, tau, best] = [&self.y, &self.w, &self.tau, &self.best].map(|numbers| numbers.get::<S>(i));
+        let rest = m.sub(one, tau);
+        let rest2 = m.mul(rest, rest);
+        let [alpha, x2, side] = [&self.alpha, &self.x2, &self.side].map(|numbers| numbers.get::<S>(i));
+        let edge = Edge { alpha, x2: m.mul(rest2, x2) };
+        let local = Ground {
+            su: m.mul(side, m.fma(tau, u_change, u_start)),
+            su_change: m.mul(side, m.mul(rest, u_change)),
+            v: m.fma(tau, v_change, v_start),
+            v_change: m.mul(rest, v_change),
+        };
+        let (on_floor, still) = (m.ge(zero, y), m.ge(zero, m.abs(w)));
+        let lifting = m.and(on_floor, still);
+        // At the very instant at which the threshold is passed nothing pulls down, whatever rounding says.
+        let lifted = |pull| m.select(m.and(lifting, m.gt(pull, zero)), zero, pull);
+        let w = m.mul(w, rest);
+        let series = Series::<S, K>::new::<LINEARISED, true>(m, y, w, edge, local, lifted);
+
+        let bend = series.bend(m);
+        let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
+        let falling = m.not(m.gt(m.splat(FRAC_PI_2), top));
+        let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
+
+        // y without the zero that it starts from: y, y/x or y/x².
+        let bouncing = m.and(on_floor, m.not(still));
+        let mut q = [zero; TERMS];
+        unroll!(N, {
+            if N <= K {
+                let next = if N < K { series.c[N + 1] } else { zero };
+                let second = if N + 1 < K { series.c[N + 2] } else { zero };
+                q[N] = m.select(lifting, second, m.select(bouncing, next, series.c[N]));
+            }
+        });
+        let (mut beyond, mut bend_of_q, mut end) = (zero, zero, zero);
+        unroll_down!(N, {
+            if N >= 2 && N <= K {
+                let size = m.abs(q[N]);
+                beyond = m.add(beyond, size);
+                bend_of_q = m.fma(size, m.splat(N as f64), bend_of_q);
+                end = m.add(end, q[N]);
+            }
+        });
+        end = m.add(m.add(end, q[1]), q[0]);
+        let begins_above = m.gt(q[0], zero);
+        let ends_above = m.gt(end, zero);
+        // Too far from the floor, or rising too fast to come back.
+        let far = m.gt(q[0], m.add(beyond, m.abs(q[1])));
+        let rising = m.and(m.ge(q[0], zero), m.gt(q[1], beyond));
+        // One root where y bends down all the way, or q falls all the way, and ends below the floor; none if it does not.
+        let concave = series.is_concave(m);
+        let falls = m.gt(zero, m.add(q[1], bend_of_q));
+        let one_way = m.and(begins_above, m.or(concave, falls));
+        let safe = m.or(far, rising);
+        let landing = m.and(m.and(one_way, m.not(ends_above)), m.not(safe));
+        let calm = m.or(safe, m.and(one_way, ends_above));
+        // Where y bends down all the way it has one maximum at most, where its slope passes zero, and before a landing.
+        let (_, w1) = series.end(m);
+        let climbs = m.and(lifting, m.gt(q[1], bend_of_q));
+        let hidden = m.and(turning, m.not(m.or(concave, climbs)));
+        let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
+        let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.gt(zero, w1))));
+        let event = m.select(landing, m.splat(LANDING), m.splat(CALM));
+        self.event.set::<S>(i, m.select(simple, event, m.splat(INTRICATE)));
+        self.summit.set::<S>(i, m.select(summit, one, zero));
+        self.rest.set::<S>(i, rest);
+        unroll!(N, {
+            if N <= K {
+                self.c[N].set::<S>(i, series.c[N]);
+                self.q[N].set::<S>(i, q[N]);
+            }
+        });
+    }
+
+    /// Raises the largest y to a maximum inside the step.
+    #[inline(always)]
+    fn climb<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
+        let mut slope = [m.splat(0.0); TERMS];
+        unroll!(N, {
+            if N < K {
+                slope[N] = m.mul(m.splat((N + 1) as f64), self.c[N + 1].get::<S>(i));
+            }
+        });
+        let wanted = m.gt(self.summit.get::<S>(i), m.splat(0.0));
+        let x = root::<S, K>(m, &slope, wanted);
+        let mut y = self.c[K].get::<S>(i);
+        unroll_down!(N, {
+            if N < K {
+                y = m.fma(y, x, self.c[N].get::<S>(i));
+            }
+        });
+        let best = self.best.get::<S>(i);
+        self.best.set::<S>(i, m.select(m.and(wanted, m.gt(y, best)), y, best));
+    }
+
+    /// To the landing, or to the end of the step.
+    #[inline(always)]
+    fn fall<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
+        let (zero, one) = (m.splat(0.0), m.splat(1.0));
+        let (event, rest, tau) = (self.event.get::<S>(i), self.rest.get::<S>(i), self.tau.get::<S>(i));
+        let landing = m.and(m.ge(event, m.splat(LANDING)), m.ge(m.splat(LANDING), event));
+        let mut q = [zero; TERMS];
+        unroll!(N, {
+            if N <= K {
+                q[N] = self.q[N].get::<S>(i);
+            }
+        });
+        let x = m.select(landing, root::<S, K>(m, &q, landing), one);
+        let (mut y, mut w) = (self.c[K].get::<S>(i), zero);
+        unroll_down!(N, {
+            if N < K {
+                w = m.fma(w, x, y);
+                y = m.fma(y, x, self.c[N].get::<S>(i));
+            }
+        });
+        // Rounding may take y below the floor where the root lies just behind the end of the step.
+        let event = m.select(m.or(m.ge(event, one), m.gt(y, zero)), event, m.splat(INTRICATE));
+        self.y.set::<S>(i, y);
+        self.w.set::<S>(i, m.div(w, rest));
+        self.tau.set::<S>(i, m.fma(x, rest, tau));
+        self.event.set::<S>(i, event);
+    }
+}
+
+/// Two steps of Halley's method get nearly every lane to its root.
+const STEPS: usize = 2;
+
+/// A step of Halley's method that moves a root by no more than this part of it was the last: its error is of the order of
+/// the third power.
+const LAST_MOVE: f64 = 3e-6;
+
+/// The root in (0, 1] of a polynomial that falls all the way from above zero to zero or below it, in the lanes wanted: by
+/// Halley's method within a bracket. A lane that has converged stays, whatever its neighbours do.
+#[inline(always)]
+fn root<S: Simd, const K: usize>(m: Math<S>, q: &[S::f64s; TERMS], wanted: S::m64s) -> S::f64s {
+    /// Halvings of the bracket that reach the last bit, if nothing else did.
+    const MOST: usize = 60;
+    let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
+    let (mut low, mut high) = (zero, one);
+    // The parabola's root; without one, the middle.
+    let discriminant = m.fnma(m.mul(m.splat(4.0), q[0]), q[2], m.mul(q[1], q[1]));
+    let positive = m.gt(discriminant, zero);
+    let sum = m.sub(m.sqrt(m.select(positive, discriminant, one)), q[1]);
+    let guess = m.div(m.add(q[0], q[0]), sum);
+    let good = m.and(positive, m.and(m.gt(guess, zero), m.gt(one, guess)));
+    let mut x = m.select(good, guess, half);
+    let mut open = wanted;
+    for step in 1..=MOST {
+        let (mut p, mut slope, mut half_bend) = (q[K], zero, zero);
+        unroll_down!(N, {
+            if N < K {
+                half_bend = m.fma(half_bend, x, slope);
+                slope = m.fma(slope, x, p);
+                p = m.fma(p, x, q[N]);
+            }
+        });
+        let above = m.gt(p, zero);
+        low = m.select(above, x, low);
+        high = m.select(above, high, x);
+        let halley = m.sub(x, m.div(m.mul(p, slope), m.fnma(p, half_bend, m.mul(slope, slope))));
+        let inside = m.and(m.ge(halley, low), m.ge(high, halley));
+        let next = m.select(inside, halley, m.mul(half, m.add(low, high)));
+        let moved = m.gt(m.abs(m.sub(next, x)), m.mul(m.splat(LAST_MOVE), x));
+        x = m.select(open, next, x);
+        open = m.and(open, moved);
+        if step >= STEPS && !m.any(open) {
+            break;
+        }
+    }
+    x
+}

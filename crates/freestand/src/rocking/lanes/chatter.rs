@@ -1,0 +1,223 @@
+//! Short flights between impacts: one by one by a series of their own, and all that are left before rest at once.
+
+/// E = `now` + `slope` x of one edge over the rest of a step: what pulls a block back to the floor.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pull {
+    pub(super) now: f64,
+    pub(super) slope: f64,
+}
+
+/// What acts on a block about one edge over the rest of a step, in units of the step: ÿ = −(E cos y − D sin y).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Acting {
+    pub(super) e: Pull,
+    pub(super) d: Pull,
+    /// 1, or 0 where cos y is taken as 1.
+    pub(super) cosine: f64,
+}
+
+/// A flight from the floor back to it: how long, and the speed of the impact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Flight {
+    pub(super) time: f64,
+    pub(super) speed: f64,
+}
+
+/// Largest y of a short flight: what is left out of E cos y, ε y²/2, is below 1e-13 of E.
+const LOW: f64 = 1e-6;
+
+/// Largest D times the square of the time of a short flight: the seventh term of the series, (D T²)³/5040, is below 1e-16.
+const SHORT: f64 = 5e-5;
+
+impl Acting {
+    /// A flight that takes off at the speed `w`, if it is short, as low as `lower_than`, and certain to land before the time
+    /// `left` is over.
+    pub(super) fn flight(&self, w: f64, left: f64, lower_than: f64) -> Option<Flight> {
+        let (e, d) = (self.e.now, self.d.now);
+        let least = e.min(e + left * self.e.slope);
+        // y never passes w T/2 under a pull that never passes zero; D takes away less than a tenth of the pull.
+        let longest = 2.2 * w / least;
+        let highest = 0.5 * w * longest;
+        let strongest = d.abs() + left * self.d.slope.abs();
+        if !(least > 0.0
+            && longest <= left
+            && highest <= LOW
+            && highest < lower_than
+            && strongest * longest * longest <= SHORT)
+        {
+            return None;
+        }
+        let (e1, d1) = (self.e.slope, self.d.slope);
+        let bent = self.cosine * e;
+        // y/x.
+        let c = [
+            w,
+            -0.5 * e,
+            (d * w - e1) / 6.0,
+            (d1 * w - 0.5 * d * e + 0.5 * bent * w * w) / 12.0,
+            (d * (d * w - e1) / 6.0 - 0.5 * d1 * e - 0.5 * bent * w * e) / 20.0,
+            (d * (d1 * w - 0.5 * d * e) / 12.0 + d1 * (d * w - e1) / 6.0 + 0.125 * bent * e * e) / 30.0,
+        ];
+        // The landing under E alone, and what D adds for a pull that does not change; then one step of Newton's method.
+        let epsilon = e1 * w / (e * e);
+        let ballistic = 4.0 * w / (e * (1.0 + (1.0 + 8.0 / 3.0 * epsilon).sqrt()));
+        let x = ballistic * (1.0 + d * ballistic * ballistic / 12.0);
+        let value = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
+        let slope = c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
+        let x = x - value / slope;
+        // At the landing y/x is zero, and dy/dx is x times its slope.
+        let slope = c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
+        Some(Flight { time: x, speed: -x * slope })
+    }
+
+    /// The same, later.
+    pub(super) fn after(self, time: f64) -> Self {
+        Self { e: self.e.after(time), d: self.d.after(time), ..self }
+    }
+}
+
+impl Pull {
+    fn after(self, time: f64) -> Self {
+        Self { now: self.now + time * self.slope, ..self }
+    }
+}
+
+/// The largest y and the largest speed of an impact so far, which flights to rest must not exceed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Trace {
+    pub(super) height: f64,
+    pub(super) speed: f64,
+}
+
+/// How many impacts a block has until its speed after one is at most `rest`, from a speed `w` after an impact about the
+/// first edge on, where all are certain to happen in the time `left` and to leave no trace.
+pub(super) fn impacts_to_rest(
+    edges: [Acting; 2],
+    r: f64,
+    w: f64,
+    left: f64,
+    traces: [Trace; 2],
+    rest: f64,
+) -> Option<usize> {
+    /// Largest relative change of the pull on the way, by which speeds grow by [`GROWTH`] at most.
+    const CHANGE: f64 = 0.3;
+    const GROWTH: f64 = 1.3;
+    /// Largest part that y has in the pull.
+    const PART: f64 = 1e-5;
+    let fastest = GROWTH * w;
+    let slowing = 1.0 - r;
+    for (acting, trace) in edges.iter().zip(traces) {
+        let Pull { now, slope } = acting.e;
+        let least = now.min(now + left * slope);
+        let square = 0.5 * fastest * fastest;
+        let restoring = acting.d.now.abs() + left * acting.d.slope.abs();
+        let holds = least > 0.0
+            && 2.0 * fastest <= least * slowing * left
+            && slope.abs() * w <= CHANGE * slowing * least * least
+            && restoring * square <= PART * least * least
+            && square < least * trace.height
+            && fastest < trace.speed;
+        if !holds {
+            return None;
+        }
+    }
+    Some(count([edges[0].e, edges[1].e], r, w, rest))
+}
+
+/// Flights whose pull changes by more than this, relatively, over the whole way to rest are followed one by one: the third
+/// order of what is summed up is below 3e-6, far less than the ratio of two impacts.
+const SMALL_CHANGE: f64 = 0.01;
+
+/// Impacts to rest, as long as both pulls stay positive.
+///
+/// A flight under E + E′x lasts (2w/E)τ with ⅔ετ² + τ = 1, ε = E′w/E², and lands at w(2 − τ): the ball on a table whose
+/// gravity changes. With ln(2 − τ) = ⅔ε − 10/9 ε² + … the sum of all flights is one of geometric series, taken to the
+/// second order. What y adds to the pull conserves energy about each edge and drops out.
+fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
+    let mut followed = 0;
+    loop {
+        if w <= rest {
+            return followed;
+        }
+        let [first, other] = edges;
+        let change = |pull: Pull| (pull.slope * w / (pull.now * pull.now)).abs();
+        if change(first).max(change(other)) <= SMALL_CHANGE * (1.0 - r) {
+            let impacts = ((w / rest).ln() + growth(edges, r, w)) / -r.ln();
+            return followed + impacts.ceil().max(1.0) as usize;
+        }
+        let epsilon = first.slope * w / (first.now * first.now);
+        let tau = 2.0 / (1.0 + (1.0 + 8.0 / 3.0 * epsilon).sqrt());
+        let flight = 2.0 * w / first.now * tau;
+        w *= r * (2.0 - tau);
+        followed += 1;
+        edges = [other, first].map(|pull| pull.after(flight));
+    }
+}
+
+/// ln of what all flights to rest gain in speed, to the second order in E′.
+fn growth([first, other]: [Pull; 2], r: f64, w: f64) -> f64 {
+    let q = r * r;
+    // ε of the first two flights, the time that they take, and E′/E.
+    let (e0, e1) = (first.slope * w / (first.now * first.now), other.slope * w * r / (other.now * other.now));
+    let (t0, t1) = (2.0 * w / first.now, 2.0 * w * r / other.now);
+    let (k0, k1) = (first.slope / first.now, other.slope / other.now);
+    let gained = 2.0 / 3.0 * (e0 + e1) / (1.0 - q);
+    let time = (t0 + t1) / (1.0 - q);
+    let pairs = q * (e0 * (gained - 2.0 * k0 * time) + e1 * (gained - 2.0 * k1 * time));
+    let within = e1 * (2.0 / 3.0 * e0 - 2.0 * k1 * t0);
+    gained + (2.0 / 3.0 * (pairs + within) - 10.0 / 9.0 * (e0 * e0 + e1 * e1)) / (1.0 - q * q)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Flight by flight.
+    fn followed(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> (usize, f64) {
+        let mut count = 0;
+        while w > rest {
+            let (e, s) = (edges[0].now, edges[0].slope);
+            // w t = E t²/2 + E′ t³/6.
+            let flight = 2.0 * w / (0.5 * e + (0.25 * e * e + 2.0 / 3.0 * s * w).sqrt());
+            w = r * (e * flight + 0.5 * s * flight * flight - w);
+            edges = [edges[1], edges[0]].map(|pull| Pull { now: pull.now + pull.slope * flight, ..pull });
+            count += 1;
+        }
+        (count, w)
+    }
+
+    #[test]
+    fn impacts_to_rest_are_those_of_flights_followed_one_by_one() {
+        let mut cases = 0;
+        for r in [0.3, 0.7, 0.9, 0.97] {
+            for (e0, e1, s0, s1) in [(1.0, 1.0, 0.0, 0.0), (1.0, 0.4, 0.3, -0.3), (0.5, 2.0, -0.4, 0.3), (1.0, 0.7, -0.3, -0.1)] {
+                for i in 0..10 {
+                    // All flights together take at most a tenth of the step, and less each time.
+                    let w = 0.02 * (1.0 - r) * 0.61_f64.powi(i);
+                    let edges = [Pull { now: e0, slope: s0 }, Pull { now: e1, slope: s1 }];
+                    let rest = 1e-9;
+                    let (impacts, last) = followed(edges, r, w, rest);
+                    // The last speed must be further from the threshold than the third order can take it.
+                    if (rest / last).ln() > 3e-6 && (last / (r * rest)).ln() > 3e-6 {
+                        assert_eq!(count(edges, r, w, rest), impacts, "{r} {e0} {e1} {s0} {s1} {w}");
+                        cases += 1;
+                    }
+                }
+            }
+        }
+        assert!(cases > 150, "{cases}");
+    }
+
+    /// ln of the growth against flights followed one by one: the error falls with the third power of the change.
+    #[test]
+    fn the_growth_is_right_to_the_second_order() {
+        let edges = [Pull { now: 1.0, slope: 0.8 }, Pull { now: 0.6, slope: -0.5 }];
+        let error = |w: f64| {
+            let r: f64 = 0.8;
+            let (count, last) = followed(edges, r, w, 1e-12 * w);
+            ((last / w).ln() - count as f64 * r.ln() - growth(edges, r, w)).abs()
+        };
+        let order = (error(4e-3) / error(2e-3)).log2();
+        assert!((order - 3.0).abs() < 0.2, "{order}");
+    }
+}

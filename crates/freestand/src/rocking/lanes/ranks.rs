@@ -1,0 +1,165 @@
+//! Moving blocks, eight abreast.
+
+use super::tile::Rocker;
+
+/// Blocks of a rank: the widest vector there is.
+pub(super) const ABREAST: usize = 8;
+
+/// No block.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// One number of each kind for every block of a rank. All of a rank lies together, so that no two numbers that are used
+/// together share their place in the cache.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Rank {
+    pub(super) y: [f64; ABREAST],
+    /// dy/dx over a step.
+    pub(super) w: [f64; ABREAST],
+    pub(super) alpha: [f64; ABREAST],
+    /// p²h².
+    pub(super) x2: [f64; ABREAST],
+    /// s.
+    pub(super) side: [f64; ABREAST],
+    /// Largest y about this edge so far.
+    pub(super) best: [f64; ABREAST],
+    /// 1 where the step has an event, else 0.
+    pub(super) event: [f64; ABREAST],
+    /// The part of the step that is over.
+    pub(super) tau: [f64; ABREAST],
+    pub(super) block: [u32; ABREAST],
+}
+
+/// A block that nothing moves, higher than none before.
+const VACANT: Rank = Rank {
+    y: [1.0; ABREAST],
+    w: [0.0; ABREAST],
+    alpha: [0.0; ABREAST],
+    x2: [0.0; ABREAST],
+    side: [0.0; ABREAST],
+    best: [f64::INFINITY; ABREAST],
+    event: [0.0; ABREAST],
+    tau: [0.0; ABREAST],
+    block: [NONE; ABREAST],
+};
+
+/// Moving blocks without gaps, but for the places of those that left in this step.
+#[derive(Debug, Default)]
+pub(super) struct Ranks {
+    ranks: Vec<Rank>,
+    /// Places in use, some of them vacant.
+    count: usize,
+    vacant: Vec<u32>,
+}
+
+/// A block that moves: where it is, how fast, and since when.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moving {
+    pub(super) block: u32,
+    pub(super) edge: usize,
+    pub(super) y: f64,
+    pub(super) w: f64,
+    pub(super) best: f64,
+    pub(super) tau: f64,
+}
+
+const SIDES: [f64; 2] = [1.0, -1.0];
+
+impl Ranks {
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The ranks in use.
+    pub(super) fn in_use(&mut self) -> &mut [Rank] {
+        &mut self.ranks[..self.count.div_ceil(ABREAST)]
+    }
+
+    #[inline(always)]
+    pub(super) fn rank(&self, lane: usize) -> (&Rank, usize) {
+        (&self.ranks[lane / ABREAST], lane % ABREAST)
+    }
+
+    #[inline(always)]
+    pub(super) fn rank_mut(&mut self, lane: usize) -> (&mut Rank, usize) {
+        (&mut self.ranks[lane / ABREAST], lane % ABREAST)
+    }
+
+    #[inline(always)]
+    pub(super) fn block(&self, lane: usize) -> u32 {
+        let (rank, i) = self.rank(lane);
+        rank.block[i]
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> Moving {
+        let (rank, i) = self.rank(lane);
+        let edge = usize::from(rank.side[i] < 0.0);
+        Moving { block: rank.block[i], edge, y: rank.y[i], w: rank.w[i], best: rank.best[i], tau: rank.tau[i] }
+    }
+
+    #[inline(always)]
+    pub(super) fn set(&mut self, lane: usize, moving: Moving, rocker: &Rocker) {
+        let (rank, i) = self.rank_mut(lane);
+        let terms = &rocker.edges[moving.edge];
+        rank.y[i] = moving.y;
+        rank.w[i] = moving.w;
+        rank.alpha[i] = terms.alpha;
+        rank.x2[i] = terms.x2;
+        rank.side[i] = SIDES[moving.edge];
+        rank.best[i] = moving.best;
+        rank.tau[i] = moving.tau;
+        rank.block[i] = moving.block;
+    }
+
+    /// A vacant place.
+    pub(super) fn enter(&mut self) -> usize {
+        if let Some(lane) = self.vacant.pop() {
+            return lane as usize;
+        }
+        if self.count == self.ranks.len() * ABREAST {
+            self.ranks.push(VACANT);
+        }
+        self.count += 1;
+        self.count - 1
+    }
+
+    pub(super) fn leave(&mut self, lane: usize) {
+        self.copy(None, lane);
+        self.vacant.push(lane as u32);
+    }
+
+    /// Fills vacant places with the last blocks.
+    pub(super) fn close(&mut self) {
+        if self.vacant.is_empty() {
+            return;
+        }
+        let mut vacant = std::mem::take(&mut self.vacant);
+        vacant.sort_unstable_by(|a, b| b.cmp(a));
+        for lane in vacant.drain(..) {
+            self.count -= 1;
+            self.copy(Some(self.count), lane as usize);
+            self.copy(None, self.count);
+        }
+        self.vacant = vacant;
+    }
+
+    /// Copies a block, or none, to another place.
+    fn copy(&mut self, from: Option<usize>, to: usize) {
+        let (source, j) = from.map_or((VACANT, 0), |from| (self.ranks[from / ABREAST], from % ABREAST));
+        let (rank, i) = self.rank_mut(to);
+        rank.y[i] = source.y[j];
+        rank.w[i] = source.w[j];
+        rank.alpha[i] = source.alpha[j];
+        rank.x2[i] = source.x2[j];
+        rank.side[i] = source.side[j];
+        rank.best[i] = source.best[j];
+        rank.event[i] = source.event[j];
+        rank.tau[i] = source.tau[j];
+        rank.block[i] = source.block[j];
+    }
+}
