@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use pulp::Simd;
 
-use super::math::Math;
+use super::math::{Masks, Math, Numbers};
 use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::Interval;
 use super::ranks::{ABREAST, Ranks};
@@ -21,45 +21,45 @@ pub(super) const INTRICATE: f64 = 2.0;
 /// One number of every lane.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
-pub(super) struct Numbers(pub(super) [f64; BATCH]);
+pub(super) struct Column(pub(super) [f64; BATCH]);
 
-impl Default for Numbers {
+impl Default for Column {
     fn default() -> Self {
         Self([0.0; BATCH])
     }
 }
 
-impl Numbers {
+impl Column {
     #[inline(always)]
-    fn get<S: Simd>(&self, i: usize) -> S::f64s {
-        S::as_simd_f64s(&self.0).0[i]
+    fn get<S: Simd>(&self, i: usize) -> Numbers<S, 1> {
+        [S::as_simd_f64s(&self.0).0[i]]
     }
 
     #[inline(always)]
-    fn set<S: Simd>(&mut self, i: usize, value: S::f64s) {
-        S::as_mut_simd_f64s(&mut self.0).0[i] = value;
+    fn set<S: Simd>(&mut self, i: usize, value: Numbers<S, 1>) {
+        S::as_mut_simd_f64s(&mut self.0).0[i] = value[0];
     }
 }
 
 /// Lanes with an event in the step.
 #[derive(Default)]
 pub(super) struct Batch {
-    pub(super) y: Numbers,
-    pub(super) w: Numbers,
-    alpha: Numbers,
-    x2: Numbers,
-    side: Numbers,
-    pub(super) best: Numbers,
-    pub(super) tau: Numbers,
+    pub(super) y: Column,
+    pub(super) w: Column,
+    alpha: Column,
+    x2: Column,
+    side: Column,
+    pub(super) best: Column,
+    pub(super) tau: Column,
     /// The part of the step that was left.
-    pub(super) rest: Numbers,
-    pub(super) event: Numbers,
+    pub(super) rest: Column,
+    pub(super) event: Column,
     /// 1 where y may have its largest maximum so far inside the step.
-    summit: Numbers,
+    summit: Column,
     /// Terms of y.
-    pub(super) c: [Numbers; TERMS],
+    pub(super) c: [Column; TERMS],
     /// Terms of y without the zero that it starts from.
-    q: [Numbers; TERMS],
+    q: [Column; TERMS],
 }
 
 impl Batch {
@@ -85,7 +85,7 @@ impl Batch {
     #[inline(always)]
     pub(super) fn solve<S: Simd, const K: usize, const LINEARISED: bool>(
         &mut self,
-        m: Math<S>,
+        m: Math<S, 1>,
         ground: Interval,
         lanes: usize,
     ) {
@@ -105,7 +105,7 @@ impl Batch {
 
     /// The series of a vector of lanes, and what happens in the rest of the step.
     #[inline(always)]
-    fn expand<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S>, ground: Interval, i: usize) {
+    fn expand<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S, 1>, ground: Interval, i: usize) {
         let (u_start, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v_start, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
         let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
@@ -125,7 +125,7 @@ impl Batch {
         // At the very instant at which the threshold is passed nothing pulls down, whatever rounding says.
         let lifted = |pull| m.select(m.and(lifting, m.gt(pull, zero)), zero, pull);
         let w = m.mul(w, rest);
-        let series = Series::<S, K>::new::<LINEARISED, true>(m, y, w, edge, local, lifted);
+        let series = Series::<S, 1, K>::new::<LINEARISED, true>(m, y, w, edge, local, lifted);
 
         let bend = series.bend(m);
         let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
@@ -184,7 +184,7 @@ impl Batch {
 
     /// Raises the largest y to a maximum inside the step.
     #[inline(always)]
-    fn climb<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
+    fn climb<S: Simd, const K: usize>(&mut self, m: Math<S, 1>, i: usize) {
         let mut slope = [m.splat(0.0); TERMS];
         unroll!(N, {
             if N < K {
@@ -205,7 +205,7 @@ impl Batch {
 
     /// To the landing, or to the end of the step.
     #[inline(always)]
-    fn fall<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
+    fn fall<S: Simd, const K: usize>(&mut self, m: Math<S, 1>, i: usize) {
         let (zero, one) = (m.splat(0.0), m.splat(1.0));
         let (event, rest, tau) = (self.event.get::<S>(i), self.rest.get::<S>(i), self.tau.get::<S>(i));
         let landing = m.and(m.ge(event, m.splat(LANDING)), m.ge(m.splat(LANDING), event));
@@ -242,7 +242,7 @@ const LAST_MOVE: f64 = 3e-6;
 /// The root in (0, 1] of a polynomial that falls all the way from above zero to zero or below it, in the lanes wanted: by
 /// Halley's method within a bracket. A lane that has converged stays, whatever its neighbours do.
 #[inline(always)]
-fn root<S: Simd, const K: usize>(m: Math<S>, q: &[S::f64s; TERMS], wanted: S::m64s) -> S::f64s {
+fn root<S: Simd, const K: usize>(m: Math<S, 1>, q: &[Numbers<S, 1>; TERMS], wanted: Masks<S, 1>) -> Numbers<S, 1> {
     /// Halvings of the bracket that reach the last bit, if nothing else did.
     const MOST: usize = 60;
     let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));

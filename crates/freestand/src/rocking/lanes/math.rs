@@ -3,116 +3,145 @@
 
 use pulp::Simd;
 
-/// Operations of one generation of vector units.
-#[derive(Clone, Copy)]
-pub(super) struct Math<S>(pub(super) S);
+/// An operation on each vector, written out for one and for two.
+macro_rules! each {
+    ($i:ident, $w:ident, $operation:expr) => {{
+        let first = {
+            let $i = 0;
+            $operation
+        };
+        let mut all = [first; $w];
+        if $w > 1 {
+            all[$w - 1] = {
+                let $i = $w - 1;
+                $operation
+            };
+        }
+        all
+    }};
+}
 
-impl<S: Simd> Math<S> {
+/// W vectors of numbers, whose operations stand side by side: chains of one hide the time that those of the other take.
+pub(super) type Numbers<S, const W: usize> = [<S as Simd>::f64s; W];
+
+/// One truth for each.
+pub(super) type Masks<S, const W: usize> = [<S as Simd>::m64s; W];
+
+/// Operations of one generation of vector units on W vectors.
+#[derive(Clone, Copy)]
+pub(super) struct Math<S, const W: usize>(pub(super) S);
+
+impl<S: Simd, const W: usize> Math<S, W> {
     #[inline(always)]
-    pub(super) fn splat(self, a: f64) -> S::f64s {
-        self.0.splat_f64s(a)
+    pub(super) fn splat(self, a: f64) -> Numbers<S, W> {
+        [self.0.splat_f64s(a); W]
     }
 
     /// a + b.
     #[inline(always)]
-    pub(super) fn add(self, a: S::f64s, b: S::f64s) -> S::f64s {
-        self.0.add_f64s(a, b)
+    pub(super) fn add(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.add_f64s(a[i], b[i]))
     }
 
     /// a − b.
     #[inline(always)]
-    pub(super) fn sub(self, a: S::f64s, b: S::f64s) -> S::f64s {
-        self.0.sub_f64s(a, b)
+    pub(super) fn sub(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.sub_f64s(a[i], b[i]))
     }
 
     /// a b.
     #[inline(always)]
-    pub(super) fn mul(self, a: S::f64s, b: S::f64s) -> S::f64s {
-        self.0.mul_f64s(a, b)
+    pub(super) fn mul(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.mul_f64s(a[i], b[i]))
     }
 
     /// a / b.
     #[inline(always)]
-    pub(super) fn div(self, a: S::f64s, b: S::f64s) -> S::f64s {
-        self.0.div_f64s(a, b)
+    pub(super) fn div(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.div_f64s(a[i], b[i]))
     }
 
     /// a b + c, rounded once.
     #[inline(always)]
-    pub(super) fn fma(self, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s {
-        self.0.mul_add_f64s(a, b, c)
+    pub(super) fn fma(self, a: Numbers<S, W>, b: Numbers<S, W>, c: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.mul_add_f64s(a[i], b[i], c[i]))
     }
 
     /// c − a b, rounded once.
     #[inline(always)]
-    pub(super) fn fnma(self, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s {
-        self.0.negate_mul_add_f64s(a, b, c)
+    pub(super) fn fnma(self, a: Numbers<S, W>, b: Numbers<S, W>, c: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.negate_mul_add_f64s(a[i], b[i], c[i]))
     }
 
     #[inline(always)]
-    pub(super) fn abs(self, a: S::f64s) -> S::f64s {
-        self.0.abs_f64s(a)
+    pub(super) fn abs(self, a: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.abs_f64s(a[i]))
     }
 
     #[inline(always)]
-    pub(super) fn sqrt(self, a: S::f64s) -> S::f64s {
-        self.0.sqrt_f64s(a)
+    pub(super) fn sqrt(self, a: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.sqrt_f64s(a[i]))
     }
 
     /// a > b, false where one is not a number.
     #[inline(always)]
-    pub(super) fn gt(self, a: S::f64s, b: S::f64s) -> S::m64s {
-        self.0.greater_than_f64s(a, b)
+    pub(super) fn gt(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Masks<S, W> {
+        each!(i, W, self.0.greater_than_f64s(a[i], b[i]))
     }
 
     /// a ≥ b, false where one is not a number.
     #[inline(always)]
-    pub(super) fn ge(self, a: S::f64s, b: S::f64s) -> S::m64s {
-        self.0.greater_than_or_equal_f64s(a, b)
+    pub(super) fn ge(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Masks<S, W> {
+        each!(i, W, self.0.greater_than_or_equal_f64s(a[i], b[i]))
     }
 
     #[inline(always)]
-    pub(super) fn and(self, a: S::m64s, b: S::m64s) -> S::m64s {
-        self.0.and_m64s(a, b)
+    pub(super) fn and(self, a: Masks<S, W>, b: Masks<S, W>) -> Masks<S, W> {
+        each!(i, W, self.0.and_m64s(a[i], b[i]))
     }
 
     #[inline(always)]
-    pub(super) fn or(self, a: S::m64s, b: S::m64s) -> S::m64s {
-        self.0.or_m64s(a, b)
+    pub(super) fn or(self, a: Masks<S, W>, b: Masks<S, W>) -> Masks<S, W> {
+        each!(i, W, self.0.or_m64s(a[i], b[i]))
     }
 
     #[inline(always)]
-    pub(super) fn not(self, a: S::m64s) -> S::m64s {
-        self.0.not_m64s(a)
+    pub(super) fn not(self, a: Masks<S, W>) -> Masks<S, W> {
+        each!(i, W, self.0.not_m64s(a[i]))
     }
 
     #[inline(always)]
-    pub(super) fn any(self, mask: S::m64s) -> bool {
-        self.0.first_true_m64s(mask) < S::F64_LANES
+    pub(super) fn select(self, mask: Masks<S, W>, yes: Numbers<S, W>, no: Numbers<S, W>) -> Numbers<S, W> {
+        each!(i, W, self.0.select_f64s(mask[i], yes[i], no[i]))
     }
 
     #[inline(always)]
-    pub(super) fn select(self, mask: S::m64s, yes: S::f64s, no: S::f64s) -> S::f64s {
-        self.0.select_f64s(mask, yes, no)
+    pub(super) fn any(self, mask: Masks<S, W>) -> bool {
+        mask.iter().any(|mask| self.0.first_true_m64s(*mask) < S::F64_LANES)
     }
 
     /// sin y and cos y for 0 ≤ |y| ≤ π/2 to 5e-16: interpolation of sin y/y and cos y in y² at Chebyshev nodes of
     /// [0, (π/2)²], with the leading coefficients of the Taylor series, so that small angles keep their digits.
     #[inline(always)]
-    pub(super) fn sin_cos(self, y: S::f64s) -> (S::f64s, S::f64s) {
+    pub(super) fn sin_cos(self, y: Numbers<S, W>) -> (Numbers<S, W>, Numbers<S, W>) {
         let t = self.mul(y, y);
         let t2 = self.mul(t, t);
         let t4 = self.mul(t2, t2);
-        // Pairs of terms, and pairs of pairs: a short chain.
-        let pair = |c: &[f64], i: usize| self.fma(self.splat(c[i + 1]), t, self.splat(c[i]));
         let sin = self.fma(
             t4,
-            self.fma(self.splat(SIN[7]), t2, pair(&SIN, 5)),
-            self.fma(pair(&SIN, 3), t2, pair(&SIN, 1)),
+            self.fma(self.splat(SIN[7]), t2, self.pair(&SIN, 5, t)),
+            self.fma(self.pair(&SIN, 3, t), t2, self.pair(&SIN, 1, t)),
         );
-        let four = |i: usize| self.fma(pair(&COS, i + 2), t2, pair(&COS, i));
-        let cos = self.fma(t4, self.fma(t4, self.splat(COS[8]), four(4)), four(0));
+        let high = self.fma(self.pair(&COS, 6, t), t2, self.pair(&COS, 4, t));
+        let low = self.fma(self.pair(&COS, 2, t), t2, self.pair(&COS, 0, t));
+        let cos = self.fma(t4, self.fma(t4, self.splat(COS[8]), high), low);
         (self.fma(self.mul(sin, t), y, y), cos)
+    }
+
+    /// Two terms of a polynomial: pairs, and pairs of pairs, make a shorter chain than one term after the other.
+    #[inline(always)]
+    fn pair(self, c: &[f64], i: usize, t: Numbers<S, W>) -> Numbers<S, W> {
+        self.fma(self.splat(c[i + 1]), t, self.splat(c[i]))
     }
 }
 

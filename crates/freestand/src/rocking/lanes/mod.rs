@@ -17,7 +17,6 @@ use super::{
     Accuracy, Base, Outcome, RockingError, RockingModel, RockingOptions, RockingSummary, StopReason, Until, rock,
 };
 use crate::block::Block;
-use math::Math;
 use series::TERMS;
 use shaking::Shaking;
 use tile::{EdgeTerms, Record, Rocker, State, Tile};
@@ -194,14 +193,14 @@ impl WithSimd for Run<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Vec<Record> {
-        let (m, quiet) = (Math(simd), self.quiet_intervals);
+        let quiet = self.quiet_intervals;
         match (self.linearised, self.degree) {
-            (true, _) => self.tile.run::<S, 11, true>(m, quiet),
-            (_, 5) => self.tile.run::<S, 5, false>(m, quiet),
-            (_, 6) => self.tile.run::<S, 6, false>(m, quiet),
-            (_, 7) => self.tile.run::<S, 7, false>(m, quiet),
-            (_, 8) => self.tile.run::<S, 8, false>(m, quiet),
-            _ => self.tile.run::<S, 11, false>(m, quiet),
+            (true, _) => self.tile.run::<S, 11, true>(simd, quiet),
+            (_, 5) => self.tile.run::<S, 5, false>(simd, quiet),
+            (_, 6) => self.tile.run::<S, 6, false>(simd, quiet),
+            (_, 7) => self.tile.run::<S, 7, false>(simd, quiet),
+            (_, 8) => self.tile.run::<S, 8, false>(simd, quiet),
+            _ => self.tile.run::<S, 11, false>(simd, quiet),
         }
     }
 }

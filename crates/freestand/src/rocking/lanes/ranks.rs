@@ -74,9 +74,10 @@ impl Ranks {
         self.count
     }
 
-    /// The ranks in use.
-    pub(super) fn in_use(&mut self) -> &mut [Rank] {
-        &mut self.ranks[..self.count.div_ceil(ABREAST)]
+    /// The ranks in use, two by two.
+    pub(super) fn in_use(&mut self) -> &mut [[Rank; 2]] {
+        let (pairs, _) = self.ranks.as_chunks_mut();
+        &mut pairs[..self.count.div_ceil(2 * ABREAST)]
     }
 
     #[inline(always)]
@@ -122,7 +123,7 @@ impl Ranks {
             return lane as usize;
         }
         if self.count == self.ranks.len() * ABREAST {
-            self.ranks.push(VACANT);
+            self.ranks.extend([VACANT; 2]);
         }
         self.count += 1;
         self.count - 1

@@ -1,6 +1,6 @@
 //! The Taylor series of the equation of motion over a step, in every lane.
 
-use super::math::Math;
+use super::math::{Masks, Math, Numbers};
 use super::unroll::{unroll, unroll_down};
 use pulp::Simd;
 
@@ -23,40 +23,40 @@ const INVERSE: [f64; TERMS] = {
 
 /// The edge that a block turns about: α, and p²h² for a step h.
 #[derive(Clone, Copy)]
-pub(super) struct Edge<S: Simd> {
-    pub(super) alpha: S::f64s,
-    pub(super) x2: S::f64s,
+pub(super) struct Edge<S: Simd, const W: usize> {
+    pub(super) alpha: Numbers<S, W>,
+    pub(super) x2: Numbers<S, W>,
 }
 
 /// Base acceleration over a step: s ü_h/g and 1 + ü_v/g at its start, and their changes; v is 1 without vertical motion.
 #[derive(Clone, Copy)]
-pub(super) struct Ground<S: Simd> {
-    pub(super) su: S::f64s,
-    pub(super) su_change: S::f64s,
-    pub(super) v: S::f64s,
-    pub(super) v_change: S::f64s,
+pub(super) struct Ground<S: Simd, const W: usize> {
+    pub(super) su: Numbers<S, W>,
+    pub(super) su_change: Numbers<S, W>,
+    pub(super) v: Numbers<S, W>,
+    pub(super) v_change: Numbers<S, W>,
 }
 
 /// y = Σ cₖ xᵏ over a step, x from 0 to 1.
 #[derive(Clone, Copy)]
-pub(super) struct Series<S: Simd, const K: usize> {
+pub(super) struct Series<S: Simd, const W: usize, const K: usize> {
     /// cₖ.
-    pub(super) c: [S::f64s; TERMS],
+    pub(super) c: [Numbers<S, W>; TERMS],
     /// k cₖ: the terms of the slope at x = 1.
-    pub(super) slope: [S::f64s; TERMS],
+    pub(super) slope: [Numbers<S, W>; TERMS],
 }
 
-impl<S: Simd, const K: usize> Series<S, K> {
+impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
     /// ÿ = −x²\[(v₀+v₁x) sin φ + s(u₀+u₁x) cos φ\], φ = α − y, in units of the step, from (y, w); linearised: sin φ → φ,
     /// cos φ → 1. `first` may change ÿ at the start.
     #[inline(always)]
     pub(super) fn new<const LINEARISED: bool, const VERTICAL: bool>(
-        m: Math<S>,
-        y: S::f64s,
-        w: S::f64s,
-        edge: Edge<S>,
-        ground: Ground<S>,
-        first: impl FnOnce(S::f64s) -> S::f64s,
+        m: Math<S, W>,
+        y: Numbers<S, W>,
+        w: Numbers<S, W>,
+        edge: Edge<S, W>,
+        ground: Ground<S, W>,
+        first: impl FnOnce(Numbers<S, W>) -> Numbers<S, W>,
     ) -> Self {
         let zero = m.splat(0.0);
         let (mut c, mut slope) = ([zero; TERMS], [zero; TERMS]);
@@ -68,10 +68,6 @@ impl<S: Simd, const K: usize> Series<S, K> {
         let phi = m.sub(edge.alpha, y);
         (sin[0], cos[0]) = if LINEARISED { (phi, m.splat(1.0)) } else { m.sin_cos(phi) };
         (sin[0], cos[0]) = (m.mul(edge.x2, sin[0]), m.mul(edge.x2, cos[0]));
-        let pull = |sin: S::f64s, cos: S::f64s| {
-            let vertical = if VERTICAL { m.mul(ground.v, sin) } else { sin };
-            m.fma(ground.su, cos, vertical)
-        };
         let mut first = Some(first);
         unroll!(N, {
             if N + 2 <= K {
@@ -91,7 +87,8 @@ impl<S: Simd, const K: usize> Series<S, K> {
                 }
                 // −ÿ; what comes last last: the chain from one term to the next but one is short.
                 let f = if N == 0 {
-                    pull(sin[0], cos[0])
+                    let vertical = if VERTICAL { m.mul(ground.v, sin[0]) } else { sin[0] };
+                    m.fma(ground.su, cos[0], vertical)
                 } else {
                     let mut before = m.mul(ground.su_change, cos[N - 1]);
                     if VERTICAL {
@@ -112,7 +109,7 @@ impl<S: Simd, const K: usize> Series<S, K> {
 
     /// y and dy/dx at the end of the step, the small terms first.
     #[inline(always)]
-    pub(super) fn end(&self, m: Math<S>) -> (S::f64s, S::f64s) {
+    pub(super) fn end(&self, m: Math<S, W>) -> (Numbers<S, W>, Numbers<S, W>) {
         let (mut y, mut slope) = (self.c[K], self.slope[K]);
         unroll_down!(N, {
             if N > 0 && N < K {
@@ -125,7 +122,7 @@ impl<S: Simd, const K: usize> Series<S, K> {
 
     /// Σ k|cₖ| from k = 2 on: how far the slope can leave c₁; half of it bounds how far y can leave c₀ + c₁x.
     #[inline(always)]
-    pub(super) fn bend(&self, m: Math<S>) -> S::f64s {
+    pub(super) fn bend(&self, m: Math<S, W>) -> Numbers<S, W> {
         let mut sum = m.abs(self.slope[K]);
         unroll_down!(N, {
             if N >= 2 && N < K {
@@ -137,7 +134,7 @@ impl<S: Simd, const K: usize> Series<S, K> {
 
     /// Whether the slope is certain to fall all the way: 2c₂ + Σ k(k−1)|cₖ| < 0.
     #[inline(always)]
-    pub(super) fn is_concave(&self, m: Math<S>) -> S::m64s {
+    pub(super) fn is_concave(&self, m: Math<S, W>) -> Masks<S, W> {
         let mut sum = self.slope[2];
         unroll!(N, {
             if N >= 3 && N <= K {

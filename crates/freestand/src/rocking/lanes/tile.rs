@@ -115,7 +115,7 @@ impl<'a> Tile<'a> {
     #[inline(always)]
     pub(super) fn run<S: Simd, const K: usize, const LINEARISED: bool>(
         mut self,
-        m: Math<S>,
+        simd: S,
         quiet_intervals: usize,
     ) -> Vec<Record> {
         for block in 0..self.rockers.len() as u32 {
@@ -125,7 +125,7 @@ impl<'a> Tile<'a> {
             let whole = self.shaking.interval(interval);
             self.lift_waiting(interval, whole);
             if !self.moving.is_empty() || !self.pending.is_empty() {
-                self.pass::<S, K, LINEARISED>(m, interval, whole);
+                self.pass::<S, K, LINEARISED>(simd, interval, whole);
             }
         }
         self.quiet = true;
@@ -134,7 +134,7 @@ impl<'a> Tile<'a> {
             if self.moving.is_empty() {
                 break;
             }
-            self.pass::<S, K, LINEARISED>(m, self.shaking.intervals(), still);
+            self.pass::<S, K, LINEARISED>(simd, self.shaking.intervals(), still);
         }
         for lane in 0..self.moving.count() {
             let Moving { block, edge, best, y, .. } = self.moving.get(lane);
@@ -149,7 +149,7 @@ impl<'a> Tile<'a> {
 
     /// One interval, step by step.
     #[inline(always)]
-    fn pass<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S>, interval: usize, whole: Interval) {
+    fn pass<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, simd: S, interval: usize, whole: Interval) {
         let share = 1.0 / self.parts as f64;
         for part in 0..self.parts {
             let ground = if self.parts == 1 {
@@ -166,14 +166,14 @@ impl<'a> Tile<'a> {
                 }
             }
             if self.shaking.v.is_empty() {
-                self.advance::<S, K, LINEARISED, false>(m, ground);
+                self.advance::<S, K, LINEARISED, false>(simd, ground);
             } else {
-                self.advance::<S, K, LINEARISED, true>(m, ground);
+                self.advance::<S, K, LINEARISED, true>(simd, ground);
             }
             while !self.queue.is_empty() {
                 let mut queue = std::mem::take(&mut self.queue);
                 for batch in queue.chunks(BATCH) {
-                    self.events::<S, K, LINEARISED>(m, step, batch);
+                    self.events::<S, K, LINEARISED>(simd, step, batch);
                 }
                 queue.clear();
                 self.queue = std::mem::replace(&mut self.again, queue);
@@ -187,22 +187,24 @@ impl<'a> Tile<'a> {
     #[inline(always)]
     fn advance<S: Simd, const K: usize, const LINEARISED: bool, const VERTICAL: bool>(
         &mut self,
-        m: Math<S>,
+        simd: S,
         ground: Interval,
     ) {
+        let m = Math::<S, 2>(simd);
         let (u, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
         let (half, quarter_turn, zero, one) = (m.splat(0.5), m.splat(FRAC_PI_2), m.splat(0.0), m.splat(1.0));
-        for rank in self.moving.in_use() {
-            let (ys, ws) = (S::as_mut_simd_f64s(&mut rank.y).0, S::as_mut_simd_f64s(&mut rank.w).0);
-            let events = S::as_mut_simd_f64s(&mut rank.event).0;
-            let [best, alpha, x2, side] =
-                [&rank.best, &rank.alpha, &rank.x2, &rank.side].map(|numbers| S::as_simd_f64s(numbers).0);
+        for [even, odd] in self.moving.in_use() {
             for i in 0..ABREAST / S::F64_LANES {
-                let (y, w, best, side) = (ys[i], ws[i], best[i], side[i]);
-                let edge = Edge { alpha: alpha[i], x2: x2[i] };
+                // A vector of each rank.
+                let pair = |even: &[f64; ABREAST], odd: &[f64; ABREAST]| {
+                    [S::as_simd_f64s(even).0[i], S::as_simd_f64s(odd).0[i]]
+                };
+                let (y, w, best) = (pair(&even.y, &odd.y), pair(&even.w, &odd.w), pair(&even.best, &odd.best));
+                let (alpha, x2, side) = (pair(&even.alpha, &odd.alpha), pair(&even.x2, &odd.x2), pair(&even.side, &odd.side));
+                let edge = Edge { alpha, x2 };
                 let local = Ground { su: m.mul(side, u), su_change: m.mul(side, u_change), v, v_change };
-                let series = Series::<S, K>::new::<LINEARISED, VERTICAL>(m, y, w, edge, local, |pull| pull);
+                let series = Series::<S, 2, K>::new::<LINEARISED, VERTICAL>(m, y, w, edge, local, |pull| pull);
                 let (y1, w1) = series.end(m);
                 let bend = series.bend(m);
                 let half_bend = m.mul(half, bend);
@@ -214,13 +216,17 @@ impl<'a> Tile<'a> {
                 let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
                 // A maximum that may be the largest so far is an event, too.
                 let uneventful = m.and(calm, m.not(turning));
-                ys[i] = m.select(uneventful, y1, y);
-                ws[i] = m.select(uneventful, w1, w);
-                events[i] = m.select(uneventful, zero, one);
+                let (y, w, event) =
+                    (m.select(uneventful, y1, y), m.select(uneventful, w1, w), m.select(uneventful, zero, one));
+                for (k, rank) in [&mut *even, &mut *odd].into_iter().enumerate() {
+                    S::as_mut_simd_f64s(&mut rank.y).0[i] = y[k];
+                    S::as_mut_simd_f64s(&mut rank.w).0[i] = w[k];
+                    S::as_mut_simd_f64s(&mut rank.event).0[i] = event[k];
+                }
             }
         }
         // Apart from the loop above: a branch there would wait for a whole step, and be wrong in every third vector.
-        for (i, rank) in self.moving.in_use().iter().enumerate() {
+        for (i, rank) in self.moving.in_use().as_flattened().iter().enumerate() {
             if rank.event != [0.0; ABREAST] {
                 let places = rank.event.iter().enumerate().filter(|(_, event)| **event != 0.0);
                 self.queue.extend(places.map(|(lane, _)| (i * ABREAST + lane) as u32));
@@ -230,9 +236,9 @@ impl<'a> Tile<'a> {
 
     /// Takes up to [`BATCH`] lanes from where they are in the step to their next event, or to its end.
     #[inline(always)]
-    fn events<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S>, step: Step, batch: &[u32]) {
+    fn events<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, simd: S, step: Step, batch: &[u32]) {
         self.batch.gather(&self.moving, batch);
-        self.batch.solve::<S, K, LINEARISED>(m, step.ground, batch.len());
+        self.batch.solve::<S, K, LINEARISED>(Math(simd), step.ground, batch.len());
         for (i, &lane) in batch.iter().enumerate() {
             let lane = lane as usize;
             let at = &self.batch;
