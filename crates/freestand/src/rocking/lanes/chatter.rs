@@ -48,25 +48,27 @@ impl Acting {
             return None;
         }
         let (e1, d1) = (self.e.slope, self.d.slope);
+        let inverse = 1.0 / e;
+        let epsilon = e1 * w * inverse * inverse;
+        if epsilon.abs() > SMALL_EPSILON {
+            return None;
+        }
         let bent = self.cosine * e;
         // y/x.
-        let c = [
-            w,
-            -0.5 * e,
-            (d * w - e1) / 6.0,
-            (d1 * w - 0.5 * d * e + 0.5 * bent * w * w) / 12.0,
-            (d * (d * w - e1) / 6.0 - 0.5 * d1 * e - 0.5 * bent * w * e) / 20.0,
-            (d * (d1 * w - 0.5 * d * e) / 12.0 + d1 * (d * w - e1) / 6.0 + 0.125 * bent * e * e) / 30.0,
-        ];
+        let (c0, c1) = (w, -0.5 * e);
+        let c2 = (d * w - e1) / 6.0;
+        let c3 = (d1 * w + d * c1 + 0.5 * bent * w * w) / 12.0;
+        let c4 = (d * c2 + d1 * c1 - 0.5 * bent * w * e) / 20.0;
+        let c5 = (d * c3 + d1 * c2 + 0.125 * bent * e * e) / 30.0;
         // The landing under E alone, and what D adds for a pull that does not change; then one step of Newton's method.
-        let epsilon = e1 * w / (e * e);
-        let ballistic = 4.0 * w / (e * (1.0 + (1.0 + 8.0 / 3.0 * epsilon).sqrt()));
-        let x = ballistic * (1.0 + d * ballistic * ballistic / 12.0);
-        let value = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
-        let slope = c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
-        let x = x - value / slope;
-        // At the landing y/x is zero, and dy/dx is x times its slope.
-        let slope = c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
+        let ballistic = 2.0 * w * inverse;
+        let x = ballistic * (flight_ratio(epsilon) + d * ballistic * ballistic / 12.0);
+        let value = c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * c5))));
+        let slope = c1 + x * (2.0 * c2 + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)));
+        let step = value / slope;
+        let x = x - step;
+        // At the landing y/x is zero, and dy/dx is x times its slope, which the step of Newton's method has changed.
+        let slope = slope - step * (2.0 * c2 + 6.0 * c3 * x);
         Some(Flight { time: x, speed: -x * slope })
     }
 
@@ -74,6 +76,15 @@ impl Acting {
     pub(super) fn after(self, time: f64) -> Self {
         Self { e: self.e.after(time), d: self.d.after(time), ..self }
     }
+}
+
+/// Largest |ε| of [`flight_ratio`].
+const SMALL_EPSILON: f64 = 0.02;
+
+/// τ of a flight under E + E′x that lasts (2w/E)τ: ⅔ετ² + τ = 1, as a series whose first term left out is 42(⅔ε)⁵ < 2e-8.
+fn flight_ratio(epsilon: f64) -> f64 {
+    let a = 2.0 / 3.0 * epsilon;
+    1.0 - a * (1.0 - a * (2.0 - a * (5.0 - a * 14.0)))
 }
 
 impl Pull {
@@ -140,13 +151,17 @@ fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
             return followed;
         }
         let [first, other] = edges;
-        let change = |pull: Pull| (pull.slope * w / (pull.now * pull.now)).abs();
-        if change(first).max(change(other)) <= SMALL_CHANGE * (1.0 - r) {
+        let small = |pull: Pull| (pull.slope * w).abs() <= SMALL_CHANGE * (1.0 - r) * pull.now * pull.now;
+        if small(first) && small(other) {
             let impacts = ((w / rest).ln() + growth(edges, r, w)) / -r.ln();
             return followed + impacts.ceil().max(1.0) as usize;
         }
         let epsilon = first.slope * w / (first.now * first.now);
-        let tau = 2.0 / (1.0 + (1.0 + 8.0 / 3.0 * epsilon).sqrt());
+        let tau = if epsilon.abs() > SMALL_EPSILON {
+            2.0 / (1.0 + (1.0 + 8.0 / 3.0 * epsilon).sqrt())
+        } else {
+            flight_ratio(epsilon)
+        };
         let flight = 2.0 * w / first.now * tau;
         w *= r * (2.0 - tau);
         followed += 1;

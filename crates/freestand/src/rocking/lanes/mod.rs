@@ -155,12 +155,16 @@ fn steps(x2: f64, shaking: &Shaking, accuracy: Accuracy) -> Option<Plan> {
     let tolerance = tolerance(accuracy);
     let mut best: Option<(f64, Plan)> = None;
     for degree in DEGREES {
-        let reaches = |parts: usize| left_out(x2, shaking, degree, parts) <= tolerance;
-        let Some(parts) = (1..=MOST_PARTS).find(|&parts| reaches(parts)) else { continue };
+        let Some(parts) = (1..=MOST_PARTS).find(|&parts| left_out(x2, shaking, degree, parts) <= tolerance) else {
+            continue;
+        };
         // Operations of a step: half of them are sums of products, whose number grows like the square of the degree.
         let cost = parts as f64 * (35.0 + (degree * degree) as f64);
         if best.is_none_or(|(least, _)| cost < least) {
             best = Some((cost, Plan { degree, parts }));
+        }
+        if parts == 1 {
+            break;
         }
     }
     best.map(|(_, plan)| plan)

@@ -151,16 +151,15 @@ impl Ranks {
 
     /// Copies a block, or none, to another place.
     fn copy(&mut self, from: Option<usize>, to: usize) {
-        let (source, j) = from.map_or((VACANT, 0), |from| (self.ranks[from / ABREAST], from % ABREAST));
-        let (rank, i) = self.rank_mut(to);
-        rank.y[i] = source.y[j];
-        rank.w[i] = source.w[j];
-        rank.alpha[i] = source.alpha[j];
-        rank.x2[i] = source.x2[j];
-        rank.side[i] = source.side[j];
-        rank.best[i] = source.best[j];
-        rank.event[i] = source.event[j];
-        rank.tau[i] = source.tau[j];
-        rank.block[i] = source.block[j];
+        let (i, j) = (to % ABREAST, from.unwrap_or(0) % ABREAST);
+        macro_rules! copy {
+            ($($number:ident)*) => {
+                $(
+                    let number = from.map_or(VACANT.$number[0], |from| self.ranks[from / ABREAST].$number[j]);
+                    self.ranks[to / ABREAST].$number[i] = number;
+                )*
+            };
+        }
+        copy!(y w alpha x2 side best event tau block);
     }
 }

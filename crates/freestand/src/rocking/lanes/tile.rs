@@ -394,7 +394,7 @@ impl<'a> Tile<'a> {
             record.impact_count += 1;
             let side = &mut record.sides[edge];
             side.impact_omega_rad_s = side.impact_omega_rad_s.max(flight.speed / self.step_s);
-            acting = acting.map(|acting| acting.after(flight.time));
+            acting = [acting[0].after(flight.time), acting[1].after(flight.time)];
             edge = 1 - edge;
             w = flight.speed * rocker.restitution[edge];
             tau += flight.time;
