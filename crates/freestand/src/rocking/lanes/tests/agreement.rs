@@ -63,6 +63,8 @@ fn compare(seed: u64, trouble: &Trouble, accuracy: Accuracy, tolerance: f64, tal
         tally.blocks += 1;
         let mut fail = |what: String| {
             let (kind, block) = (trouble.kind, &trouble.blocks[i]);
+            {let s = super::super::Shaking::new(trouble.base(), 9.80665, true).unwrap();
+            println!("DBG {accuracy:?} seed {seed} block {i} {kind} dt {:.4} pdt {:.3} largest {:.2} plan {:?} :: {}", s.dt_s, block.pivot().frequency_parameter_rad_s(9.80665)*s.dt_s, s.largest, super::super::plan(block, &s, &options).map(|p| p.0), what);}
             tally.failures.push(format!("seed {seed}, block {i} ({kind}, {accuracy:?}): {what}; {block:?} {options:?}"));
         };
         let (expected, changed) = match histories {
