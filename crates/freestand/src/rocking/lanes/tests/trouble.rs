@@ -12,7 +12,9 @@ impl Random {
     pub(super) fn new(seed: u64) -> Self {
         let mut random = Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
         // Neighbouring seeds begin alike.
-        (0..16).for_each(|_| drop(random.next()));
+        for _ in 0..16 {
+            random.next();
+        }
         random
     }
 
@@ -137,13 +139,25 @@ fn shape(random: &mut Random, dt: f64, samples: usize, peak: f64, threshold: f64
             "noise" => peak * random.between(-1.0, 1.0),
             "spikes" if random.chance(0.05) => peak * random.between(-1.0, 1.0),
             "spikes" => 0.0,
-            "steps" => if (t * slow).fract() < 0.5 { peak } else { -peak },
+            "steps" => {
+                if (t * slow).fract() < 0.5 {
+                    peak
+                } else {
+                    -peak
+                }
+            }
             // The first block's threshold, a bit more, a bit less, zero, or well beyond it.
             "threshold" => {
                 let side = if random.chance(0.5) { threshold } else { -threshold };
                 [side, side * (1.0 + f64::EPSILON), side * (1.0 - f64::EPSILON), 0.0, 1.5 * side][random.pick(5)]
             }
-            "pulse" => if t * slow < 1.0 { peak * (6.28 * slow * t).sin() } else { 0.0 },
+            "pulse" => {
+                if t * slow < 1.0 {
+                    peak * (6.28 * slow * t).sin()
+                } else {
+                    0.0
+                }
+            }
             "rests" if (t * slow).fract() < 0.8 => 0.0,
             _ => peak * sines(t),
         }
