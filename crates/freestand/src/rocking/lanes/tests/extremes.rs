@@ -1,9 +1,6 @@
 //! Inputs at the limits of what the types hold: nothing panics, nothing hangs, errors are those of the scalar solver.
 
-#![expect(clippy::print_stdout, reason = "a test says how long it took")]
-
 use std::f64::consts::FRAC_PI_2;
-use std::time::Instant;
 
 use super::super::rock_many;
 use super::trouble::Random;
@@ -56,7 +53,7 @@ fn samples_of_any_finite_size() {
                 let motion = Motion::new(dt, accel.clone()).unwrap();
                 let base = Base { horizontal: Some(&motion), vertical: None };
                 // Restitution is given: Housner's of the slender ones comes near 1 (`edges`: blocks that rock for ever).
-                for until in [Until::EndOfMotion, Until::Settled { at_most_s: 1.0 }] {
+                for until in [Until::EndOfMotion, Until::Settled { at_most_s: 300.0 * dt }] {
                     let restitution = Restitution::Value(0.9);
                     let options = RockingOptions { until, restitution, ..RockingOptions::default() };
                     check(base, &options, &format!("every {dt} s {accel:?}"));
@@ -141,12 +138,9 @@ fn ten_million_samples() {
     let base = Base { horizontal: Some(&motion), vertical: None };
     // The threshold of the first is passed in every burst, that of the second in none.
     let blocks = [(2.0, 0.19), (2.0, 0.3), (3.0, 0.3)].map(|(h, t)| Block::uniform(h, t).unwrap());
-    let start = Instant::now();
     let kernel = rock_many(&blocks, base, &RockingOptions::default());
-    println!("kernel: {:.2} s", start.elapsed().as_secs_f64());
     for (block, kernel) in blocks.iter().zip(kernel) {
         let scalar = rock(block, base, &RockingOptions::default()).map(|rocking| RockingSummary::from(&rocking));
-        println!("{:.2} s: {kernel:?} {scalar:?}", start.elapsed().as_secs_f64());
         match (kernel, scalar) {
             (Ok(kernel), Ok(scalar)) => {
                 assert_eq!(kernel.outcome, scalar.outcome, "{block:?}");

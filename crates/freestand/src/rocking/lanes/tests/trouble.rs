@@ -1,5 +1,7 @@
 //! Blocks and motions that look for trouble, drawn from a seed.
 
+use std::f64::consts::TAU;
+
 use crate::G0_M_S2;
 use crate::block::Block;
 use crate::motion::Motion;
@@ -130,7 +132,7 @@ fn options(random: &mut Random) -> RockingOptions {
 /// Samples of up to `peak` \[m/s²\]; `threshold` is what lifts the first block from rest.
 fn shape(random: &mut Random, dt: f64, samples: usize, peak: f64, threshold: f64) -> (&'static str, Vec<f64>) {
     let (slow, fast) = (random.log(0.2, 3.0), random.log(3.0, 15.0));
-    let sines = |t: f64| 0.6 * (6.28 * slow * t).sin() + 0.4 * (6.28 * fast * t + slow).sin();
+    let sines = |t: f64| 0.6 * (TAU * slow * t).sin() + 0.4 * (TAU * fast * t + slow).sin();
     let kinds = ["noise", "spikes", "steps", "threshold", "pulse", "sines", "rests"];
     let kind = kinds[random.pick(kinds.len())];
     let at = |k: usize, random: &mut Random| {
@@ -153,7 +155,7 @@ fn shape(random: &mut Random, dt: f64, samples: usize, peak: f64, threshold: f64
             }
             "pulse" => {
                 if t * slow < 1.0 {
-                    peak * (6.28 * slow * t).sin()
+                    peak * (TAU * slow * t).sin()
                 } else {
                     0.0
                 }
