@@ -1,24 +1,24 @@
-//! The scalar solver over a grid of blocks at each accuracy, in one run: time per block-step, and evaluations of the
-//! equation of motion per record.
+//! The kernel for many blocks beside the scalar solver over a grid of blocks at each accuracy, in one run on one thread:
+//! time per block-step, and evaluations of the equation of motion per record.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop and prints its effort")]
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use freestand::block::Block;
 use freestand::motion::Motion;
-use freestand::rocking::{Accuracy, Base, Effort, RockingOptions, rock};
+use freestand::rocking::{Accuracy, Base, Effort, RockingOptions, rock, rock_many};
 
 /// 4000 samples every 5 ms, peak 0.45 g: `validation/rocking/records/bench4000.csv`.
-fn record() -> Motion {
+fn record(scale: f64) -> Motion {
     let text = include_str!("../../validation/rocking/records/bench4000.csv");
     let samples = text.lines().filter(|line| !line.starts_with('#')).map(|line| line.parse().unwrap()).collect();
-    Motion::new(0.005, samples).unwrap()
+    Motion::new(0.005, samples).unwrap().scaled(scale).unwrap()
 }
 
-/// 64 × 64 blocks, 0.3–4 m high and 0.1–1 m thick.
-fn grid() -> Vec<Block> {
-    let at = |from: f64, to: f64, i: usize| from + (to - from) * i as f64 / 63.0;
-    (0..64).flat_map(|i| (0..64).map(move |j| Block::uniform(at(0.3, 4.0, i), at(0.1, 1.0, j)).unwrap())).collect()
+/// 64 × 64 blocks between two heights and two thicknesses \[m\].
+fn grid(heights: [f64; 2], thicknesses: [f64; 2]) -> Vec<Block> {
+    let at = |[from, to]: [f64; 2], i: usize| from + (to - from) * i as f64 / 63.0;
+    (0..64).flat_map(|i| (0..64).map(move |j| Block::uniform(at(heights, i), at(thicknesses, j)).unwrap())).collect()
 }
 
 fn solve(blocks: &[Block], base: Base, options: &RockingOptions) -> Effort {
@@ -28,26 +28,39 @@ fn solve(blocks: &[Block], base: Base, options: &RockingOptions) -> Effort {
     })
 }
 
-fn scalar_solver(criterion: &mut Criterion) {
-    let (record, blocks) = (record(), grid());
-    let base = Base { horizontal: Some(&record), vertical: None };
+fn compare(criterion: &mut Criterion, name: &str, record: &Motion, blocks: &[Block]) {
+    let base = Base { horizontal: Some(record), vertical: None };
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let block_steps = (blocks.len() * (record.accel_m_s2().len() - 1)) as u64;
-    let mut group =
-        criterion.benchmark_group("scalar solver, 64 x 64 blocks x 3999 steps (elements: nominal block-steps)");
+    let mut group = criterion.benchmark_group(format!("{name} (elements: nominal block-steps)"));
     group.throughput(Throughput::Elements(block_steps)).sample_size(10);
     for accuracy in [Accuracy::Fast, Accuracy::Standard, Accuracy::Tight] {
         let options = RockingOptions { accuracy, ..RockingOptions::default() };
-        let effort = solve(&blocks, base, &options);
+        let effort = solve(blocks, base, &options);
         println!(
-            "{accuracy:?}: {:.0} Taylor steps and {:.0} evaluations a record, {:.2} of the block-steps moving",
+            "{accuracy:?}, scalar: {:.0} Taylor steps and {:.0} evaluations a record, {:.2} of the block-steps",
             effort.steps as f64 / blocks.len() as f64,
             effort.evaluations as f64 / blocks.len() as f64,
             effort.steps as f64 / block_steps as f64
         );
-        group.bench_function(format!("{accuracy:?}"), |bencher| bencher.iter(|| solve(&blocks, base, &options)));
+        group.bench_function(format!("{accuracy:?}, scalar"), |b| b.iter(|| solve(blocks, base, &options)));
+        group.bench_function(format!("{accuracy:?}, kernel"), |b| {
+            b.iter(|| one.install(|| rock_many(blocks, base, &options)));
+        });
     }
     group.finish();
 }
 
-criterion_group!(benches, scalar_solver);
+/// Most of these blocks rest most of the time.
+fn resting(criterion: &mut Criterion) {
+    compare(criterion, "0.3-4 m by 0.1-1 m, as recorded", &record(1.0), &grid([0.3, 4.0], [0.1, 1.0]));
+    compare(criterion, "0.3-4 m by 0.1-1 m, x 0.5", &record(0.5), &grid([0.3, 4.0], [0.1, 1.0]));
+}
+
+/// These rock nearly all the time, and none falls.
+fn rocking(criterion: &mut Criterion) {
+    compare(criterion, "4-20 m by 0.4-0.8 m, x 0.5", &record(0.5), &grid([4.0, 20.0], [0.4, 0.8]));
+}
+
+criterion_group!(benches, resting, rocking);
 criterion_main!(benches);

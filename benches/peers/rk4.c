@@ -1,6 +1,9 @@
-/* A competent scalar peer of the lane kernel: fixed-step RK4, one step per sample, libm, impacts by the secant on theta,
- * rest skipped while the threshold is not passed. Reads: dt g nsamples nblocks, samples [m/s^2], (height thickness) pairs;
- * writes the seconds taken and a peak rotation per block (pi/2: overturned). */
+/* The loop that a competent engineer writes: RK4 with one step a sample, libm, landings by Newton on the length of the
+ * step, rest skipped while the threshold is not passed.
+ *
+ * Reads: dt g samples blocks, then the samples [m/s2], then height and thickness of each block [m]. Writes the seconds
+ * that it took, the share of the block-steps in which a block moved, and a line with the peak rotation and the number of
+ * impacts for each block (pi/2: overturned). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,8 +27,9 @@ static inline void rk4(const Block *b, double s, double *y, double *w, double u0
     *w += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
 }
 
-static double peak(const Block *b, const double *u, int n, double dt) {
+static double peak(const Block *b, const double *u, int n, double dt, long *moved, int *impacts) {
     double y = 0, w = 0, s = 1, best = 0;
+    *impacts = 0;
     int moving = 0;
     for (int k = 0; k + 1 < n; k++) {
         double t = 0; /* part of the step that is over */
@@ -39,6 +43,7 @@ static double peak(const Block *b, const double *u, int n, double dt) {
             } else continue;
             moving = 1, y = w = 0;
         }
+        ++*moved;
         for (int i = 0; moving && t < 1 && i < 50; i++) {
             double y0 = y, w0 = w, u0 = u[k] + t * du;
             rk4(b, s, &y, &w, u0, u[k + 1], (1 - t) * dt);
@@ -64,6 +69,7 @@ static double peak(const Block *b, const double *u, int n, double dt) {
                 x = next;
             }
             t += x * (1 - t);
+            ++*impacts;
             double speed = -w * b->r, un = u[k] + t * du;
             y = 0, s = -s, w = speed;
             if (speed < 1e-6) {
@@ -93,14 +99,12 @@ int main(int argc, char **argv) {
         double R = 0.5 * hypot(height, thickness), alpha = atan2(thickness, height), sn = sin(alpha);
         b[i] = (Block){ 0.75 * g / R, alpha, sn, cos(alpha), thickness / height, fmax(1 - 1.5 * sn * sn, 0) };
     }
-    double least = INFINITY;
-    for (int rep = 0; rep < 3; rep++) {
-        struct timespec t0, t1;
-        clock_gettime(CLOCK_MONOTONIC, &t0);
-        for (int i = 0; i < blocks; i++) peaks[i] = peak(b + i, u, n, dt);
-        clock_gettime(CLOCK_MONOTONIC, &t1);
-        least = fmin(least, t1.tv_sec - t0.tv_sec + 1e-9 * (t1.tv_nsec - t0.tv_nsec));
-    }
-    printf("%.9f\n", least);
-    for (int i = 0; i < blocks; i++) printf("%.17g\n", peaks[i]);
+    int *impacts = malloc(blocks * sizeof *impacts);
+    long moved = 0;
+    struct timespec t0, t1;
+    clock_gettime(CLOCK_MONOTONIC, &t0);
+    for (int i = 0; i < blocks; i++) peaks[i] = peak(b + i, u, n, dt, &moved, impacts + i);
+    clock_gettime(CLOCK_MONOTONIC, &t1);
+    printf("%.9f %.6f\n", t1.tv_sec - t0.tv_sec + 1e-9 * (t1.tv_nsec - t0.tv_nsec), moved / ((double)blocks * (n - 1)));
+    for (int i = 0; i < blocks; i++) printf("%.17g %d\n", peaks[i], impacts[i]);
 }

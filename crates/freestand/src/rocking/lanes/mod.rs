@@ -228,3 +228,6 @@ fn summary(block: &Block, record: &Record, settle: bool) -> RockingSummary {
         cg_rise_m: rises.fold(0.0, f64::max),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,122 @@
+"""Sets `freestand spectrum` on one thread beside a loop in C and Python peers on the same blocks and motion.
+
+    cargo build --release
+    python3 -m venv ../peers && ../peers/bin/pip install numpy scipy numba "jax[cpu]"
+    ../peers/bin/python benches/kernel.py [target/release/freestand]
+
+Needs numpy and a C compiler; peers whose library does not import are left out. freestand is timed by what it says of
+itself (`timing.solve_s`: all blocks, without reading and printing), the others by the same part of theirs. freestand and
+the C loop take turns and the best of REPEATS counts, so that other work on the machine weighs on neither;
+of the other peers the best of REPEATS_OF_PEERS.
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent / "peers"))
+from case import chosen
+
+HERE = Path(__file__).resolve().parent
+RECORD, SCALE = HERE.parent / "validation/rocking/records/bench4000.csv", 0.5
+REPEATS, REPEATS_OF_PEERS = 7, 3
+GRIDS = [("0.3 m:4 m:64", "0.1 m:1 m:64"), ("4 m:20 m:64", "0.4 m:0.8 m:64")]
+LEVELS = ["fast", "standard", "tight"]
+# Peers in Python, and the number of blocks that is enough of each: all, or a sample of the slow one.
+PEERS = [("rk4_numba", None), ("rk4_jax", None), ("events_scipy", 128)]
+OVERTURNED = np.pi / 2
+
+
+def freestand(binary, grid, level, scale):
+    command = [binary, "spectrum", "--motion", RECORD, "--scale", repr(scale), "--heights", grid[0], "--thicknesses"]
+    command += [grid[1], "--accuracy", level, "--threads", "1", "--json", "--quiet"]
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(done.stderr)
+    return json.loads(done.stdout)
+
+
+def peaks(report):
+    return np.array([row["peak_rotation_rad"] for row in report["rows"]])
+
+
+def peer(command, scale_up=1):
+    """Seconds and peak rotations, and the share of the block-steps that moved where the peer counts it."""
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+    if done.returncode:
+        return None
+    first, *lines = done.stdout.splitlines()
+    seconds, *moving = map(float, first.split())
+    return seconds * scale_up, np.array([float(line.split()[0]) for line in lines]), moving
+
+
+def outcomes(found):
+    return np.where(found >= OVERTURNED * (1 - 1e-9), 2, found > 0)
+
+
+def line(name, ns, own_ns, found, exact, insensitive):
+    """One row: errors of the blocks that rocked in both and are not sensitive, against freestand's `tight`."""
+    apart = outcomes(found) != outcomes(exact)
+    rocked = insensitive & ~apart & (outcomes(exact) == 1)
+    error = np.abs(found[rocked] / exact[rocked] - 1)
+    median, most = np.quantile(error, [0.5, 0.99]) if len(error) else (np.nan, np.nan)
+    apart = f"{apart.sum()} ({(apart & insensitive).sum()})"
+    print(f"| {name} | {ns:.2f} | {ns / own_ns:.2f} | {median:.1e} | {most:.1e} | {apart} |", flush=True)
+
+
+def compare(binary, grid, folder):
+    motion = [float(text) for text in RECORD.read_text().splitlines() if not text.startswith("#")]
+    exact_report = freestand(binary, grid, "tight", SCALE)
+    exact = peaks(exact_report)
+    # A motion that is larger by 1e-6 changes a block that is not sensitive by less than 1e-5 (validation/rocking).
+    other = peaks(freestand(binary, grid, "tight", SCALE * (1 + 1e-6)))
+    insensitive = (outcomes(other) == outcomes(exact)) & (np.abs(other - exact) <= 1e-5 * exact)
+
+    blocks = [(row["height_m"], row["thickness_m"]) for row in exact_report["rows"]]
+    case = folder / "case.txt"
+    numbers = [f"0.005 9.80665 {len(motion)} {len(blocks)}", *(repr(SCALE * a) for a in motion)]
+    case.write_text("\n".join([*numbers, *(f"{h!r} {t!r}" for h, t in blocks)]) + "\n")
+    steps = exact_report["timing"]["block_steps"]
+
+    loop, own = [], {level: [] for level in LEVELS}
+    for _ in range(REPEATS):
+        loop.append(peer([folder / "rk4", case]))
+        for level in LEVELS:
+            own[level].append(freestand(binary, grid, level, SCALE))
+    c_s, c_peaks, moving = min(loop, key=lambda one: one[0])
+    c_ns = 1e9 * c_s / steps
+    print(f"\n{grid[0]} by {grid[1]}, × {SCALE}: {len(blocks)} blocks, {steps} block-steps, {moving[0]:.0%} moving;", end=" ")
+    print(f"{(outcomes(exact) == 1).sum()} rocked, {(outcomes(exact) == 2).sum()} overturned, {(~insensitive).sum()} sensitive\n")
+    print("| solver | ns per block-step | times the C loop | error, median | error, 99 % | outcomes apart |")
+    print("|---|---|---|---|---|---|")
+    for level, reports in own.items():
+        ns = 1e9 * min(report["timing"]["solve_s"] for report in reports) / steps
+        line(f"freestand, {level}", ns, c_ns, peaks(reports[0]), exact, insensitive)
+    line("RK4 in C", c_ns, c_ns, c_peaks, exact, insensitive)
+    for name, sample in PEERS:
+        some = np.arange(len(blocks)) if sample is None else chosen(len(blocks), sample)
+        command = [sys.executable, HERE / f"peers/{name}.py", case, *([] if sample is None else [sample])]
+        found = [peer(command, scale_up=len(blocks) / len(some)) for _ in range(REPEATS_OF_PEERS)]
+        if None in found:
+            print(f"| {name} | left out: it did not run | | | | |")
+            continue
+        found = min(found, key=lambda one: one[0])
+        label = name if sample is None else f"{name}, from {sample} blocks"
+        line(label, 1e9 * found[0] / steps, c_ns, found[1], exact[some], insensitive[some])
+
+
+def main():
+    binary = sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "target/release/freestand"
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        source = HERE / "peers/rk4.c"
+        subprocess.run(["cc", "-O3", "-march=native", "-o", folder / "rk4", source, "-lm"], check=True)
+        for grid in GRIDS:
+            compare(binary, grid, folder)
+
+
+main()

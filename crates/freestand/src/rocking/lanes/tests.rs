@@ -1,0 +1,7 @@
+//! The kernel against the scalar solver, and against itself.
+
+mod agreement;
+mod determinism;
+mod edges;
+mod extremes;
+mod trouble;
