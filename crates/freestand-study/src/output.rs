@@ -274,20 +274,23 @@ impl Place {
     }
 }
 
-/// Removes the staging folders of runs that were killed: those for `target` whose process is gone and whose lock is free.
+/// Removes the staging folders and files of runs that were killed: those for `target` whose process is gone and whose lock is free.
 /// Either alone is not enough: another container's processes are not seen here, and not every file system can lock.
-fn clear_leftovers(target: &Path) {
+pub(crate) fn clear_leftovers(target: &Path) {
     let beside = target.file_name().map(|name| format!(".{}.partial-", name.to_string_lossy()));
     for (folder, prefix) in [(Some(target), Some(STAGING_PREFIX.to_owned())), (target.parent(), beside)] {
         let (Some(folder), Some(prefix)) = (folder, prefix) else { continue };
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let name = entry.file_name();
             let process = name.to_str().and_then(|name| process_of(name.strip_prefix(&prefix)?));
-            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-            let free = || fs::File::open(entry.path()).is_ok_and(|folder| folder.try_lock().is_ok());
-            if is_folder && process.is_some_and(is_gone) && free() {
+            let free = || fs::File::open(entry.path()).is_ok_and(|leftover| leftover.try_lock().is_ok());
+            if process.is_some_and(is_gone) && free() {
                 // A leftover that cannot be removed is untidy, not a failure of this run.
-                let _ = fs::remove_dir_all(entry.path());
+                let _ = match entry.file_type() {
+                    Ok(kind) if kind.is_dir() => fs::remove_dir_all(entry.path()),
+                    Ok(kind) if kind.is_file() => fs::remove_file(entry.path()),
+                    _ => Ok(()),
+                };
             }
         }
     }

@@ -41,9 +41,7 @@ impl Grid {
     pub fn new(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
         if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
             let message = format!("{} × {} objects are too many", heights_m.len(), thicknesses_m.len());
-            return Err(
-                Problem::new(ProblemKind::Value, message).hint(format!("at most {MAX_OBJECTS} in one call"))
-            );
+            return Err(Problem::new(ProblemKind::Value, message).hint(format!("at most {MAX_OBJECTS} in one call")));
         }
         let grid = Self { heights_m, thicknesses_m };
         for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
@@ -325,11 +323,16 @@ mod tests {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let mut text = Vec::new();
         let work = || {
-            spectrum::<Problem>(&request(), &motions(), |_| chunk, |chunk| {
-                let pieces = chunk.pieces(|rows| csv_rows(rows.map(SpectrumRow::fields)).unwrap());
-                text.extend(pieces.concat());
-                Ok(())
-            })
+            spectrum::<Problem>(
+                &request(),
+                &motions(),
+                |_| chunk,
+                |chunk| {
+                    let pieces = chunk.pieces(|rows| csv_rows(rows.map(SpectrumRow::fields)).unwrap());
+                    text.extend(pieces.concat());
+                    Ok(())
+                },
+            )
         };
         pool.install(work).unwrap();
         String::from_utf8(text).unwrap()

@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::error::{Problem, ProblemKind};
-use crate::output::{beside, document, io_problem, no_name, real_path, refuse_input};
+use crate::output::{beside, clear_leftovers, document, io_problem, no_name, real_path, refuse_input};
 
 /// A file in the making. It has its name only after [`finish`](StreamedFile::finish); dropped before, it is gone, and
 /// what stood in its place is as it was.
@@ -43,7 +43,11 @@ impl StreamedFile {
         // A link stays a link: the file that it names is the one to replace.
         let target = real_path(path);
         let temporary = beside(&target, "partial").ok_or_else(|| no_name(path))?;
+        clear_leftovers(&target);
         let file = fs::File::create(&temporary).map_err(failed)?;
+        // Held while we write, so that nobody takes it for a leftover; where files cannot be locked, the number of the
+        // process says whose it is.
+        let _ = file.try_lock();
         let mut file = Self::of(file, path);
         file.rename = Some((temporary, target));
         Ok(file)
@@ -140,6 +144,16 @@ mod tests {
         file.write(b"after").unwrap();
         file.finish().unwrap();
         assert_eq!((names(folder.path()), fs::read(&path).unwrap()), (vec!["rows.csv".into()], b"after".to_vec()));
+        // Of a process that was killed, and of one that runs: there is no process 4294967294, and 1 always runs.
+        for process in [4_294_967_294_u32, 1] {
+            fs::write(folder.path().join(format!(".rows.csv.partial-{process}-0")), "left").unwrap();
+        }
+        drop(StreamedFile::begin(&path, &[]).unwrap());
+        let mut left = names(folder.path());
+        left.sort();
+        if cfg!(target_os = "linux") {
+            assert_eq!(left, [".rows.csv.partial-1-0", "rows.csv"]);
+        }
         assert!(StreamedFile::begin(&path, std::slice::from_ref(&path)).is_err());
         assert!(StreamedFile::begin(folder.path(), &[]).is_err());
     }

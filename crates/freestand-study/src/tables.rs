@@ -125,8 +125,7 @@ pub fn csv_rows<'a>(rows: impl Iterator<Item = Vec<(&'static str, Field<'a>)>>) 
 /// # Errors
 /// None in practice: memory does not fail.
 pub fn json_rows<'a>(rows: impl Iterator<Item = Vec<(&'static str, Field<'a>)>>) -> Result<Vec<u8>, Problem> {
-    let broken =
-        |error: serde_json::Error| Problem::new(ProblemKind::Io, format!("a row cannot be written: {error}"));
+    let broken = |error: serde_json::Error| Problem::new(ProblemKind::Io, format!("a row cannot be written: {error}"));
     let mut out = Vec::new();
     for row in rows {
         out.extend_from_slice(b",\n    {");

@@ -67,8 +67,9 @@ pub fn uplift_spectrum(
 ///
 /// # Limitation
 /// A difference in one direction, for an error of the motion's scale: errors of another kind may be amplified more or
-/// less, and where the peak passes from one swing to another, the slope on the other side differs. Ratios below
-/// about 1e6 times the [accuracy](crate::rocking::Accuracy) of a step are rounding.
+/// less, and where the peak passes from one swing to another, the slope on the other side differs. The solver's own
+/// error is amplified alike: errors of ε a step leave about ε/1e-6 of a ratio open, and a ratio above 1e6 says no more
+/// than that the rotation cannot be told.
 pub fn uplift_sensitivity(
     cells: &[Result<UpliftCell, RockingError>],
     base: Base,
@@ -161,6 +162,74 @@ mod tests {
             assert!((shock.ceiling_g - expected).abs() < 5e-3, "{}", shock.ceiling_g);
             assert_eq!(shock.edge_acceleration_g, Some(0.0));
         }
+    }
+
+    /// A pulse of one sine of 0.4 s and the quiet behind it, `amplitude` in g.
+    fn pulse(amplitude: f64) -> Motion {
+        let sample = |i: u32| {
+            let t = f64::from(i) * 0.01;
+            if t < 0.4 { amplitude * G0_M_S2 * (std::f64::consts::TAU * t / 0.4).sin() } else { 0.0 }
+        };
+        Motion::new(0.01, (0..800).map(sample).collect()).unwrap()
+    }
+
+    fn under_pulse(amplitude: f64) -> (Outcome, Sensitivity) {
+        let (motion, options) = (pulse(amplitude), RockingOptions::default());
+        let base = Base { horizontal: Some(&motion), vertical: None };
+        let cells = uplift_spectrum(&[Block::uniform(1.5, 0.4).unwrap()], base, &options);
+        (cells[0].unwrap().rocking.outcome, uplift_sensitivity(&cells, base, &options)[0])
+    }
+
+    /// Towards overturning the block lingers at the balance point: α − θ falls with the root of what is missing in the
+    /// amplitude, so the slope of the peak grows without bound.
+    #[test]
+    fn sensitivity_grows_towards_overturning() {
+        let (mut stands, mut falls) = (0.6, 5.0);
+        assert_eq!(under_pulse(stands).0, Outcome::Rocked);
+        assert_eq!(under_pulse(falls).0, Outcome::Overturned);
+        while falls - stands > 1e-9 {
+            let middle = 0.5 * (stands + falls);
+            if under_pulse(middle).0 == Outcome::Overturned { falls = middle } else { stands = middle }
+        }
+        let ratio = |missing: f64| {
+            let (outcome, sensitivity) = under_pulse(stands * (1.0 - missing));
+            assert_eq!(outcome, Outcome::Rocked);
+            (sensitivity.ratio.unwrap(), sensitivity.sensitive)
+        };
+        let (near, nearer) = (ratio(1e-4), ratio(1e-5));
+        assert!(near.1 && near.0 > SENSITIVE_RATIO && nearer.1, "{near:?}");
+        // √10 = 3.16; a twentieth of what is missing is the change itself, which bends the slope.
+        assert!((2.8..3.6).contains(&(nearer.0 / near.0)), "{near:?} {nearer:?}");
+        // One part in a million more overturns it.
+        let edge = under_pulse(stands * (1.0 - 0.5 * PERTURBATION_RATIO));
+        assert_eq!(edge, (Outcome::Rocked, Sensitivity { ratio: None, sensitive: true }));
+    }
+
+    #[test]
+    fn sensitivity_is_moderate_elsewhere_and_absent_without_a_peak() {
+        let (outcome, sensitivity) = under_pulse(0.6);
+        assert_eq!(outcome, Outcome::Rocked);
+        // The rotation grows from the threshold of t/h g = 0.267 g: faster than the motion, but not much.
+        assert!(
+            !sensitivity.sensitive && (1.0..SENSITIVE_RATIO).contains(&sensitivity.ratio.unwrap()),
+            "{sensitivity:?}"
+        );
+        let quiet = Sensitivity { ratio: None, sensitive: false };
+        assert_eq!(under_pulse(0.2), (Outcome::NoUplift, quiet));
+        assert_eq!(under_pulse(5.0), (Outcome::Overturned, quiet));
+    }
+
+    /// A cell that cannot be followed keeps its place.
+    #[test]
+    fn sensitivities_stay_beside_their_cells() {
+        let motion = pulse(0.6);
+        let (base, options) = (Base { horizontal: Some(&motion), vertical: None }, RockingOptions::default());
+        let block = Block::uniform(1.5, 0.4).unwrap();
+        let mut cells = uplift_spectrum(&[block; 3], base, &options);
+        let alone = uplift_sensitivity(&cells, base, &options)[0];
+        cells[1] = Err(RockingError::FreeFlight { time_s: 0.0 });
+        let sensitivities = uplift_sensitivity(&cells, base, &options);
+        assert_eq!(sensitivities, [alone, Sensitivity { ratio: None, sensitive: false }, alone]);
     }
 
     /// An overturned object has no shock, and its uplift is its whole base.

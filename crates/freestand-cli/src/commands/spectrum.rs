@@ -70,8 +70,8 @@ pub(crate) struct SpectrumArgs {
     /// Tell how many times each object amplifies an error of the motion
     ///
     /// Every object is followed again under 1.000001 times the horizontal motion, which doubles the work.
-    /// `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6: 1 to 20 is usual, and with 1000
-    /// an error of 0.1 % in the record leaves nothing of the result. An object is `sensitive` if the ratio is above 10
+    /// `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6: 1 to some tens are usual, and
+    /// with 1000 an error of 0.1 % in the record leaves nothing of the result. An object is `sensitive` if the ratio is above 10
     /// (the peak changes by more than 1e-5), or if it overturns, rocks or stays under one of the two motions only; the
     /// ratio is then empty, as it is for objects that do not rock or that overturn under both.
     #[arg(long, help_heading = "The rocking")]

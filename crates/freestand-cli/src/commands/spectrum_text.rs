@@ -72,8 +72,15 @@ impl Seen {
 
     /// A line for each motion.
     fn motions(&self, motions: &[SpectrumMotion]) -> String {
-        let mut headings =
-            vec!["motion", "objects", "rocked", "overturned", "failed", "largest uplift mm", "largest shock g (uplift)"];
+        let mut headings = vec![
+            "motion",
+            "objects",
+            "rocked",
+            "overturned",
+            "failed",
+            "largest uplift mm",
+            "largest shock g (uplift)",
+        ];
         headings.extend(self.sensitivity.then_some("sensitive"));
         let rows = motions.iter().zip(&self.tallies).take(SHOWN_MOTIONS).map(|(motion, tally)| {
             let mut row = vec![motion.name.clone()];
