@@ -84,7 +84,7 @@ impl OutputFolder {
         // "out/." and "out/.." have no name that a sibling could be made from; absolute paths settle "." too.
         let target = real_path(&absolute(target)?);
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
-        clear_leftovers(&target);
+        clear_leftovers(&target, false);
         let place = check_replaceable(&target, force)?;
         let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
         for name in place.listed() {
@@ -274,9 +274,9 @@ impl Place {
     }
 }
 
-/// Removes the staging folders and files of runs that were killed: those for `target` whose process is gone and whose lock is free.
-/// Either alone is not enough: another container's processes are not seen here, and not every file system can lock.
-pub(crate) fn clear_leftovers(target: &Path) {
+/// Removes the staging folders (or `files` under a temporary name) of runs that were killed: those for `target` whose
+/// process is gone and whose lock is free. Either alone is not enough: another container's processes are not seen here, and not every file system can lock.
+pub(crate) fn clear_leftovers(target: &Path, files: bool) {
     let beside = target.file_name().map(|name| format!(".{}.partial-", name.to_string_lossy()));
     for (folder, prefix) in [(Some(target), Some(STAGING_PREFIX.to_owned())), (target.parent(), beside)] {
         let (Some(folder), Some(prefix)) = (folder, prefix) else { continue };
@@ -287,8 +287,8 @@ pub(crate) fn clear_leftovers(target: &Path) {
             if process.is_some_and(is_gone) && free() {
                 // A leftover that cannot be removed is untidy, not a failure of this run.
                 let _ = match entry.file_type() {
-                    Ok(kind) if kind.is_dir() => fs::remove_dir_all(entry.path()),
-                    Ok(kind) if kind.is_file() => fs::remove_file(entry.path()),
+                    Ok(kind) if kind.is_dir() && !files => fs::remove_dir_all(entry.path()),
+                    Ok(kind) if kind.is_file() && files => fs::remove_file(entry.path()),
                     _ => Ok(()),
                 };
             }
