@@ -275,7 +275,8 @@ impl Place {
 }
 
 /// Removes the staging folders (or `files` under a temporary name) of runs that were killed: those for `target` whose
-/// process is gone and whose lock is free. Either alone is not enough: another container's processes are not seen here, and not every file system can lock.
+/// process is gone and whose lock is free. Either alone is not enough: another container's processes are
+/// not seen here, and not every file system can lock.
 pub(crate) fn clear_leftovers(target: &Path, files: bool) {
     let beside = target.file_name().map(|name| format!(".{}.partial-", name.to_string_lossy()));
     for (folder, prefix) in [(Some(target), Some(STAGING_PREFIX.to_owned())), (target.parent(), beside)] {
