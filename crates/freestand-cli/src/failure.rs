@@ -8,8 +8,8 @@ use freestand_study::{Problem, ProblemKind, StudyError};
 pub(crate) enum Failure {
     /// What is wrong, never empty.
     Problems(Vec<Problem>),
-    /// The user stopped it.
-    Stopped,
+    /// The user stopped it; whether part of the result was printed before.
+    Stopped { printed: bool },
     /// Standard output was closed by its reader.
     BrokenPipe,
 }

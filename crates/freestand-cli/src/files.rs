@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use freestand_study::output::{OutputFolder, document};
+use freestand_study::streamed::StreamedFile;
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -42,6 +43,16 @@ impl Files {
         Ok(Some(path_text(&target.join(name))))
     }
 
+    /// Begins a file that is written in pieces; nothing without `--out`.
+    pub(crate) fn begin_file(&self, name: &str) -> Result<Option<StreamedFile>, Failure> {
+        Ok(self.folder.as_ref().map(|(_, folder)| folder.begin(name)).transpose()?)
+    }
+
+    /// Where a file will be; nothing without `--out`.
+    pub(crate) fn path(&self, name: &str) -> Option<String> {
+        self.folder.as_ref().map(|(target, _)| path_text(&target.join(name)))
+    }
+
     /// Ends a command whose result is its document: adds that as `result.json`, with a short manifest, and prints it.
     pub(crate) fn print<T: Serialize>(
         self,
@@ -52,10 +63,15 @@ impl Files {
         text: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
         if let Some((_, folder)) = &self.folder {
-            folder.write("result.json", document(schema, body, warnings)?.as_bytes())?;
+            folder.write(RESULT, document(schema, body, warnings)?.as_bytes())?;
         }
-        self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)?;
+        self.finish_result(schema, warnings)?;
         printer.result(schema, body, warnings, text)
+    }
+
+    /// Adds the short manifest of a command whose document is in [`RESULT`] already, and puts the folder in its place.
+    pub(crate) fn finish_result(self, schema: &str, warnings: &[String]) -> Result<(), Failure> {
+        self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)
     }
 
     /// Adds `manifest.json`, the document that is also printed with the names of all files, and puts the folder in its
@@ -71,6 +87,9 @@ impl Files {
         Ok(())
     }
 }
+
+/// The document that is printed with `--json`, in the output folder.
+pub(crate) const RESULT: &str = "result.json";
 
 const MANIFEST: &str = "manifest.json";
 

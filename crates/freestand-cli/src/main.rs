@@ -7,6 +7,7 @@ mod files;
 mod printer;
 mod processing;
 mod reading;
+mod rows;
 mod stop;
 mod values;
 
@@ -45,11 +46,12 @@ fn main() -> ExitCode {
         Ok(code) => code,
         // The reader of our output has gone (`freestand … | head`): nobody is left to be told.
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
-        Err(Failure::Stopped) => {
-            printer::print_failure(&Failure::usage(
-                "stopped",
-                "nothing was written; the results of an earlier run stay",
-            ));
+        Err(Failure::Stopped { printed }) => {
+            let hint = match printed {
+                false => "nothing was written; the results of an earlier run stay",
+                true => "what was printed ends in its middle; no file was written, the results of an earlier run stay",
+            };
+            printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
         }
         Err(failure) => {

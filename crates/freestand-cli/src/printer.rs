@@ -6,6 +6,7 @@ use comfy_table::{Cell, CellAlignment, Table, presets};
 use freestand_study::ProblemKind;
 use freestand_study::output::document;
 pub(crate) use freestand_study::words::significant;
+use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -37,12 +38,22 @@ impl Printer {
         } else {
             print_text(&text())?;
         }
+        self.warn(warnings);
+        Ok(())
+    }
+
+    /// Whether the result is one JSON document.
+    pub(crate) fn json(&self) -> bool {
+        self.json
+    }
+
+    /// The warnings, a line each.
+    pub(crate) fn warn(&self, warnings: &[String]) {
         if !self.quiet {
             for warning in warnings {
                 error_line(&format!("warning: {warning}"));
             }
         }
-        Ok(())
     }
 
     /// Something worth knowing with `-v`.
@@ -52,16 +63,26 @@ impl Printer {
         }
     }
 
-    /// Whether to draw progress bars.
-    pub(crate) fn progress(&self) -> bool {
-        !self.quiet && io::stderr().is_terminal()
+    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed` meanwhile would run
+    /// through it.
+    pub(crate) fn progress_bar(&self, printed: bool) -> ProgressBar {
+        if self.quiet || !io::stderr().is_terminal() || (printed && io::stdout().is_terminal()) {
+            return ProgressBar::hidden();
+        }
+        let style = ProgressStyle::with_template("{msg:20} [{bar:40}] {pos}/{len} {eta}");
+        ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "))
     }
 }
 
 /// Writes to standard output, at once and to its end.
 pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
+}
+
+/// Writes UTF-8 to standard output, at once and to its end.
+pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
 }
 
 /// Writes a line to standard error; where that is closed there is nowhere to complain.

@@ -38,6 +38,28 @@ pub(crate) struct ReadArgs {
     pub(crate) process: ProcessArgs,
 }
 
+/// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the command's own.
+#[derive(Debug, Clone, Args)]
+pub(crate) struct VerticalArgs {
+    /// Factor on the vertical samples [default: 1]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "vertical")]
+    pub(crate) vertical_scale: Option<String>,
+    /// Component of the vertical record, where it has several
+    #[arg(long, value_name = "NAME|NUMBER", requires = "vertical")]
+    pub(crate) vertical_component: Option<String>,
+}
+
+impl VerticalArgs {
+    /// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
+    pub(crate) fn reading(&self, horizontal: &ReadArgs) -> ReadArgs {
+        let unscaled =
+            ProcessArgs { scale_to: None, scale_to_sa: None, scale_to_spectrum: None, ..horizontal.process.clone() };
+        let process = ProcessArgs { azimuth: None, ..unscaled };
+        let (component, scale) = (self.vertical_component.clone(), self.vertical_scale.clone());
+        ReadArgs { component, scale, process, ..horizontal.clone() }
+    }
+}
+
 impl ReadArgs {
     /// Refuses flags that no record is read with; the hint is made from their names in a study.
     pub(crate) fn refuse_without_record(&self, hint: impl FnOnce(&str) -> String) -> Result<(), Failure> {

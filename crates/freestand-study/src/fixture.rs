@@ -11,7 +11,7 @@ use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::oscillator::{ResponseSpectrum, response_spectrum};
 use freestand::rocking::Outcome;
-use freestand::rocking::{Accuracy, Restitution, SideExtremes, StopReason};
+use freestand::rocking::{Accuracy, Restitution, RockingSummary, SideExtremes, StopReason};
 use freestand::spectra::UpliftCell;
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
@@ -191,8 +191,7 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     };
     let cg_rise_m = pivot.cg_rise_m(peak.min(pivot.slenderness_angle_rad));
     let landing = Landing::rocking(block, ImpactModel::Paper);
-    UpliftCell {
-        block: *block,
+    let rocking = RockingSummary {
         outcome,
         stop: if outcome == Outcome::Overturned { StopReason::Overturned } else { StopReason::Settled },
         peak_rotation_rad: peak,
@@ -203,7 +202,8 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
             SideExtremes { peak_rotation_rad: peak, impact_omega_rad_s: landing.omega_rad_s(0.8 * cg_rise_m, G0_M_S2) },
             SideExtremes::default(),
         ],
-    }
+    };
+    UpliftCell { block: *block, rocking }
 }
 
 fn history(level: &LevelResult, motion: &str) -> ExampleHistory {

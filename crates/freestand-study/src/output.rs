@@ -1,6 +1,7 @@
 //! Output that is either complete or not there: nothing half-written is ever found under the name that was asked for.
 
 use crate::error::{Problem, ProblemKind};
+use crate::streamed::StreamedFile;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
@@ -50,27 +51,9 @@ pub fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Re
 /// # Errors
 /// A folder that is absent or may not be written, a full disk, or a folder in the file's place.
 pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), Problem> {
-    let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
-    refuse_input(&inputs, path, "name another file to write")?;
-    let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
-    if path.is_dir() {
-        return Err(Problem::new(ProblemKind::Io, "is a folder, a file is to be written there")
-            .in_file(path)
-            .hint("name a file"));
-    }
-    // A device such as /dev/null or a pipe is written into, not replaced by a file.
-    if fs::metadata(path).is_ok_and(|data| !data.is_file()) {
-        return fs::write(path, bytes).map_err(failed);
-    }
-    // A link stays a link: the file that it names is the one to replace.
-    let path = &real_path(path);
-    let temporary = beside(path, "partial").ok_or_else(|| no_name(path))?;
-    let result = fs::write(&temporary, bytes).and_then(|()| fs::rename(&temporary, path));
-    if result.is_err() {
-        // The first error is the one to report; what could not be written may well not be there to remove.
-        let _ = fs::remove_file(&temporary);
-    }
-    result.map_err(failed)
+    let mut file = StreamedFile::begin(path, inputs)?;
+    file.write(bytes)?;
+    file.finish()
 }
 
 /// An output folder in the making. Everything is written to a staging folder first, and moves to the target on
@@ -101,7 +84,7 @@ impl OutputFolder {
         // "out/." and "out/.." have no name that a sibling could be made from; absolute paths settle "." too.
         let target = real_path(&absolute(target)?);
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
-        clear_leftovers(&target);
+        clear_leftovers(&target, false);
         let place = check_replaceable(&target, force)?;
         let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
         for name in place.listed() {
@@ -160,20 +143,30 @@ impl OutputFolder {
     /// # Errors
     /// A name that leaves the folder or was written before, or a disk that is full.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Problem> {
-        use std::io::Write;
+        let mut file = self.begin(name)?;
+        file.write(bytes)?;
+        file.finish()
+    }
+
+    /// Begins a file in the folder that is written in pieces; folders in `name` are made.
+    ///
+    /// # Errors
+    /// A name that leaves the folder or was begun before, or a disk that is full.
+    pub fn begin(&self, name: &str) -> Result<StreamedFile, Problem> {
         let path = self.path_of(name)?;
         // Errors name the place that the user knows, not the staging folder.
-        let failed = |error: io::Error| io_problem(&self.target.join(name), "cannot write the file", &error);
+        let target = self.target.join(name);
+        let failed = |error: io::Error| io_problem(&target, "cannot write the file", &error);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(failed)?;
         }
-        let mut file = fs::File::create_new(&path).map_err(|error| match error.kind() {
+        let file = fs::File::create_new(&path).map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => Problem::new(ProblemKind::Value, "two outputs have this name")
-                .in_file(&self.target.join(name))
+                .in_file(&target)
                 .hint("ask for each output once"),
             _ => failed(error),
         })?;
-        file.write_all(bytes).map_err(failed)
+        Ok(StreamedFile::of(file, &target))
     }
 
     /// Where a file of the folder is until the commit, for writers that need a path of their own.
@@ -281,20 +274,24 @@ impl Place {
     }
 }
 
-/// Removes the staging folders of runs that were killed: those for `target` whose process is gone and whose lock is free.
-/// Either alone is not enough: another container's processes are not seen here, and not every file system can lock.
-fn clear_leftovers(target: &Path) {
+/// Removes the staging folders (or `files` under a temporary name) of runs that were killed: those for `target` whose
+/// process is gone and whose lock is free. Either alone is not enough: another container's processes are
+/// not seen here, and not every file system can lock.
+pub(crate) fn clear_leftovers(target: &Path, files: bool) {
     let beside = target.file_name().map(|name| format!(".{}.partial-", name.to_string_lossy()));
     for (folder, prefix) in [(Some(target), Some(STAGING_PREFIX.to_owned())), (target.parent(), beside)] {
         let (Some(folder), Some(prefix)) = (folder, prefix) else { continue };
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let name = entry.file_name();
             let process = name.to_str().and_then(|name| process_of(name.strip_prefix(&prefix)?));
-            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-            let free = || fs::File::open(entry.path()).is_ok_and(|folder| folder.try_lock().is_ok());
-            if is_folder && process.is_some_and(is_gone) && free() {
+            let free = || fs::File::open(entry.path()).is_ok_and(|leftover| leftover.try_lock().is_ok());
+            if process.is_some_and(is_gone) && free() {
                 // A leftover that cannot be removed is untidy, not a failure of this run.
-                let _ = fs::remove_dir_all(entry.path());
+                let _ = match entry.file_type() {
+                    Ok(kind) if kind.is_dir() && !files => fs::remove_dir_all(entry.path()),
+                    Ok(kind) if kind.is_file() && files => fs::remove_file(entry.path()),
+                    _ => Ok(()),
+                };
             }
         }
     }
@@ -346,7 +343,7 @@ fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
     Ok(())
 }
 
-fn refuse_input(inputs: &[PathBuf], output: &Path, hint: &str) -> Result<(), Problem> {
+pub(crate) fn refuse_input(inputs: &[PathBuf], output: &Path, hint: &str) -> Result<(), Problem> {
     if inputs.is_empty() || !fs::canonicalize(output).is_ok_and(|output| inputs.contains(&output)) {
         return Ok(());
     }
@@ -401,7 +398,7 @@ fn listed_files(target: &Path, manifest: &str) -> Option<BTreeSet<String>> {
 }
 
 /// `.NAME.KIND-PID-N` in the same folder: on the same file system, so that the renaming is one step.
-fn beside(path: &Path, kind: &str) -> Option<PathBuf> {
+pub(crate) fn beside(path: &Path, kind: &str) -> Option<PathBuf> {
     let mut name = OsString::from(".");
     name.push(path.file_name()?);
     name.push(OsStr::new(&format!(".{kind}-{}", unique_suffix())));
@@ -415,7 +412,7 @@ fn unique_suffix() -> String {
 }
 
 /// What a link names, where there is one; the path itself otherwise.
-fn real_path(path: &Path) -> PathBuf {
+pub(crate) fn real_path(path: &Path) -> PathBuf {
     let link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
     link.then(|| fs::canonicalize(path).ok()).flatten().unwrap_or_else(|| path.to_path_buf())
 }
@@ -436,11 +433,11 @@ fn remove_if_there(path: &Path) -> io::Result<()> {
     }
 }
 
-fn no_name(path: &Path) -> Problem {
+pub(crate) fn no_name(path: &Path) -> Problem {
     Problem::new(ProblemKind::Io, "is no name for an output").in_file(path).hint("name a file or folder to be made")
 }
 
-fn io_problem(path: &Path, what: &str, error: &io::Error) -> Problem {
+pub(crate) fn io_problem(path: &Path, what: &str, error: &io::Error) -> Problem {
     let hint = match error.kind() {
         io::ErrorKind::NotFound => "check that the folder exists",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {

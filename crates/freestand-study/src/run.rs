@@ -254,7 +254,7 @@ fn history_choice<'a>(
             let level = levels.iter().max_by(|a, b| a.level.level_ratio.total_cmp(&b.level.level_ratio))?;
             let hardest = |row: &[ObjectResponse]| -> Option<UpliftCell> {
                 let shocks = row.iter().filter_map(|response| match response {
-                    ObjectResponse::Done { uplift, shock } if uplift.outcome == Outcome::Rocked => {
+                    ObjectResponse::Done { uplift, shock } if uplift.rocking.outcome == Outcome::Rocked => {
                         Some((*uplift, shock.edge_acceleration_g?))
                     }
                     _ => None,
@@ -290,7 +290,7 @@ fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
     }
 
     let unsettled = rows()
-        .filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if uplift.stop == StopReason::EndOfMotion))
+        .filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if uplift.rocking.stop == StopReason::EndOfMotion))
         .count();
     if unsettled > 0 {
         warnings.push(format!(
@@ -327,9 +327,9 @@ fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
     }
     let worst = rows()
         .filter_map(|response| match response {
-            ObjectResponse::Done { uplift, .. } if uplift.outcome == Outcome::Rocked => {
+            ObjectResponse::Done { uplift, .. } if uplift.rocking.outcome == Outcome::Rocked => {
                 let landing = Landing::rocking(&uplift.block, ImpactModel::Paper);
-                Some(landing.impact(objects.mass_kg, objects.stiffness_n_m, uplift.cg_rise_m, G0_M_S2))
+                Some(landing.impact(objects.mass_kg, objects.stiffness_n_m, uplift.rocking.cg_rise_m, G0_M_S2))
             }
             _ => None,
         })

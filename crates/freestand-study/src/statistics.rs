@@ -39,19 +39,17 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
         done.iter().filter(|(uplift, _)| holds(uplift)).count() as f64 / done.len() as f64
     };
     let survivors: Vec<f64> = done.iter().filter_map(|(_, shock)| shock.edge_acceleration_g).collect();
-    let uplifts = done.iter().map(
-        |(uplift, _)| {
-            if uplift.outcome == Outcome::Overturned { f64::INFINITY } else { uplift.uplift_m }
-        },
-    );
+    let uplifts = done.iter().map(|(uplift, _)| {
+        if uplift.rocking.outcome == Outcome::Overturned { f64::INFINITY } else { uplift.rocking.uplift_m }
+    });
     let shocks = done.iter().map(|(_, shock)| shock.edge_acceleration_g.unwrap_or(f64::INFINITY));
     let impacts = done.iter().map(|(_, shock)| shock.edge_acceleration_impact_velocity_g.unwrap_or(f64::INFINITY));
     Some(ObjectStatistics {
         height_m: first.block.height_m(),
         thickness_m: first.block.thickness_m(),
         motions: done.len(),
-        uplift_share: share(&|uplift| uplift.outcome != Outcome::NoUplift),
-        overturned_share: share(&|uplift| uplift.outcome == Outcome::Overturned),
+        uplift_share: share(&|uplift| uplift.rocking.outcome != Outcome::NoUplift),
+        overturned_share: share(&|uplift| uplift.rocking.outcome == Outcome::Overturned),
         uplift_m: quantiles(uplifts.collect()),
         edge_acceleration_g: quantiles(shocks.collect()),
         edge_acceleration_impact_velocity_g: quantiles(impacts.collect()),

@@ -56,7 +56,7 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
     let rows = || level.responses.iter().flatten();
     let histories = rows().count();
     let count = |holds: &dyn Fn(Outcome) -> bool| {
-        rows().filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if holds(uplift.outcome))).count()
+        rows().filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if holds(uplift.rocking.outcome))).count()
     };
     let done = count(&|_| true);
     let share = |n: usize| if done == 0 { 0.0 } else { n as f64 / done as f64 };

@@ -1,8 +1,10 @@
 //! The result as tables: CSV with a header, comma, LF, shortest numbers that read back the same; a missing value is an
 //! empty field.
 
+use std::borrow::Cow;
+
 use crate::error::{Problem, ProblemKind};
-use crate::records::shortest;
+use crate::records::{push_shortest, shortest};
 use crate::result::{ObjectResponse, Ranked, StudyResult};
 use crate::study::Study;
 use serde_json::Value;
@@ -12,13 +14,20 @@ use serde_json::Value;
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
 fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u8>, Problem> {
-    let broken = |error: csv::Error| Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"));
-    let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new());
+    let mut writer = csv_writer();
     writer.write_record(header).map_err(broken)?;
     for row in rows {
         writer.write_record(row).map_err(broken)?;
     }
     writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+}
+
+fn csv_writer() -> csv::Writer<Vec<u8>> {
+    csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new())
+}
+
+fn broken(error: csv::Error) -> Problem {
+    Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"))
 }
 
 /// Records of a serializable type as CSV: field names as the header, `None` as an empty field.
@@ -55,6 +64,87 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     csv(&header, rows.into_iter())
+}
+
+/// One value of a row that is written without being kept.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Field<'a> {
+    /// A text.
+    Text(Cow<'a, str>),
+    /// A number.
+    Number(f64),
+    /// A whole number.
+    Count(usize),
+    /// Yes or no.
+    Flag(bool),
+    /// No value: an empty field, `null`.
+    Missing,
+}
+
+impl From<Option<f64>> for Field<'_> {
+    fn from(value: Option<f64>) -> Self {
+        value.map_or(Self::Missing, Self::Number)
+    }
+}
+
+/// The names of a row's fields as the first line of a CSV.
+///
+/// # Errors
+/// None in practice: memory does not fail.
+pub fn csv_header(fields: &[(&'static str, Field)]) -> Result<Vec<u8>, Problem> {
+    csv(&fields.iter().map(|(name, _)| *name).collect::<Vec<_>>(), std::iter::empty())
+}
+
+/// Rows of named fields as CSV without a header, written as by [`records_csv`].
+///
+/// # Errors
+/// None in practice: rows are of one length and memory does not fail.
+pub fn csv_rows<'a>(rows: impl Iterator<Item = Vec<(&'static str, Field<'a>)>>) -> Result<Vec<u8>, Problem> {
+    let mut writer = csv_writer();
+    let mut text = String::new();
+    for row in rows {
+        for (_, field) in &row {
+            text.clear();
+            match field {
+                Field::Text(value) => text.push_str(value),
+                Field::Number(value) => push_shortest(&mut text, *value),
+                Field::Count(value) => text.push_str(&value.to_string()),
+                Field::Flag(value) => text.push_str(&value.to_string()),
+                Field::Missing => {}
+            }
+            writer.write_field(&text).map_err(broken)?;
+        }
+        writer.write_record(None::<&[u8]>).map_err(broken)?;
+    }
+    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
+}
+
+/// Rows of named fields as members of an array on the second level of a [`document`](crate::output::document), with a
+/// comma before each of them.
+///
+/// # Errors
+/// None in practice: memory does not fail.
+pub fn json_rows<'a>(rows: impl Iterator<Item = Vec<(&'static str, Field<'a>)>>) -> Result<Vec<u8>, Problem> {
+    let broken = |error: serde_json::Error| Problem::new(ProblemKind::Io, format!("a row cannot be written: {error}"));
+    let mut out = Vec::new();
+    for row in rows {
+        out.extend_from_slice(b",\n    {");
+        for (i, (name, field)) in row.iter().enumerate() {
+            out.extend_from_slice(if i == 0 { b"\n      " } else { b",\n      " });
+            serde_json::to_writer(&mut out, name).map_err(broken)?;
+            out.extend_from_slice(b": ");
+            match field {
+                Field::Text(value) => serde_json::to_writer(&mut out, value),
+                Field::Number(value) => serde_json::to_writer(&mut out, value),
+                Field::Count(value) => serde_json::to_writer(&mut out, value),
+                Field::Flag(value) => serde_json::to_writer(&mut out, value),
+                Field::Missing => serde_json::to_writer(&mut out, &()),
+            }
+            .map_err(broken)?;
+        }
+        out.extend_from_slice(b"\n    }");
+    }
+    Ok(out)
 }
 
 /// Named columns of numbers, all of one length, as CSV.
@@ -112,9 +202,9 @@ fn by_object(
                 ];
                 match response {
                     ObjectResponse::Done { uplift, shock } => row.extend([
-                        uplift.outcome.name().to_owned(),
-                        shortest(uplift.uplift_m),
-                        shortest(uplift.cg_rise_m),
+                        uplift.rocking.outcome.name().to_owned(),
+                        shortest(uplift.rocking.uplift_m),
+                        shortest(uplift.rocking.cg_rise_m),
                         optional(shock.edge_acceleration_g),
                         shortest(shock.ceiling_g),
                     ]),
@@ -142,8 +232,8 @@ fn by_object(
 pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
     by_object(study, result, &["peak_rotation_rad", "impact_count", "impact_omega_rad_s"], |response| match response {
         ObjectResponse::Done { uplift, .. } => vec![
-            shortest(uplift.peak_rotation_rad),
-            uplift.impact_count.to_string(),
+            shortest(uplift.rocking.peak_rotation_rad),
+            uplift.rocking.impact_count.to_string(),
             shortest(uplift.impact_omega_rad_s()),
         ],
         ObjectResponse::Failed(_) => vec![String::new(); 3],
@@ -229,9 +319,9 @@ mod tests {
         let mut result = crate::fixture::result(&study);
         for response in result.levels.iter_mut().flat_map(|level| level.responses.iter_mut().flatten()) {
             if let ObjectResponse::Done { uplift, shock } = response {
-                uplift.uplift_m = 1e-300;
-                uplift.cg_rise_m = 1e-300;
-                uplift.peak_rotation_rad = 1e-300;
+                uplift.rocking.uplift_m = 1e-300;
+                uplift.rocking.cg_rise_m = 1e-300;
+                uplift.rocking.peak_rotation_rad = 1e-300;
                 shock.edge_acceleration_g = Some(1e-300);
                 shock.ceiling_g = 1e-300;
             }

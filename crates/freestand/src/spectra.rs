@@ -3,12 +3,17 @@
 //! The rocking response of an object depends on its geometry, its restitution and the motion; mass and stiffness enter
 //! afterwards, so one uplift spectrum gives the shock for any of them.
 
-use rayon::prelude::*;
-
 use crate::G0_M_S2;
 use crate::block::Block;
 use crate::impact::{ImpactModel, Landing};
-use crate::rocking::{Base, Outcome, Rocking, RockingError, RockingOptions, SideExtremes, StopReason, rock};
+use crate::rocking::{Base, Outcome, RockingError, RockingOptions, RockingSummary, SideExtremes, rock_many};
+
+/// Part of the motion by which it is changed to see what a cell is sensitive to.
+pub const PERTURBATION_RATIO: f64 = 1e-6;
+
+/// Amplification above which a cell is sensitive: its peak rotation changes by more than 1e-5 of itself when the motion
+/// changes by [`PERTURBATION_RATIO`].
+pub const SENSITIVE_RATIO: f64 = 10.0;
 
 /// One cell of an uplift response spectrum: an object under a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,19 +21,7 @@ pub struct UpliftCell {
     /// The object.
     pub block: Block,
     /// What it did.
-    pub outcome: Outcome,
-    /// Why its history stopped.
-    pub stop: StopReason,
-    /// Largest |θ| \[rad\]; π/2 when overturned.
-    pub peak_rotation_rad: f64,
-    /// Impacts until rest or the end.
-    pub impact_count: usize,
-    /// B sin(peak rotation): lift of the free base edge \[m\].
-    pub uplift_m: f64,
-    /// Largest rise of the centre of gravity \[m\]; R(1 − cos α) once |θ| passed α.
-    pub cg_rise_m: f64,
-    /// Extremes on the right and the left edge, from which the shock follows.
-    pub sides: [SideExtremes; 2],
+    pub rocking: RockingSummary,
 }
 
 /// The shock that belongs to an [`UpliftCell`], for a mass and a stiffness.
@@ -42,48 +35,92 @@ pub struct ShockCell {
     pub ceiling_g: f64,
 }
 
+/// What a small error of the motion does to an [`UpliftCell`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sensitivity {
+    /// Amplification of the error: relative change of the peak rotation by the relative change of the motion. `None`
+    /// where no two peaks can be compared: no uplift, overturned, or another outcome under the changed motion.
+    pub ratio: Option<f64>,
+    /// Whether the cell is not to be relied on: another outcome, or a ratio above [`SENSITIVE_RATIO`].
+    pub sensitive: bool,
+}
+
 /// The uplift response spectrum of `base` over `blocks`: one cell for each, in their order.
 ///
-/// Blocks are followed in parallel on the current thread pool; every cell is computed on its own, so the result does not
-/// depend on the number of threads.
+/// Blocks are followed in parallel on the current thread pool; every cell is computed on its own, so the result depends
+/// neither on the number of threads nor on which blocks are asked for together.
 ///
 /// # Errors
-/// Each cell has its own: see [`rock`].
+/// Each cell has its own: see [`rock`](crate::rocking::rock).
 pub fn uplift_spectrum(
     blocks: &[Block],
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<UpliftCell, RockingError>> {
-    blocks.par_iter().map(|block| Ok(UpliftCell::new(*block, &rock(block, base, options)?))).collect()
+    let rocked = rock_many(blocks, base, options);
+    blocks.iter().zip(rocked).map(|(block, rocking)| Ok(UpliftCell::new(*block, rocking?))).collect()
+}
+
+/// How much the peak rotations of `cells`, an [`uplift_spectrum`] of the same base and options, amplify an error of the
+/// motion: |θ(1.000001 ü_h)/θ(ü_h) − 1| / 1e-6, from a second spectrum under the changed horizontal motion. A cell that
+/// could not be followed has no ratio and is not sensitive.
+///
+/// # Limitation
+/// A difference in one direction, for an error of the motion's scale: errors of another kind may be amplified more or
+/// less, and where the peak passes from one swing to another, the slope on the other side differs. The solver's own
+/// error is amplified alike: errors of ε a step leave about ε/1e-6 of a ratio open, and a ratio above 1e6 says no more
+/// than that the rotation cannot be told.
+pub fn uplift_sensitivity(
+    cells: &[Result<UpliftCell, RockingError>],
+    base: Base,
+    options: &RockingOptions,
+) -> Vec<Sensitivity> {
+    // A motion at the end of the range of numbers cannot grow: it is made smaller, which gives the same slope.
+    let changed = base.horizontal.and_then(|motion| {
+        let (more, less) = (1.0 + PERTURBATION_RATIO, 1.0 - PERTURBATION_RATIO);
+        motion.scaled(more).or_else(|_| motion.scaled(less)).ok()
+    });
+    let changed = Base { horizontal: changed.as_ref(), vertical: base.vertical };
+    let blocks: Vec<Block> = cells.iter().flatten().map(|cell| cell.block).collect();
+    let mut again = rock_many(&blocks, changed, options).into_iter();
+    let none = Sensitivity { ratio: None, sensitive: false };
+    let compared = cells.iter().map(|cell| cell.as_ref().ok().and_then(|cell| Some(cell.sensitivity(&again.next()?))));
+    compared.map(|sensitivity| sensitivity.unwrap_or(none)).collect()
 }
 
 impl UpliftCell {
-    /// What a spectrum keeps of a history.
-    pub fn new(block: Block, rocking: &Rocking) -> Self {
-        Self {
-            block,
-            outcome: rocking.outcome,
-            stop: rocking.stop,
-            peak_rotation_rad: rocking.peak_rotation_rad,
-            impact_count: rocking.impacts.len(),
-            uplift_m: rocking.uplift_m,
-            cg_rise_m: rocking.cg_rise_m,
-            sides: rocking.sides,
-        }
+    /// An object and what it did: a summary, or the whole history (`&Rocking`).
+    pub fn new(block: Block, rocking: impl Into<RockingSummary>) -> Self {
+        Self { block, rocking: rocking.into() }
+    }
+
+    /// The sensitivity by what the object does under the changed motion.
+    fn sensitivity(&self, changed: &Result<RockingSummary, RockingError>) -> Sensitivity {
+        let outcome = self.rocking.outcome;
+        let ratio = match changed {
+            Ok(changed) if changed.outcome != outcome => return Sensitivity { ratio: None, sensitive: true },
+            Err(_) => return Sensitivity { ratio: None, sensitive: true },
+            Ok(changed) if outcome == Outcome::Rocked => {
+                let ratio = (changed.peak_rotation_rad / self.rocking.peak_rotation_rad - 1.0).abs();
+                Some(ratio / PERTURBATION_RATIO).filter(|ratio| ratio.is_finite())
+            }
+            Ok(_) => None,
+        };
+        Sensitivity { ratio, sensitive: ratio.is_some_and(|ratio| ratio > SENSITIVE_RATIO) }
     }
 
     /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.
     pub fn impact_omega_rad_s(&self) -> f64 {
-        self.sides.iter().fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
+        self.rocking.sides.iter().fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
     }
 
     /// The shock on a linear cushion `stiffness_n_m` under the landing edge: the harder of the landings off the two
     /// edges, which are alike unless the centre of gravity is off the middle.
     pub fn shock(&self, mass_kg: f64, stiffness_n_m: f64, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
-        let stands = self.outcome != Outcome::Overturned;
+        let stands = self.rocking.outcome != Outcome::Overturned;
         let landings = landings(&self.block, model);
         let largest = |rise_m: &dyn Fn(&Landing, SideExtremes) -> f64| {
-            let shocks = landings.iter().zip(self.sides).map(|(landing, side)| {
+            let shocks = landings.iter().zip(self.rocking.sides).map(|(landing, side)| {
                 let rise_m = rise_m(landing, side);
                 landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2
             });
@@ -119,12 +156,80 @@ mod tests {
             let base = Base { horizontal: Some(&still), vertical: None };
             let cells = uplift_spectrum(&[block], base, &RockingOptions::default());
             let cell = cells[0].unwrap();
-            assert_eq!(cell.outcome, Outcome::NoUplift);
+            assert_eq!(cell.rocking.outcome, Outcome::NoUplift);
             let shock = cell.shock(150.0, 4.38e6, ImpactModel::Paper, G0_M_S2);
             // Two decimals are known.
             assert!((shock.ceiling_g - expected).abs() < 5e-3, "{}", shock.ceiling_g);
             assert_eq!(shock.edge_acceleration_g, Some(0.0));
         }
+    }
+
+    /// A pulse of one sine of 0.4 s and the quiet behind it, `amplitude` in g.
+    fn pulse(amplitude: f64) -> Motion {
+        let sample = |i: u32| {
+            let t = f64::from(i) * 0.01;
+            if t < 0.4 { amplitude * G0_M_S2 * (std::f64::consts::TAU * t / 0.4).sin() } else { 0.0 }
+        };
+        Motion::new(0.01, (0..800).map(sample).collect()).unwrap()
+    }
+
+    fn under_pulse(amplitude: f64) -> (Outcome, Sensitivity) {
+        let (motion, options) = (pulse(amplitude), RockingOptions::default());
+        let base = Base { horizontal: Some(&motion), vertical: None };
+        let cells = uplift_spectrum(&[Block::uniform(1.5, 0.4).unwrap()], base, &options);
+        (cells[0].unwrap().rocking.outcome, uplift_sensitivity(&cells, base, &options)[0])
+    }
+
+    /// Towards overturning the block lingers at the balance point: α − θ falls with the root of what is missing in the
+    /// amplitude, so the slope of the peak grows without bound.
+    #[test]
+    fn sensitivity_grows_towards_overturning() {
+        let (mut stands, mut falls) = (0.6, 5.0);
+        assert_eq!(under_pulse(stands).0, Outcome::Rocked);
+        assert_eq!(under_pulse(falls).0, Outcome::Overturned);
+        while falls - stands > 1e-9 {
+            let middle = 0.5 * (stands + falls);
+            if under_pulse(middle).0 == Outcome::Overturned { falls = middle } else { stands = middle }
+        }
+        let ratio = |missing: f64| {
+            let (outcome, sensitivity) = under_pulse(stands * (1.0 - missing));
+            assert_eq!(outcome, Outcome::Rocked);
+            (sensitivity.ratio.unwrap(), sensitivity.sensitive)
+        };
+        let (near, nearer) = (ratio(1e-4), ratio(1e-5));
+        assert!(near.1 && near.0 > SENSITIVE_RATIO && nearer.1, "{near:?}");
+        // √10 = 3.16; a twentieth of what is missing is the change itself, which bends the slope.
+        assert!((2.8..3.6).contains(&(nearer.0 / near.0)), "{near:?} {nearer:?}");
+        // One part in a million more overturns it.
+        let edge = under_pulse(stands * (1.0 - 0.5 * PERTURBATION_RATIO));
+        assert_eq!(edge, (Outcome::Rocked, Sensitivity { ratio: None, sensitive: true }));
+    }
+
+    #[test]
+    fn sensitivity_is_moderate_elsewhere_and_absent_without_a_peak() {
+        let (outcome, sensitivity) = under_pulse(0.6);
+        assert_eq!(outcome, Outcome::Rocked);
+        // The rotation grows from the threshold of t/h g = 0.267 g: faster than the motion, but not much.
+        assert!(
+            !sensitivity.sensitive && (1.0..SENSITIVE_RATIO).contains(&sensitivity.ratio.unwrap()),
+            "{sensitivity:?}"
+        );
+        let quiet = Sensitivity { ratio: None, sensitive: false };
+        assert_eq!(under_pulse(0.2), (Outcome::NoUplift, quiet));
+        assert_eq!(under_pulse(5.0), (Outcome::Overturned, quiet));
+    }
+
+    /// A cell that cannot be followed keeps its place.
+    #[test]
+    fn sensitivities_stay_beside_their_cells() {
+        let motion = pulse(0.6);
+        let (base, options) = (Base { horizontal: Some(&motion), vertical: None }, RockingOptions::default());
+        let block = Block::uniform(1.5, 0.4).unwrap();
+        let mut cells = uplift_spectrum(&[block; 3], base, &options);
+        let alone = uplift_sensitivity(&cells, base, &options)[0];
+        cells[1] = Err(RockingError::FreeFlight { time_s: 0.0 });
+        let sensitivities = uplift_sensitivity(&cells, base, &options);
+        assert_eq!(sensitivities, [alone, Sensitivity { ratio: None, sensitive: false }, alone]);
     }
 
     /// An overturned object has no shock, and its uplift is its whole base.
@@ -134,7 +239,7 @@ mod tests {
         let push = Motion::new(0.01, vec![0.5 * G0_M_S2; 400]).unwrap();
         let base = Base { horizontal: Some(&push), vertical: None };
         let cell = uplift_spectrum(&[block], base, &RockingOptions::default())[0].unwrap();
-        assert_eq!((cell.outcome, cell.uplift_m), (Outcome::Overturned, 0.2));
+        assert_eq!((cell.rocking.outcome, cell.rocking.uplift_m), (Outcome::Overturned, 0.2));
         let shock = cell.shock(150.0, 4.38e6, ImpactModel::Paper, G0_M_S2);
         assert_eq!((shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g), (None, None));
     }

@@ -8,6 +8,7 @@ mod rock;
 mod run;
 mod shock;
 mod spectrum;
+mod spectrum_text;
 mod validate;
 
 use clap::Subcommand;

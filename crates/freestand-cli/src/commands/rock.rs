@@ -17,8 +17,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
-use crate::processing::ProcessArgs;
-use crate::reading::ReadArgs;
+use crate::reading::{ReadArgs, VerticalArgs};
 use crate::values::Values;
 
 /// One object under one motion: rotation, uplift, impacts, overturning, shock
@@ -38,12 +37,8 @@ pub(crate) struct RockArgs {
     /// Record of the base's vertical acceleration, positive upward, of the same step and length
     #[arg(long, value_name = "FILE")]
     vertical: Option<PathBuf>,
-    /// Factor on the vertical samples [default: 1]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "vertical")]
-    vertical_scale: Option<String>,
-    /// Component of the vertical record, where it has several
-    #[arg(long, value_name = "NAME|NUMBER", requires = "vertical")]
-    vertical_component: Option<String>,
+    #[command(flatten)]
+    vertically: VerticalArgs,
     #[command(flatten)]
     read: ReadArgs,
 
@@ -156,17 +151,9 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     }
     let mut reading = Reading::default();
     let horizontal = args.motion.as_ref().map(|path| read(&args.read, path, &mut reading)).transpose()?;
-    let vertical = args.vertical.as_ref().map(|path| read(&vertical_reading(args), path, &mut reading)).transpose()?;
+    let vertically = args.vertically.reading(&args.read);
+    let vertical = args.vertical.as_ref().map(|path| read(&vertically, path, &mut reading)).transpose()?;
     Ok((RockRequest { block, horizontal, vertical, options, cushion: mass.zip(stiffness), friction }, reading))
-}
-
-/// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
-fn vertical_reading(args: &RockArgs) -> ReadArgs {
-    let unscaled =
-        ProcessArgs { scale_to: None, scale_to_sa: None, scale_to_spectrum: None, ..args.read.process.clone() };
-    let process = ProcessArgs { azimuth: None, ..unscaled };
-    let (component, scale) = (args.vertical_component.clone(), args.vertical_scale.clone());
-    ReadArgs { component, scale, process, ..args.read.clone() }
 }
 
 fn read(args: &ReadArgs, path: &std::path::Path, reading: &mut Reading) -> Result<Motion, Failure> {

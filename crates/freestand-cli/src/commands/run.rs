@@ -11,7 +11,6 @@ use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 
 use super::Done;
@@ -81,7 +80,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let folder = OutputFolder::stage(&out, global.force, &inputs)?;
     folder.check(&expected_names(&study))?;
 
-    let bar = progress_bar(printer);
+    let bar = printer.progress_bar(false);
     let result = run_study(&study, &|step: Step| {
         bar.set_length(step.total as u64);
         bar.set_position(step.done as u64);
@@ -90,7 +89,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     });
     if stop.wanted() {
         bar.finish_and_clear();
-        return Err(Failure::Stopped);
+        return Err(Failure::Stopped { printed: false });
     }
     let result = result?;
     bar.set_message("writing");
@@ -125,15 +124,6 @@ fn dump_study(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     files.finish(SCHEMA, &body, &[])?;
     printer.result(SCHEMA, &body, &[], || study)?;
     Ok(Done::OK)
-}
-
-/// A bar on standard error, hidden where nobody sees it.
-fn progress_bar(printer: &Printer) -> ProgressBar {
-    if !printer.progress() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{msg:20} [{bar:40}] {pos}/{len} {eta}");
-    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "))
 }
 
 fn text(levels: &[LevelSummary], motions: usize, seconds: f64) -> String {

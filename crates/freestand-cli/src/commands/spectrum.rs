@@ -1,27 +1,32 @@
 //! `freestand spectrum`: uplift and shock spectra over a grid of objects.
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::Args;
-use freestand::G0_M_S2;
-use freestand::block::Block;
-use freestand::impact::{ImpactModel, ValidityWarning, stiffness_warnings};
-use freestand::rocking::{Base, RockingOptions};
-use freestand::spectra::uplift_spectrum;
-use freestand_study::output::write_file;
+use freestand::impact::{ValidityWarning, stiffness_warnings};
+use freestand::motion::Motion;
+use freestand::rocking::{RockingError, RockingOptions};
+use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
 use freestand_study::quantity::Dimension;
 use freestand_study::rock::problem;
+use freestand_study::spectrum::{
+    Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming, chunk_objects, spectrum,
+};
 use serde::Serialize;
 
 use super::Done;
 use super::block::RockingArgs;
+use super::spectrum_text::Seen;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, significant, table};
-use crate::reading::ReadArgs;
+use crate::printer::Printer;
+use crate::reading::{ReadArgs, VerticalArgs, path_text};
+use crate::rows::{ROWS, Rows};
+use crate::stop::Stop;
 use crate::values::Values;
+
+const SCHEMA: &str = "freestand.spectrum/1";
 
 /// Uplift and shock spectra (URS, SRS): a grid of objects under records
 #[derive(Debug, Args)]
@@ -31,11 +36,21 @@ Examples:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:64\" --thicknesses \"0.1 m:1 m:64\" --json
   Shock of three cabinets on their pads, two records:
     freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" --thicknesses \"300 mm, 400 mm\" \\
-      --mass 150kg --stiffness \"4380 N/mm\"")]
+      --mass 150kg --stiffness \"4380 N/mm\"
+  A million objects to a file, with what each makes of an error in the motion:
+    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" --thicknesses \"0.1 m:1 m:1000\" \\
+      --accuracy fast --sensitivity --csv rows.csv
+
+Rows are written as they are computed and never kept: a large grid needs time and disk, not memory.")]
 pub(crate) struct SpectrumArgs {
     /// Records of the base's horizontal acceleration
     #[arg(long, value_name = "FILE", required = true, num_args = 1..)]
     motion: Vec<PathBuf>,
+    /// Records of the base's vertical acceleration, positive upward: one for each --motion, of the same step and length
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    vertical: Vec<PathBuf>,
+    #[command(flatten)]
+    vertically: VerticalArgs,
     #[command(flatten)]
     read: ReadArgs,
     /// Heights: a grid "from:to:count" or a list
@@ -52,38 +67,25 @@ pub(crate) struct SpectrumArgs {
     stiffness: Option<String>,
     #[command(flatten)]
     rocking: RockingArgs,
+    /// Tell how many times each object amplifies an error of the motion
+    ///
+    /// Every object is followed again under 1.000001 times the horizontal motion, which doubles the work.
+    /// `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6: 1 to some tens are usual, and
+    /// with 1000 an error of 0.1 % in the record leaves nothing of the result. An object is `sensitive` if the ratio is above 10
+    /// (the peak changes by more than 1e-5), or if it overturns, rocks or stays under one of the two motions only; the
+    /// ratio is then empty, as it is for objects that do not rock or that overturn under both.
+    #[arg(long, help_heading = "The rocking")]
+    sensitivity: bool,
     /// File for the rows (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
 }
 
+/// What stands in the document behind the rows.
 #[derive(Debug, Serialize)]
-struct Row {
-    motion: String,
-    height_m: f64,
-    thickness_m: f64,
-    outcome: &'static str,
-    peak_rotation_rad: Option<f64>,
-    impact_count: Option<usize>,
-    uplift_m: Option<f64>,
-    cg_rise_m: Option<f64>,
-    edge_acceleration_g: Option<f64>,
-    edge_acceleration_impact_velocity_g: Option<f64>,
-    ceiling_g: Option<f64>,
-    reason: Option<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct Timing {
-    solve_s: f64,
-    block_steps: u64,
-}
-
-#[derive(Debug, Serialize)]
-struct Report {
-    rows: Vec<Row>,
+struct Others {
     processing: Vec<Processed>,
-    timing: Timing,
+    timing: SpectrumTiming,
 }
 
 #[derive(Debug, Serialize)]
@@ -92,13 +94,62 @@ struct Processed {
     steps: Vec<String>,
 }
 
+/// The motions, and what is to be said about them.
+#[derive(Debug, Default)]
+struct Reading {
+    motions: Vec<SpectrumMotion>,
+    processing: Vec<Processed>,
+    warnings: Vec<String>,
+}
+
 pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let request = request(args)?;
+    let reading = read(args)?;
+    let mut warnings = reading.warnings;
+    warnings.extend(validity_warnings(&request));
+
+    let stop = Stop::listen();
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical));
+    let files = Files::begin(global, &inputs)?;
+    let mut rows = Rows::begin(SCHEMA, printer, &files, args.csv.as_deref(), &inputs)?;
+    let total = request.grid.objects() * reading.motions.len();
+    let mut seen = Seen::new(reading.motions.len(), total);
+    let bar = printer.progress_bar(printer.json());
+    bar.set_length(total as u64);
+    bar.set_message("rocking histories");
+    let solved = spectrum(&request, &reading.motions, chunk_objects, |chunk| {
+        rows.write(chunk)?;
+        seen.add(chunk);
+        bar.inc(chunk.objects() as u64);
+        if stop.wanted() { Err(Failure::Stopped { printed: printer.json() }) } else { Ok(()) }
+    });
+    bar.finish_and_clear();
+    let timing = solved?;
+
+    let sum = |count: fn(&SpectrumTally) -> usize| seen.tallies.iter().map(count).sum::<usize>();
+    let (failed, sensitive) = (sum(|tally| tally.failed), sum(|tally| tally.sensitive));
+    if failed > 0 {
+        warnings.push(format!("{failed} of {total} histories could not be followed: see their `reason`"));
+    }
+    if sensitive > 0 {
+        warnings.push(format!(
+            "{sensitive} of {total} histories are sensitive: an error of the motion grows more than {SENSITIVE_RATIO} times \
+             in the rotation, or {PERTURBATION_RATIO:e} of the motion changes the outcome"
+        ));
+    }
+    let place = args.csv.as_deref().map(path_text).or_else(|| files.path(ROWS));
+    let text = || seen.text(&reading.motions, place.as_deref(), &timing);
+    let others = Others { processing: reading.processing, timing };
+    rows.finish(files, printer, &others, &warnings, text)?;
+    Ok(Done { criterion_met: failed == 0 })
+}
+
+fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let mut values = Values::default();
     let heights = values.grid("--heights", &args.heights, Dimension::Length).unwrap_or_default();
     let thicknesses = values.grid("--thicknesses", &args.thicknesses, Dimension::Length).unwrap_or_default();
     let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
     let stiffness = values.positive("--stiffness", args.stiffness.as_deref(), Dimension::Stiffness);
-    let cushion = mass.zip(stiffness);
     let options = RockingOptions {
         model: args.rocking.model(),
         restitution: args.rocking.restitution(&mut values),
@@ -106,119 +157,61 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
         ..RockingOptions::default()
     };
     values.finish()?;
-    let blocks = grid(&heights, &thicknesses)?;
-    for block in &blocks {
-        options.restitution.ratios(block).map_err(problem)?;
-    }
-    let motions = args.read.read_all(&args.motion)?;
-    let files = Files::begin(global, &args.read.inputs(&args.motion))?;
-
-    let mut warnings: Vec<String> =
-        motions.iter().flat_map(|read| read.notes.iter().map(|note| format!("{}: {note}", read.motion.name))).collect();
-    if let Some(block) = blocks.iter().find(|block| block.landing_ratio() < 0.0) {
-        let count = blocks.iter().filter(|block| block.landing_ratio() < 0.0).count();
-        let warning = ValidityWarning::Squat { landing_ratio: block.landing_ratio() };
-        warnings.push(format!("{count} of {} objects: {warning}", blocks.len()));
-    }
-    if let Some((mass, stiffness)) = cushion {
-        warnings.extend(stiffness_warnings(mass, stiffness, None).iter().map(ToString::to_string));
-    }
-
-    let start = Instant::now();
-    let cells: Vec<_> = motions
-        .iter()
-        .map(|read| uplift_spectrum(&blocks, Base { horizontal: Some(&read.motion.motion), vertical: None }, &options))
-        .collect();
-    let solve_s = start.elapsed().as_secs_f64();
-    let steps = |intervals: usize| (blocks.len() as u64) * (intervals as u64);
-    let block_steps = motions.iter().map(|read| steps(read.motion.motion.accel_m_s2().len() - 1)).sum();
-
-    let mut rows = Vec::with_capacity(blocks.len() * motions.len());
-    for (read, cells) in motions.iter().zip(&cells) {
-        for (block, cell) in blocks.iter().zip(cells) {
-            let shock = cell
-                .ok()
-                .zip(cushion)
-                .map(|(cell, (mass, stiffness))| cell.shock(mass, stiffness, ImpactModel::Paper, G0_M_S2));
-            rows.push(Row {
-                motion: read.motion.name.clone(),
-                height_m: block.height_m(),
-                thickness_m: block.thickness_m(),
-                outcome: cell.map_or("failed", |cell| cell.outcome.name()),
-                peak_rotation_rad: cell.ok().map(|cell| cell.peak_rotation_rad),
-                impact_count: cell.ok().map(|cell| cell.impact_count),
-                uplift_m: cell.ok().map(|cell| cell.uplift_m),
-                cg_rise_m: cell.ok().map(|cell| cell.cg_rise_m),
-                edge_acceleration_g: shock.and_then(|shock| shock.edge_acceleration_g),
-                edge_acceleration_impact_velocity_g: shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g),
-                ceiling_g: shock.map(|shock| shock.ceiling_g),
-                reason: cell.err().map(|error| error.to_string()),
-            });
-        }
-    }
-    let failed = rows.iter().filter(|row| row.reason.is_some()).count();
-    if failed > 0 {
-        warnings.push(format!("{failed} of {} histories could not be followed: see their `reason`", rows.len()));
-    }
-    if args.csv.is_some() || files.wanted() {
-        let columns = freestand_study::tables::records_csv(&rows)?;
-        if let Some(path) = &args.csv {
-            write_file(path, &columns, &args.read.inputs(&args.motion))?;
-        }
-        files.write("rows.csv", || columns)?;
-    }
-    let processing =
-        motions.into_iter().map(|read| Processed { motion: read.motion.name, steps: read.motion.processing }).collect();
-    let report = Report { rows, processing, timing: Timing { solve_s, block_steps } };
-    files.print(printer, "freestand.spectrum/1", &report, &warnings, || text(&report))?;
-    Ok(Done { criterion_met: failed == 0 })
-}
-
-/// Every object of the grid, thickness by thickness within each height.
-fn grid(heights_m: &[f64], thicknesses_m: &[f64]) -> Result<Vec<Block>, Failure> {
-    if heights_m.len().saturating_mul(thicknesses_m.len()) > freestand_study::resolve::MAX_OBJECTS {
+    let (motions, verticals) = (args.motion.len(), args.vertical.len());
+    if verticals > 0 && verticals != motions {
         return Err(Failure::usage(
-            format!("{} × {} objects are too many", heights_m.len(), thicknesses_m.len()),
-            format!("at most {} in one call", freestand_study::resolve::MAX_OBJECTS),
+            format!("--vertical has {verticals} files, --motion {motions}"),
+            "give one vertical record for each horizontal one, in the same order, or none",
         ));
     }
-    let pairs = heights_m.iter().flat_map(|h| thicknesses_m.iter().map(move |t| (*h, *t)));
-    pairs
-        .map(|(height_m, thickness_m)| {
-            Block::uniform(height_m, thickness_m)
-                .map_err(|error| Failure::usage(error.to_string(), "check --heights and --thicknesses"))
-        })
-        .collect()
+    let grid = Grid::new(heights, thicknesses)?;
+    for block in grid.blocks(0..grid.objects()) {
+        options.restitution.ratios(&block).map_err(problem)?;
+    }
+    Ok(SpectrumRequest { grid, options, cushion: mass.zip(stiffness), sensitivity: args.sensitivity })
 }
 
-fn text(report: &Report) -> String {
-    let millimetres = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| significant(1e3 * v, 4));
-    let rows: Vec<Vec<String>> = report
-        .rows
-        .iter()
-        .map(|row| {
-            vec![
-                row.motion.clone(),
-                significant(row.height_m, 4),
-                significant(row.thickness_m, 4),
-                row.outcome.to_owned(),
-                millimetres(row.uplift_m),
-                optional(row.edge_acceleration_g, 4, ""),
-                optional(row.edge_acceleration_impact_velocity_g, 4, ""),
-                optional(row.ceiling_g, 4, ""),
-            ]
-        })
-        .collect();
-    let headings = [
-        "motion",
-        "height m",
-        "thickness m",
-        "outcome",
-        "uplift mm",
-        "shock g (uplift)",
-        "shock g (impact velocity)",
-        "ceiling g",
-    ];
-    let steps = report.timing.block_steps;
-    format!("{}\n{steps} block-steps in {} s\n", table(&headings, &rows), significant(report.timing.solve_s, 3))
+fn validity_warnings(request: &SpectrumRequest) -> Vec<String> {
+    let objects = request.grid.objects();
+    let ratios = request.grid.blocks(0..objects).map(|block| block.landing_ratio()).filter(|&ratio| ratio < 0.0);
+    let (count, first) = ratios.fold((0, None), |(count, first), ratio| (count + 1, first.or(Some(ratio))));
+    let squat = first.map(|landing_ratio| {
+        let warning = ValidityWarning::Squat { landing_ratio };
+        format!("{count} of {objects} objects: {warning}")
+    });
+    let soft = request.cushion.map(|(mass, stiffness)| stiffness_warnings(mass, stiffness, None)).unwrap_or_default();
+    squat.into_iter().chain(soft.iter().map(ToString::to_string)).collect()
+}
+
+/// Reads all records before any work: the fault of the last one is found at once. They are what stays in memory.
+fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
+    let mut reading = Reading::default();
+    for read in args.read.read_all(&args.motion)? {
+        let (name, notes) = (read.motion.name, read.notes);
+        reading.warnings.extend(notes.iter().map(|note| format!("{name}: {note}")));
+        reading.processing.push(Processed { motion: name.clone(), steps: read.motion.processing });
+        reading.motions.push(SpectrumMotion { name, horizontal: read.motion.motion, vertical: None });
+    }
+    if args.vertical.is_empty() {
+        return Ok(reading);
+    }
+    let verticals = args.vertically.reading(&args.read).read_all(&args.vertical)?;
+    for ((motion, processed), read) in reading.motions.iter_mut().zip(&mut reading.processing).zip(verticals) {
+        let named = |text: &String| format!("vertical {}: {text}", read.motion.name);
+        reading.warnings.extend(read.notes.iter().map(named));
+        processed.steps.extend(read.motion.processing.iter().map(named));
+        check_vertical(motion, &read.motion.motion).map_err(problem)?;
+        motion.vertical = Some(read.motion.motion);
+    }
+    Ok(reading)
+}
+
+/// Whether the two have the same step and length: told once, not by every object.
+fn check_vertical(motion: &SpectrumMotion, vertical: &Motion) -> Result<(), RockingError> {
+    let size = |motion: &Motion| (motion.accel_m_s2().len(), motion.dt_s());
+    let ((samples, dt_s), (vertical_samples, vertical_dt_s)) = (size(&motion.horizontal), size(vertical));
+    if (samples, dt_s) == (vertical_samples, vertical_dt_s) {
+        return Ok(());
+    }
+    Err(RockingError::VerticalMismatch { samples, dt_s, vertical_samples, vertical_dt_s })
 }

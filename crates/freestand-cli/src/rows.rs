@@ -1,0 +1,115 @@
+//! Where the rows of a long table go while they are computed: CSV files, JSON documents, standard output.
+
+use std::path::{Path, PathBuf};
+
+use freestand_study::spectrum::{SpectrumChunk, SpectrumRow};
+use freestand_study::streamed::{StreamedFile, rows_head, rows_tail};
+use freestand_study::tables::{csv_header, csv_rows, json_rows};
+use serde::Serialize;
+
+use crate::failure::Failure;
+use crate::files::{Files, RESULT};
+use crate::printer::{Printer, print_bytes};
+
+/// Name of the table in the output folder.
+pub(crate) const ROWS: &str = "rows.csv";
+
+/// Takes rows as they come.
+#[derive(Debug)]
+pub(crate) struct Rows {
+    schema: &'static str,
+    tables: Vec<StreamedFile>,
+    documents: Vec<StreamedFile>,
+    print: bool,
+    /// Nothing was written yet.
+    first: bool,
+}
+
+impl Rows {
+    /// Begins every output that is wanted, before any work is done.
+    pub(crate) fn begin(
+        schema: &'static str,
+        printer: &Printer,
+        files: &Files,
+        csv: Option<&Path>,
+        inputs: &[PathBuf],
+    ) -> Result<Self, Failure> {
+        let csv = csv.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
+        let tables = csv.into_iter().chain(files.begin_file(ROWS)?).collect();
+        let documents = files.begin_file(RESULT)?.into_iter().collect();
+        Ok(Self { schema, tables, documents, print: printer.json(), first: true })
+    }
+
+    /// Appends the rows of a chunk everywhere.
+    pub(crate) fn write(&mut self, chunk: &SpectrumChunk) -> Result<(), Failure> {
+        if !self.tables.is_empty() {
+            if self.first && chunk.objects() > 0 {
+                self.table(&csv_header(&chunk.row(0).fields())?)?;
+            }
+            for piece in chunk.pieces(|rows| csv_rows(rows.map(SpectrumRow::fields))) {
+                self.table(&piece?)?;
+            }
+        }
+        if self.print || !self.documents.is_empty() {
+            for (i, piece) in chunk.pieces(|rows| json_rows(rows.map(SpectrumRow::fields))).into_iter().enumerate() {
+                let mut piece = piece?;
+                if self.first && i == 0 {
+                    // The first member of an array has no comma before it.
+                    piece.splice(0..1, rows_head(self.schema)?.into_bytes());
+                }
+                self.document(&piece)?;
+            }
+        }
+        self.first = false;
+        Ok(())
+    }
+
+    /// Ends every output: what follows the rows in the document, the names of the files; then the text for people in
+    /// place of a printed document, and the warnings.
+    pub(crate) fn finish<T: Serialize>(
+        mut self,
+        files: Files,
+        printer: &Printer,
+        others: &T,
+        warnings: &[String],
+        text: impl FnOnce() -> String,
+    ) -> Result<(), Failure> {
+        let tail = rows_tail(self.schema, others, warnings)?;
+        for document in &mut self.documents {
+            document.write(tail.as_bytes())?;
+        }
+        for file in self.tables.into_iter().chain(self.documents) {
+            file.finish()?;
+        }
+        files.finish_result(self.schema, warnings)?;
+        if !printer.json() {
+            print_bytes(text().as_bytes())?;
+        } else if self.print {
+            print_bytes(tail.as_bytes())?;
+        }
+        printer.warn(warnings);
+        Ok(())
+    }
+
+    fn table(&mut self, piece: &[u8]) -> Result<(), Failure> {
+        for table in &mut self.tables {
+            table.write(piece)?;
+        }
+        Ok(())
+    }
+
+    fn document(&mut self, piece: &[u8]) -> Result<(), Failure> {
+        for document in &mut self.documents {
+            document.write(piece)?;
+        }
+        if !self.print {
+            return Ok(());
+        }
+        match print_bytes(piece) {
+            // Nobody reads on, but there are files to be completed.
+            Err(Failure::BrokenPipe) if !self.tables.is_empty() || !self.documents.is_empty() => self.print = false,
+            other => other?,
+        }
+        Ok(())
+    }
+}
