@@ -18,8 +18,7 @@
 
 mod equation;
 mod history;
-#[allow(missing_docs)]
-pub mod lanes;
+mod lanes;
 mod solve;
 
 use thiserror::Error;
@@ -28,8 +27,8 @@ use crate::block::Block;
 use crate::motion::Motion;
 
 pub use equation::Segment;
-pub use lanes::rock_many;
 pub use history::{HistoryPoint, HistoryRecorder};
+pub use lanes::rock_many;
 pub use solve::{rock, rock_observed};
 
 /// Speed after an impact at or below which a block comes to rest, unless the base lifts it again \[rad/s\].
@@ -99,6 +98,11 @@ impl Accuracy {
             Self::Tight => 0.5 * f64::EPSILON,
             Self::Tolerance(tolerance) => tolerance,
         }
+    }
+
+    /// Whether the tolerance is one that a step can have.
+    pub(crate) fn is_valid(self) -> bool {
+        (0.5 * f64::EPSILON..=1e-3).contains(&self.tolerance())
     }
 
     /// `fast`, `standard`, `tight`, or `None` for a number.

@@ -137,7 +137,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             return Err(RockingError::Gravity { gravity_m_s2: gravity });
         }
         let tolerance = options.accuracy.tolerance();
-        if !(0.5 * f64::EPSILON..=1e-3).contains(&tolerance) {
+        if !options.accuracy.is_valid() {
             return Err(RockingError::Accuracy { tolerance });
         }
         let restitution = options.restitution.ratios(block)?;

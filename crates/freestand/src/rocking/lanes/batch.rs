@@ -1,14 +1,16 @@
 //! Lanes from where they are in a step to their next event, some vectors of them at a time: their chains of operations
 //! overlap.
 
+#![expect(clippy::absurd_extreme_comparisons, reason = "loops are written out with constants, zero among them")]
+
 use std::f64::consts::FRAC_PI_2;
 
 use pulp::Simd;
 
 use super::math::{Masks, Math, Numbers};
+use super::ranks::{ABREAST, Ranks};
 use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::Interval;
-use super::ranks::{ABREAST, Ranks};
 use super::unroll::{unroll, unroll_down};
 
 /// Lanes of a batch.
@@ -77,7 +79,8 @@ impl Batch {
         }
         for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
             // A block that nothing moves.
-            (self.y.0[i], self.w.0[i], self.x2.0[i], self.best.0[i], self.tau.0[i]) = (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
+            (self.y.0[i], self.w.0[i], self.x2.0[i], self.best.0[i], self.tau.0[i]) =
+                (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
         }
     }
 
@@ -169,7 +172,7 @@ impl Batch {
         let climbs = m.and(lifting, m.gt(q[1], bend_of_q));
         let hidden = m.and(turning, m.not(m.or(concave, climbs)));
         let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
-        let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.gt(zero, w1))));
+        let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.ge(zero, w1))));
         let event = m.select(landing, m.splat(LANDING), m.splat(CALM));
         self.event.set::<S>(i, m.select(simple, event, m.splat(INTRICATE)));
         self.summit.set::<S>(i, m.select(summit, one, zero));
@@ -247,13 +250,13 @@ fn root<S: Simd, const K: usize>(m: Math<S, 1>, q: &[Numbers<S, 1>; TERMS], want
     const MOST: usize = 60;
     let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
     let (mut low, mut high) = (zero, one);
-    // The parabola's root; without one, the middle.
+    // The parabola's root; without one, the end.
     let discriminant = m.fnma(m.mul(m.splat(4.0), q[0]), q[2], m.mul(q[1], q[1]));
     let positive = m.gt(discriminant, zero);
     let sum = m.sub(m.sqrt(m.select(positive, discriminant, one)), q[1]);
     let guess = m.div(m.add(q[0], q[0]), sum);
     let good = m.and(positive, m.and(m.gt(guess, zero), m.gt(one, guess)));
-    let mut x = m.select(good, guess, half);
+    let mut x = m.select(good, guess, one);
     let mut open = wanted;
     for step in 1..=MOST {
         let (mut p, mut slope, mut half_bend) = (q[K], zero, zero);
@@ -267,12 +270,15 @@ fn root<S: Simd, const K: usize>(m: Math<S, 1>, q: &[Numbers<S, 1>; TERMS], want
         let above = m.gt(p, zero);
         low = m.select(above, x, low);
         high = m.select(above, high, x);
-        let halley = m.sub(x, m.div(m.mul(p, slope), m.fnma(p, half_bend, m.mul(slope, slope))));
-        let inside = m.and(m.ge(halley, low), m.ge(high, halley));
+        let (square, product) = (m.mul(slope, slope), m.mul(p, half_bend));
+        let halley = m.sub(x, m.div(m.mul(p, slope), m.sub(square, product)));
+        // Near the top of a curve the steps are short because it is flat, not because a root is near.
+        let falling = m.and(m.gt(zero, slope), m.ge(m.mul(half, square), m.abs(product)));
+        let inside = m.and(falling, m.and(m.ge(halley, low), m.ge(high, halley)));
         let next = m.select(inside, halley, m.mul(half, m.add(low, high)));
-        let moved = m.gt(m.abs(m.sub(next, x)), m.mul(m.splat(LAST_MOVE), x));
+        let near = m.and(inside, m.ge(m.mul(m.splat(LAST_MOVE), x), m.abs(m.sub(next, x))));
         x = m.select(open, next, x);
-        open = m.and(open, moved);
+        open = m.and(open, m.not(near));
         if step >= STEPS && !m.any(open) {
             break;
         }

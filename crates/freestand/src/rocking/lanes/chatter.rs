@@ -205,7 +205,9 @@ mod tests {
     fn impacts_to_rest_are_those_of_flights_followed_one_by_one() {
         let mut cases = 0;
         for r in [0.3, 0.7, 0.9, 0.97] {
-            for (e0, e1, s0, s1) in [(1.0, 1.0, 0.0, 0.0), (1.0, 0.4, 0.3, -0.3), (0.5, 2.0, -0.4, 0.3), (1.0, 0.7, -0.3, -0.1)] {
+            for (e0, e1, s0, s1) in
+                [(1.0, 1.0, 0.0, 0.0), (1.0, 0.4, 0.3, -0.3), (0.5, 2.0, -0.4, 0.3), (1.0, 0.7, -0.3, -0.1)]
+            {
                 for i in 0..10 {
                     // All flights together take at most a tenth of the step, and less each time.
                     let w = 0.02 * (1.0 - r) * 0.61_f64.powi(i);

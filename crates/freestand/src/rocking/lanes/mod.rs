@@ -3,12 +3,12 @@
 mod batch;
 mod chatter;
 mod math;
+mod quiet;
 mod ranks;
 mod series;
-mod unroll;
 mod shaking;
-#[allow(missing_docs)]
-pub mod tile;
+mod tile;
+mod unroll;
 
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
@@ -21,18 +21,17 @@ use series::TERMS;
 use shaking::Shaking;
 use tile::{EdgeTerms, Record, Rocker, State, Tile};
 
-/// Blocks of a tile: their lanes stay in the first-level cache.
+/// Most blocks of a tile: enough of them have an event in the same step to fill a vector with, and all fit the cache.
 const TILE: usize = 4096;
+
+/// Blocks below which a tile is not divided among threads.
+const SMALL_TILE: usize = 128;
 
 /// Follows many blocks through the motion of their base: [`rock`], without the histories.
 ///
 /// # Errors
 /// Each block has its own, as [`rock`].
-pub fn rock_many(
-    blocks: &[Block],
-    base: Base,
-    options: &RockingOptions,
-) -> Vec<Result<RockingSummary, RockingError>> {
+pub fn rock_many(blocks: &[Block], base: Base, options: &RockingOptions) -> Vec<Result<RockingSummary, RockingError>> {
     rock_many_on(pulp::Arch::new(), blocks, base, options)
 }
 
@@ -43,24 +42,22 @@ fn rock_many_on(
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
     let scalar = |block: &Block| rock(block, base, options).map(|rocking| RockingSummary::from(&rocking));
-    let Some((shaking, quiet_intervals)) = prepare(base, options) else {
+    let Some((shaking, wait)) = prepare(base, options) else {
         return blocks.par_iter().map(scalar).collect();
     };
-    let plans: Vec<Option<(Plan, Rocker)>> = blocks.iter().map(|block| plan(block, &shaking, options)).collect();
-    let mut order: Vec<u32> = (0..blocks.len() as u32).filter(|&i| plans[i as usize].is_some()).collect();
-    order.sort_by_key(|&i| plans[i as usize].as_ref().map(|(plan, _)| *plan));
-    let tiles: Vec<&[u32]> = order
-        .chunk_by(|&i, &j| plans[i as usize].as_ref().map(|p| p.0) == plans[j as usize].as_ref().map(|p| p.0))
-        .flat_map(|group| group.chunks(TILE))
-        .collect();
+    let plans: Vec<Option<(Plan, Rocker)>> = blocks.par_iter().map(|block| plan(block, &shaking, options)).collect();
+    let plan_of = |block: u32| plans[block as usize].as_ref().map(|(plan, _)| *plan);
+    let mut order: Vec<u32> = (0..blocks.len() as u32).filter(|&block| plan_of(block).is_some()).collect();
+    order.sort_by_key(|&block| plan_of(block));
+    let tiles: Vec<Vec<u32>> = order.chunk_by(|&a, &b| plan_of(a) == plan_of(b)).flat_map(tiles).collect();
     let linearised = options.model == RockingModel::Linearised;
     let done: Vec<Vec<Record>> = tiles
         .par_iter()
         .map(|tile| {
             let rockers: Vec<Rocker> = tile.iter().filter_map(|&i| plans[i as usize].as_ref().map(|p| p.1)).collect();
-            let plan = plans[tile[0] as usize].as_ref().map_or(Plan { degree: 11, parts: 1 }, |p| p.0);
+            let plan = plan_of(tile[0]).unwrap_or(Plan { degree: series::MAX_DEGREE, parts: 1 });
             let tile = Tile::new(&shaking, &rockers, plan.parts);
-            arch.dispatch(Run { tile, degree: plan.degree, linearised, quiet_intervals })
+            arch.dispatch(Run { tile, degree: plan.degree, linearised, wait })
         })
         .collect();
     let mut records: Vec<Option<Record>> = vec![None; blocks.len()];
@@ -73,14 +70,22 @@ fn rock_many_on(
         .par_iter()
         .zip(records)
         .map(|(block, record)| match record {
-            Some(record) if record.state != State::GivenUp => Ok(summary(block, &record, quiet_intervals > 0)),
+            Some(record) if record.state != State::GivenUp => Ok(summary(block, &record, wait.is_some())),
             _ => scalar(block),
         })
         .collect()
 }
 
-/// The motion for the kernel, and how many intervals of rest follow it; `None`: the scalar solver has to do it.
-fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, usize)> {
+/// Blocks of one plan, dealt out like cards: neighbours on a grid take about as long, and every tile gets some of each.
+fn tiles(group: &[u32]) -> Vec<Vec<u32>> {
+    let least = group.len().div_ceil(TILE);
+    let count = rayon::current_num_threads().min(group.len() / SMALL_TILE).max(least).max(1);
+    (0..count).map(|first| group.iter().skip(first).step_by(count).copied().collect()).collect()
+}
+
+/// The motion for the kernel, and how many intervals it waits behind it for a block to rest; `None`: the scalar solver has
+/// to do it, or to say what is wrong.
+fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usize>)> {
     if options.initial_rotation_rad != 0.0 || options.initial_omega_rad_s != 0.0 {
         return None;
     }
@@ -94,12 +99,14 @@ fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, usize)> {
     {
         return None;
     }
-    if !(options.gravity_m_s2 > 0.0 && options.gravity_m_s2.is_finite()) {
+    if !(options.gravity_m_s2 > 0.0 && options.gravity_m_s2.is_finite() && options.accuracy.is_valid()) {
         return None;
     }
     let shaking = Shaking::new(base, options.gravity_m_s2, wait_s.is_some())?;
-    let quiet = wait_s.map_or(0.0, |wait_s| (wait_s / shaking.dt_s - 1.0).floor());
-    (quiet >= 0.0 && quiet < 1e9).then_some((shaking, quiet as usize))
+    let Some(wait_s) = wait_s else { return Some((shaking, None)) };
+    // One interval is the base's way to rest; of the last one only whole ones are followed here.
+    let wait = (wait_s / shaking.dt_s - 1.0).floor();
+    (1.0..1e9).contains(&wait).then_some((shaking, Some(wait as usize)))
 }
 
 /// Degree of the series, and steps of an interval.
@@ -115,9 +122,12 @@ const DEGREES: [usize; 5] = [5, 6, 7, 8, 11];
 /// Steps of an interval beyond which a block is followed by itself.
 const MOST_PARTS: usize = 64;
 
+/// Restitution above which impacts may go on for ever, and the scalar solver says so.
+const MOST_ELASTIC: f64 = 0.9997;
+
 fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker)> {
     let restitution = options.restitution.ratios(block).ok()?;
-    if restitution.iter().any(|r| *r > 0.9999) {
+    if restitution.iter().any(|r| *r > MOST_ELASTIC) {
         return None;
     }
     let pivots = [block.right_pivot(), block.pivot()];
@@ -189,7 +199,7 @@ struct Run<'a> {
     tile: Tile<'a>,
     degree: usize,
     linearised: bool,
-    quiet_intervals: usize,
+    wait: Option<usize>,
 }
 
 impl WithSimd for Run<'_> {
@@ -197,14 +207,14 @@ impl WithSimd for Run<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Vec<Record> {
-        let quiet = self.quiet_intervals;
+        let wait = self.wait;
         match (self.linearised, self.degree) {
-            (true, _) => self.tile.run::<S, 11, true>(simd, quiet),
-            (_, 5) => self.tile.run::<S, 5, false>(simd, quiet),
-            (_, 6) => self.tile.run::<S, 6, false>(simd, quiet),
-            (_, 7) => self.tile.run::<S, 7, false>(simd, quiet),
-            (_, 8) => self.tile.run::<S, 8, false>(simd, quiet),
-            _ => self.tile.run::<S, 11, false>(simd, quiet),
+            (true, _) => self.tile.run::<S, 11, true>(simd, wait),
+            (_, 5) => self.tile.run::<S, 5, false>(simd, wait),
+            (_, 6) => self.tile.run::<S, 6, false>(simd, wait),
+            (_, 7) => self.tile.run::<S, 7, false>(simd, wait),
+            (_, 8) => self.tile.run::<S, 8, false>(simd, wait),
+            _ => self.tile.run::<S, 11, false>(simd, wait),
         }
     }
 }

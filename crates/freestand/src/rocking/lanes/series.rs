@@ -1,5 +1,7 @@
 //! The Taylor series of the equation of motion over a step, in every lane.
 
+#![expect(clippy::absurd_extreme_comparisons, reason = "loops are written out with constants, zero among them")]
+
 use super::math::{Masks, Math, Numbers};
 use super::unroll::{unroll, unroll_down};
 use pulp::Simd;

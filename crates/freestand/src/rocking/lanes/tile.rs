@@ -5,9 +5,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use pulp::Simd;
 
-use super::math::Math;
-use super::chatter::{Acting, Pull, Trace, impacts_to_rest};
 use super::batch::{BATCH, Batch, CALM, LANDING};
+use super::chatter::{Acting, Pull, Trace, impacts_to_rest};
+use super::math::Math;
+use super::quiet::tail;
 use super::ranks::{ABREAST, Moving, NONE, Ranks};
 use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::{Interval, Shaking};
@@ -111,12 +112,12 @@ impl<'a> Tile<'a> {
         }
     }
 
-    /// Follows every block through the motion, and through at most `quiet_intervals` of rest behind it.
+    /// Follows every block through the motion, and until it rests, where there is a longest `wait`, in intervals, for it.
     #[inline(always)]
     pub(super) fn run<S: Simd, const K: usize, const LINEARISED: bool>(
         mut self,
         simd: S,
-        quiet_intervals: usize,
+        wait: Option<usize>,
     ) -> Vec<Record> {
         for block in 0..self.rockers.len() as u32 {
             self.wait(block, 0);
@@ -128,23 +129,46 @@ impl<'a> Tile<'a> {
                 self.pass::<S, K, LINEARISED>(simd, interval, whole);
             }
         }
-        self.quiet = true;
-        let still = Interval { u: 0.0, u_change: 0.0, v: 1.0, v_change: 0.0 };
-        for _ in 0..quiet_intervals {
-            if self.moving.is_empty() {
-                break;
-            }
-            self.pass::<S, K, LINEARISED>(simd, self.shaking.intervals(), still);
+        if let Some(wait) = wait {
+            self.settle::<S, K, LINEARISED>(simd, wait);
         }
         for lane in 0..self.moving.count() {
             let Moving { block, edge, best, y, .. } = self.moving.get(lane);
             let record = &mut self.records[block as usize];
             record.sides[edge].peak_rotation_rad = best.max(y);
-            if quiet_intervals > 0 {
+            if wait.is_some() {
                 record.state = State::GivenUp;
             }
         }
         self.records
+    }
+
+    /// Follows blocks that still move behind the record, for so many intervals at most.
+    #[inline(always)]
+    fn settle<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, simd: S, wait: usize) {
+        self.quiet = true;
+        for lane in 0..self.moving.count() {
+            let Moving { block, edge, y, w, best, .. } = self.moving.get(lane);
+            let tail = if LINEARISED { None } else { tail(&self.rockers[block as usize], edge, y, w, self.rest_w) };
+            let Some(tail) = tail.filter(|tail| tail.steps < (wait * self.parts) as f64) else { continue };
+            let record = &mut self.records[block as usize];
+            record.state = State::AtRest;
+            record.impact_count += tail.impacts;
+            record.sides[edge].peak_rotation_rad = best;
+            for (side, tail) in record.sides.iter_mut().zip(tail.sides) {
+                side.peak_rotation_rad = side.peak_rotation_rad.max(tail.peak_rotation_rad);
+                side.impact_omega_rad_s = side.impact_omega_rad_s.max(tail.impact_omega_rad_s / self.step_s);
+            }
+            self.moving.leave(lane);
+        }
+        self.moving.close();
+        let still = Interval { u: 0.0, u_change: 0.0, v: 1.0, v_change: 0.0 };
+        for _ in 0..wait {
+            if self.moving.is_empty() {
+                break;
+            }
+            self.pass::<S, K, LINEARISED>(simd, self.shaking.intervals(), still);
+        }
     }
 
     /// One interval, step by step.
@@ -201,7 +225,8 @@ impl<'a> Tile<'a> {
                     [S::as_simd_f64s(even).0[i], S::as_simd_f64s(odd).0[i]]
                 };
                 let (y, w, best) = (pair(&even.y, &odd.y), pair(&even.w, &odd.w), pair(&even.best, &odd.best));
-                let (alpha, x2, side) = (pair(&even.alpha, &odd.alpha), pair(&even.x2, &odd.x2), pair(&even.side, &odd.side));
+                let (alpha, x2, side) =
+                    (pair(&even.alpha, &odd.alpha), pair(&even.x2, &odd.x2), pair(&even.side, &odd.side));
                 let edge = Edge { alpha, x2 };
                 let local = Ground { su: m.mul(side, u), su_change: m.mul(side, u_change), v, v_change };
                 let series = Series::<S, 2, K>::new::<LINEARISED, VERTICAL>(m, y, w, edge, local, |pull| pull);
@@ -335,11 +360,8 @@ impl<'a> Tile<'a> {
             self.moving.leave(lane);
             return;
         }
-        let (edge, w, tau) = if after > self.rest_w {
-            self.short_flights(step, block, other, after, tau)
-        } else {
-            (other, after, tau)
-        };
+        let (edge, w, tau) =
+            if after > self.rest_w { self.short_flights(step, block, other, after, tau) } else { (other, after, tau) };
         if w > self.rest_w {
             self.turn(lane, edge, w, tau);
             return;
@@ -356,8 +378,13 @@ impl<'a> Tile<'a> {
     fn turn(&mut self, lane: usize, edge: usize, w: f64, tau: f64) {
         let block = self.moving.block(lane);
         let best = self.records[block as usize].sides[edge].peak_rotation_rad;
+        // At the very end of the step the next one takes over.
+        let over = tau >= 1.0;
+        let tau = if over { 0.0 } else { tau };
         self.moving.set(lane, Moving { block, edge, y: 0.0, w, best, tau }, &self.rockers[block as usize]);
-        self.again.push(lane as u32);
+        if !over {
+            self.again.push(lane as u32);
+        }
     }
 
     /// Follows short flights that leave no trace but impacts: the edge, the speed and the part of the step that is over behind

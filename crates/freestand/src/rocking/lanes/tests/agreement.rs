@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use super::super::rock_many;
 use super::trouble::{Random, Trouble};
-use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::{
     Accuracy, Base, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, RockingSummary, Until, rock,
@@ -35,8 +34,6 @@ struct Tally {
     blocks: usize,
     errors: usize,
     sensitive: usize,
-    /// Blocks that can rock on until a wait for rest is over.
-    steady: usize,
     /// Impact counts that differ, all of them for a reason.
     counts: usize,
     /// The largest error of each block that was compared.
@@ -120,10 +117,6 @@ fn compare(seed: u64, trouble: &Trouble, demands: Demands, tally: &mut Tally) {
             tally.sensitive += 1;
             continue;
         }
-        if can_be_steady(block, &options) {
-            tally.steady += 1;
-            continue;
-        }
         if fate(got) != fate(&expected) {
             fail(format!("{:?} instead of {:?}", fate(got), fate(&expected)));
             continue;
@@ -140,18 +133,11 @@ fn compare(seed: u64, trouble: &Trouble, demands: Demands, tally: &mut Tally) {
         let apart = got.impact_count.abs_diff(expected.impact_count);
         tally.counts += usize::from(apart > 0);
         // Errors that grow a hundredfold reach the last digits of the speeds that decide.
-        let compared = (0..5).all(|n| spread(n) <= 100.0 * numbers(&expected)[n]);
+        let compared = demands.all.is_finite() && (0..5).all(|n| spread(n) <= 100.0 * numbers(&expected)[n]);
         if compared && most_counts_apart.is_some_and(|most| apart > most) {
             fail(format!("{} impacts instead of {}", got.impact_count, expected.impact_count));
         }
     }
-}
-
-/// The kernel does not have the rule for a block that would need more than 1e5 impacts to come to rest
-/// (`edges::a_block_that_rocks_for_ever_stops_at_once`): from 10 rad/s down to 1e-9 rad/s it takes r > 0.9997.
-fn can_be_steady(block: &Block, options: &RockingOptions) -> bool {
-    let r = options.restitution.ratios(block).unwrap();
-    matches!(options.until, Until::Settled { .. }) && r[0].max(r[1]) > 0.9997
 }
 
 fn check(seeds: Range<u64>, demands: Demands) {
@@ -162,13 +148,12 @@ fn check(seeds: Range<u64>, demands: Demands) {
     tally.errors_of_blocks.sort_by(f64::total_cmp);
     let at = |share: f64| tally.errors_of_blocks[((tally.errors_of_blocks.len() - 1) as f64 * share) as usize];
     println!(
-        "{:?}: {} blocks, {} refused, {} sensitive, {} perhaps steady, {} counts apart; errors: half {:.1e}, 95 % \
-         {:.1e}, all {:.1e} of the amplification",
+        "{:?}: {} blocks, {} refused, {} sensitive, {} counts apart; errors: half {:.1e}, 95 % {:.1e}, \
+         all {:.1e} of the amplification",
         demands.accuracy,
         tally.blocks,
         tally.errors,
         tally.sensitive,
-        tally.steady,
         tally.counts,
         at(0.5),
         at(0.95),
@@ -180,16 +165,15 @@ fn check(seeds: Range<u64>, demands: Demands) {
     assert!(tally.sensitive * 5 < tally.blocks, "{} sensitive blocks", tally.sensitive);
 }
 
-/// The kernel bounds the truncation of a step to a thousand times the tolerance: 1e-10 here. Over hundreds of steps that
-/// jump by several g from sample to sample, as no record does, two of a hundred blocks come to more than the 1e-8 that the
-/// level promises, and one of ten thousand to 1e-6.
-const STANDARD: Demands = Demands { accuracy: Accuracy::Standard, change: 1e-9, all: 5e-6, most: 1e-8 };
+/// What the level promises. Over 10 000 blocks the largest error was 3.7e-9, and 95 % were within 3.7e-11.
+const STANDARD: Demands = Demands { accuracy: Accuracy::Standard, change: 1e-9, all: 1e-8, most: 1e-9 };
 
-/// 1e-13 a step.
-const TIGHT: Demands = Demands { accuracy: Accuracy::Tight, change: 1e-9, all: 1e-7, most: 1e-9 };
+/// What the level promises. Over 10 000 blocks the largest error was 4.7e-13.
+const TIGHT: Demands = Demands { accuracy: Accuracy::Tight, change: 1e-9, all: 1e-11, most: 1e-12 };
 
-/// 1e-6 a step.
-const FAST: Demands = Demands { accuracy: Accuracy::Fast, change: 1e-6, all: 1e-2, most: 1e-4 };
+/// 3e-7 a step, over hundreds of steps that jump by several g from sample to sample, as no record does; a block that just
+/// passes a threshold may be lifted or not.
+const FAST: Demands = Demands { accuracy: Accuracy::Fast, change: 1e-6, all: f64::INFINITY, most: 1e-5 };
 
 #[test]
 fn standard_accuracy_follows_the_scalar_solver() {

@@ -86,7 +86,6 @@ fn thresholds_that_are_just_reached() {
 
 /// The wait for rest may be longer or shorter than a step, or no multiple of it.
 #[test]
-#[ignore = "the kernel ends a wait of one to two steps after the first: EndOfMotion for Settled"]
 fn every_wait_for_rest_ends_as_it_does_for_the_scalar_solver() {
     let dt = 0.1;
     let strong = Motion::new(dt, vec![0.0, 3.0, -3.0, 4.0, 0.0, 2.0]).unwrap();
@@ -107,7 +106,6 @@ fn every_wait_for_rest_ends_as_it_does_for_the_scalar_solver() {
 
 /// A block that would need more than 1e5 impacts counts as rocking for ever, for both.
 #[test]
-#[ignore = "the kernel follows such a block until it rests, where the scalar solver stops at its first impact"]
 fn a_block_that_rocks_for_ever_stops_at_once() {
     let motion = Motion::new(0.002, vec![0.0, 3.0, 3.0, 3.0, 0.0]).unwrap();
     for r in [0.99, 0.999, 0.9997, 0.9998, 0.99985, 0.9999, 0.99995, 1.0] {

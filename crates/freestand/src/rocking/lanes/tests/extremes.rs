@@ -108,7 +108,6 @@ fn what_the_scalar_solver_refuses_is_refused() {
 }
 
 #[test]
-#[ignore = "the kernel does not look at the range of a tolerance"]
 fn tolerances_out_of_range_are_refused() {
     let motion = Motion::new(0.01, vec![0.0, 4.0, 0.0]).unwrap();
     let base = Base { horizontal: Some(&motion), vertical: None };

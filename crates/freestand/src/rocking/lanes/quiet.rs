@@ -1,0 +1,129 @@
+//! Behind the record the base rests, energy is conserved between impacts, and what is left follows from it.
+
+use super::tile::{EdgeTerms, Rocker};
+use crate::rocking::SideExtremes;
+
+/// What a block does from the end of a motion until it rests.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Tail {
+    /// Largest rotation, and speed of an impact off each edge in units of the step.
+    pub(super) sides: [SideExtremes; 2],
+    pub(super) impacts: usize,
+    /// No more steps than these.
+    pub(super) steps: f64,
+}
+
+/// Least sin φ at which a block turns back, as a part of sin α: nearer to its balance point it takes long, and rounding decides.
+const LEAST_SINE: f64 = 1e-3;
+
+/// From the height `y` and the velocity `w` about an edge to a speed after an impact of at most `rest`; `None` where the
+/// block may not come back.
+///
+/// With ÿ = −x² sin φ, φ = α − y, the energy ½w² + x² cos φ about an edge stays, and every impact takes the same part of the
+/// speed.
+pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) -> Option<Tail> {
+    let mut tail = Tail::default();
+    let terms = &rocker.edges[edge];
+    let highest = if w > 0.0 { turning_point(terms, y, w)? } else { y };
+    let mut speed = (w * w + 4.0 * terms.x2 * (terms.alpha - 0.5 * y).sin() * (0.5 * y).sin()).sqrt();
+    tail.steps = (w.abs() + speed) / least_pull(terms, highest)?;
+    tail.sides[edge].peak_rotation_rad = highest;
+    loop {
+        let side = &mut tail.sides[edge];
+        side.impact_omega_rad_s = side.impact_omega_rad_s.max(speed);
+        edge = 1 - edge;
+        speed *= rocker.restitution[edge];
+        tail.impacts += 1;
+        if speed <= rest {
+            return Some(tail);
+        }
+        // Later flights about an edge are lower and shorter than the second one.
+        if tail.impacts <= 3 {
+            let terms = &rocker.edges[edge];
+            let highest = turning_point(terms, 0.0, speed)?;
+            let [r, r_left] = rocker.restitution;
+            tail.steps += 2.0 * speed / least_pull(terms, highest)? / (1.0 - r * r_left);
+            let side = &mut tail.sides[edge];
+            side.peak_rotation_rad = side.peak_rotation_rad.max(highest);
+        }
+    }
+}
+
+/// x² sin φ where a flight is highest, and its pull weakest.
+fn least_pull(terms: &EdgeTerms, highest: f64) -> Option<f64> {
+    let sin = (terms.alpha - highest).sin();
+    (sin >= LEAST_SINE * terms.alpha.sin()).then_some(terms.x2 * sin)
+}
+
+/// Where a block that rises turns back: sin²(φₚ/2) = sin²(φ/2) − w²/4x².
+fn turning_point(terms: &EdgeTerms, y: f64, w: f64) -> Option<f64> {
+    let (sin, cos) = (0.5 * (terms.alpha - y)).sin_cos();
+    let spent = 0.25 * w * w / terms.x2;
+    let left = sin * sin - spent;
+    if y >= terms.alpha || left <= 0.0 {
+        return None;
+    }
+    // The difference of the two angles would lose the digits of a low flight; its sine does not.
+    let risen = 2.0 * (spent / (sin * (1.0 - left).sqrt() + cos * left.sqrt())).asin();
+    Some(y + risen)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::block::Block;
+    use crate::motion::Motion;
+    use crate::rocking::{Accuracy, Base, RockingOptions, Until, rock};
+
+    /// A block that is let go at half its balance angle, by the scalar solver.
+    #[test]
+    fn a_tail_is_what_the_scalar_solver_follows() {
+        let block = Block::uniform(1.5, 0.4).unwrap();
+        let still = Motion::new(0.01, vec![0.0; 2]).unwrap();
+        let pivot = block.pivot();
+        let alpha = pivot.slenderness_angle_rad;
+        for (y, omega) in [(0.5 * alpha, 0.0), (0.2 * alpha, 0.3), (0.6 * alpha, -0.2), (0.01 * alpha, 0.01)] {
+            let options = RockingOptions {
+                accuracy: Accuracy::Tight,
+                initial_rotation_rad: y,
+                initial_omega_rad_s: omega,
+                until: Until::Settled { at_most_s: 60.0 },
+                ..RockingOptions::default()
+            };
+            let expected = rock(&block, Base { horizontal: Some(&still), vertical: None }, &options).unwrap();
+            let h = 0.01;
+            let x = pivot.frequency_parameter_rad_s(options.gravity_m_s2) * h;
+            let terms = EdgeTerms {
+                alpha,
+                x2: x * x,
+                a: x * x * alpha.sin(),
+                b: x * x * alpha.cos(),
+                a_of_d: 0.0,
+                threshold: 0.0,
+            };
+            let rocker = Rocker { edges: [terms; 2], restitution: [block.landing_ratio(); 2] };
+            let got = tail(&rocker, 0, y, omega * h, 1e-9 * h).unwrap();
+            assert_eq!(got.impacts, expected.impacts.len());
+            for (got, expected) in got.sides.iter().zip(expected.sides) {
+                // Rounding of some ten operations, and of as many steps of the solver.
+                assert!((got.peak_rotation_rad / expected.peak_rotation_rad - 1.0).abs() < 1e-13);
+                assert!((got.impact_omega_rad_s / h / expected.impact_omega_rad_s - 1.0).abs() < 1e-13);
+            }
+            let rest_s = expected.rest_time_s.unwrap();
+            assert!(got.steps * h >= rest_s && got.steps * h < 10.0 * rest_s, "{} {rest_s}", got.steps * h);
+        }
+    }
+
+    /// A block that goes over, or nearly, is none of its business.
+    #[test]
+    fn a_block_near_its_balance_point_has_no_tail() {
+        let alpha = 0.25;
+        let terms = EdgeTerms { alpha, x2: 1e-4, a: 0.0, b: 0.0, a_of_d: 0.0, threshold: 0.0 };
+        let rocker = Rocker { edges: [terms; 2], restitution: [0.9; 2] };
+        let barrier = 2.0 * 1e-2 * (0.5_f64 * alpha).sin();
+        assert!(tail(&rocker, 0, 0.0, 1.0001 * barrier, 1e-11).is_none());
+        assert!(tail(&rocker, 0, 0.0, (1.0 - 1e-9) * barrier, 1e-11).is_none());
+        assert!(tail(&rocker, 0, 0.0, 0.99 * barrier, 1e-11).is_some());
+        assert!(tail(&rocker, 0, 1.1 * alpha, -0.01, 1e-11).is_none());
+    }
+}
