@@ -6,7 +6,8 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use freestand::block::Block;
 use freestand::motion::Motion;
-use freestand::rocking::{Accuracy, Base, Effort, RockingOptions, rock, rock_many};
+use freestand::rocking::{Accuracy, Base, Effort, RockingOptions, rock, rock_many, rock_many_on};
+use pulp::Arch;
 
 /// 4000 samples every 5 ms, peak 0.45 g: `validation/rocking/records/bench4000.csv`.
 fn record(scale: f64) -> Motion {
@@ -48,7 +49,29 @@ fn compare(criterion: &mut Criterion, name: &str, record: &Motion, blocks: &[Blo
             b.iter(|| one.install(|| rock_many(blocks, base, &options)));
         });
     }
+    let two = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
+    let options = RockingOptions::default();
+    group.bench_function("Standard, kernel on two threads", |b| {
+        b.iter(|| two.install(|| rock_many(blocks, base, &options)));
+    });
+    for (name, arch) in vector_units() {
+        group.bench_function(format!("Standard, kernel by {name}"), |b| {
+            b.iter(|| one.install(|| rock_many_on(arch, blocks, base, &options)));
+        });
+    }
     group.finish();
+}
+
+/// Those that this processor has beside the widest one, which is taken by itself.
+#[cfg(target_arch = "x86_64")]
+fn vector_units() -> Vec<(&'static str, Arch)> {
+    let avx2 = pulp::x86::V3::try_new().map(|v3| ("AVX2", Arch::V3(v3)));
+    avx2.into_iter().chain([("no vector units", Arch::Scalar)]).collect()
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn vector_units() -> Vec<(&'static str, Arch)> {
+    vec![("no vector units", Arch::Scalar)]
 }
 
 /// Most of these blocks rest most of the time.

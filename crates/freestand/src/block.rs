@@ -259,8 +259,13 @@ impl Block {
         Pivot {
             half_diagonal_m,
             slenderness_angle_rad: cg_from_edge_m.atan2(self.cg_height_m),
-            inertia_per_mass_m2: self.gyration_radius_m.powi(2) + half_diagonal_m.powi(2),
+            inertia_per_mass_m2: self.inertia_per_mass_m2(half_diagonal_m),
         }
+    }
+
+    /// I₀/m about a pivot at this distance from the centre of gravity \[m²\].
+    fn inertia_per_mass_m2(&self, half_diagonal_m: f64) -> f64 {
+        self.gyration_radius_m.powi(2) + half_diagonal_m.powi(2)
     }
 
     /// R_D = θ̇₂/θ̇₁, Eq. (6): the share of the angular velocity that is left when the pivot changes from the left edge
@@ -273,7 +278,8 @@ impl Block {
     /// Housner (1963); Al Abadi et al., Eq. (6).
     /// For a landing on the left edge: that of [`Block::mirrored`].
     pub fn landing_ratio(&self) -> f64 {
-        1.0 - self.cg_from_right_m() * self.base_width_m / self.right_pivot().inertia_per_mass_m2
+        let half_diagonal_m = self.cg_from_right_m().hypot(self.cg_height_m);
+        1.0 - self.cg_from_right_m() * self.base_width_m / self.inertia_per_mass_m2(half_diagonal_m)
     }
 }
 

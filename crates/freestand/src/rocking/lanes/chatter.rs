@@ -30,17 +30,24 @@ const LOW: f64 = 1e-6;
 const SHORT: f64 = 5e-5;
 
 impl Acting {
+    /// Whether a flight that takes off at the speed `w` is certain to land before the time `left` is over: under the least
+    /// pull it lasts 2w/E, and D takes away less than a tenth of that.
+    pub(super) fn is_brief(&self, w: f64, left: f64) -> bool {
+        let least = self.e.now.min(self.e.now + left * self.e.slope);
+        2.2 * w <= left * least
+    }
+
     /// A flight that takes off at the speed `w`, if it is short, as low as `lower_than`, and certain to land before the time
     /// `left` is over.
     pub(super) fn flight(&self, w: f64, left: f64, lower_than: f64) -> Option<Flight> {
         let (e, d) = (self.e.now, self.d.now);
         let least = e.min(e + left * self.e.slope);
-        // y never passes w T/2 under a pull that never passes zero; D takes away less than a tenth of the pull.
+        // y never passes w T/2 under a pull that never passes zero.
         let longest = 2.2 * w / least;
         let highest = 0.5 * w * longest;
         let strongest = d.abs() + left * self.d.slope.abs();
-        if !(least > 0.0
-            && longest <= left
+        if !(self.is_brief(w, left)
+            && least > 0.0
             && highest <= LOW
             && highest < lower_than
             && strongest * longest * longest <= SHORT)
@@ -84,7 +91,8 @@ const SMALL_EPSILON: f64 = 0.02;
 /// τ of a flight under E + E′x that lasts (2w/E)τ: ⅔ετ² + τ = 1, as a series whose first term left out is 42(⅔ε)⁵ < 2e-8.
 fn flight_ratio(epsilon: f64) -> f64 {
     let a = 2.0 / 3.0 * epsilon;
-    1.0 - a * (1.0 - a * (2.0 - a * (5.0 - a * 14.0)))
+    let square = a * a;
+    (1.0 - a) + square * ((2.0 - 5.0 * a) + 14.0 * square)
 }
 
 impl Pull {
@@ -93,8 +101,8 @@ impl Pull {
     }
 }
 
-/// The largest y and the largest speed of an impact so far, which flights to rest must not exceed.
-#[derive(Debug, Clone, Copy)]
+/// The largest y and the largest speed of an impact about an edge so far.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Trace {
     pub(super) height: f64,
     pub(super) speed: f64,

@@ -14,10 +14,11 @@ use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::{
-    Accuracy, Base, Outcome, RockingError, RockingModel, RockingOptions, RockingSummary, StopReason, Until, rock,
+    Accuracy, Base, Outcome, RockingError, RockingModel, RockingOptions, RockingSummary, SideExtremes, StopReason,
+    Until, rock,
 };
-use crate::block::Block;
-use series::TERMS;
+use crate::block::{Block, Pivot};
+use series::{INVERSE, TERMS};
 use shaking::Shaking;
 use tile::{EdgeTerms, Record, Rocker, State, Tile};
 
@@ -35,7 +36,11 @@ pub fn rock_many(blocks: &[Block], base: Base, options: &RockingOptions) -> Vec<
     rock_many_on(pulp::Arch::new(), blocks, base, options)
 }
 
-fn rock_many_on(
+/// [`rock_many`] on a chosen generation of vector units: for tests and benchmarks, as the results are the same bits on all.
+///
+/// # Errors
+/// As [`rock_many`].
+pub fn rock_many_on(
     arch: pulp::Arch,
     blocks: &[Block],
     base: Base,
@@ -53,24 +58,30 @@ fn rock_many_on(
     let linearised = options.model == RockingModel::Linearised;
     let done: Vec<Vec<Record>> = tiles
         .par_iter()
+        // A tile is enough for a job: a thread that is done takes the next one.
+        .with_max_len(1)
         .map(|tile| {
-            let rockers: Vec<Rocker> = tile.iter().filter_map(|&i| plans[i as usize].as_ref().map(|p| p.1)).collect();
             let plan = plan_of(tile[0]).unwrap_or(Plan { degree: series::MAX_DEGREE, parts: 1 });
-            let tile = Tile::new(&shaking, &rockers, plan.parts);
+            let rockers: Vec<Rocker> =
+                tile.iter().filter_map(|&block| plans[block as usize].map(|(_, it)| it)).collect();
+            let tile = Tile::new(&shaking, &rockers, plan.parts, linearised);
             arch.dispatch(Run { tile, degree: plan.degree, linearised, wait })
         })
         .collect();
-    let mut records: Vec<Option<Record>> = vec![None; blocks.len()];
+    let mut records = vec![Record::default(); blocks.len()];
     for (tile, done) in tiles.iter().zip(done) {
-        for (&i, record) in tile.iter().zip(done) {
-            records[i as usize] = Some(record);
+        for (&block, record) in tile.iter().zip(done) {
+            records[block as usize] = record;
         }
     }
     blocks
         .par_iter()
         .zip(records)
-        .map(|(block, record)| match record {
-            Some(record) if record.state != State::GivenUp => Ok(summary(block, &record, wait.is_some())),
+        .zip(&plans)
+        .map(|((block, record), plan)| match plan {
+            Some((plan, _)) if record.state != State::GivenUp => {
+                Ok(summary(block, &record, shaking.dt_s / plan.parts as f64, wait.is_some()))
+            }
             _ => scalar(block),
         })
         .collect()
@@ -78,8 +89,9 @@ fn rock_many_on(
 
 /// Blocks of one plan, dealt out like cards: neighbours on a grid take about as long, and every tile gets some of each.
 fn tiles(group: &[u32]) -> Vec<Vec<u32>> {
-    let least = group.len().div_ceil(TILE);
-    let count = rayon::current_num_threads().min(group.len() / SMALL_TILE).max(least).max(1);
+    let threads = rayon::current_num_threads();
+    let even = group.len().div_ceil(TILE).next_multiple_of(threads);
+    let count = even.min(group.len().div_ceil(SMALL_TILE));
     (0..count).map(|first| group.iter().skip(first).step_by(count).copied().collect()).collect()
 }
 
@@ -125,29 +137,29 @@ const MOST_PARTS: usize = 64;
 /// Restitution above which impacts may go on for ever, and the scalar solver says so.
 const MOST_ELASTIC: f64 = 0.9997;
 
+/// `None`: the scalar solver has to follow the block, or to say what is wrong.
 fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker)> {
     let restitution = options.restitution.ratios(block).ok()?;
     if restitution.iter().any(|r| *r > MOST_ELASTIC) {
         return None;
     }
-    let pivots = [block.right_pivot(), block.pivot()];
-    let from_edge = [block.cg_from_right_m(), block.cg_from_left_m()];
-    let p = pivots.map(|pivot| pivot.frequency_parameter_rad_s(options.gravity_m_s2));
-    let x = p[0].max(p[1]) * shaking.dt_s;
-    let plan = steps(x * x, shaking, options.accuracy)?;
-    let h = shaking.dt_s / plan.parts as f64;
-    let edges = [0, 1].map(|i| {
-        let f = (p[i] * h) * (p[i] * h);
-        let pivot = pivots[i];
-        let alpha = pivot.slenderness_angle_rad;
-        if options.model == RockingModel::Linearised {
-            EdgeTerms { alpha, x2: f, a: f * alpha, b: f, a_of_d: 0.0, threshold: alpha }
-        } else {
-            let a = f * from_edge[i] / pivot.half_diagonal_m;
-            let threshold = from_edge[i] / block.cg_height_m();
-            EdgeTerms { alpha, x2: f, a, b: f * block.cg_height_m() / pivot.half_diagonal_m, a_of_d: a, threshold }
-        }
-    });
+    let right = block.right_pivot();
+    let left = if block.cg_from_left_m() == block.cg_from_right_m() { right } else { block.pivot() };
+    let x = |pivot: Pivot| pivot.frequency_parameter_rad_s(options.gravity_m_s2) * shaking.dt_s;
+    let fastest = x(right).max(x(left));
+    let plan = steps(fastest * fastest, shaking, options.accuracy)?;
+    let edge = |pivot: Pivot, from_edge_m: f64| {
+        let x = x(pivot) / plan.parts as f64;
+        let (alpha, x2) = (pivot.slenderness_angle_rad, x * x);
+        let (threshold, b) = match options.model {
+            RockingModel::Linearised => (alpha, x2),
+            RockingModel::Rigid => {
+                (from_edge_m / block.cg_height_m(), x2 * block.cg_height_m() / pivot.half_diagonal_m)
+            }
+        };
+        EdgeTerms { alpha, x2, threshold, b }
+    };
+    let edges = [edge(right, block.cg_from_right_m()), edge(left, block.cg_from_left_m())];
     Some((plan, Rocker { edges, restitution }))
 }
 
@@ -190,7 +202,7 @@ fn left_out(x2: f64, shaking: &Shaking, degree: usize, parts: usize) -> f64 {
     (c[0], c[1]) = (1.0, level.sqrt());
     for n in 0..=degree - 1 {
         let before = if n > 0 { change * c[n - 1] } else { 0.0 };
-        c[n + 2] = (level * c[n] + before) / ((n + 1) * (n + 2)) as f64;
+        c[n + 2] = (level * c[n] + before) * (INVERSE[n + 1] * INVERSE[n + 2]);
     }
     c[degree + 1] / level
 }
@@ -219,25 +231,31 @@ impl WithSimd for Run<'_> {
     }
 }
 
-fn summary(block: &Block, record: &Record, settle: bool) -> RockingSummary {
+/// What a block did, from its record in steps of `step_s`.
+fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> RockingSummary {
+    let over = if settle { StopReason::Settled } else { StopReason::EndOfMotion };
     let (outcome, stop) = match record.state {
-        State::Untouched => (Outcome::NoUplift, if settle { StopReason::Settled } else { StopReason::EndOfMotion }),
+        State::Untouched => (Outcome::NoUplift, over),
         State::Overturned => (Outcome::Overturned, StopReason::Overturned),
-        _ => (Outcome::Rocked, if settle { StopReason::Settled } else { StopReason::EndOfMotion }),
+        State::AtRest | State::Moving | State::GivenUp => (Outcome::Rocked, over),
     };
-    let peak_rotation_rad = record.sides[0].peak_rotation_rad.max(record.sides[1].peak_rotation_rad);
-    let pivots = [block.right_pivot(), block.pivot()];
-    let rises = pivots.iter().zip(record.sides).map(|(pivot, side)| pivot.largest_rise_m(side.peak_rotation_rad));
+    let sides = record
+        .sides
+        .map(|side| SideExtremes { peak_rotation_rad: side.height, impact_omega_rad_s: side.speed / step_s });
+    let peak_rotation_rad = sides[0].peak_rotation_rad.max(sides[1].peak_rotation_rad);
+    let cg_rise_m = if outcome == Outcome::NoUplift {
+        0.0
+    } else {
+        let rise_m = |pivot: Pivot, side: SideExtremes| pivot.largest_rise_m(side.peak_rotation_rad);
+        rise_m(block.right_pivot(), sides[0]).max(rise_m(block.pivot(), sides[1]))
+    };
     RockingSummary {
         outcome,
         stop,
         peak_rotation_rad,
-        sides: record.sides,
+        sides,
         impact_count: record.impact_count,
         uplift_m: block.base_width_m() * peak_rotation_rad.sin(),
-        cg_rise_m: rises.fold(0.0, f64::max),
+        cg_rise_m,
     }
 }
-
-#[cfg(test)]
-mod tests;

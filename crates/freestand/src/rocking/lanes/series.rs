@@ -13,7 +13,7 @@ pub(super) const MAX_DEGREE: usize = 11;
 pub(super) const TERMS: usize = MAX_DEGREE + 3;
 
 /// 1/n.
-const INVERSE: [f64; TERMS] = {
+pub(super) const INVERSE: [f64; TERMS] = {
     let mut inverse = [0.0; TERMS];
     let mut n = 1;
     while n < TERMS {

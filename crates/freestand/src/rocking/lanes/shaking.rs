@@ -48,8 +48,8 @@ impl Shaking {
         if v.iter().any(|v| *v <= 0.0) {
             return None;
         }
-        let ratio = |k: usize| u[k] / v.get(k).copied().unwrap_or(1.0);
-        let peaks = [1.0, -1.0].map(|side| Peaks::new((0..u.len()).map(|k| -side * ratio(k)).collect()));
+        let lifting: Vec<f64> = if v.is_empty() { u.clone() } else { u.iter().zip(&v).map(|(u, v)| u / v).collect() };
+        let peaks = [Peaks::new(lifting.iter().map(|a| -a).collect()), Peaks::new(lifting)];
         let largest = (0..u.len()).map(|k| u[k].abs() + v.get(k).copied().unwrap_or(1.0)).fold(1.0, f64::max);
         let change = |values: &[f64]| values.windows(2).map(|w| (w[1] - w[0]).abs()).fold(0.0, f64::max);
         let steepest = change(&u) + change(&v);

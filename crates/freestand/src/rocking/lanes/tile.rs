@@ -13,7 +13,7 @@ use super::ranks::{ABREAST, Moving, NONE, Ranks};
 use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::{Interval, Shaking};
 use crate::polynomial::{first_root, roots, value, value_and_slope};
-use crate::rocking::{MAX_IMPACTS, REST_OMEGA_RAD_S, SideExtremes};
+use crate::rocking::{MAX_IMPACTS, REST_OMEGA_RAD_S};
 
 /// A block as the kernel sees it.
 #[derive(Debug, Clone, Copy)]
@@ -31,18 +31,16 @@ pub(super) struct EdgeTerms {
     pub(super) alpha: f64,
     /// p²h².
     pub(super) x2: f64,
-    pub(super) a: f64,
-    pub(super) b: f64,
-    /// a of D: 0 linearised.
-    pub(super) a_of_d: f64,
-    /// tan α, or α.
+    /// a/b: tan α, or α.
     pub(super) threshold: f64,
+    pub(super) b: f64,
 }
 
 /// What a block has done so far.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Record {
-    pub(super) sides: [SideExtremes; 2],
+    /// Largest rotation and speed of an impact off each edge, by the step.
+    pub(super) sides: [Trace; 2],
     pub(super) impact_count: usize,
     pub(super) state: State,
 }
@@ -65,9 +63,9 @@ pub(super) struct Tile<'a> {
     shaking: &'a Shaking,
     rockers: &'a [Rocker],
     records: Vec<Record>,
-    /// Steps of an interval, and how long they are.
+    /// Steps of an interval.
     parts: usize,
-    step_s: f64,
+    linearised: bool,
     moving: Ranks,
     /// Places of blocks with an event in the step.
     queue: Vec<u32>,
@@ -93,13 +91,13 @@ struct Step {
 }
 
 impl<'a> Tile<'a> {
-    pub(super) fn new(shaking: &'a Shaking, rockers: &'a [Rocker], parts: usize) -> Self {
+    pub(super) fn new(shaking: &'a Shaking, rockers: &'a [Rocker], parts: usize, linearised: bool) -> Self {
         Self {
             shaking,
             rockers,
             records: vec![Record::default(); rockers.len()],
             parts,
-            step_s: shaking.dt_s / parts as f64,
+            linearised,
             moving: Ranks::default(),
             queue: Vec::new(),
             again: Vec::new(),
@@ -135,7 +133,7 @@ impl<'a> Tile<'a> {
         for lane in 0..self.moving.count() {
             let Moving { block, edge, best, y, .. } = self.moving.get(lane);
             let record = &mut self.records[block as usize];
-            record.sides[edge].peak_rotation_rad = best.max(y);
+            record.sides[edge].height = best.max(y);
             if wait.is_some() {
                 record.state = State::GivenUp;
             }
@@ -154,10 +152,10 @@ impl<'a> Tile<'a> {
             let record = &mut self.records[block as usize];
             record.state = State::AtRest;
             record.impact_count += tail.impacts;
-            record.sides[edge].peak_rotation_rad = best;
+            record.sides[edge].height = best;
             for (side, tail) in record.sides.iter_mut().zip(tail.sides) {
-                side.peak_rotation_rad = side.peak_rotation_rad.max(tail.peak_rotation_rad);
-                side.impact_omega_rad_s = side.impact_omega_rad_s.max(tail.impact_omega_rad_s / self.step_s);
+                side.height = side.height.max(tail.height);
+                side.speed = side.speed.max(tail.speed);
             }
             self.moving.leave(lane);
         }
@@ -317,7 +315,7 @@ impl<'a> Tile<'a> {
         if overturn.is_some_and(|x| x <= end) {
             let record = &mut self.records[block as usize];
             record.state = State::Overturned;
-            record.sides[edge].peak_rotation_rad = FRAC_PI_2;
+            record.sides[edge].height = FRAC_PI_2;
             self.moving.leave(lane);
             return;
         }
@@ -353,8 +351,8 @@ impl<'a> Tile<'a> {
         let record = &mut self.records[block as usize];
         record.impact_count += 1;
         let side = &mut record.sides[edge];
-        side.peak_rotation_rad = best;
-        side.impact_omega_rad_s = side.impact_omega_rad_s.max(speed / self.step_s);
+        side.height = best;
+        side.speed = side.speed.max(speed);
         if record.impact_count > MAX_IMPACTS {
             record.state = State::GivenUp;
             self.moving.leave(lane);
@@ -377,7 +375,7 @@ impl<'a> Tile<'a> {
     /// Goes on about `edge` from the floor.
     fn turn(&mut self, lane: usize, edge: usize, w: f64, tau: f64) {
         let block = self.moving.block(lane);
-        let best = self.records[block as usize].sides[edge].peak_rotation_rad;
+        let best = self.records[block as usize].sides[edge].height;
         // At the very end of the step the next one takes over.
         let over = tau >= 1.0;
         let tau = if over { 0.0 } else { tau };
@@ -395,32 +393,38 @@ impl<'a> Tile<'a> {
         let (mut edge, mut w, mut tau) = (edge, w, tau);
         let (u, v) = step.ground.at(tau);
         let (u1, v1) = (step.ground.u_change, step.ground.v_change);
-        let mut acting = [0, 1].map(|edge: usize| {
-            let (terms, s) = (&rocker.edges[edge], SIDES[edge]);
+        let acting_about = |edge: usize| {
+            let (s, EdgeTerms { threshold, b, .. }) = (SIDES[edge], rocker.edges[edge]);
+            let a = threshold * b;
+            let a_of_d = if self.linearised { 0.0 } else { a };
             Acting {
-                e: Pull { now: terms.a * v + s * terms.b * u, slope: terms.a * v1 + s * terms.b * u1 },
-                d: Pull { now: terms.b * v - s * terms.a_of_d * u, slope: terms.b * v1 - s * terms.a_of_d * u1 },
-                cosine: if terms.a_of_d == 0.0 { 0.0 } else { 1.0 },
+                e: Pull { now: a * v + s * b * u, slope: a * v1 + s * b * u1 },
+                d: Pull { now: b * v - s * a_of_d * u, slope: b * v1 - s * a_of_d * u1 },
+                cosine: if self.linearised { 0.0 } else { 1.0 },
             }
-        });
+        };
+        let mut acting = [acting_about(edge), acting_about(1 - edge)];
+        if !acting[0].is_brief(w, 1.0 - tau) {
+            return (edge, w, tau);
+        }
+        if edge == 1 {
+            acting.swap(0, 1);
+        }
         while w > self.rest_w && record.impact_count < MAX_IMPACTS {
             let left = 1.0 - tau;
-            let sides = [edge, 1 - edge].map(|edge| {
-                let side = &record.sides[edge];
-                Trace { height: side.peak_rotation_rad, speed: side.impact_omega_rad_s * self.step_s }
-            });
+            let traces = [record.sides[edge], record.sides[1 - edge]];
             let ahead = [acting[edge], acting[1 - edge]];
             if !self.quiet
                 && rocker.restitution[0] == rocker.restitution[1]
-                && let Some(impacts) = impacts_to_rest(ahead, rocker.restitution[0], w, left, sides, self.rest_w)
+                && let Some(impacts) = impacts_to_rest(ahead, rocker.restitution[0], w, left, traces, self.rest_w)
             {
                 record.impact_count += impacts;
                 return (edge, 0.0, 1.0);
             }
-            let Some(flight) = acting[edge].flight(w, left, sides[0].height) else { break };
+            let Some(flight) = acting[edge].flight(w, left, traces[0].height) else { break };
             record.impact_count += 1;
             let side = &mut record.sides[edge];
-            side.impact_omega_rad_s = side.impact_omega_rad_s.max(flight.speed / self.step_s);
+            side.speed = side.speed.max(flight.speed);
             acting = [acting[0].after(flight.time), acting[1].after(flight.time)];
             edge = 1 - edge;
             w = flight.speed * rocker.restitution[edge];
@@ -434,7 +438,7 @@ impl<'a> Tile<'a> {
         let Moving { block, edge, best, .. } = self.moving.get(lane);
         let record = &mut self.records[block as usize];
         record.state = State::AtRest;
-        record.sides[edge].peak_rotation_rad = best;
+        record.sides[edge].height = best;
         self.moving.leave(lane);
         if self.quiet {
             return;
@@ -464,7 +468,7 @@ impl<'a> Tile<'a> {
     fn start(&mut self, block: u32, edge: usize, w: f64, tau: f64) -> usize {
         let record = &mut self.records[block as usize];
         record.state = State::Moving;
-        let best = record.sides[edge].peak_rotation_rad;
+        let best = record.sides[edge].height;
         let lane = self.moving.enter();
         self.moving.set(lane, Moving { block, edge, y: 0.0, w, best, tau }, &self.rockers[block as usize]);
         lane
