@@ -27,7 +27,7 @@ REPEATS, REPEATS_OF_PEERS = 7, 3
 GRIDS = [("0.3 m:4 m:64", "0.1 m:1 m:64"), ("4 m:20 m:64", "0.4 m:0.8 m:64")]
 LEVELS = ["fast", "standard", "tight"]
 # Peers in Python, and the number of blocks that is enough of each: all, or a sample of the slow one.
-PEERS = [("rk4_numba", None), ("rk4_jax", None), ("events_scipy", 128)]
+PEERS = [("rk4_numba", None), ("rk4_jax", None), ("events_scipy", 64)]
 OVERTURNED = np.pi / 2
 
 

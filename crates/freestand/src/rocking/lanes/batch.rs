@@ -13,6 +13,9 @@ use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::Interval;
 use super::unroll::{unroll, unroll_down};
 
+/// Vectors whose operations stand side by side.
+const W: usize = 2;
+
 /// Lanes of a batch.
 pub(super) const BATCH: usize = 4 * ABREAST;
 
@@ -33,13 +36,15 @@ impl Default for Column {
 
 impl Column {
     #[inline(always)]
-    fn get<S: Simd>(&self, i: usize) -> Numbers<S, 1> {
-        [S::as_simd_f64s(&self.0).0[i]]
+    fn get<S: Simd>(&self, i: usize) -> Numbers<S, W> {
+        let (vectors, _) = S::as_simd_f64s(&self.0);
+        [vectors[W * i], vectors[W * i + 1]]
     }
 
     #[inline(always)]
-    fn set<S: Simd>(&mut self, i: usize, value: Numbers<S, 1>) {
-        S::as_mut_simd_f64s(&mut self.0).0[i] = value[0];
+    fn set<S: Simd>(&mut self, i: usize, value: Numbers<S, W>) {
+        let (vectors, _) = S::as_mut_simd_f64s(&mut self.0);
+        [vectors[W * i], vectors[W * i + 1]] = value;
     }
 }
 
@@ -77,7 +82,7 @@ impl Batch {
             self.best.0[i] = rank.best[place];
             self.tau.0[i] = rank.tau[place];
         }
-        for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
+        for i in batch.len()..batch.len().next_multiple_of(W * ABREAST) {
             // A block that nothing moves.
             (self.y.0[i], self.w.0[i], self.x2.0[i], self.best.0[i], self.tau.0[i]) =
                 (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
@@ -88,11 +93,11 @@ impl Batch {
     #[inline(always)]
     pub(super) fn solve<S: Simd, const K: usize, const LINEARISED: bool>(
         &mut self,
-        m: Math<S, 1>,
+        m: Math<S, W>,
         ground: Interval,
         lanes: usize,
     ) {
-        let vectors = lanes.div_ceil(S::F64_LANES);
+        let vectors = lanes.div_ceil(W * S::F64_LANES);
         for i in 0..vectors {
             self.expand::<S, K, LINEARISED>(m, ground, i);
         }
@@ -108,7 +113,7 @@ impl Batch {
 
     /// The series of a vector of lanes, and what happens in the rest of the step.
     #[inline(always)]
-    fn expand<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S, 1>, ground: Interval, i: usize) {
+    fn expand<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S, W>, ground: Interval, i: usize) {
         let (u_start, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v_start, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
         let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
@@ -128,7 +133,7 @@ impl Batch {
         // At the very instant at which the threshold is passed nothing pulls down, whatever rounding says.
         let lifted = |pull| m.select(m.and(lifting, m.gt(pull, zero)), zero, pull);
         let w = m.mul(w, rest);
-        let series = Series::<S, 1, K>::new::<LINEARISED, true>(m, y, w, edge, local, lifted);
+        let series = Series::<S, W, K>::new::<LINEARISED, true>(m, y, w, edge, local, lifted);
 
         let bend = series.bend(m);
         let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
@@ -187,7 +192,7 @@ impl Batch {
 
     /// Raises the largest y to a maximum inside the step.
     #[inline(always)]
-    fn climb<S: Simd, const K: usize>(&mut self, m: Math<S, 1>, i: usize) {
+    fn climb<S: Simd, const K: usize>(&mut self, m: Math<S, W>, i: usize) {
         let mut slope = [m.splat(0.0); TERMS];
         unroll!(N, {
             if N < K {
@@ -208,7 +213,7 @@ impl Batch {
 
     /// To the landing, or to the end of the step.
     #[inline(always)]
-    fn fall<S: Simd, const K: usize>(&mut self, m: Math<S, 1>, i: usize) {
+    fn fall<S: Simd, const K: usize>(&mut self, m: Math<S, W>, i: usize) {
         let (zero, one) = (m.splat(0.0), m.splat(1.0));
         let (event, rest, tau) = (self.event.get::<S>(i), self.rest.get::<S>(i), self.tau.get::<S>(i));
         let landing = m.and(m.ge(event, m.splat(LANDING)), m.ge(m.splat(LANDING), event));
@@ -245,7 +250,7 @@ const LAST_MOVE: f64 = 3e-6;
 /// The root in (0, 1] of a polynomial that falls all the way from above zero to zero or below it, in the lanes wanted: by
 /// Halley's method within a bracket. A lane that has converged stays, whatever its neighbours do.
 #[inline(always)]
-fn root<S: Simd, const K: usize>(m: Math<S, 1>, q: &[Numbers<S, 1>; TERMS], wanted: Masks<S, 1>) -> Numbers<S, 1> {
+fn root<S: Simd, const K: usize>(m: Math<S, W>, q: &[Numbers<S, W>; TERMS], wanted: Masks<S, W>) -> Numbers<S, W> {
     /// Halvings of the bracket that reach the last bit, if nothing else did.
     const MOST: usize = 60;
     let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));

@@ -176,35 +176,37 @@ fn tolerance(accuracy: Accuracy) -> f64 {
 fn steps(x2: f64, shaking: &Shaking, accuracy: Accuracy) -> Option<Plan> {
     let tolerance = tolerance(accuracy);
     let mut best: Option<(f64, Plan)> = None;
-    for degree in DEGREES {
-        let Some(parts) = (1..=MOST_PARTS).find(|&parts| left_out(x2, shaking, degree, parts) <= tolerance) else {
-            continue;
-        };
-        // Operations of a step: half of them are sums of products, whose number grows like the square of the degree.
-        let cost = parts as f64 * (35.0 + (degree * degree) as f64);
-        if best.is_none_or(|(least, _)| cost < least) {
-            best = Some((cost, Plan { degree, parts }));
-        }
-        if parts == 1 {
+    for parts in 1..=MOST_PARTS {
+        if best.is_some_and(|(least, _)| least <= cost(DEGREES[0], parts)) {
             break;
+        }
+        let c = terms(x2, shaking, parts);
+        // c₂ is half of the largest acceleration.
+        let Some(degree) = DEGREES.into_iter().find(|degree| c[degree + 1] <= 2.0 * c[2] * tolerance) else { continue };
+        if best.is_none_or(|(least, _)| cost(degree, parts) < least) {
+            best = Some((cost(degree, parts), Plan { degree, parts }));
         }
     }
     best.map(|(_, plan)| plan)
 }
 
-/// A bound of the term of degree K + 1 in units of that of degree 2, x² ü: with |φ| ≤ 1 and a velocity of x or less,
+/// Operations of an interval: those that form sums of products grow like the square of the degree.
+fn cost(degree: usize, parts: usize) -> f64 {
+    parts as f64 * (35.0 + (degree * degree) as f64)
+}
+
+/// Bounds of the terms of a step: with |φ| ≤ 1 and a velocity of x or less,
 /// cₙ₊₂ = x²(A cₙ + U cₙ₋₁)/((n+1)(n+2)) with the largest acceleration A and its largest change U over a step.
-fn left_out(x2: f64, shaking: &Shaking, degree: usize, parts: usize) -> f64 {
-    let parts = parts as f64;
-    let x2 = x2 / (parts * parts);
-    let (level, change) = (x2 * shaking.largest, x2 * shaking.steepest / parts);
-    let mut c = [0.0; TERMS + 2];
-    (c[0], c[1]) = (1.0, level.sqrt());
-    for n in 0..=degree - 1 {
-        let before = if n > 0 { change * c[n - 1] } else { 0.0 };
-        c[n + 2] = (level * c[n] + before) * (INVERSE[n + 1] * INVERSE[n + 2]);
+fn terms(x2: f64, shaking: &Shaking, parts: usize) -> [f64; TERMS] {
+    let share = 1.0 / parts as f64;
+    let x2 = x2 * (share * share);
+    let (level, change) = (x2 * shaking.largest, x2 * shaking.steepest * share);
+    let mut c = [0.0; TERMS];
+    (c[0], c[1], c[2]) = (1.0, level.sqrt(), 0.5 * level);
+    for n in 3..TERMS {
+        c[n] = (level * c[n - 2] + change * c[n - 3]) * (INVERSE[n - 1] * INVERSE[n]);
     }
-    c[degree + 1] / level
+    c
 }
 
 struct Run<'a> {

@@ -1,0 +1,224 @@
+//! What happens within a step: landings, uplifts behind them, rest, overturning.
+
+use std::f64::consts::FRAC_PI_2;
+
+use pulp::Simd;
+
+use super::waiting::margin;
+use super::{EdgeTerms, SIDES, State, Step, Tile};
+use crate::polynomial::{first_root, roots, value, value_and_slope};
+use crate::rocking::MAX_IMPACTS;
+use crate::rocking::lanes::batch::{CALM, LANDING};
+use crate::rocking::lanes::chatter::{Acting, Pull, impacts_to_rest};
+use crate::rocking::lanes::math::Math;
+use crate::rocking::lanes::ranks::Moving;
+use crate::rocking::lanes::series::TERMS;
+
+impl Tile<'_> {
+    /// Takes up to [`BATCH`] lanes from where they are in the step to their next event, or to its end.
+    #[inline(always)]
+    pub(super) fn events<S: Simd, const K: usize, const LINEARISED: bool>(
+        &mut self,
+        simd: S,
+        step: Step,
+        batch: &[u32],
+    ) {
+        self.batch.gather(&self.moving, batch);
+        self.batch.solve::<S, K, LINEARISED>(Math(simd), step.ground, batch.len());
+        for (i, &lane) in batch.iter().enumerate() {
+            let lane = lane as usize;
+            let at = &self.batch;
+            let (rank, place) = self.moving.rank_mut(lane);
+            rank.best[place] = at.best.0[i];
+            if at.event.0[i] == CALM {
+                rank.y[place] = at.y.0[i];
+                rank.w[place] = at.w.0[i];
+                rank.tau[place] = 0.0;
+            } else if at.event.0[i] == LANDING {
+                self.land(step, lane, at.w.0[i], at.tau.0[i]);
+            } else {
+                let c = std::array::from_fn(|k| at.c[k].0[i]);
+                self.intricate(step, lane, &c, K, at.rest.0[i]);
+            }
+        }
+    }
+
+    /// A step with more than one event, a maximum that is hard to find, the balance lost: by all roots of the series.
+    #[inline(never)]
+    fn intricate(&mut self, step: Step, lane: usize, c: &[f64; TERMS], degree: usize, rest: f64) {
+        let c = &c[..=degree];
+        let Moving { block, edge, best, tau, .. } = self.moving.get(lane);
+        let Some(lead) = c.iter().position(|&c| c != 0.0).filter(|&k| c[k] > 0.0) else {
+            // Nothing lifts it after all.
+            if c.iter().all(|c| c.is_finite()) {
+                self.come_to_rest(step, lane, 1.0);
+            } else {
+                self.records[block as usize].state = State::GivenUp;
+                self.moving.leave(lane);
+            }
+            return;
+        };
+        let reach: f64 = c[lead + 1..].iter().map(|c| c.abs()).sum();
+        let highest = c[lead] + reach;
+        if !highest.is_finite() {
+            self.records[block as usize].state = State::GivenUp;
+            self.moving.leave(lane);
+            return;
+        }
+        let impact = if c[lead] > reach { None } else { first_root(&c[lead..]) };
+        let overturn = if highest < FRAC_PI_2 {
+            None
+        } else {
+            let mut below = [0.0; TERMS];
+            below.iter_mut().zip(c).for_each(|(below, c)| *below = -c);
+            below[0] += FRAC_PI_2;
+            first_root(&below[..c.len()])
+        };
+        let end = impact.unwrap_or(1.0).min(overturn.unwrap_or(1.0));
+        if overturn.is_some_and(|x| x <= end) {
+            let record = &mut self.records[block as usize];
+            record.state = State::Overturned;
+            record.sides[edge].height = FRAC_PI_2;
+            self.moving.leave(lane);
+            return;
+        }
+        let (y, w) = value_and_slope(c, end);
+        let mut best = best.max(y);
+        if highest > best {
+            let mut slope = [0.0; TERMS];
+            slope.iter_mut().zip(c.iter().enumerate().skip(1)).for_each(|(slope, (k, c))| *slope = k as f64 * c);
+            roots(&slope[..c.len() - 1], &mut |x| {
+                if x <= end {
+                    best = best.max(value(c, x));
+                }
+                x < end
+            });
+        }
+        let (rank, place) = self.moving.rank_mut(lane);
+        rank.best[place] = best;
+        if impact.is_some() || y <= 0.0 {
+            let after = if end == 1.0 { 1.0 } else { tau + end * rest };
+            self.land(step, lane, w / rest, after);
+        } else {
+            (rank.y[place], rank.w[place], rank.tau[place]) = (y, w / rest, 0.0);
+        }
+    }
+
+    /// An impact at the velocity `w` off the edge of a lane.
+    fn land(&mut self, step: Step, lane: usize, w: f64, tau: f64) {
+        let Moving { block, edge, best, .. } = self.moving.get(lane);
+        let rocker = &self.rockers[block as usize];
+        let other = 1 - edge;
+        let speed = (-w).max(0.0);
+        let after = speed * rocker.restitution[other];
+        let record = &mut self.records[block as usize];
+        record.impact_count += 1;
+        let side = &mut record.sides[edge];
+        side.height = best;
+        side.speed = side.speed.max(speed);
+        if record.impact_count > MAX_IMPACTS {
+            record.state = State::GivenUp;
+            self.moving.leave(lane);
+            return;
+        }
+        let (edge, w, tau) =
+            if after > self.rest_w { self.short_flights(step, block, other, after, tau) } else { (other, after, tau) };
+        if w > self.rest_w {
+            self.turn(lane, edge, w, tau);
+            return;
+        }
+        let (u, v) = step.ground.at(tau);
+        let lifted = (0..2).find(|&edge| margin(rocker, edge, u, v) < 0.0);
+        match lifted {
+            Some(edge) => self.turn(lane, edge, 0.0, tau),
+            None => self.come_to_rest(step, lane, tau),
+        }
+    }
+
+    /// Goes on about `edge` from the floor.
+    fn turn(&mut self, lane: usize, edge: usize, w: f64, tau: f64) {
+        let block = self.moving.block(lane);
+        let best = self.records[block as usize].sides[edge].height;
+        // At the very end of the step the next one takes over.
+        let over = tau >= 1.0;
+        let tau = if over { 0.0 } else { tau };
+        self.moving.set(lane, Moving { block, edge, y: 0.0, w, best, tau }, &self.rockers[block as usize]);
+        if !over {
+            self.again.push(lane as u32);
+        }
+    }
+
+    /// Follows short flights that leave no trace but impacts: the edge, the speed and the part of the step that is over behind
+    /// the last of them; a speed of zero at the end of the step where all that were left end in rest before it.
+    fn short_flights(&mut self, step: Step, block: u32, edge: usize, w: f64, tau: f64) -> (usize, f64, f64) {
+        let rocker = &self.rockers[block as usize];
+        let record = &mut self.records[block as usize];
+        let (mut edge, mut w, mut tau) = (edge, w, tau);
+        let (u, v) = step.ground.at(tau);
+        let (u1, v1) = (step.ground.u_change, step.ground.v_change);
+        let acting_about = |edge: usize| {
+            let (s, EdgeTerms { threshold, b, .. }) = (SIDES[edge], rocker.edges[edge]);
+            let a = threshold * b;
+            let a_of_d = if self.linearised { 0.0 } else { a };
+            Acting {
+                e: Pull { now: a * v + s * b * u, slope: a * v1 + s * b * u1 },
+                d: Pull { now: b * v - s * a_of_d * u, slope: b * v1 - s * a_of_d * u1 },
+                cosine: if self.linearised { 0.0 } else { 1.0 },
+            }
+        };
+        let mut acting = [acting_about(edge), acting_about(1 - edge)];
+        if !acting[0].is_brief(w, 1.0 - tau) {
+            return (edge, w, tau);
+        }
+        if edge == 1 {
+            acting.swap(0, 1);
+        }
+        while w > self.rest_w && record.impact_count < MAX_IMPACTS {
+            let left = 1.0 - tau;
+            let traces = [record.sides[edge], record.sides[1 - edge]];
+            let ahead = [acting[edge], acting[1 - edge]];
+            if !self.quiet
+                && rocker.restitution[0] == rocker.restitution[1]
+                && let Some(impacts) = impacts_to_rest(ahead, rocker.restitution[0], w, left, traces, self.rest_w)
+            {
+                record.impact_count += impacts;
+                return (edge, 0.0, 1.0);
+            }
+            let Some(flight) = acting[edge].flight(w, left, traces[0].height) else { break };
+            record.impact_count += 1;
+            let side = &mut record.sides[edge];
+            side.speed = side.speed.max(flight.speed);
+            acting = [acting[0].after(flight.time), acting[1].after(flight.time)];
+            edge = 1 - edge;
+            w = flight.speed * rocker.restitution[edge];
+            tau += flight.time;
+        }
+        (edge, w, tau)
+    }
+
+    /// A lane comes to rest in a step, and its block waits to be lifted again.
+    fn come_to_rest(&mut self, step: Step, lane: usize, tau: f64) {
+        let Moving { block, edge, best, .. } = self.moving.get(lane);
+        let record = &mut self.records[block as usize];
+        record.state = State::AtRest;
+        record.sides[edge].height = best;
+        self.moving.leave(lane);
+        if self.quiet {
+            return;
+        }
+        let ratio = (step.part as f64 + tau) / self.parts as f64;
+        match self.lift(block, step.whole, ratio) {
+            Some((edge, ratio)) => {
+                let (part, lifted_at) = self.part_of(ratio);
+                if part > step.part {
+                    self.pending.push((part, block, edge as u8, lifted_at));
+                } else {
+                    // Rounding may put it a little before the block came to rest.
+                    let lane = self.start(block, edge, if part == step.part { lifted_at.max(tau) } else { tau });
+                    self.again.push(lane as u32);
+                }
+            }
+            None => self.wait(block, step.interval + 2),
+        }
+    }
+}

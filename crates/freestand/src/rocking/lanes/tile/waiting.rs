@@ -1,0 +1,76 @@
+//! Blocks at rest, until the base lifts them.
+
+use super::{Rocker, SIDES, State, Tile};
+use crate::rocking::lanes::ranks::{Moving, NONE};
+use crate::rocking::lanes::shaking::Interval;
+
+impl Tile<'_> {
+    /// The step of an interval, and the part of it that is over, at a ratio of the interval.
+    pub(super) fn part_of(&self, ratio: f64) -> (usize, f64) {
+        let place = ratio * self.parts as f64;
+        let part = (place as usize).min(self.parts - 1);
+        (part, (place - part as f64).clamp(0.0, 1.0))
+    }
+
+    /// Enters a block that the base lifts from rest.
+    pub(super) fn start(&mut self, block: u32, edge: usize, tau: f64) -> usize {
+        let record = &mut self.records[block as usize];
+        record.state = State::Moving;
+        let best = record.sides[edge].height;
+        let lane = self.moving.enter();
+        self.moving.set(lane, Moving { block, edge, y: 0.0, w: 0.0, best, tau }, &self.rockers[block as usize]);
+        lane
+    }
+
+    /// Puts a block at rest into the list of the interval that ends at the first sample from `from` on that lifts it.
+    pub(super) fn wait(&mut self, block: u32, from: usize) {
+        let thresholds = self.rockers[block as usize].edges.map(|edge| edge.threshold);
+        if let Some(sample) = self.shaking.first_lift(thresholds, from) {
+            let interval = sample.saturating_sub(1);
+            self.lifted_next[block as usize] = std::mem::replace(&mut self.lifted_in[interval], block);
+        }
+    }
+
+    /// Moves the blocks that are lifted in an interval from its list to the pending ones.
+    pub(super) fn lift_waiting(&mut self, interval: usize, whole: Interval) {
+        let mut block = std::mem::replace(&mut self.lifted_in[interval], NONE);
+        while block != NONE {
+            let next = self.lifted_next[block as usize];
+            match self.lift(block, whole, 0.0) {
+                Some((edge, ratio)) => {
+                    let (part, tau) = self.part_of(ratio);
+                    self.pending.push((part, block, edge as u8, tau));
+                }
+                // A quotient and a product may round to either side of the threshold.
+                None => self.wait(block, interval + 2),
+            }
+            block = next;
+        }
+    }
+
+    /// The edge about which the base lifts a block at rest, and when, from a ratio of an interval on.
+    pub(super) fn lift(&self, block: u32, whole: Interval, from: f64) -> Option<(usize, f64)> {
+        let rocker = &self.rockers[block as usize];
+        let ((u, v), (u_end, v_end)) = (whole.at(from), whole.at(1.0));
+        let mut first: Option<(usize, f64)> = None;
+        for edge in 0..2 {
+            let (now, end) = (margin(rocker, edge, u, v), margin(rocker, edge, u_end, v_end));
+            let at = if now < 0.0 {
+                from
+            } else if end < 0.0 {
+                from + (1.0 - from) * now / (now - end)
+            } else {
+                continue;
+            };
+            if at < 1.0 && first.is_none_or(|(_, earliest)| at < earliest) {
+                first = Some((edge, at));
+            }
+        }
+        first
+    }
+}
+
+/// How far the base is from lifting a block about an edge: (1+ü_v/g) tan α + s ü_h/g, negative when it lifts.
+pub(super) fn margin(rocker: &Rocker, edge: usize, u: f64, v: f64) -> f64 {
+    v * rocker.edges[edge].threshold + SIDES[edge] * u
+}
