@@ -74,6 +74,9 @@ impl Rows {
         warnings: &[String],
         text: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
+        if self.first {
+            self.document(rows_head(self.schema)?.as_bytes())?;
+        }
         let tail = rows_tail(self.schema, others, warnings)?;
         for document in &mut self.documents {
             document.write(tail.as_bytes())?;

@@ -101,12 +101,12 @@ impl UpliftCell {
             Ok(changed) if changed.outcome != outcome => return Sensitivity { ratio: None, sensitive: true },
             Err(_) => return Sensitivity { ratio: None, sensitive: true },
             Ok(changed) if outcome == Outcome::Rocked => {
-                let ratio = (changed.peak_rotation_rad / self.rocking.peak_rotation_rad - 1.0).abs();
-                Some(ratio / PERTURBATION_RATIO).filter(|ratio| ratio.is_finite())
+                (changed.peak_rotation_rad / self.rocking.peak_rotation_rad - 1.0).abs() / PERTURBATION_RATIO
             }
-            Ok(_) => None,
+            Ok(_) => return Sensitivity { ratio: None, sensitive: false },
         };
-        Sensitivity { ratio, sensitive: ratio.is_some_and(|ratio| ratio > SENSITIVE_RATIO) }
+        // A block that is lifted and does not rise can rise under the changed motion: no number, but sensitive.
+        Sensitivity { ratio: Some(ratio).filter(|ratio| ratio.is_finite()), sensitive: ratio > SENSITIVE_RATIO }
     }
 
     /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.

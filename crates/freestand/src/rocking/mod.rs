@@ -75,7 +75,18 @@ pub enum Restitution {
     Factor(f64),
 }
 
-/// How accurately a history is followed: a relative truncation error of each Taylor step.
+/// How accurately a history is followed: a relative truncation error of each Taylor step for [`rock`]; [`rock_many`] lets
+/// the first term left out be 300 times that, relative to the acceleration.
+///
+/// # Accuracy
+/// Errors in the peak rotation: worst of 336 histories that were solved to 160 bits, and median and 99 % of 4096 blocks
+/// 0.3–4 m high and 0.1–1 m thick under a record with steps of 5 ms (`benches/README.md`); cost of that spectrum.
+///
+/// | level | `rock`, worst | `rock_many`, worst | median | 99 % | cost |
+/// |---|---|---|---|---|---|
+/// | fast | 2.6e-10 | 3.6e-7 | 3e-10 | 2e-9 | 0.9 |
+/// | standard | 3.2e-14 | 4.2e-10 | 7e-13 | 4e-12 | 1 |
+/// | tight | 4.4e-15 | 7.7e-14 | 1e-15 | 1e-14 | 1.4 |
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Accuracy {
     /// 1e-9 a step: for surveys.
@@ -83,7 +94,7 @@ pub enum Accuracy {
     /// 1e-13 a step.
     #[default]
     Standard,
-    /// Rounding only.
+    /// Rounding, or nearly.
     Tight,
     /// A relative truncation error of each step, between 2⁻⁵³ and 1e-3.
     Tolerance(f64),

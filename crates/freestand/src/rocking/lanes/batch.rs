@@ -233,6 +233,9 @@ impl Batch {
         });
         // Rounding may take y below the floor where the root lies just behind the end of the step.
         let event = m.select(m.or(m.ge(event, one), m.gt(y, zero)), event, m.splat(INTRICATE));
+        // A maximum at the very end is one of this step.
+        let best = self.best.get::<S>(i);
+        self.best.set::<S>(i, m.select(m.gt(y, best), y, best));
         self.y.set::<S>(i, y);
         self.w.set::<S>(i, m.div(w, rest));
         self.tau.set::<S>(i, m.fma(x, rest, tau));
@@ -243,15 +246,15 @@ impl Batch {
 /// Two steps of Halley's method get nearly every lane to its root.
 const STEPS: usize = 2;
 
-/// A step of Halley's method that moves a root by no more than this part of it was the last: its error is of the order of
-/// the third power.
+/// A step of Halley's method that moves a root by no more than this part of it, and of the distance |2p′/p″| to where the
+/// curve is flat, was the last: an error e becomes (p″/2p′)² e³.
 const LAST_MOVE: f64 = 3e-6;
 
-/// The root in (0, 1] of a polynomial that falls all the way from above zero to zero or below it, in the lanes wanted: by
-/// Halley's method within a bracket. A lane that has converged stays, whatever its neighbours do.
+/// The root in (0, 1] of a polynomial that is positive before it and not positive behind it, in the lanes wanted: by Halley's
+/// method within a bracket. A lane that has converged stays, whatever its neighbours do.
 #[inline(always)]
 fn root<S: Simd, const K: usize>(m: Math<S, W>, q: &[Numbers<S, W>; TERMS], wanted: Masks<S, W>) -> Numbers<S, W> {
-    /// Halvings of the bracket that reach the last bit, if nothing else did.
+    /// Halvings of the bracket, to 2⁻⁶⁰ of a step, where nothing else leads on.
     const MOST: usize = 60;
     let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
     let (mut low, mut high) = (zero, one);
@@ -281,7 +284,10 @@ fn root<S: Simd, const K: usize>(m: Math<S, W>, q: &[Numbers<S, W>; TERMS], want
         let falling = m.and(m.gt(zero, slope), m.ge(m.mul(half, square), m.abs(product)));
         let inside = m.and(falling, m.and(m.ge(halley, low), m.ge(high, halley)));
         let next = m.select(inside, halley, m.mul(half, m.add(low, high)));
-        let near = m.and(inside, m.ge(m.mul(m.splat(LAST_MOVE), x), m.abs(m.sub(next, x))));
+        let moved = m.abs(m.sub(next, x));
+        let last = m.splat(LAST_MOVE);
+        let near = m.and(m.ge(m.mul(last, x), moved), m.ge(m.mul(last, m.abs(slope)), m.mul(moved, m.abs(half_bend))));
+        let near = m.and(inside, near);
         x = m.select(open, next, x);
         open = m.and(open, m.not(near));
         if step >= STEPS && !m.any(open) {

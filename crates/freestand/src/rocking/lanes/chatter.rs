@@ -23,15 +23,15 @@ pub(super) struct Flight {
     pub(super) speed: f64,
 }
 
-/// Largest y of a short flight: what is left out of E cos y, ε y²/2, is below 1e-13 of E.
+/// Largest y of a short flight: what is left out of E cos y, the change of E times y²/2, is below 1e-13 of E.
 const LOW: f64 = 1e-6;
 
 /// Largest D times the square of the time of a short flight: the seventh term of the series, (D T²)³/5040, is below 1e-16.
 const SHORT: f64 = 5e-5;
 
 impl Acting {
-    /// Whether a flight that takes off at the speed `w` is certain to land before the time `left` is over: under the least
-    /// pull it lasts 2w/E, and D takes away less than a tenth of that.
+    /// Whether a flight that takes off at the speed `w` can be certain to land before the time `left` is over: under the
+    /// least pull alone it lasts 2w/E.
     pub(super) fn is_brief(&self, w: f64, left: f64) -> bool {
         let least = self.e.now.min(self.e.now + left * self.e.slope);
         2.2 * w <= left * least
@@ -42,7 +42,7 @@ impl Acting {
     pub(super) fn flight(&self, w: f64, left: f64, lower_than: f64) -> Option<Flight> {
         let (e, d) = (self.e.now, self.d.now);
         let least = e.min(e + left * self.e.slope);
-        // y never passes w T/2 under a pull that never passes zero.
+        // y never passes w²/2E under the least pull: half of this.
         let longest = 2.2 * w / least;
         let highest = 0.5 * w * longest;
         let strongest = d.abs() + left * self.d.slope.abs();

@@ -1,11 +1,13 @@
-//! Arithmetic on a vector of lanes, the same bits in every lane on every processor: what is written as fused is fused
-//! everywhere, in software where the processor cannot, and nothing else is.
+//! Arithmetic on a vector of lanes, the same bits in every lane on every vector unit: what is written as fused is fused
+//! everywhere, in software where the processor cannot, and nothing else is. (What is worked out once for a block or at rare
+//! events uses the platform's sine and logarithm.)
 
 use pulp::Simd;
 
 /// An operation on each vector, written out for one and for two.
 macro_rules! each {
     ($i:ident, $w:ident, $operation:expr) => {{
+        const { assert!($w == 1 || $w == 2) };
         let first = {
             let $i = 0;
             $operation
@@ -120,7 +122,7 @@ impl<S: Simd, const W: usize> Math<S, W> {
         mask.iter().any(|mask| self.0.first_true_m64s(*mask) < S::F64_LANES)
     }
 
-    /// sin y and cos y for 0 ≤ |y| ≤ π/2 to 5e-16: interpolation of sin y/y and cos y in y² at Chebyshev nodes of
+    /// sin y and cos y for 0 ≤ |y| ≤ π/2 to 9e-16: interpolation of sin y/y and cos y in y² at Chebyshev nodes of
     /// [0, (π/2)²], with the leading coefficients of the Taylor series, so that small angles keep their digits.
     #[inline(always)]
     pub(super) fn sin_cos(self, y: Numbers<S, W>) -> (Numbers<S, W>, Numbers<S, W>) {
@@ -166,3 +168,24 @@ const COS: [f64; 9] = [
     -1.1466252259718479e-11,
     4.6464359591124806e-14,
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sine_and_cosine_are_those_of_the_platform() {
+        let m = Math::<_, 1>(pulp::Scalar::new());
+        let mut worst: f64 = 0.0;
+        for i in 1..=10_000 {
+            let y = std::f64::consts::FRAC_PI_2 * f64::from(i) / 10_000.0;
+            for y in [y, -y, 1e-8 * y] {
+                let ([sin], [cos]) = m.sin_cos([y]);
+                // Relative to the sine: that of a small angle keeps its digits.
+                worst = worst.max((sin / y.sin() - 1.0).abs()).max((cos - y.cos()).abs());
+            }
+        }
+        // Roundings of the last digit; 8.9e-16 was found.
+        assert!(worst <= 1e-15, "{worst}");
+    }
+}

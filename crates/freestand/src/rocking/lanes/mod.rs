@@ -1,4 +1,14 @@
 //! Many blocks under one motion: the kernel of spectra and portfolios.
+//!
+//! ÿ = −x²\[(1+ü_v/g) sin φ + s (ü_h/g) cos φ\], φ = α − y, x = p h, y = sθ, in units of a step h, which is a sample interval or a
+//! part of it. Blocks that move stand in lanes, eight abreast (`ranks`), and take a step together (`tile`): one Taylor series
+//! each, with sine and cosine carried by the series (`series`, `math`). Bounds of its terms tell which lanes are sure to have
+//! no event; the others go to a batch (`batch`), where landings and maxima are roots of the series, and from there to rest,
+//! to short flights and the last impacts (`chatter`) or back into their lanes (`tile/events`). A block at rest costs nothing
+//! until the sample that lifts it, found from maxima over spans of the motion (`shaking`, `tile/waiting`). Behind the record
+//! what is left follows from energy (`quiet`).
+//!
+//! Every operation of a lane is its own: no result depends on a neighbour. What is fused is written so (`math`).
 
 mod batch;
 mod chatter;
@@ -28,18 +38,42 @@ const TILE: usize = 4096;
 /// Blocks below which a tile is not divided among threads.
 const SMALL_TILE: usize = 128;
 
-/// Follows many blocks through the motion of their base: [`rock`], without the histories.
+/// Follows many blocks through the motion of their base: [`rock`] without the histories, in the order of the blocks, on the
+/// current rayon pool.
+///
+/// A result does not depend on the other blocks, their order, the number of threads or the processor's vector units. Blocks
+/// that the kernel is not made for are followed by [`rock`] one by one: with an initial state or a fixed end
+/// ([`Until::Time`]), a base that falls away, a restitution above 0.9997, steps that are long for the block (more than 64
+/// parts of one would be needed), a wait for rest of less than two steps.
+///
+/// # Reference
+/// Housner (1963), as [`rock`]. Each step is a Taylor series of the exact equation whose degree follows the accuracy.
+///
+/// # Accuracy
+/// [`Accuracy`] has what was measured. The number of impacts can be off where the speed after one is within rounding of
+/// [`REST_OMEGA_RAD_S`](super::REST_OMEGA_RAD_S), and where the motion amplifies errors that much.
 ///
 /// # Errors
 /// Each block has its own, as [`rock`].
+///
+/// # Example
+/// ```
+/// use freestand::{block::Block, motion::Motion, rocking::{Base, Outcome, RockingOptions, rock_many}};
+/// let pulse = Motion::new(0.01, (0..100).map(|i| 4.0 * (0.0628 * f64::from(i)).sin()).collect())?;
+/// let blocks = [Block::uniform(2.0, 0.3)?, Block::uniform(1.0, 0.9)?];
+/// let base = Base { horizontal: Some(&pulse), vertical: None };
+/// let found = rock_many(&blocks, base, &RockingOptions::default());
+/// // 4 m/s² lift a block whose thickness is less than 0.41 of its height.
+/// assert_ne!(found[0]?.outcome, Outcome::NoUplift);
+/// assert_eq!(found[1]?.outcome, Outcome::NoUplift);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn rock_many(blocks: &[Block], base: Base, options: &RockingOptions) -> Vec<Result<RockingSummary, RockingError>> {
     rock_many_on(pulp::Arch::new(), blocks, base, options)
 }
 
-/// [`rock_many`] on a chosen generation of vector units: for tests and benchmarks, as the results are the same bits on all.
-///
-/// # Errors
-/// As [`rock_many`].
+/// [`rock_many`] on a chosen generation of vector units, for tests and benchmarks: the results are the same bits on all.
+#[doc(hidden)]
 pub fn rock_many_on(
     arch: pulp::Arch,
     blocks: &[Block],
@@ -51,27 +85,28 @@ pub fn rock_many_on(
         return blocks.par_iter().map(scalar).collect();
     };
     let plans: Vec<Option<(Plan, Rocker)>> = blocks.par_iter().map(|block| plan(block, &shaking, options)).collect();
-    let plan_of = |block: u32| plans[block as usize].as_ref().map(|(plan, _)| *plan);
-    let mut order: Vec<u32> = (0..blocks.len() as u32).filter(|&block| plan_of(block).is_some()).collect();
-    order.sort_by_key(|&block| plan_of(block));
-    let tiles: Vec<Vec<u32>> = order.chunk_by(|&a, &b| plan_of(a) == plan_of(b)).flat_map(tiles).collect();
+    let of_plan = |(block, planned): (usize, &Option<(Plan, Rocker)>)| planned.map(|(plan, _)| (plan, block));
+    let mut order: Vec<(Plan, usize)> = plans.iter().enumerate().filter_map(of_plan).collect();
+    order.sort_unstable();
+    let tiles: Vec<Vec<(Plan, usize)>> = order.chunk_by(|(a, _), (b, _)| a == b).flat_map(tiles).collect();
     let linearised = options.model == RockingModel::Linearised;
     let done: Vec<Vec<Record>> = tiles
         .par_iter()
         // A tile is enough for a job: a thread that is done takes the next one.
         .with_max_len(1)
         .map(|tile| {
-            let plan = plan_of(tile[0]).unwrap_or(Plan { degree: series::MAX_DEGREE, parts: 1 });
+            let plan = tile[0].0;
+            // A block of a tile has a plan.
             let rockers: Vec<Rocker> =
-                tile.iter().filter_map(|&block| plans[block as usize].map(|(_, it)| it)).collect();
+                tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker)| rocker)).collect();
             let tile = Tile::new(&shaking, &rockers, plan.parts, linearised);
             arch.dispatch(Run { tile, degree: plan.degree, linearised, wait })
         })
         .collect();
     let mut records = vec![Record::default(); blocks.len()];
     for (tile, done) in tiles.iter().zip(done) {
-        for (&block, record) in tile.iter().zip(done) {
-            records[block as usize] = record;
+        for ((_, block), record) in tile.iter().zip(done) {
+            records[*block] = record;
         }
     }
     blocks
@@ -88,7 +123,7 @@ pub fn rock_many_on(
 }
 
 /// Blocks of one plan, dealt out like cards: neighbours on a grid take about as long, and every tile gets some of each.
-fn tiles(group: &[u32]) -> Vec<Vec<u32>> {
+fn tiles(group: &[(Plan, usize)]) -> Vec<Vec<(Plan, usize)>> {
     let threads = rayon::current_num_threads();
     let even = group.len().div_ceil(TILE).next_multiple_of(threads);
     let count = even.min(group.len().div_ceil(SMALL_TILE));
@@ -134,7 +169,8 @@ const DEGREES: [usize; 5] = [5, 6, 7, 8, 11];
 /// Steps of an interval beyond which a block is followed by itself.
 const MOST_PARTS: usize = 64;
 
-/// Restitution above which impacts may go on for ever, and the scalar solver says so.
+/// Restitution above which the scalar solver may call a block one that rocks for ever: more than 1e5 impacts to rest, which
+/// takes more than 1e-9 e³⁰ = 1e4 rad/s at this ratio.
 const MOST_ELASTIC: f64 = 0.9997;
 
 /// `None`: the scalar solver has to follow the block, or to say what is wrong.
@@ -144,6 +180,7 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
         return None;
     }
     let right = block.right_pivot();
+    // Alike, unless the centre of gravity is off the middle.
     let left = if block.cg_from_left_m() == block.cg_from_right_m() { right } else { block.pivot() };
     let x = |pivot: Pivot| pivot.frequency_parameter_rad_s(options.gravity_m_s2) * shaking.dt_s;
     let fastest = x(right).max(x(left));
@@ -163,13 +200,12 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
     Some((plan, Rocker { edges, restitution }))
 }
 
-/// Largest first term left out, relative to the acceleration: what a rotation may be wrong by, which is a sum of
-/// accelerations. `benches/README.md` has what is reached.
+/// Largest first term left out, relative to the acceleration. A rotation is a sum of accelerations of hundreds of steps,
+/// whose errors mostly cancel: 300 times the truncation error of a step as [`rock`] counts it, relative to the rotation, comes
+/// to what [`Accuracy`] says.
 fn tolerance(accuracy: Accuracy) -> f64 {
-    match accuracy {
-        Accuracy::Tight => 3e-15,
-        given => 300.0 * given.tolerance(),
-    }
+    let tolerance = accuracy.tolerance();
+    if tolerance <= Accuracy::Tight.tolerance() { 3e-15 } else { 300.0 * tolerance }
 }
 
 /// The cheapest series and number of steps of an interval whose first term left out stays below the tolerance.
@@ -195,8 +231,9 @@ fn cost(degree: usize, parts: usize) -> f64 {
     parts as f64 * (35.0 + (degree * degree) as f64)
 }
 
-/// Bounds of the terms of a step: with |φ| ≤ 1 and a velocity of x or less,
-/// cₙ₊₂ = x²(A cₙ + U cₙ₋₁)/((n+1)(n+2)) with the largest acceleration A and its largest change U over a step.
+/// Sizes of the terms of a step, as of a linear equation: with |φ| ≤ 1 and a velocity of x√A,
+/// cₙ₊₂ = x²(A cₙ + U cₙ₋₁)/((n+1)(n+2)) with the largest acceleration A and its largest change U over a step. An estimate, which the errors that come of it justify
+/// (`tests/agreement.rs`): products of sines and velocities can add to the higher terms.
 fn terms(x2: f64, shaking: &Shaking, parts: usize) -> [f64; TERMS] {
     let share = 1.0 / parts as f64;
     let x2 = x2 * (share * share);
@@ -245,6 +282,7 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         .sides
         .map(|side| SideExtremes { peak_rotation_rad: side.height, impact_omega_rad_s: side.speed / step_s });
     let peak_rotation_rad = sides[0].peak_rotation_rad.max(sides[1].peak_rotation_rad);
+    // Nothing to work out, and no pivots to find, for most blocks of many grids.
     let cg_rise_m = if outcome == Outcome::NoUplift {
         0.0
     } else {
@@ -261,3 +299,6 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         cg_rise_m,
     }
 }
+
+#[cfg(test)]
+mod tests;

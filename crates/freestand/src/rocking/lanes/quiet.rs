@@ -38,7 +38,7 @@ pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) 
             return Some(tail);
         }
         // Later flights about an edge are lower and shorter than the second one.
-        if tail.impacts <= 3 {
+        if tail.impacts <= 2 {
             let terms = &rocker.edges[edge];
             let highest = turning_point(terms, 0.0, speed)?;
             let [r, r_left] = rocker.restitution;

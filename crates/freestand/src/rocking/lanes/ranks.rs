@@ -63,7 +63,8 @@ pub(super) struct Moving {
     pub(super) tau: f64,
 }
 
-const SIDES: [f64; 2] = [1.0, -1.0];
+/// s of the right edge and of the left one.
+pub(super) const SIDES: [f64; 2] = [1.0, -1.0];
 
 impl Ranks {
     pub(super) fn is_empty(&self) -> bool {

@@ -15,7 +15,7 @@ use super::quiet::tail;
 use super::ranks::{ABREAST, Moving, NONE, Ranks};
 use super::series::{Edge, Ground, Series};
 use super::shaking::{Interval, Shaking};
-use crate::rocking::REST_OMEGA_RAD_S;
+use crate::rocking::{MAX_IMPACTS, REST_OMEGA_RAD_S};
 
 /// A block as the kernel sees it.
 #[derive(Debug, Clone, Copy)]
@@ -59,7 +59,14 @@ pub(super) enum State {
     GivenUp,
 }
 
-const SIDES: [f64; 2] = [1.0, -1.0];
+/// A block that is lifted later in an interval: in which of its steps, and after what part of it.
+#[derive(Debug, Clone, Copy)]
+struct Lift {
+    part: usize,
+    block: u32,
+    edge: usize,
+    tau: f64,
+}
 
 pub(super) struct Tile<'a> {
     shaking: &'a Shaking,
@@ -76,8 +83,7 @@ pub(super) struct Tile<'a> {
     /// First block that is lifted in each interval, and the next one after each block.
     lifted_in: Vec<u32>,
     lifted_next: Vec<u32>,
-    /// Blocks lifted later in this interval: part, block, edge, part of the step.
-    pending: Vec<(usize, u32, u8, f64)>,
+    pending: Vec<Lift>,
     /// Behind the record.
     quiet: bool,
     rest_w: f64,
@@ -150,10 +156,10 @@ impl<'a> Tile<'a> {
         for lane in 0..self.moving.count() {
             let Moving { block, edge, y, w, best, .. } = self.moving.get(lane);
             let tail = if LINEARISED { None } else { tail(&self.rockers[block as usize], edge, y, w, self.rest_w) };
-            let Some(tail) = tail.filter(|tail| tail.steps < (wait * self.parts) as f64) else { continue };
+            let Some(tail) = tail.filter(|tail| tail.steps < wait as f64 * self.parts as f64) else { continue };
             let record = &mut self.records[block as usize];
-            record.state = State::AtRest;
             record.impact_count += tail.impacts;
+            record.state = if record.impact_count > MAX_IMPACTS { State::GivenUp } else { State::AtRest };
             record.sides[edge].height = best;
             for (side, tail) in record.sides.iter_mut().zip(tail.sides) {
                 side.height = side.height.max(tail.height);
@@ -184,9 +190,9 @@ impl<'a> Tile<'a> {
             };
             let step = Step { interval, whole, part, ground };
             for i in 0..self.pending.len() {
-                let (at, block, edge, tau) = self.pending[i];
-                if at == part {
-                    self.start(block, usize::from(edge), tau);
+                let lift = self.pending[i];
+                if lift.part == part {
+                    self.start(lift.block, lift.edge, lift.tau);
                 }
             }
             if self.shaking.v.is_empty() {
@@ -207,7 +213,8 @@ impl<'a> Tile<'a> {
         self.pending.clear();
     }
 
-    /// One step of every lane; lanes with an event stay where they are and go into the queue.
+    /// One step of every lane; lanes with an event stay where they are and go into the queue. So do those that enter within
+    /// the step: they lie on the floor without velocity, which is never certain to stay above it.
     #[inline(always)]
     fn advance<S: Simd, const K: usize, const LINEARISED: bool, const VERTICAL: bool>(
         &mut self,

@@ -6,7 +6,7 @@ use super::super::rock_many;
 use super::trouble::{Random, Trouble};
 use crate::motion::Motion;
 use crate::rocking::{
-    Accuracy, Base, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, RockingSummary, Until, rock,
+    Accuracy, Base, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, RockingSummary, rock,
 };
 
 /// Amplification beyond which nothing is left to compare: the motion is then chaotic or at the edge of overturning.

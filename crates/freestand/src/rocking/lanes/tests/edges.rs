@@ -120,3 +120,52 @@ fn a_block_that_rocks_for_ever_stops_at_once() {
         }
     }
 }
+
+/// A base that stays a unit in the last place above the threshold hardly lifts a block, in steps that no binary fraction
+/// divides an interval into; it must come to an end all the same.
+#[test]
+fn a_plateau_at_the_threshold_ends_in_any_number_of_steps() {
+    let block = Block::uniform(2.0, 0.5).unwrap();
+    let options = RockingOptions { gravity_m_s2: 1.0, ..RockingOptions::default() };
+    let threshold = options.model.uplift_threshold_ratio(&block);
+    for i in 0..150 {
+        let dt = 0.1 * 1.035_f64.powi(i);
+        for units in [-1, 0, 1, 2] {
+            let at = f64::from_bits((threshold.to_bits() as i64 + units) as u64);
+            let motion = Motion::new(dt, vec![at, at, at, 0.0]).unwrap();
+            let (kernel, scalar) = both(&block, under(&motion), &options);
+            assert_eq!(kernel.outcome, scalar.outcome, "every {dt} s, {units} units");
+        }
+    }
+}
+
+/// Blocks a few units in the last place apart, whose largest rotation falls on a sample.
+#[test]
+fn a_maximum_on_a_sample_is_found() {
+    let options = RockingOptions::default();
+    for (dt, peak_g) in [(0.02, 0.5), (0.05, 0.6), (0.01, 0.9), (0.03, 0.4)] {
+        let mut accel = vec![0.0, -peak_g * G0_M_S2, -peak_g * G0_M_S2, -0.3 * peak_g * G0_M_S2];
+        accel.resize(400, 0.0);
+        let motion = Motion::new(dt, accel).unwrap();
+        let block = |thickness: f64| Block::uniform(1.2, thickness).unwrap();
+        let peak_at = |thickness: f64| {
+            rock(&block(thickness), under(&motion), &options).unwrap().peak_rotation_time_s.unwrap() / dt
+        };
+        let sample = peak_at(0.3).floor();
+        // A thicker block turns back earlier.
+        let (mut before, mut behind) = (0.4, 0.3);
+        assert!(peak_at(before) < sample && peak_at(behind) >= sample, "every {dt} s");
+        for _ in 0..60 {
+            let middle = 0.5 * (before + behind);
+            *(if peak_at(middle) < sample { &mut before } else { &mut behind }) = middle;
+        }
+        let expected = rock(&block(before), under(&motion), &options).unwrap().peak_rotation_rad;
+        let blocks: Vec<Block> =
+            (-20_000..20_000).map(|i| block(before * (1.0 + f64::from(i) * f64::EPSILON))).collect();
+        for (block, got) in blocks.iter().zip(rock_many(&blocks, under(&motion), &options)) {
+            // 1e-10 is the accuracy; without the maximum what is left is 0, or a later one.
+            let got = got.unwrap().peak_rotation_rad;
+            assert!((got / expected - 1.0).abs() < 1e-9, "every {dt} s, {block:?}: {got} instead of {expected}");
+        }
+    }
+}

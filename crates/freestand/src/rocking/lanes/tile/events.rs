@@ -5,13 +5,13 @@ use std::f64::consts::FRAC_PI_2;
 use pulp::Simd;
 
 use super::waiting::margin;
-use super::{EdgeTerms, SIDES, State, Step, Tile};
+use super::{EdgeTerms, Lift, State, Step, Tile};
 use crate::polynomial::{first_root, roots, value, value_and_slope};
 use crate::rocking::MAX_IMPACTS;
 use crate::rocking::lanes::batch::{CALM, LANDING};
 use crate::rocking::lanes::chatter::{Acting, Pull, impacts_to_rest};
 use crate::rocking::lanes::math::Math;
-use crate::rocking::lanes::ranks::Moving;
+use crate::rocking::lanes::ranks::{Moving, SIDES};
 use crate::rocking::lanes::series::TERMS;
 
 impl Tile<'_> {
@@ -177,11 +177,15 @@ impl Tile<'_> {
             let left = 1.0 - tau;
             let traces = [record.sides[edge], record.sides[1 - edge]];
             let ahead = [acting[edge], acting[1 - edge]];
+            // Behind the record the scalar solver counts every impact of a block that `tail` does not settle, too.
             if !self.quiet
                 && rocker.restitution[0] == rocker.restitution[1]
                 && let Some(impacts) = impacts_to_rest(ahead, rocker.restitution[0], w, left, traces, self.rest_w)
             {
                 record.impact_count += impacts;
+                if record.impact_count > MAX_IMPACTS {
+                    break;
+                }
                 return (edge, 0.0, 1.0);
             }
             let Some(flight) = acting[edge].flight(w, left, traces[0].height) else { break };
@@ -209,13 +213,18 @@ impl Tile<'_> {
         let ratio = (step.part as f64 + tau) / self.parts as f64;
         match self.lift(block, step.whole, ratio) {
             Some((edge, ratio)) => {
-                let (part, lifted_at) = self.part_of(ratio);
-                if part > step.part {
-                    self.pending.push((part, block, edge as u8, lifted_at));
-                } else {
-                    // Rounding may put it a little before the block came to rest.
-                    let lane = self.start(block, edge, if part == step.part { lifted_at.max(tau) } else { tau });
+                // Counted from this step on: rounding must not take the block back to where it came to rest.
+                let ahead = ratio * self.parts as f64 - step.part as f64;
+                if tau < 1.0 && ahead < 1.0 {
+                    let lane = self.start(block, edge, ahead.max(tau));
                     self.again.push(lane as u32);
+                } else if step.part + 1 < self.parts {
+                    let (part, tau) = self.part_of(ratio);
+                    let early = part <= step.part;
+                    let (part, tau) = if early { (step.part + 1, 0.0) } else { (part, tau) };
+                    self.pending.push(Lift { part, block, edge, tau });
+                } else {
+                    self.wait(block, step.interval + 2);
                 }
             }
             None => self.wait(block, step.interval + 2),

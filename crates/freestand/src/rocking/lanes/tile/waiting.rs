@@ -1,7 +1,7 @@
 //! Blocks at rest, until the base lifts them.
 
-use super::{Rocker, SIDES, State, Tile};
-use crate::rocking::lanes::ranks::{Moving, NONE};
+use super::{Lift, Rocker, State, Tile};
+use crate::rocking::lanes::ranks::{Moving, NONE, SIDES};
 use crate::rocking::lanes::shaking::Interval;
 
 impl Tile<'_> {
@@ -39,7 +39,7 @@ impl Tile<'_> {
             match self.lift(block, whole, 0.0) {
                 Some((edge, ratio)) => {
                     let (part, tau) = self.part_of(ratio);
-                    self.pending.push((part, block, edge as u8, tau));
+                    self.pending.push(Lift { part, block, edge, tau });
                 }
                 // A quotient and a product may round to either side of the threshold.
                 None => self.wait(block, interval + 2),
