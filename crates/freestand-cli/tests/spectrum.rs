@@ -121,7 +121,8 @@ fn sensitivity_is_told_where_it_is_asked_for() {
         sensitive += usize::from(flagged);
         match row["sensitivity_ratio"].as_f64() {
             Some(ratio) => {
-                assert_eq!((&row["outcome"], flagged), (&Value::from("rocked"), ratio > 10.0), "{row}");
+                // Impacts can be sensitive where the rotation is not.
+                assert!(row["outcome"] == "rocked" && (flagged || ratio <= 10.0), "{row}");
                 moderate += usize::from((1.0..20.0).contains(&ratio));
             }
             None => assert!(flagged || row["outcome"] != "rocked", "{row}"),

@@ -58,12 +58,12 @@ impl StreamedFile {
         Self { file: io::BufWriter::with_capacity(1 << 16, file), path: path.to_path_buf(), rename: None }
     }
 
-    /// Appends.
+    /// Appends, and hands everything to the system: a disk that is full is met here, before what is said of it elsewhere.
     ///
     /// # Errors
     /// A disk that is full.
     pub fn write(&mut self, bytes: &[u8]) -> Result<(), Problem> {
-        self.file.write_all(bytes).map_err(|error| self.failed(&error))
+        self.file.write_all(bytes).and_then(|()| self.file.flush()).map_err(|error| self.failed(&error))
     }
 
     /// Ends the file and gives it its name.

@@ -7,7 +7,7 @@ use std::path::Path;
 use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, Restitution, RockingOptions};
-use freestand::spectra::{PERTURBATION_RATIO, Sensitivity, uplift_sensitivity, uplift_spectrum};
+use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, uplift_sensitivity, uplift_spectrum};
 use serde_json::Value;
 
 /// The horizontal samples of a record in the repository, and its step.
@@ -46,7 +46,10 @@ fn amplifications_are_those_of_the_reference() {
             continue;
         }
         let Some((outcome, got)) = solve(case) else { continue };
-        assert_eq!(case["sensitive"], got.sensitive, "{}: {got:?}", case["id"]);
+        // The reference looks at the rotation only, ours at the impacts and at what comes before a fall, too.
+        let reference = case["sensitive"].as_bool().unwrap();
+        assert!(got.sensitive || !reference, "{}: {got:?}", case["id"]);
+        assert!(got.ratio.is_none_or(|ratio| (ratio > SENSITIVE_RATIO) == reference), "{}: {got:?}", case["id"]);
         assert_eq!(got.ratio.is_some(), outcome == Outcome::Rocked, "{}: {got:?}", case["id"]);
         sensitive += usize::from(got.sensitive);
         let expected = case["check"]["rel_change_pert_1e6"].as_f64().unwrap() / PERTURBATION_RATIO;

@@ -15,6 +15,10 @@ pub const PERTURBATION_RATIO: f64 = 1e-6;
 /// changes by [`PERTURBATION_RATIO`].
 pub const SENSITIVE_RATIO: f64 = 10.0;
 
+/// Amplification, in the rotations and impacts before it, above which an overturning is in doubt: an error of 1e-6 in the motion
+/// has become one of 0.1 %.
+pub const DOUBTFUL_RATIO: f64 = 1000.0;
+
 /// One cell of an uplift response spectrum: an object under a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UpliftCell {
@@ -41,7 +45,8 @@ pub struct Sensitivity {
     /// Amplification of the error: relative change of the peak rotation by the relative change of the motion. `None`
     /// where no two peaks can be compared: no uplift, overturned, or another outcome under the changed motion.
     pub ratio: Option<f64>,
-    /// Whether the cell is not to be relied on: another outcome, or a ratio above [`SENSITIVE_RATIO`].
+    /// Whether the cell is not to be relied on: another outcome, an amplification above [`SENSITIVE_RATIO`] in the peak
+    /// rotation or in the speeds of impacts, or, of an overturned block, above [`DOUBTFUL_RATIO`] in what it did before.
     pub sensitive: bool,
 }
 
@@ -96,17 +101,35 @@ impl UpliftCell {
 
     /// The sensitivity by what the object does under the changed motion.
     fn sensitivity(&self, changed: &Result<RockingSummary, RockingError>) -> Sensitivity {
-        let outcome = self.rocking.outcome;
-        let ratio = match changed {
-            Ok(changed) if changed.outcome != outcome => return Sensitivity { ratio: None, sensitive: true },
-            Err(_) => return Sensitivity { ratio: None, sensitive: true },
-            Ok(changed) if outcome == Outcome::Rocked => {
-                (changed.peak_rotation_rad / self.rocking.peak_rotation_rad - 1.0).abs() / PERTURBATION_RATIO
-            }
-            Ok(_) => return Sensitivity { ratio: None, sensitive: false },
+        let Ok(changed) = changed else { return Sensitivity { ratio: None, sensitive: true } };
+        if changed.outcome != self.rocking.outcome {
+            return Sensitivity { ratio: None, sensitive: true };
+        }
+        let amplified = |number: f64, changed: f64, of: f64| {
+            if number == changed { 0.0 } else { (changed - number).abs() / of / PERTURBATION_RATIO }
         };
-        // A block that is lifted and does not rise can rise under the changed motion: no number, but sensitive.
-        Sensitivity { ratio: Some(ratio).filter(|ratio| ratio.is_finite()), sensitive: ratio > SENSITIVE_RATIO }
+        let fastest = self.impact_omega_rad_s();
+        let (mut lower, mut speed) = (0.0_f64, 0.0_f64);
+        for (side, changed) in self.rocking.sides.iter().zip(changed.sides) {
+            let (height, omega) = (side.peak_rotation_rad, side.impact_omega_rad_s);
+            lower = lower.max(amplified(height, changed.peak_rotation_rad, height));
+            speed = speed.max(amplified(omega, changed.impact_omega_rad_s, fastest));
+        }
+        match self.rocking.outcome {
+            Outcome::NoUplift => Sensitivity { ratio: None, sensitive: false },
+            // No number is left but those of the rocking before: where an error has grown visible in them, the fall is in
+            // doubt.
+            Outcome::Overturned => Sensitivity { ratio: None, sensitive: lower.max(speed) > DOUBTFUL_RATIO },
+            Outcome::Rocked => {
+                let peak = self.rocking.peak_rotation_rad;
+                let ratio = amplified(peak, changed.peak_rotation_rad, peak);
+                // A block that is lifted and does not rise can rise under the changed motion: no number, but sensitive.
+                Sensitivity {
+                    ratio: Some(ratio).filter(|ratio| ratio.is_finite()),
+                    sensitive: ratio.max(speed) > SENSITIVE_RATIO,
+                }
+            }
+        }
     }
 
     /// Largest |ω| just before an impact \[rad/s\]; 0 without impacts.

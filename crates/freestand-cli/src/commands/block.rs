@@ -38,12 +38,12 @@ enum ModelName {
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
 enum AccuracyName {
-    /// 1e-9 a step
+    /// 1e-9 a step; in spectra rotations to 1e-7 or so
     Fast,
-    /// 1e-13 a step
+    /// 1e-13 a step; in spectra rotations to 1e-9 or better
     #[default]
     Standard,
-    /// As far as double precision goes
+    /// As far as double precision goes; in spectra nearly so
     Tight,
 }
 

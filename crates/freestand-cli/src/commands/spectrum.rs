@@ -72,8 +72,9 @@ pub(crate) struct SpectrumArgs {
     /// Every object is followed again under 1.000001 times the horizontal motion, which doubles the work.
     /// `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6: 1 to some tens are usual, and
     /// with 1000 an error of 0.1 % in the record leaves nothing of the result. An object is `sensitive` if the ratio is above 10
-    /// (the peak changes by more than 1e-5), or if it overturns, rocks or stays under one of the two motions only; the
-    /// ratio is then empty, as it is for objects that do not rock or that overturn under both.
+    /// (the peak changes by more than 1e-5), if its fastest impacts change as much, or if it overturns, rocks or stays under one
+    /// of the two motions only; the ratio is then empty, as it is for objects that do not rock or that overturn under both.
+    /// One that overturns under both is `sensitive` if what it did before differs by more than 0.1 %.
     #[arg(long, help_heading = "The rocking")]
     sensitivity: bool,
     /// File for the rows (CSV)
@@ -134,7 +135,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     if sensitive > 0 {
         warnings.push(format!(
             "{sensitive} of {total} histories are sensitive: an error of the motion grows more than {SENSITIVE_RATIO} times \
-             in the rotation, or {PERTURBATION_RATIO:e} of the motion changes the outcome"
+             in the rotation or the impacts, or {PERTURBATION_RATIO:e} of the motion changes the outcome or puts it in doubt"
         ));
     }
     let place = args.csv.as_deref().map(path_text).or_else(|| files.path(ROWS));
