@@ -86,7 +86,7 @@ pub enum Restitution {
 /// |---|---|---|---|---|---|
 /// | fast | 2.6e-10 | 3.6e-7 | 3e-10 | 2e-9 | 0.9 |
 /// | standard | 3.2e-14 | 4.2e-10 | 7e-13 | 4e-12 | 1 |
-/// | tight | 4.4e-15 | 7.7e-14 | 1e-15 | 1e-14 | 1.4 |
+/// | tight | 4.4e-15 | 7.7e-14 | 1e-15 | 1e-14 | 1.2 |
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Accuracy {
     /// 1e-9 a step: for surveys.
