@@ -114,6 +114,7 @@ fn sensitivity_is_told_where_it_is_asked_for() {
     let (plain, rows) = (plain["rows"].as_array().unwrap(), asked["rows"].as_array().unwrap());
     let mut sensitive = 0;
     let mut moderate = 0;
+    let mut by_impacts = 0;
     for (plain, row) in plain.iter().zip(rows) {
         assert!(plain.get("sensitivity_ratio").is_none() && plain.get("sensitive").is_none());
         assert_eq!(plain["peak_rotation_rad"], row["peak_rotation_rad"]);
@@ -123,6 +124,7 @@ fn sensitivity_is_told_where_it_is_asked_for() {
             Some(ratio) => {
                 // Impacts can be sensitive where the rotation is not.
                 assert!(row["outcome"] == "rocked" && (flagged || ratio <= 10.0), "{row}");
+                by_impacts += usize::from(flagged && ratio <= 10.0);
                 moderate += usize::from((1.0..20.0).contains(&ratio));
             }
             None => assert!(flagged || row["outcome"] != "rocked", "{row}"),
@@ -130,9 +132,33 @@ fn sensitivity_is_told_where_it_is_asked_for() {
     }
     let rocked = rows.iter().filter(|row| row["outcome"] == "rocked").count();
     assert!(sensitive > 0 && moderate > rocked / 4, "{sensitive} and {moderate} of {rocked}");
+    assert!(by_impacts > 0, "of {rocked}");
     let said = format!("{sensitive} of 1640 histories are sensitive");
     let warnings = asked["warnings"].as_array().unwrap();
     assert!(warnings.iter().any(|warning| warning.as_str().unwrap().starts_with(&said)), "{warnings:?}");
+}
+
+/// The velocity shock is proportional to the fastest impact: of an object that is not sensitive it changes by no more than ten
+/// times what the motion does.
+#[test]
+fn shocks_of_objects_that_are_not_sensitive_are_steady() {
+    let folder = folder();
+    let cushion = ["--mass", "150 kg", "--stiffness", "4380 N/mm", "--sensitivity", "--json"];
+    let asked = document(&spectrum(folder.path(), GRID, &cushion));
+    let grid = ["--heights", GRID[0], "--thicknesses", GRID[1]];
+    let stronger = ["spectrum", "--motion", "r.csv", "--component", "1", "--scale", "3.000003"];
+    let changed = document(&freestand(folder.path(), &[&stronger[..], &grid, &cushion].concat()));
+    let (mut steady, mut unsteady) = (0, 0);
+    for (row, changed) in asked["rows"].as_array().unwrap().iter().zip(changed["rows"].as_array().unwrap()) {
+        let shock = |row: &Value| row["edge_acceleration_impact_velocity_g"].as_f64().filter(|shock| *shock > 0.0);
+        let (Some(shock), Some(changed)) = (shock(row), shock(changed)) else { continue };
+        // 1e-9 for the rounding of the scaled motion.
+        let within = (changed / shock - 1.0).abs() <= 1e-5 + 1e-9;
+        assert!(within || row["sensitive"] == true, "{row}: {changed}");
+        *(if within { &mut steady } else { &mut unsteady }) += 1;
+    }
+    // Enough of both (93 and 252) for the test to mean something.
+    assert!(steady > 50 && unsteady > 50, "{steady} and {unsteady}");
 }
 
 /// As `rock` follows one object, within what `standard` accuracy promises and a record amplifies.

@@ -33,19 +33,18 @@ impl Acting {
     /// Whether a flight that takes off at the speed `w` can be certain to land before the time `left` is over: under the
     /// least pull alone it lasts 2w/E.
     pub(super) fn is_brief(&self, w: f64, left: f64) -> bool {
-        let least = self.e.now.min(self.e.now + left * self.e.slope);
-        2.2 * w <= left * least
+        2.2 * w <= left * self.e.least(left)
     }
 
     /// A flight that takes off at the speed `w`, if it is short, as low as `lower_than`, and certain to land before the time
     /// `left` is over.
     pub(super) fn flight(&self, w: f64, left: f64, lower_than: f64) -> Option<Flight> {
         let (e, d) = (self.e.now, self.d.now);
-        let least = e.min(e + left * self.e.slope);
+        let least = self.e.least(left);
         // y never passes w²/2E under the least pull: half of this.
         let longest = 2.2 * w / least;
         let highest = 0.5 * w * longest;
-        let strongest = d.abs() + left * self.d.slope.abs();
+        let strongest = self.d.strongest(left);
         if !(self.is_brief(w, left)
             && least > 0.0
             && highest <= LOW
@@ -96,6 +95,16 @@ fn flight_ratio(epsilon: f64) -> f64 {
 }
 
 impl Pull {
+    /// The least of it in the time `left`.
+    fn least(self, left: f64) -> f64 {
+        self.now.min(self.now + left * self.slope)
+    }
+
+    /// What its size never passes in the time `left`.
+    fn strongest(self, left: f64) -> f64 {
+        self.now.abs() + left * self.slope.abs()
+    }
+
     fn after(self, time: f64) -> Self {
         Self { now: self.now + time * self.slope, ..self }
     }
@@ -126,14 +135,12 @@ pub(super) fn impacts_to_rest(
     let fastest = GROWTH * w;
     let slowing = 1.0 - r;
     for (acting, trace) in edges.iter().zip(traces) {
-        let Pull { now, slope } = acting.e;
-        let least = now.min(now + left * slope);
+        let least = acting.e.least(left);
         let square = 0.5 * fastest * fastest;
-        let restoring = acting.d.now.abs() + left * acting.d.slope.abs();
         let holds = least > 0.0
             && 2.0 * fastest <= least * slowing * left
-            && slope.abs() * w <= CHANGE * slowing * least * least
-            && restoring * square <= PART * least * least
+            && acting.e.slope.abs() * w <= CHANGE * slowing * least * least
+            && acting.d.strongest(left) * square <= PART * least * least
             && square < least * trace.height
             && fastest < trace.speed;
         if !holds {

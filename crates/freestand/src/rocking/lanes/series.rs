@@ -58,7 +58,7 @@ impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
         w: Numbers<S, W>,
         edge: Edge<S, W>,
         ground: Ground<S, W>,
-        first: impl FnOnce(Numbers<S, W>) -> Numbers<S, W>,
+        first: impl Fn(Numbers<S, W>) -> Numbers<S, W>,
     ) -> Self {
         let zero = m.splat(0.0);
         let (mut c, mut slope) = ([zero; TERMS], [zero; TERMS]);
@@ -70,7 +70,6 @@ impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
         let phi = m.sub(edge.alpha, y);
         (sin[0], cos[0]) = if LINEARISED { (phi, m.splat(1.0)) } else { m.sin_cos(phi) };
         (sin[0], cos[0]) = (m.mul(edge.x2, sin[0]), m.mul(edge.x2, cos[0]));
-        let mut first = Some(first);
         unroll!(N, {
             if N + 2 <= K {
                 if N > 0 && LINEARISED {
@@ -101,7 +100,7 @@ impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
                     }
                     m.fma(ground.su, cos[N], before)
                 };
-                let f = if N == 0 { first.take().map_or(f, |first| first(f)) } else { f };
+                let f = if N == 0 { first(f) } else { f };
                 slope[N + 2] = m.mul(f, m.splat(-INVERSE[N + 1]));
                 c[N + 2] = m.mul(slope[N + 2], m.splat(INVERSE[N + 2]));
             }
