@@ -50,11 +50,13 @@
 pub mod block;
 pub mod building;
 pub mod code_spectrum;
+pub mod cushion;
 pub mod impact;
 pub mod measures;
 pub mod motion;
 pub mod oscillator;
 mod polynomial;
+mod quadrature;
 pub mod rocking;
 pub mod shock_response;
 pub mod signal;
