@@ -1,6 +1,7 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
 pub mod cushion;
+pub mod cushion_curve;
 pub mod error;
 pub mod figures;
 #[cfg(test)]

@@ -6,6 +6,7 @@ mod binary;
 mod columns;
 mod cosmos;
 mod csmip;
+mod cushion_curve;
 mod cwa;
 mod dialect;
 mod direction;
@@ -43,6 +44,7 @@ mod volumes;
 mod write;
 
 pub use direction::Direction;
+pub(crate) use cushion_curve::load_curve;
 pub(crate) use found::check_step;
 pub(crate) use lines::load;
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
