@@ -6,6 +6,7 @@ pub mod figures;
 mod fixture;
 pub mod input;
 pub mod inspect;
+pub mod law;
 mod options;
 pub mod output;
 pub mod outputs;
