@@ -12,6 +12,7 @@
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
+//! | a cushion from a test of it | [`identify`] |
 //! | severity of a half-sine pulse | [`shock_response`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
@@ -51,6 +52,7 @@ pub mod block;
 pub mod building;
 pub mod code_spectrum;
 pub mod cushion;
+pub mod identify;
 pub mod impact;
 pub mod measures;
 pub mod motion;
