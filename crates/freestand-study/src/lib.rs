@@ -1,6 +1,7 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
 pub mod cushion;
+pub mod drop_test;
 pub mod error;
 pub mod figures;
 #[cfg(test)]
@@ -25,12 +26,14 @@ pub mod run;
 pub mod shape;
 pub mod shock;
 pub mod spectrum;
+pub mod static_test;
 pub mod statistics;
 pub mod streamed;
 pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod validate;
+pub mod virtual_laboratory;
 pub mod words;
 
 /// The design document: its examples are compiled and run.
