@@ -1,6 +1,7 @@
 //! Cushion curves of packaging: from drops on a foam (ASTM D1596) to one stress–energy curve, and from it to the thickness
 //! and the load that keep a shock below a limit.
 
+use std::cell::RefCell;
 use std::path::Path;
 
 use freestand::G0_M_S2;
@@ -94,11 +95,12 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
 fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &CurveRequest) -> CurveReport {
     let curve = fit.curve;
     let (least, most) = fit.energies_j_m3;
-    let mut warnings = Vec::new();
-    let mut within = |what: &str, stress_pa: f64, height_m: f64, thickness_m: f64| {
+    let warnings = RefCell::new(Vec::new());
+    let warn = |words: String| warnings.borrow_mut().push(words);
+    let within = |what: &str, stress_pa: f64, height_m: f64, thickness_m: f64| {
         let energy = stress_pa * height_m / thickness_m;
         if !(least * 0.999..=most * 1.001).contains(&energy) {
-            warnings.push(format!(
+            warn(format!(
                 "{what} asks the curve for {energy:.4e} J/m³, the tests reach from {least:.4e} to {most:.4e}: it is a guess"
             ));
         }
@@ -116,7 +118,7 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     let needed = height.zip(stress).zip(limit_g).map(|((h, s), limit)| (curve.thickness_m(s, h, limit), s, h));
     match needed {
         Some((Some(t), s, h)) => within("the thickness", s, h, t),
-        Some((None, ..)) => warnings.push(
+        Some((None, ..)) => warn(
             "no thickness keeps the limit at this static stress: the load is too light for this cushion; give it less area"
                 .to_owned(),
         ),
@@ -130,7 +132,7 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
         within("the optimum thickness", s, h, t);
     }
     if fit.r_squared_ratio < 0.9 {
-        warnings.push(format!(
+        warn(format!(
             "the tests scatter about one stress-energy curve (R² = {:.3}): heights and thicknesses may not reduce to it",
             fit.r_squared_ratio
         ));
@@ -157,7 +159,7 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
         thickness_m: needed.and_then(|(t, ..)| t),
         optimum_thickness_m: optimum.map(|(t, ..)| t),
         optimum_static_stress_pa: optimum.map(|(_, s, _)| s),
-        warnings,
+        warnings: warnings.into_inner(),
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub mod cushion;
 pub mod cushion_curve;
+pub mod drop_test;
 pub mod error;
 pub mod figures;
 #[cfg(test)]
@@ -26,12 +27,14 @@ pub mod run;
 pub mod shape;
 pub mod shock;
 pub mod spectrum;
+pub mod static_test;
 pub mod statistics;
 pub mod streamed;
 pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod validate;
+pub mod virtual_laboratory;
 pub mod words;
 
 /// The design document: its examples are compiled and run.

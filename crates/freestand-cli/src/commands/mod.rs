@@ -2,6 +2,7 @@
 
 mod block;
 mod check;
+mod cushion;
 mod floor;
 mod motion;
 mod rock;
@@ -37,6 +38,7 @@ pub(crate) enum Command {
     Rock(Box<rock::RockArgs>),
     Spectrum(Box<spectrum::SpectrumArgs>),
     Motion(motion::MotionArgs),
+    Cushion(cushion::CushionArgs),
     Floor(floor::FloorArgs),
     Validate(validate::ValidateArgs),
 }
@@ -50,6 +52,7 @@ impl Command {
             Self::Rock(args) => rock::run(args, global, printer),
             Self::Spectrum(args) => spectrum::run(args, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
+            Self::Cushion(args) => cushion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
         }

@@ -5,6 +5,7 @@
 
 mod floor_spectra;
 mod history;
+mod laboratory;
 mod legend;
 mod page;
 mod record;
@@ -159,6 +160,22 @@ pub fn response_spectrum_figure(
     spectra: &[&DampedSpectrum],
 ) -> Result<Figure, FigureError> {
     page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
+}
+
+/// Draws the loops of drop tests: force and acceleration against compression.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn drop_figures(report: &crate::drop_test::DropsReport) -> Result<Vec<Figure>, FigureError> {
+    laboratory::drops(report).into_iter().map(page::draw).collect()
+}
+
+/// Draws the curves of static tests.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn static_figure(report: &crate::static_test::StaticsReport) -> Result<Figure, FigureError> {
+    page::draw(laboratory::statics(report))
 }
 
 /// Draws every figure of [`figure_kinds`], on the threads of the current pool; the figures do not depend on them.

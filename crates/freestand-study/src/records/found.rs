@@ -122,7 +122,7 @@ pub(super) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Opt
 ///
 /// The largest acceleration of the ground on record is 4.4 g (Iwate-Miyagi 2008, IWTH25). Floors amplify the ground some
 /// times, so that 20 g is beyond both; a lost decimal point or another unit is nearer at hand than a shock of pyrotechnics.
-pub(super) fn extreme_note(component: &Component) -> Option<String> {
+pub(crate) fn extreme_note(component: &Component) -> Option<String> {
     const HIGHEST_M_S2: f64 = 20.0 * freestand::G0_M_S2;
     let motion = &component.motion;
     // The offset of an instrument's own values may be anything; it is removed before they are used.

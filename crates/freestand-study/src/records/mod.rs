@@ -22,6 +22,7 @@ mod headings;
 mod instant;
 mod keyed;
 mod knet;
+pub(crate) mod laboratory;
 mod lines;
 mod mseed;
 mod nsmn;
@@ -43,9 +44,9 @@ mod usc;
 mod volumes;
 mod write;
 
-pub use direction::Direction;
 pub(crate) use cushion_curve::load_curve;
-pub(crate) use found::check_step;
+pub use direction::Direction;
+pub(crate) use found::{check_step, extreme_note};
 pub(crate) use lines::load;
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};
@@ -54,7 +55,7 @@ pub use write::{write_at2, write_csv};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::input::InputFile;
 use crate::quantity::shorten;
-use found::{Found, channels_note, end_note, extreme_note, length_note, motion, peak_note, tell_apart};
+use found::{Found, channels_note, end_note, length_note, motion, peak_note, tell_apart};
 use freestand::motion::Motion;
 use std::path::{Path, PathBuf};
 
