@@ -11,6 +11,7 @@
 //! | the floors of a building | [`building`], [`oscillator`] |
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
+//! | the object on cushions, followed in time: a second opinion on that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
 //! | severity of a half-sine pulse | [`shock_response`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
@@ -50,6 +51,7 @@
 pub mod block;
 pub mod building;
 pub mod code_spectrum;
+pub mod compliant;
 pub mod cushion;
 pub mod impact;
 pub mod measures;
