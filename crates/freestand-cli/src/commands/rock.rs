@@ -1,5 +1,7 @@
 //! `freestand rock`: one object under one motion.
 
+mod compliant;
+
 use std::path::PathBuf;
 
 use clap::Args;
@@ -11,6 +13,7 @@ use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
 use serde::Serialize;
 
+use self::compliant::CompliantArgs;
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
 use crate::args::GlobalArgs;
@@ -29,7 +32,9 @@ Examples:
   A column of accelerations in g every 5 ms, twice as strong, history to a file:
     freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m --thickness 0.3m --history history.csv
   Free rocking from a tilt of 5 degrees:
-    freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m")]
+    freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
+  A cabinet let go on its pads, followed in time, with the trace of the landing:
+    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --damping 5% --out landing")]
 pub(crate) struct RockArgs {
     /// Record of the base's horizontal acceleration; none: free rocking
     #[arg(long, value_name = "FILE")]
@@ -54,11 +59,15 @@ pub(crate) struct RockArgs {
     /// Stiffness of all the cushion under one edge, for the shock
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, requires = "mass", help_heading = "The object")]
     stiffness: Option<String>,
-    /// Coefficient of friction, for the warning against sliding [default: 0.5]
+    /// Coefficient of friction: for the warning against sliding [default: 0.5]; on a compliant base the feet slip by it [default:
+    /// they do not]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The object")]
     friction: Option<String>,
     #[command(flatten)]
     shape: ShapeArgs,
+
+    #[command(flatten)]
+    cushions: CompliantArgs,
 
     #[command(flatten)]
     rocking: RockingArgs,
@@ -80,6 +89,12 @@ pub(crate) struct RockArgs {
 }
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if args.cushions.is_compliant() {
+        return compliant::run(args, global, printer);
+    }
+    if let Some(flag) = args.cushions.given() {
+        return Err(Failure::usage(format!("{flag} is of a compliant base"), "add --base compliant"));
+    }
     let (request, reading) = request(args)?;
     let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical));
     let files = Files::begin(global, &inputs)?;
