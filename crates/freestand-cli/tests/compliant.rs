@@ -64,7 +64,7 @@ fn a_motion_that_lifts_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let record = folder.path().join("record.csv");
     std::fs::write(&record, "time [s],a [g]\n0,0\n0.25,0.05\n0.5,0\n0.75,-0.05\n1,0\n").unwrap();
-    let doc = document(&["--motion", record.to_str().unwrap(), "--damping", "5%", "--friction", "0.5"]);
+    let doc = document(&["--motion", record.to_str().unwrap(), "--law=kelvin-voigt", "--damping=5%", "--friction=0.5"]);
     assert_eq!(doc["outcome"], "no-uplift");
     assert_eq!((doc["uplift_m"].as_f64(), doc["impact_count"].as_u64()), (Some(0.0), Some(0)));
     assert!(doc["edge_acceleration_paper_g"].is_null() && doc["first_uplift_time_s"].is_null());
@@ -85,7 +85,7 @@ fn what_does_not_belong_together_is_refused() {
     assert!(refused(&["--cg-rise", "50 mm"]).contains("balance point"));
     assert!(refused(&["--cg-rise", "16 mm", "--contacts", "1"]).contains("contact elements"));
     let rigid =
-        ["rock", "--height=2 m", "--thickness=0.5 m", "--initial-rotation=1deg", "--duration=1s", "--damping=5%"];
+        ["rock", "--height=2 m", "--thickness=0.5 m", "--initial-rotation=1deg", "--duration=1s", "--contacts=3"];
     let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(rigid).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8(output.stderr).unwrap().contains("--base compliant"));

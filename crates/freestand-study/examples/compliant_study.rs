@@ -61,8 +61,9 @@ fn study() -> Result<(), Box<dyn Error>> {
         let rise_m = RISE_SHARE * block.pivot().balance_rise_m();
         for scale in [0.25, 1.0, 16.0] {
             let stiffness_n_m = scale * EDGE_N_M;
+            let spring = Cushion::linear(stiffness_n_m)?;
             let [eq5, eq8] = [ImpactModel::Paper, ImpactModel::Halted].map(|model| {
-                let impact = Landing::rocking(&block, model).impact(MASS_KG, stiffness_n_m, rise_m, G0_M_S2);
+                let impact = Landing::rocking(&block, model).impact(MASS_KG, &spring, rise_m, G0_M_S2);
                 impact.edge_acceleration_m_s2 / G0_M_S2
             });
             for tangential_stiffness_ratio in [0.5, 1.0, 10.0] {
@@ -111,8 +112,12 @@ fn table_one() -> Result<(), Box<dyn Error>> {
                 };
                 let run = release(&block, &base, 1e-3 * rise_mm)?;
                 let (first, largest) = shocks(&run);
-                let eq5 =
-                    Landing::rocking(&block, ImpactModel::Paper).impact(MASS_KG, EDGE_N_M, 1e-3 * rise_mm, G0_M_S2);
+                let eq5 = Landing::rocking(&block, ImpactModel::Paper).impact(
+                    MASS_KG,
+                    &Cushion::linear(EDGE_N_M)?,
+                    1e-3 * rise_mm,
+                    G0_M_S2,
+                );
                 let touch = run.touches.first().ok_or("it never landed")?;
                 println!(
                     "{rise_mm},{damping_ratio},{tangential_stiffness_ratio},{first:.3},{largest:.3},{:.3},{:.2}",

@@ -29,6 +29,8 @@ pub struct CompliantRequest {
     pub block: Block,
     /// What it stands on.
     pub base: CompliantBase,
+    /// Thickness of the pad, for the warnings \[m\].
+    pub pad_thickness_m: Option<f64>,
     /// Horizontal motion of its base.
     pub horizontal: Option<Motion>,
     /// Vertical motion of its base.
@@ -230,9 +232,7 @@ pub fn damped(block: &Block, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f6
 /// Eq. (5) for a rise of the centre of gravity, on any cushion: the landing of m_eff at the edge's velocity \[m/s²\].
 pub fn paper_edge_acceleration_m_s2(block: &Block, base: &CompliantBase, cg_rise_m: f64, gravity_m_s2: f64) -> f64 {
     let landing = Landing::rocking(block, ImpactModel::Paper);
-    let m_eff = landing.effective_mass_ratio * base.mass_kg;
-    let speed_m_s = landing.omega_rad_s(cg_rise_m, gravity_m_s2) * landing.contact_distance_m;
-    base.cushion.land(m_eff, speed_m_s).peak_force_n / m_eff
+    landing.edge_acceleration_m_s2(base.mass_kg, &base.cushion, cg_rise_m, gravity_m_s2)
 }
 
 /// The base with cushions that have lost their dashpots: what Eq. (5) is about.
@@ -312,7 +312,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         tolerance: options.accuracy.tolerance(),
         steps: rocking.effort.steps,
         evaluations: rocking.effort.evaluations,
-        warnings: warnings(base, request.horizontal.is_some() || request.vertical.is_some(), force_n, &rocking),
+        warnings: warnings(request, force_n, &rocking),
         impacts: rocking.touches.into_iter().map(touch).collect(),
         swings: rocking
             .swings
@@ -360,21 +360,21 @@ fn energy(audit: EnergyAudit) -> EnergyReport {
 /// Energy that may be missing before it is said.
 const ENERGY_LIMIT: f64 = 1e-5;
 
-fn warnings(base: &CompliantBase, is_shaken: bool, force_n: f64, rocking: &CompliantRocking) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if let ContactLaw::Linear { stiffness_n_m } | ContactLaw::KelvinVoigt { stiffness_n_m, .. } = *base.cushion.law() {
-        let stiffness = stiffness_warnings(base.mass_kg, stiffness_n_m, None);
-        warnings.extend(stiffness.iter().map(ToString::to_string));
-        let (deepest_m, limit_m) = (base.cushion.static_compression_m(force_n), ASSUMED_PAD_THICKNESS_M);
-        if deepest_m > 0.5 * limit_m {
-            let warning = ValidityWarning::Bottoming { compression_mm: 1e3 * deepest_m, limit_mm: 1e3 * limit_m };
-            warnings.push(warning.to_string());
-        }
+fn warnings(request: &CompliantRequest, force_n: f64, rocking: &CompliantRocking) -> Vec<String> {
+    let (base, pad_thickness_m) = (&request.base, request.pad_thickness_m);
+    let is_shaken = request.horizontal.is_some() || request.vertical.is_some();
+    let stiffness = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
+    let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
+    let limit_m = pad_thickness_m.unwrap_or(ASSUMED_PAD_THICKNESS_M);
+    let deepest_m = base.cushion.static_compression_m(force_n);
+    if !base.cushion.is_curved() && deepest_m > 0.5 * limit_m {
+        let warning = ValidityWarning::Bottoming { compression_mm: 1e3 * deepest_m, limit_mm: 1e3 * limit_m };
+        warnings.push(warning.to_string());
     }
     if is_shaken && !base.cushion.law().is_damped() {
         warnings.push(
             "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock of a long \
-             history hangs on rounding; give --damping"
+             history hangs on rounding; give a damped law, such as --law kelvin-voigt --damping 5%"
                 .to_owned(),
         );
     }
@@ -461,7 +461,7 @@ mod tests {
         let base = CompliantBase::new(140.0, damped(&block, 140.0, 4.38e6, damping_ratio).unwrap());
         let start = Start::Tilted { rotation_rad, omega_rad_s: 0.0 };
         let options = CompliantOptions { start, points_m: vec![(0.3, 1.15)], ..CompliantOptions::default() };
-        CompliantRequest { block, base, horizontal: None, vertical: None, options }
+        CompliantRequest { block, base, pad_thickness_m: None, horizontal: None, vertical: None, options }
     }
 
     /// Eq. (5) at the rise of the release by hand: 4.526 g at 9.81 m/s², √(9.80665/9.81) of the acceleration and the

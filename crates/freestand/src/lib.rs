@@ -11,6 +11,7 @@
 //! | the floors of a building | [`building`], [`oscillator`] |
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
+//! | contact laws: what a cushion does to what lands on it | [`cushion`] |
 //! | the object on cushions, followed in time: a second opinion on that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
 //! | severity of a half-sine pulse | [`shock_response`] |
@@ -28,6 +29,7 @@
 //! A cabinet of 2.3 m × 0.6 m and 140 kg on pads of 4380 N/mm an edge, under one cycle of 0.35 g:
 //! ```
 //! use freestand::block::Block;
+//! use freestand::cushion::Cushion;
 //! use freestand::impact::ImpactModel;
 //! use freestand::motion::Motion;
 //! use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
@@ -43,7 +45,8 @@
 //! assert_eq!(history.outcome, Outcome::Rocked);
 //! assert!(history.peak_rotation_rad < cabinet.pivot().slenderness_angle_rad);
 //!
-//! let shock = UpliftCell::new(cabinet, &history).shock(140.0, 4.38e6, ImpactModel::Paper, freestand::G0_M_S2);
+//! let pads = Cushion::linear(4.38e6)?;
+//! let shock = UpliftCell::new(cabinet, &history).shock(140.0, &pads, ImpactModel::Paper, freestand::G0_M_S2);
 //! assert!(shock.edge_acceleration_g < Some(shock.ceiling_g));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -1,5 +1,6 @@
 //! Demand over capacity of one landing, by all that is known of what the object stands.
 
+use freestand::cushion::Cushion;
 use freestand::impact::{Impact, Landing};
 use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use serde::Serialize;
@@ -65,7 +66,8 @@ pub(super) fn max_stiffness(
         return (Some(largest).filter(|k| k.is_finite()), None);
     }
     let exceeded = |log_k: f64| {
-        let impact = landing.impact(mass_kg, log_k.exp(), rise_m, gravity);
+        let Ok(spring) = Cushion::linear(log_k.exp()) else { return false };
+        let impact = landing.impact(mass_kg, &spring, rise_m, gravity);
         verdict(request, impact.edge_acceleration_m_s2, Some(&impact)).is_some_and(|(_, ratio, _)| ratio > 1.0)
     };
     // From a feather to a thousand times the stiffest steel column.

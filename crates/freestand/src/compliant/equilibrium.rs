@@ -53,8 +53,7 @@ pub(super) fn body<'a>(block: &Block, base: &'a CompliantBase, gravity: f64) -> 
         if index == last { block.cg_from_right_m() } else { index as f64 / last as f64 * width - left }
     };
     let share = 2.0 / base.contacts as f64;
-    let weight = base.mass_kg * gravity;
-    let slope = base.cushion.tangent_stiffness_n_m(base.cushion.static_compression_m(0.5 * weight));
+    let slope = base.normal_stiffness_n_m(gravity);
     Body {
         mass: base.mass_kg,
         inertia: base.mass_kg * block.gyration_radius_m().powi(2),

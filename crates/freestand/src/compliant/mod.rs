@@ -80,6 +80,12 @@ impl CompliantBase {
             friction_ratio: None,
         }
     }
+
+    /// Tangent stiffness of the cushion under one edge with half the weight on it \[N/m\]: what the tangential one is a ratio of.
+    pub fn normal_stiffness_n_m(&self, gravity_m_s2: f64) -> f64 {
+        let rest_m = self.cushion.static_compression_m(0.5 * self.mass_kg * gravity_m_s2);
+        self.cushion.tangent_stiffness_n_m(rest_m)
+    }
 }
 
 /// How a history begins.

@@ -7,6 +7,9 @@ use statrs::function::gamma::ln_gamma;
 use super::{ContactLaw, Cushion};
 use crate::quadrature::{halved, unit_integral};
 
+/// Λv below which the damping is lost in rounding.
+const NEGLIGIBLE: f64 = 1e-15;
+
 /// What a cushion does to a mass that lands on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
@@ -60,13 +63,31 @@ impl Cushion {
                 kelvin_voigt((stiffness_n_m / m).sqrt(), 0.5 * damping_n_s_m / (stiffness_n_m * m).sqrt(), m, v)
             }
             ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m } => {
-                // Below this the damping is lost in rounding.
-                if dissipation_s_m * v < 1e-15 {
+                if dissipation_s_m * v < NEGLIGIBLE {
                     return power(*coefficient_n_mn, *exponent, m, v);
                 }
                 HuntCrossley::new(*coefficient_n_mn, *exponent, *dissipation_s_m, m, v).contact()
             }
             law => by_energy(law, m, v),
+        }
+    }
+}
+
+impl Cushion {
+    /// The peak force of [`Cushion::land`] alone, which is cheaper \[N\].
+    pub fn peak_force_n(&self, mass_kg: f64, speed_m_s: f64) -> f64 {
+        let (m, v) = (mass_kg, speed_m_s.abs());
+        match &self.law {
+            _ if v == 0.0 => 0.0,
+            ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m }
+                if dissipation_s_m * v >= NEGLIGIBLE =>
+            {
+                HuntCrossley::new(*coefficient_n_mn, *exponent, *dissipation_s_m, m, v).peak_force_n()
+            }
+            law @ (ContactLaw::Tangent { .. } | ContactLaw::Tabulated { .. } | ContactLaw::Series { .. }) => {
+                law.deepest(0.5 * m * v * v).1
+            }
+            _ => self.land(m, v).peak_force_n,
         }
     }
 }
@@ -175,16 +196,19 @@ impl HuntCrossley {
         })
     }
 
+    fn peak_force_n(&self) -> f64 {
+        largest(|u| self.force_n(self.g(1.0 - u, u), u))
+    }
+
     fn contact(&self) -> Contact {
         let e = self.rebound;
-        let peak_force_n = largest(|u| self.force_n(self.g(1.0 - u, u), u));
         let inwards_s = self.time_s(1.0, |delta| self.g(delta, 1.0 - delta), |delta| 1.0 - delta);
         // Near the end g is its slope there times δ; the difference of the formula would be rounding.
         let slope = self.c * e / (1.0 - self.c * e);
         let g = |delta: f64| if delta < 1e-8 * e { slope * delta } else { self.g(1.0 + e - delta, delta - e) };
         let outwards_s = self.time_s(e, g, |delta| delta - e);
         Contact {
-            peak_force_n,
+            peak_force_n: self.peak_force_n(),
             compression_m: self.compression_m(self.g(1.0, 0.0)),
             duration_s: inwards_s + outwards_s,
             restitution_ratio: e,

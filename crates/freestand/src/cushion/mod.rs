@@ -411,6 +411,23 @@ impl Cushion {
         }
     }
 
+    /// Whether the stiffness depends on the compression.
+    pub fn is_curved(&self) -> bool {
+        match &self.law {
+            ContactLaw::Linear { .. } | ContactLaw::KelvinVoigt { .. } => false,
+            ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => *exponent != 1.0,
+            _ => true,
+        }
+    }
+
+    /// The same cushion, `factor` times as stiff at every compression and as strongly damped.
+    ///
+    /// # Errors
+    /// A factor that is not positive, or that takes the numbers out of range.
+    pub fn times(&self, factor: f64) -> Result<Self, CushionError> {
+        Self::new(self.law.times(factor))
+    }
+
     /// The force on what presses the cushion by `compression_m` at the speed `speed_m_s` (positive: further in); never
     /// below zero, and zero without compression \[N\].
     ///

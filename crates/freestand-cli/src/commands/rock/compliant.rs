@@ -1,9 +1,9 @@
-//! `freestand rock --base compliant`: the object on cushions.
+//! `freestand rock --base compliant`: the object on flags.
 
 use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
 use freestand::compliant::{ASSUMED_TANGENTIAL_RATIO, CompliantBase, CompliantOptions, Start};
-use freestand_study::compliant::{CompliantReport, CompliantRequest, accuracy, damped, history_csv, rock_on_cushions};
+use freestand_study::compliant::{CompliantReport, CompliantRequest, accuracy, history_csv, rock_on_cushions};
 use freestand_study::figures::{Trace, trace_figure};
 use freestand_study::output::write_file;
 use freestand_study::quantity::{Dimension, format_si};
@@ -18,8 +18,6 @@ use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
 use crate::values::Values;
 
-/// Damping of the pads where none is given: none, so that nothing is tuned.
-const DEFAULT_DAMPING: f64 = 0.0;
 /// Before and behind the first landing in the figure, over the duration of its contact.
 const SHOWN_BEFORE: f64 = 2.0;
 const SHOWN_BEHIND: f64 = 14.0;
@@ -28,16 +26,13 @@ const SHOWN_BEHIND: f64 = 14.0;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The base")]
 pub(crate) struct CompliantArgs {
-    /// What the object stands on: two rigid edges, or cushions under them that take --mass and --stiffness
+    /// What the object stands on: two rigid edges, or cushions under them, which take --mass and --stiffness
     #[arg(long, value_enum, default_value_t)]
     base: BaseName,
-    /// Damping of the cushions, as a share of the critical damping of the landing edge (m_eff of Eq. (5)) [default: 0]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    damping: Option<String>,
-    /// Tangential stiffness of the cushion under one edge [default: that of --stiffness, an assumption]
+    /// Tangential stiffness of the cushion under one edge [default: as the normal one, an assumption]
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, conflicts_with = "tangential_ratio")]
     tangential_stiffness: Option<String>,
-    /// The same as a ratio to --stiffness
+    /// The same as a ratio to the stiffness under half the weight
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     tangential_ratio: Option<String>,
     /// The feet never slip while they carry (what holds without --friction)
@@ -71,7 +66,6 @@ impl CompliantArgs {
     /// The first flag given that only a compliant base has a use for.
     pub(super) fn given(&self) -> Option<&'static str> {
         let flags = [
-            ("--damping", self.damping.is_some()),
             ("--tangential-stiffness", self.tangential_stiffness.is_some()),
             ("--tangential-ratio", self.tangential_ratio.is_some()),
             ("--no-slip", self.no_slip),
@@ -87,51 +81,48 @@ impl CompliantArgs {
 struct Document<'a> {
     #[serde(flatten)]
     report: &'a CompliantReport,
-    damping_ratio: f64,
     processing: Vec<String>,
 }
 
 pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let (request, damping_ratio, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical));
+    let (request, reading) = request(args)?;
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);
     files.write("history.csv", || history_csv(&report.history))?;
     if files.wanted() {
-        trace(&files, &report, damping_ratio)?;
+        trace(&files, &report)?;
     }
     if let Some(path) = &args.history {
         write_file(path, history_csv(&report.history).as_bytes(), &inputs)?;
     }
-    let document = Document { report: &report, damping_ratio, processing: reading.processing };
+    let document = Document { report: &report, processing: reading.processing };
     files.print(printer, "freestand.rock/1", &document, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
-fn request(args: &RockArgs) -> Result<(CompliantRequest, f64, Reading), Failure> {
+fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     if let Some(flag) = args.rocking.of_rigid_base() {
         let hint = "leave it out: on cushions the energy of a landing goes where the equations say";
         return Err(Failure::usage(format!("{flag} is of a rigid base"), hint));
     }
-    let (cushions, mut values) = (&args.cushions, Values::default());
+    let (flags, mut values) = (&args.compliant, Values::default());
     let height = values.positive("--height", Some(&args.height), Dimension::Length);
     let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
     let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
-    let stiffness = values.positive("--stiffness", args.stiffness.as_deref(), Dimension::Stiffness);
+    let edge = args.cushion.edge(mass, &mut values)?;
     let block = height.zip(thickness).and_then(|(h, t)| args.shape.block(h, t, mass, &mut values));
-    let damping = values.non_negative("--damping", cushions.damping.as_deref(), Dimension::Ratio);
-    let damping = damping.unwrap_or(DEFAULT_DAMPING);
     let tangential =
-        values.positive("--tangential-stiffness", cushions.tangential_stiffness.as_deref(), Dimension::Stiffness);
-    let ratio = values.positive("--tangential-ratio", cushions.tangential_ratio.as_deref(), Dimension::Ratio);
+        values.positive("--tangential-stiffness", flags.tangential_stiffness.as_deref(), Dimension::Stiffness);
+    let ratio = values.positive("--tangential-ratio", flags.tangential_ratio.as_deref(), Dimension::Ratio);
     let friction_ratio = values.non_negative("--friction", args.friction.as_deref(), Dimension::Ratio);
-    let rise = values.positive("--cg-rise", cushions.cg_rise.as_deref(), Dimension::Length);
+    let rise = values.positive("--cg-rise", flags.cg_rise.as_deref(), Dimension::Length);
     let rotation = values.any("--initial-rotation", args.initial_rotation.as_deref(), Dimension::Angle);
     let omega = values.any("--initial-velocity", args.initial_velocity.as_deref(), Dimension::AngularVelocity);
     let gravity = values.positive("--gravity", args.gravity.as_deref(), Dimension::Acceleration);
     let duration_s = values.positive("--duration", args.duration.as_deref(), Dimension::Time);
-    let at = values.point("--at", cushions.at.as_deref());
+    let at = values.point("--at", flags.at.as_deref());
     let raised = rise.zip(block).and_then(|(rise, block)| {
         let rotation = block.right_pivot().rotation_at_rise_rad(rise);
         if rotation.is_none() {
@@ -142,7 +133,7 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, f64, Reading), Failure>
         rotation
     });
     values.finish()?;
-    let (Some(block), Some((mass_kg, stiffness))) = (block, mass.zip(stiffness)) else {
+    let (Some(block), Some((mass_kg, edge))) = (block, mass.zip(edge)) else {
         let hint = "give --mass and --stiffness of all the cushion under one edge, or --base rigid";
         return Err(Failure::usage("a compliant base needs a mass and a stiffness", hint));
     };
@@ -160,28 +151,29 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, f64, Reading), Failure>
             return Err(Failure::usage("nothing moves the object", hint));
         }
     }
-    let base = CompliantBase {
-        contacts: cushions.contacts,
-        tangential_stiffness_ratio: tangential.map(|k| k / stiffness).or(ratio).unwrap_or(ASSUMED_TANGENTIAL_RATIO),
-        friction_ratio,
-        ..CompliantBase::new(mass_kg, damped(&block, mass_kg, stiffness, damping)?)
-    };
+    let gravity_m_s2 = gravity.unwrap_or(G0_M_S2);
+    let base = CompliantBase { contacts: flags.contacts, friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    let normal_n_m = base.normal_stiffness_n_m(gravity_m_s2);
+    let tangential_stiffness_ratio = tangential.map(|k| k / normal_n_m).or(ratio).unwrap_or(ASSUMED_TANGENTIAL_RATIO);
+    let base = CompliantBase { tangential_stiffness_ratio, ..base };
     let mut reading = Reading::default();
     let horizontal = args.motion.as_ref().map(|path| read(&args.read, path, &mut reading)).transpose()?;
     let vertically = args.vertically.reading(&args.read);
     let vertical = args.vertical.as_ref().map(|path| read(&vertically, path, &mut reading)).transpose()?;
     let options = CompliantOptions {
-        gravity_m_s2: gravity.unwrap_or(G0_M_S2),
+        gravity_m_s2,
         accuracy: accuracy(args.rocking.accuracy()),
         start,
         duration_s,
         points_m: at.into_iter().collect(),
     };
-    Ok((CompliantRequest { block, base, horizontal, vertical, options }, damping, reading))
+    reading.warnings.splice(0..0, edge.notes);
+    let pad_thickness_m = edge.pad_thickness_m;
+    Ok((CompliantRequest { block, base, pad_thickness_m, horizontal, vertical, options }, reading))
 }
 
 /// The figure of the first landing, where there is one.
-fn trace(files: &Files, report: &CompliantReport, damping_ratio: f64) -> Result<(), Failure> {
+fn trace(files: &Files, report: &CompliantReport) -> Result<(), Failure> {
     let Some(first) = report.impacts.first() else { return Ok(()) };
     let contact_s = first.end_time_s.unwrap_or(report.end_time_s) - first.time_s;
     let window_s = (
@@ -189,10 +181,9 @@ fn trace(files: &Files, report: &CompliantReport, damping_ratio: f64) -> Result<
         (first.time_s + SHOWN_BEHIND * contact_s).min(report.end_time_s),
     );
     let about = format!(
-        "{} kg on cushions ({}, damping {} % of the landing edge's critical one, tangential stiffness {} times the normal one, {})",
+        "{} kg on cushions ({}, tangential stiffness {} times the normal one, {})",
         significant(report.mass_kg, 4),
         report.law,
-        significant(100.0 * damping_ratio, 3),
         significant(report.tangential_stiffness_ratio, 3),
         report.friction_ratio.map_or_else(|| "no slip".to_owned(), |mu| format!("friction {}", significant(mu, 3))),
     );
