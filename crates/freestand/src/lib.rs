@@ -12,6 +12,7 @@
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
 //! | contact laws: what a cushion does to what lands on it | [`cushion`] |
+//! | the object on cushions, followed in time: a second opinion on that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
 //! | a cushion from a test of it | [`identify`] |
 //! | severity of a half-sine pulse | [`shock_response`] |
@@ -54,6 +55,7 @@
 pub mod block;
 pub mod building;
 pub mod code_spectrum;
+pub mod compliant;
 pub mod cushion;
 pub mod identify;
 pub mod impact;

@@ -63,6 +63,16 @@ impl RockingArgs {
         }
     }
 
+    /// The first flag given that only a rigid base has a use for.
+    pub(crate) fn of_rigid_base(&self) -> Option<&'static str> {
+        let flags = [
+            ("--restitution", self.restitution.is_some()),
+            ("--restitution-factor", self.restitution_factor.is_some()),
+            ("--model linear", matches!(self.model, ModelName::Linear)),
+        ];
+        flags.into_iter().find_map(|(name, given)| given.then_some(name))
+    }
+
     /// The restitution; what is wrong with it goes into `values`.
     pub(crate) fn restitution(&self, values: &mut Values) -> Restitution {
         let refuse = |flag: &str, value: f64| {

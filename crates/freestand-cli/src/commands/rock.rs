@@ -1,5 +1,7 @@
 //! `freestand rock`: one object under one motion.
 
+mod compliant;
+
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,6 +14,7 @@ use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
 use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
+use self::compliant::CompliantArgs;
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
 use crate::args::GlobalArgs;
@@ -31,7 +34,9 @@ Examples:
   A column of accelerations in g every 5 ms, twice as strong, history to a file:
     freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m --thickness 0.3m --history history.csv
   Free rocking from a tilt of 5 degrees:
-    freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m")]
+    freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
+  A cabinet let go on its pads, followed in time, with the trace of the landing:
+    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
 pub(crate) struct RockArgs {
     /// Record of the base's horizontal acceleration; none: free rocking
     #[arg(long, value_name = "FILE")]
@@ -53,13 +58,17 @@ pub(crate) struct RockArgs {
     /// Mass, for the shock
     #[arg(long, value_name = "MASS", allow_hyphen_values = true, help_heading = "The object")]
     mass: Option<String>,
-    /// Coefficient of friction, for the warning against sliding [default: 0.5]
+    /// Coefficient of friction: for the warning against sliding [default: 0.5]; on a compliant base the feet slip by it [default:
+    /// they do not]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The object")]
     friction: Option<String>,
     #[command(flatten)]
     shape: ShapeArgs,
     #[command(flatten)]
     cushion: CushionArgs,
+
+    #[command(flatten)]
+    compliant: CompliantArgs,
 
     #[command(flatten)]
     rocking: RockingArgs,
@@ -81,6 +90,12 @@ pub(crate) struct RockArgs {
 }
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if args.compliant.is_compliant() {
+        return compliant::run(args, global, printer);
+    }
+    if let Some(flag) = args.compliant.given() {
+        return Err(Failure::usage(format!("{flag} is of a compliant base"), "add --base compliant"));
+    }
     let (request, reading) = request(args)?;
     let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;

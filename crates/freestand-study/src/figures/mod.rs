@@ -3,6 +3,7 @@
 //! Curves of the paper's Fig. 7 (uplift and shock against height), the share of motions that overturn, floor spectra,
 //! one rocking history, recorded motions, and the response spectrum of a motion. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
 
+mod compliant;
 mod floor_spectra;
 mod history;
 mod laboratory;
@@ -22,6 +23,8 @@ use freestand::motion::Motion;
 use crate::inspect::DampedSpectrum;
 use crate::result::StudyResult;
 use crate::study::{Ground, RecordedMotion, Study};
+
+pub use compliant::Trace;
 
 /// A figure in both of its forms.
 #[derive(Debug, Clone, PartialEq)]
@@ -176,6 +179,14 @@ pub fn drop_figures(report: &crate::drop_test::DropsReport) -> Result<Vec<Figure
 /// What the plot library says when it cannot draw.
 pub fn static_figure(report: &crate::static_test::StaticsReport) -> Result<Figure, FigureError> {
     page::draw(laboratory::statics(report))
+}
+
+/// Draws a landing on cushions: edge accelerations, forces and rotation against time.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn trace_figure(trace: &Trace<'_>) -> Result<Figure, FigureError> {
+    page::draw(compliant::trace(trace))
 }
 
 /// Draws every figure of [`figure_kinds`], on the threads of the current pool; the figures do not depend on them.

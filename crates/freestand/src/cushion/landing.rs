@@ -283,7 +283,7 @@ impl ContactLaw {
     }
 
     /// Compressions at which the slope of the force jumps.
-    fn kinks_m(&self) -> Vec<f64> {
+    pub(crate) fn kinks_m(&self) -> Vec<f64> {
         match self {
             Self::Tabulated { compressions_m, .. } => compressions_m.clone(),
             Self::Series { parts } => {

@@ -1,0 +1,263 @@
+//! The equation of motion of a rigid body on contact elements.
+
+use crate::cushion::{ContactLaw, Cushion};
+
+/// Most contact elements under a body.
+pub(super) const MOST_CONTACTS: usize = 16;
+
+// Places in the state. Displacements of the centre of gravity from where it is above unloaded pads, relative to the base.
+pub(super) const X: usize = 0;
+pub(super) const Z: usize = 1;
+pub(super) const THETA: usize = 2;
+pub(super) const V_X: usize = 3;
+pub(super) const V_Z: usize = 4;
+pub(super) const OMEGA: usize = 5;
+/// Work of the base.
+pub(super) const WORK: usize = 6;
+/// Dissipated by normal dashpots, tangential dashpots and slip.
+pub(super) const DASHPOT: usize = 7;
+pub(super) const DRAG: usize = 8;
+pub(super) const SLIP: usize = 9;
+/// Stretch of the tangential spring of contact i: at `STRETCH + i`.
+pub(super) const STRETCH: usize = 10;
+
+pub(super) type State = [f64; STRETCH + MOST_CONTACTS];
+
+/// Accelerations of the base at an instant \[m/s²\].
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Shaking {
+    pub(super) horizontal: f64,
+    pub(super) vertical: f64,
+}
+
+/// A straight piece of the motion of the base.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Line {
+    pub(super) start: Shaking,
+    /// Change per second.
+    pub(super) slope: Shaking,
+    pub(super) start_s: f64,
+}
+
+impl Line {
+    pub(super) fn at(&self, time_s: f64) -> Shaking {
+        let since = time_s - self.start_s;
+        Shaking {
+            horizontal: self.start.horizontal + self.slope.horizontal * since,
+            vertical: self.start.vertical + self.slope.vertical * since,
+        }
+    }
+}
+
+/// What a contact element does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Grip {
+    /// Nothing; its surface comes back from `compression_m`, where a damped cushion was left at `since_s`.
+    Open { since_s: f64, compression_m: f64 },
+    /// It carries, and its foot does not move.
+    Stick,
+    /// It carries, and its foot slides this way (±1).
+    Slip(f64),
+}
+
+impl Grip {
+    pub(super) const UNTOUCHED: Self = Self::Open { since_s: 0.0, compression_m: 0.0 };
+
+    pub(super) fn carries(self) -> bool {
+        !matches!(self, Self::Open { .. })
+    }
+}
+
+/// The body and what it stands on.
+#[derive(Debug, Clone)]
+pub(super) struct Body<'a> {
+    pub(super) mass: f64,
+    /// About the centre of gravity.
+    pub(super) inertia: f64,
+    pub(super) gravity: f64,
+    pub(super) cg_height: f64,
+    /// Contact elements from left to right, from the centre of gravity.
+    pub(super) contacts: Vec<f64>,
+    /// Cushions of one edge in each element.
+    pub(super) share: f64,
+    pub(super) cushion: &'a Cushion,
+    /// Of one element.
+    pub(super) tangential_stiffness: f64,
+    pub(super) tangential_damping: f64,
+    /// `None`: no slip.
+    pub(super) friction: Option<f64>,
+}
+
+/// One contact point in a state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Foot {
+    /// From the centre of gravity to the point.
+    pub(super) arm_x: f64,
+    pub(super) arm_z: f64,
+    pub(super) compression: f64,
+    pub(super) compression_rate: f64,
+    pub(super) sliding: f64,
+}
+
+/// Forces of one contact on the body, upward and to the right.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Load {
+    pub(super) normal: f64,
+    pub(super) tangential: f64,
+    /// Rate of the tangential spring's stretch.
+    pub(super) stretching: f64,
+}
+
+impl Body<'_> {
+    /// Numbers of the state that are used.
+    pub(super) fn len(&self) -> usize {
+        STRETCH + self.contacts.len()
+    }
+
+    pub(super) fn foot(&self, index: usize, y: &State) -> Foot {
+        let xi = self.contacts[index];
+        let (sin, cos) = y[THETA].sin_cos();
+        // 1 − cos θ with its digits.
+        let versine = 2.0 * (0.5 * y[THETA]).sin().powi(2);
+        let arm_x = xi * cos - self.cg_height * sin;
+        let arm_z = -xi * sin - self.cg_height * cos;
+        Foot {
+            arm_x,
+            arm_z,
+            compression: -(y[Z] - xi * sin + self.cg_height * versine),
+            compression_rate: -(y[V_Z] - y[OMEGA] * arm_x),
+            sliding: y[V_X] + y[OMEGA] * arm_z,
+        }
+    }
+
+    /// The law of an element, without its end at tension: so the step that finds the end of a contact sees no kink.
+    pub(super) fn push(&self, d: f64, rate: f64) -> f64 {
+        let elastic = if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) };
+        let force = match self.cushion.law() {
+            ContactLaw::KelvinVoigt { damping_n_s_m, .. } => elastic + damping_n_s_m * rate,
+            ContactLaw::HuntCrossley { dissipation_s_m, .. } => elastic * (1.0 + dissipation_s_m * rate),
+            _ => elastic,
+        };
+        self.share * force
+    }
+
+    /// Whether a damped law has no force without compression, so that a contact can end there as well.
+    pub(super) fn loses_force_at_touch(&self) -> bool {
+        matches!(self.cushion.law(), ContactLaw::HuntCrossley { .. })
+    }
+
+    /// The elastic part of [`Body::push`].
+    fn elastic(&self, d: f64) -> f64 {
+        self.share * if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) }
+    }
+
+    /// Rate of the normal force of a contact, from the rates of its compression.
+    pub(super) fn push_rate(&self, d: f64, rate: f64, acceleration: f64) -> f64 {
+        let slope = self.share * self.cushion.tangent_stiffness_n_m(d.abs());
+        match self.cushion.law() {
+            ContactLaw::KelvinVoigt { damping_n_s_m, .. } => slope * rate + self.share * damping_n_s_m * acceleration,
+            ContactLaw::HuntCrossley { dissipation_s_m, .. } => {
+                slope * rate * (1.0 + dissipation_s_m * rate) + self.elastic(d) * dissipation_s_m * acceleration
+            }
+            _ => slope * rate,
+        }
+    }
+
+    /// Energy in the cushion of a contact.
+    pub(super) fn pressed_j(&self, d: f64) -> f64 {
+        self.share * self.cushion.stored_energy_j(d.abs())
+    }
+
+    /// Where the surface of an element that nothing touches is: a cushion without mass comes back as its dashpot lets it.
+    pub(super) fn surface(&self, since_s: f64, compression_m: f64, time_s: f64) -> f64 {
+        if compression_m <= 0.0 {
+            return 0.0;
+        }
+        let gone_s = time_s - since_s;
+        match self.cushion.law() {
+            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+                compression_m * (-stiffness_n_m / damping_n_s_m * gone_s).exp()
+            }
+            ContactLaw::HuntCrossley { dissipation_s_m, .. } => (compression_m - gone_s / dissipation_s_m).max(0.0),
+            _ => 0.0,
+        }
+    }
+
+    pub(super) fn load(&self, grip: Grip, foot: &Foot, stretch: f64) -> Load {
+        if !grip.carries() {
+            return Load::default();
+        }
+        let normal = self.push(foot.compression, foot.compression_rate);
+        let (k, c) = (self.tangential_stiffness, self.tangential_damping);
+        let (tangential, stretching) = match grip {
+            Grip::Slip(way) => {
+                let tangential = -way * self.friction.unwrap_or(0.0) * normal;
+                // Without a dashpot the stretch follows from the force, and nothing depends on its rate.
+                (tangential, if c > 0.0 { (-tangential - k * stretch) / c } else { foot.sliding })
+            }
+            _ => (-k * stretch - c * foot.sliding, foot.sliding),
+        };
+        Load { normal, tangential, stretching }
+    }
+
+    /// The rates of the state.
+    pub(super) fn rates(&self, grips: &[Grip], line: &Line, time_s: f64, y: &State) -> State {
+        let mut rates = [0.0; STRETCH + MOST_CONTACTS];
+        let shaking = line.at(time_s);
+        let (mut right, mut up, mut turning) = (0.0, 0.0, 0.0);
+        for (index, &grip) in grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {
+            let foot = self.foot(index, y);
+            let load = self.load(grip, &foot, y[STRETCH + index]);
+            right += load.tangential;
+            up += load.normal;
+            turning += foot.arm_z * load.tangential - foot.arm_x * load.normal;
+            rates[STRETCH + index] = load.stretching;
+            rates[DASHPOT] += (load.normal - self.elastic(foot.compression)) * foot.compression_rate;
+            rates[DRAG] += self.tangential_damping * load.stretching * load.stretching;
+            if matches!(grip, Grip::Slip(_)) {
+                rates[SLIP] -= load.tangential * self.slipping(&foot, &load);
+            }
+        }
+        (rates[X], rates[Z], rates[THETA]) = (y[V_X], y[V_Z], y[OMEGA]);
+        rates[V_X] = right / self.mass - shaking.horizontal;
+        rates[V_Z] = up / self.mass - self.gravity - shaking.vertical;
+        rates[OMEGA] = turning / self.inertia;
+        rates[WORK] = -self.mass * (shaking.horizontal * y[V_X] + shaking.vertical * y[V_Z]);
+        rates
+    }
+
+    /// The speed that the work of slip is counted with: of the foot's sliding part, or, where the stretch follows from the
+    /// force, of the whole foot; what the spring takes or gives is then settled when the slip begins and ends.
+    fn slipping(&self, foot: &Foot, load: &Load) -> f64 {
+        if self.tangential_damping > 0.0 { foot.sliding - load.stretching } else { foot.sliding }
+    }
+
+    /// Vertical and horizontal acceleration of a point of the body that lies `(right, up)` of the centre of gravity when the
+    /// body is upright, relative to the base: (horizontal, vertical).
+    pub(super) fn acceleration_of(&self, right: f64, up: f64, y: &State, rates: &State) -> (f64, f64) {
+        let (sin, cos) = y[THETA].sin_cos();
+        let (arm_x, arm_z) = (right * cos + up * sin, up * cos - right * sin);
+        let (alpha, square) = (rates[OMEGA], y[OMEGA] * y[OMEGA]);
+        (rates[V_X] + alpha * arm_z - square * arm_x, rates[V_Z] - alpha * arm_x - square * arm_z)
+    }
+
+    /// Kinetic energy relative to the base, and potential energy above unloaded pads.
+    pub(super) fn mechanical_j(&self, y: &State) -> (f64, f64) {
+        let speed = y[V_X] * y[V_X] + y[V_Z] * y[V_Z];
+        (0.5 * self.mass * speed + 0.5 * self.inertia * y[OMEGA] * y[OMEGA], self.mass * self.gravity * y[Z])
+    }
+
+    /// Energy in cushions and tangential springs; a spring that slips without a dashpot has given its own to the slip.
+    pub(super) fn stored_j(&self, grips: &[Grip], y: &State) -> f64 {
+        let of = |(index, &grip): (usize, &Grip)| {
+            let pressed = self.pressed_j(self.foot(index, y).compression);
+            let sheared = 0.5 * self.tangential_stiffness * y[STRETCH + index].powi(2);
+            match grip {
+                Grip::Open { .. } => 0.0,
+                Grip::Slip(_) if self.tangential_damping == 0.0 => pressed,
+                _ => pressed + sheared,
+            }
+        };
+        grips.iter().enumerate().map(of).sum()
+    }
+}

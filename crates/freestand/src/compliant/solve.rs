@@ -1,0 +1,442 @@
+//! From step to step and from event to event.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::audit::Ledger;
+use super::equation::{
+    Body, DASHPOT, DRAG, Grip, Line, MOST_CONTACTS, OMEGA, SLIP, STRETCH, Shaking, State, THETA, V_X, V_Z, WORK, X, Z,
+};
+use super::equilibrium::body;
+use super::step::Step;
+use super::track::{Seen, Track};
+use super::{
+    CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MOST_STEPS, PointPeaks, Start,
+    check,
+};
+use crate::block::Block;
+use crate::motion::Motion;
+use crate::rocking::{Base, Outcome};
+
+/// Longest step, as an angle of the vibration of the body on the cushions: so that no contact comes and goes within one.
+const LONGEST_RAD: f64 = 0.5;
+/// An event ends a step no later than this much after it, as an angle of that vibration; nor does a step end earlier.
+const EVENT_RAD: f64 = 1e-12;
+const SHORTEST_RAD: f64 = 1e-10;
+/// A step shorter than this angle is not for accuracy, but lost.
+const LOST_RAD: f64 = 1e-13;
+/// Trial steps for one event: by false position, mostly five.
+const EVENT_TRIALS: usize = 80;
+
+/// A step of a history, to be looked at.
+#[derive(Debug, Clone, Copy)]
+pub struct Piece<'a, 'b> {
+    seen: Seen<'a, 'b>,
+    cg_from_left_m: f64,
+}
+
+impl Piece<'_, '_> {
+    /// When it begins \[s\].
+    pub fn start_s(&self) -> f64 {
+        self.seen.step.start_s
+    }
+
+    /// How long it is \[s\].
+    pub fn length_s(&self) -> f64 {
+        self.seen.step.length_s
+    }
+
+    /// θ and ω at a share of the step \[rad\], \[rad/s\].
+    pub fn rotation(&self, share_ratio: f64) -> (f64, f64) {
+        let y = self.seen.step.state(share_ratio);
+        (y[THETA], y[OMEGA])
+    }
+
+    /// Displacement of the centre of gravity relative to the base, from where it is upright above unloaded cushions:
+    /// (to the right, upward) \[m\].
+    pub fn displacement_m(&self, share_ratio: f64) -> (f64, f64) {
+        let y = self.seen.step.state(share_ratio);
+        (y[X], y[Z])
+    }
+
+    /// Acceleration in the ground's frame of the point that lies `x_m` from the left edge and `z_m` above the base:
+    /// (horizontal, vertical) \[m/s²\].
+    pub fn acceleration_m_s2(&self, x_m: f64, z_m: f64, share_ratio: f64) -> (f64, f64) {
+        self.seen.acceleration(x_m - self.cg_from_left_m, z_m - self.seen.body.cg_height, share_ratio)
+    }
+
+    /// Force on the body and compression of a contact element, counted from the left:
+    /// (to the right \[N\], upward \[N\], m).
+    pub fn contact(&self, index: usize, share_ratio: f64) -> Option<(f64, f64, f64)> {
+        let grip = *self.seen.grips.get(index)?;
+        let y = self.seen.step.state(share_ratio);
+        let foot = self.seen.body.foot(index, &y);
+        let load = self.seen.body.load(grip, &foot, y[STRETCH + index]);
+        Some((load.tangential, load.normal.max(0.0), foot.compression))
+    }
+}
+
+/// Follows a body on its cushions.
+///
+/// # Accuracy
+/// See [`CompliantAccuracy`](super::CompliantAccuracy); [`EnergyAudit`](super::EnergyAudit) says what was reached.
+///
+/// # Limitation
+/// Plane motion of a rigid body; cushions without mass and without damage.
+///
+/// # Errors
+/// Numbers out of range, cushions that do not keep the body upright, a history too long for its stiffness.
+///
+/// # Example
+/// The cabinet of Al Abadi et al. let go from 16 mm: 3.6 g, where Eq. (5) says 4.53 g and 4.0–4.1 g was measured.
+/// ```
+/// use freestand::block::Block;
+/// use freestand::compliant::{CompliantBase, CompliantOptions, Start, rock_compliant};
+/// use freestand::cushion::Cushion;
+/// use freestand::rocking::Base;
+///
+/// let cabinet = Block::uniform(2.3, 0.6)?;
+/// let rotation_rad = cabinet.pivot().rotation_at_rise_rad(0.016).unwrap();
+/// let base = CompliantBase::new(140.0, Cushion::linear(4.38e6)?);
+/// let options = CompliantOptions {
+///     start: Start::Tilted { rotation_rad, omega_rad_s: 0.0 },
+///     duration_s: Some(0.8),
+///     ..CompliantOptions::default()
+/// };
+/// let history = rock_compliant(&cabinet, &base, Base::default(), &options)?;
+/// let first = history.touches.first().unwrap();
+/// assert!((first.peak_acceleration_m_s2 / freestand::G0_M_S2 - 3.58).abs() < 0.01);
+/// assert!(history.energy.residual_ratio < 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn rock_compliant(
+    block: &Block,
+    base: &CompliantBase,
+    motion: Base<'_>,
+    options: &CompliantOptions,
+) -> Result<CompliantRocking, CompliantError> {
+    rock_compliant_observed(block, base, motion, options, |_| {})
+}
+
+/// [`rock_compliant`] that shows every step.
+///
+/// # Errors
+/// Those of [`rock_compliant`].
+pub fn rock_compliant_observed(
+    block: &Block,
+    base: &CompliantBase,
+    motion: Base<'_>,
+    options: &CompliantOptions,
+    observe: impl FnMut(&Piece<'_, '_>),
+) -> Result<CompliantRocking, CompliantError> {
+    check(base, motion, options)?;
+    let given = motion.horizontal.or(motion.vertical);
+    let end_s = options.duration_s.or(given.map(Motion::duration_s)).unwrap_or(0.0);
+    if !(end_s > 0.0 && end_s.is_finite()) {
+        return Err(CompliantError::Duration { duration_s: end_s });
+    }
+    let body = body(block, base, options.gravity_m_s2);
+    let start = body.beginning(options.start)?;
+    let balanced = body.balanced().ok();
+    let mut result = nothing_yet(options, balanced.map(|y| body.equilibrium_of(&y)));
+    let mut solver = Solver::new(block, &body, options, given.is_none(), &start, observe);
+    solver.begin(&mut result);
+    let mut index = 0;
+    while solver.time_s < end_s && result.overturn_time_s.is_none() {
+        let (line, until_s) = interval(motion, index, end_s);
+        let is_still = line.start == Shaking::default() && line.slope == Shaking::default();
+        if is_still && solver.is_resting && options.start == Start::Rest {
+            solver.time_s = until_s;
+        } else {
+            solver.is_resting = false;
+            solver.pass(line, until_s, &mut result)?;
+        }
+        index += 1;
+    }
+    Ok(solver.finish(block, result))
+}
+
+fn nothing_yet(options: &CompliantOptions, equilibrium: Option<super::Equilibrium>) -> CompliantRocking {
+    CompliantRocking {
+        outcome: Outcome::NoUplift,
+        end_s: 0.0,
+        equilibrium,
+        peak_rotation_rad: 0.0,
+        peak_rotation_time_s: 0.0,
+        peak_uplifted_rotation_rad: 0.0,
+        uplift_m: 0.0,
+        cg_rise_m: 0.0,
+        first_uplift_time_s: None,
+        passed_alpha_time_s: None,
+        overturn_time_s: None,
+        touches: Vec::new(),
+        bounce_count: 0,
+        flight_count: 0,
+        flight_time_s: 0.0,
+        swings: Vec::new(),
+        peak_edge_accelerations_m_s2: [0.0; 2],
+        peak_edge_forces_n: [0.0; 2],
+        points: vec![PointPeaks::NONE; options.points_m.len()],
+        friction_used_ratio: 0.0,
+        slid_m: 0.0,
+        final_rotation_rad: 0.0,
+        final_omega_rad_s: 0.0,
+        energy: super::EnergyAudit::default(),
+        effort: CompliantEffort::default(),
+    }
+}
+
+/// The straight piece of the base's motion from sample `index`, and when it ends; past the last sample the base comes to
+/// rest within one step.
+fn interval(motion: Base<'_>, index: usize, end_s: f64) -> (Line, f64) {
+    let Some(given) = motion.horizontal.or(motion.vertical) else { return (Line::default(), end_s) };
+    let (dt_s, samples) = (given.dt_s(), given.accel_m_s2().len());
+    if index >= samples {
+        return (Line { start_s: index as f64 * dt_s, ..Line::default() }, end_s);
+    }
+    let sample = |motion: Option<&Motion>, index: usize| {
+        motion.and_then(|motion| motion.accel_m_s2().get(index)).copied().unwrap_or(0.0)
+    };
+    let at = |index| Shaking { horizontal: sample(motion.horizontal, index), vertical: sample(motion.vertical, index) };
+    let (start, end) = (at(index), at(index + 1));
+    let slope = Shaking {
+        horizontal: (end.horizontal - start.horizontal) / dt_s,
+        vertical: (end.vertical - start.vertical) / dt_s,
+    };
+    (Line { start, slope, start_s: index as f64 * dt_s }, ((index + 1) as f64 * dt_s).min(end_s))
+}
+
+pub(super) struct Solver<'a, 'b, F> {
+    pub(super) body: &'a Body<'b>,
+    pub(super) cg_from_left_m: f64,
+    pub(super) grips: Vec<Grip>,
+    /// Between which kinks of its law each cushion is pressed.
+    pub(super) lines: Vec<(f64, f64)>,
+    pub(super) kinks_m: Vec<f64>,
+    pub(super) y: State,
+    pub(super) rates: State,
+    pub(super) time_s: f64,
+    pub(super) try_s: f64,
+    /// 1/ω of the vibration on the cushions, and what compressions, forces and speeds are there.
+    pub(super) unit_s: f64,
+    pub(super) unit_m: f64,
+    pub(super) sizes: State,
+    pub(super) tolerance: f64,
+    pub(super) is_resting: bool,
+    pub(super) track: Track,
+    pub(super) ledger: Ledger,
+    pub(super) effort: CompliantEffort,
+    pub(super) observe: F,
+}
+
+impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
+    fn new(
+        block: &Block,
+        body: &'a Body<'b>,
+        options: &CompliantOptions,
+        is_free: bool,
+        start: &State,
+        observe: F,
+    ) -> Self {
+        let weight_n = body.mass * body.gravity;
+        let unit_m = body.cushion.static_compression_m(0.5 * weight_n);
+        let unit_s = (unit_m / body.gravity).sqrt();
+        let width_m = block.base_width_m();
+        let mut sizes = [unit_m; STRETCH + MOST_CONTACTS];
+        (sizes[THETA], sizes[OMEGA]) = (unit_m / width_m, unit_m / width_m / unit_s);
+        (sizes[V_X], sizes[V_Z]) = (unit_m / unit_s, unit_m / unit_s);
+        for place in [WORK, DASHPOT, DRAG, SLIP] {
+            sizes[place] = weight_n * unit_m;
+        }
+        let grips = vec![Grip::UNTOUCHED; body.contacts.len()];
+        Self {
+            body,
+            cg_from_left_m: block.cg_from_left_m(),
+            lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
+            kinks_m: body.cushion.law().kinks_m(),
+            y: *start,
+            rates: *start,
+            time_s: 0.0,
+            try_s: 0.1 * unit_s,
+            unit_s,
+            unit_m,
+            sizes,
+            tolerance: options.accuracy.tolerance(),
+            is_resting: true,
+            track: Track::new(block, body, &options.points_m, is_free, start),
+            ledger: Ledger::open(body, &grips, start),
+            effort: CompliantEffort::default(),
+            grips,
+            observe,
+        }
+    }
+
+    /// What touches at the start carries without stretch.
+    fn begin(&mut self, result: &mut CompliantRocking) {
+        for index in 0..self.grips.len() {
+            if self.body.foot(index, &self.y).compression > 0.0 {
+                self.grips[index] = Grip::Stick;
+                self.place_between_kinks(index);
+            }
+        }
+        if !self.grips.iter().any(|grip| grip.carries()) {
+            self.track.flies_from(0.0, result);
+        }
+        self.ledger = Ledger::open(self.body, &self.grips, &self.y);
+    }
+
+    /// Goes through one straight piece of the motion.
+    fn pass(&mut self, line: Line, until_s: f64, result: &mut CompliantRocking) -> Result<(), CompliantError> {
+        self.rates = self.body.rates(&self.grips, &line, self.time_s, &self.y);
+        while self.time_s < until_s && result.overturn_time_s.is_none() {
+            let rest_s = until_s - self.time_s;
+            if rest_s <= 4.0 * f64::EPSILON * until_s {
+                break;
+            }
+            let (mut step, grow) = self.accurate(&line, rest_s)?;
+            if let Some(share) = self.first_event(&line, &step) {
+                step = self.shortened(&line, share * step.length_s);
+            }
+            let is_last = step.length_s == rest_s;
+            self.try_s = if is_last { grow.max(self.try_s) } else { grow };
+            self.accept(&line, step, result);
+            if is_last {
+                self.time_s = until_s;
+            }
+            if self.effort.steps > MOST_STEPS {
+                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MOST_STEPS });
+            }
+        }
+        self.time_s = self.time_s.max(if result.overturn_time_s.is_some() { 0.0 } else { until_s });
+        Ok(())
+    }
+
+    fn take(&mut self, line: &Line, length_s: f64) -> Step {
+        self.effort.evaluations += 6;
+        let from = (&self.y, &self.rates);
+        Step::take(self.body, &self.grips, line, self.time_s, from, length_s, (&self.sizes, self.tolerance))
+    }
+
+    /// A step that is accurate enough, and the length to try next.
+    fn accurate(&mut self, line: &Line, rest_s: f64) -> Result<(Step, f64), CompliantError> {
+        let mut length_s = self.try_s.min(LONGEST_RAD * self.unit_s);
+        if length_s >= rest_s {
+            length_s = rest_s;
+        } else if 2.0 * length_s > rest_s {
+            length_s = 0.5 * rest_s;
+        }
+        loop {
+            let step = self.take(line, length_s);
+            if step.error_ratio <= 1.0 {
+                let growth = (0.9 * step.error_ratio.powf(-0.2)).clamp(0.5, 4.0);
+                return Ok((step, growth * length_s));
+            }
+            self.effort.rejected += 1;
+            // Not a number where a trial went through the end of a bottoming cushion.
+            let shrink = if step.error_ratio.is_finite() { 0.9 * step.error_ratio.powf(-0.2) } else { 0.1 };
+            length_s *= shrink.clamp(0.1, 0.9);
+            if length_s < LOST_RAD * self.unit_s {
+                return Err(CompliantError::StepTooSmall { time_s: self.time_s, step_s: length_s });
+            }
+        }
+    }
+
+    /// A share of the step by which an event has passed, if one has.
+    fn first_event(&self, line: &Line, step: &Step) -> Option<f64> {
+        [0.5, 1.0].into_iter().find(|&share| {
+            let y = if share == 1.0 { step.end } else { step.state(share) };
+            let margin = self.least_margin(line, step.start_s + share * step.length_s, &y);
+            margin < 0.0
+        })
+    }
+
+    /// The step that ends just past the first event within `length_s`: by false position on steps of their own, so that
+    /// nothing of what lies beyond the event is in it.
+    fn shortened(&mut self, line: &Line, length_s: f64) -> Step {
+        let shortest_s = SHORTEST_RAD * self.unit_s;
+        let mut beyond = self.take(line, length_s);
+        let (mut low, mut low_margin) = (0.0, self.least_margin(line, self.time_s, &self.y));
+        let (mut high, mut high_margin) = (length_s, self.margin_after(line, &beyond));
+        let mut last_side = 0;
+        for _ in 0..EVENT_TRIALS {
+            if high_margin >= 0.0 || high - low <= EVENT_RAD * self.unit_s || high <= shortest_s {
+                break;
+            }
+            let ratio = low_margin / (low_margin - high_margin);
+            let share = if low_margin > 0.0 && ratio.is_finite() { ratio.clamp(1e-6, 1.0 - 1e-6) } else { 0.5 };
+            let middle = low + share * (high - low);
+            if low_margin <= 0.0 && middle < shortest_s {
+                break;
+            }
+            let trial = self.take(line, middle);
+            let margin = self.margin_after(line, &trial);
+            if margin < 0.0 {
+                (high, high_margin, beyond) = (middle, margin, trial);
+                if last_side == 1 {
+                    low_margin *= 0.5;
+                }
+                last_side = 1;
+                if margin > -1e-13 {
+                    break;
+                }
+            } else {
+                (low, low_margin) = (middle, margin);
+                if last_side == -1 {
+                    high_margin *= 0.5;
+                }
+                last_side = -1;
+            }
+        }
+        if beyond.length_s < shortest_s { self.take(line, shortest_s.min(length_s)) } else { beyond }
+    }
+
+    fn margin_after(&self, line: &Line, step: &Step) -> f64 {
+        self.least_margin(line, step.start_s + step.length_s, &step.end)
+    }
+
+    fn accept(&mut self, line: &Line, step: Step, result: &mut CompliantRocking) {
+        self.effort.steps += 1;
+        let grips = self.grips.clone();
+        let seen = Seen { body: self.body, grips: &grips, line, step: &step };
+        self.track.read(&seen, result);
+        (self.observe)(&Piece { seen, cg_from_left_m: self.cg_from_left_m });
+        (self.y, self.rates) = (step.end, step.end_rates);
+        self.time_s = step.start_s + step.length_s;
+        if self.body.tangential_damping == 0.0 {
+            self.settle_stretches();
+        }
+        let mut changed = false;
+        for index in 0..self.grips.len() {
+            if self.margin(index, line, self.time_s, &self.y) < 0.0 {
+                self.change(index, result);
+                changed = true;
+            }
+        }
+        if changed {
+            self.rates = self.body.rates(&self.grips, line, self.time_s, &self.y);
+        }
+        if self.y[THETA].abs() >= FRAC_PI_2 {
+            result.overturn_time_s = Some(self.time_s);
+        }
+        self.ledger.enter(self.body, &self.grips, &self.y);
+    }
+
+    fn finish(mut self, block: &Block, mut result: CompliantRocking) -> CompliantRocking {
+        for index in 0..self.grips.len() {
+            if let Grip::Slip(_) = self.grips[index] {
+                self.track.slide(index, self.place(index), false, &mut result);
+            }
+        }
+        self.track.finish(block, self.time_s, &mut result);
+        (result.end_s, result.effort) = (self.time_s, self.effort);
+        (result.final_rotation_rad, result.final_omega_rad_s) = (self.y[THETA], self.y[OMEGA]);
+        result.energy = self.ledger.close();
+        if result.uplift_m > 0.0 {
+            result.outcome = Outcome::Rocked;
+        }
+        if result.overturn_time_s.is_some() {
+            result.outcome = Outcome::Overturned;
+            (result.peak_rotation_rad, result.peak_rotation_time_s) = (FRAC_PI_2, self.time_s);
+        }
+        result
+    }
+}

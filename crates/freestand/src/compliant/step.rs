@@ -1,0 +1,100 @@
+//! One step of Runge–Kutta 5(4) with a polynomial through it.
+
+use super::equation::{Body, Grip, Line, State};
+
+/// Nodes, weights and the error estimate of Dormand and Prince (1980).
+const NODES: [f64; 6] = [0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
+const STAGES: [[f64; 6]; 6] = [
+    [0.2, 0.0, 0.0, 0.0, 0.0, 0.0],
+    [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
+    [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
+    [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
+    [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0],
+    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+];
+const ERROR: [f64; 7] =
+    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
+/// Of the fourth-order polynomial through the step, Hairer, Nørsett and Wanner, Solving ODEs I, II.6.
+const DENSE: [f64; 7] = [
+    -12715105075.0 / 11282082432.0,
+    0.0,
+    87487479700.0 / 32700410799.0,
+    -10690763975.0 / 1880347072.0,
+    701980252875.0 / 199316789632.0,
+    -1453857185.0 / 822651844.0,
+    69997945.0 / 29380423.0,
+];
+
+/// Share of a number that counts as part of its size, so that rounding of large rotations is no error.
+const RELATIVE: f64 = 1e-3;
+
+/// A step that was taken.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step {
+    pub(super) start_s: f64,
+    pub(super) length_s: f64,
+    pub(super) start: State,
+    pub(super) end: State,
+    /// Rates at the start and at the end.
+    pub(super) start_rates: State,
+    pub(super) end_rates: State,
+    /// Of the error estimate, by the scales of the state; above 1 the step was too long.
+    pub(super) error_ratio: f64,
+    last: State,
+}
+
+impl Step {
+    /// From a state and its rates over `length_s`; an error of 1 is `tolerance` of the sizes.
+    pub(super) fn take(
+        body: &Body,
+        grips: &[Grip],
+        line: &Line,
+        start_s: f64,
+        (start, start_rates): (&State, &State),
+        length_s: f64,
+        (sizes, tolerance): (&State, f64),
+    ) -> Self {
+        let len = body.len();
+        let mut slopes = [*start_rates; 7];
+        let mut y = *start;
+        for (stage, row) in STAGES.iter().enumerate() {
+            for (i, value) in y[..len].iter_mut().enumerate() {
+                let mean: f64 = row[..=stage].iter().zip(&slopes).map(|(weight, slope)| weight * slope[i]).sum();
+                *value = start[i] + length_s * mean;
+            }
+            slopes[stage + 1] = body.rates(grips, line, start_s + NODES[stage] * length_s, &y);
+        }
+        let weighted =
+            |weights: &[f64; 7], i: usize| weights.iter().zip(&slopes).map(|(w, slope)| w * slope[i]).sum::<f64>();
+        let mut last = [0.0; super::equation::STRETCH + super::equation::MOST_CONTACTS];
+        let mut sum = 0.0;
+        for i in 0..len {
+            last[i] = length_s * weighted(&DENSE, i);
+            let scale = sizes[i] + RELATIVE * start[i].abs().max(y[i].abs());
+            sum += (length_s * weighted(&ERROR, i) / (tolerance * scale)).powi(2);
+        }
+        Self {
+            start_s,
+            length_s,
+            start: *start,
+            end: y,
+            start_rates: *start_rates,
+            end_rates: slopes[6],
+            error_ratio: (sum / len as f64).sqrt(),
+            last,
+        }
+    }
+
+    /// The state at a share of the step.
+    pub(super) fn state(&self, share: f64) -> State {
+        let rest = 1.0 - share;
+        let mut y = self.start;
+        for (i, value) in y.iter_mut().enumerate() {
+            let change = self.end[i] - self.start[i];
+            let bend = self.length_s * self.start_rates[i] - change;
+            let twist = change - self.length_s * self.end_rates[i] - bend;
+            *value += share * (change + rest * (bend + share * (twist + rest * self.last[i])));
+        }
+        y
+    }
+}

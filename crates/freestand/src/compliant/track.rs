@@ -1,0 +1,298 @@
+//! What a history is asked for, picked up step by step.
+
+use super::equation::{Body, Grip, Line, OMEGA, STRETCH, State, THETA};
+use super::step::Step;
+use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
+use crate::block::{Block, Pivot};
+use crate::quadrature::halved;
+
+/// A maximum inside a step is at most this much higher than its ends: steps are short against the vibration on the cushions.
+const HEADROOM: f64 = 0.8;
+/// Contacts that carry less than this share of the weight say nothing about friction.
+const CARRYING_RATIO: f64 = 0.1;
+
+/// A step with all that it takes to evaluate it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Seen<'a, 'b> {
+    pub(super) body: &'a Body<'b>,
+    pub(super) grips: &'a [Grip],
+    pub(super) line: &'a Line,
+    pub(super) step: &'a Step,
+}
+
+impl Seen<'_, '_> {
+    pub(super) fn time_s(&self, share: f64) -> f64 {
+        self.step.start_s + share * self.step.length_s
+    }
+
+    /// State and rates at a share of the step.
+    pub(super) fn at(&self, share: f64) -> (State, State) {
+        if share == 0.0 {
+            return (self.step.start, self.step.start_rates);
+        }
+        if share == 1.0 {
+            return (self.step.end, self.step.end_rates);
+        }
+        let y = self.step.state(share);
+        (y, self.body.rates(self.grips, self.line, self.time_s(share), &y))
+    }
+
+    /// Acceleration of a point of the body in the ground's frame: (horizontal, vertical).
+    pub(super) fn acceleration(&self, right: f64, up: f64, share: f64) -> (f64, f64) {
+        let (y, rates) = self.at(share);
+        let shaking = self.line.at(self.time_s(share));
+        let (horizontal, vertical) = self.body.acceleration_of(right, up, &y, &rates);
+        (horizontal + shaking.horizontal, vertical + shaking.vertical)
+    }
+
+    /// The largest value over the step, if it may be above `best`.
+    fn raise(&self, best: &mut f64, value: impl Fn(f64) -> f64) {
+        let ends = value(0.0).max(value(1.0));
+        if ends < HEADROOM * *best {
+            return;
+        }
+        *best = best.max(ends);
+        let inner: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0].map(&value);
+        let highest = (1..4).max_by(|&a, &b| inner[a].total_cmp(&inner[b])).unwrap_or(2);
+        let (mut place, mut reach) = (0.25 * highest as f64, 0.25);
+        let (mut before, mut middle, mut after) = (inner[highest - 1], inner[highest], inner[highest + 1]);
+        // Two parabolas: the second one is a tenth as wide, so its top is good to 1e-4 of the first one's error.
+        for _ in 0..2 {
+            let bend = before - 2.0 * middle + after;
+            if bend < 0.0 {
+                place = (place + 0.5 * reach * ((before - after) / bend).clamp(-2.0, 2.0)).clamp(0.0, 1.0);
+            }
+            reach = (0.1 * reach).min(0.5 * place.max(1e-3)).min(0.5 * (1.0 - place).max(1e-3));
+            (before, middle, after) = (value((place - reach).max(0.0)), value(place), value((place + reach).min(1.0)));
+            *best = best.max(middle).max(before).max(after);
+        }
+    }
+
+    /// The share of the step at which a value that is above zero at its start falls through it.
+    fn falls(&self, value: impl Fn(&State) -> f64) -> Option<f64> {
+        let falling = value(&self.step.start) > 0.0 && value(&self.step.end) <= 0.0;
+        falling.then(|| halved(0.0, 1.0, |share| value(&self.step.state(share)) <= 0.0))
+    }
+}
+
+/// An edge of the base, as it is followed.
+#[derive(Debug, Clone, Copy)]
+struct EdgeTrack {
+    contact: usize,
+    side: EdgeSide,
+    /// Index among the touches of the one that lasts.
+    open: Option<usize>,
+    pivot: Pivot,
+}
+
+#[derive(Debug)]
+pub(super) struct Track {
+    edges: [EdgeTrack; 2],
+    /// Right and up of the centre of gravity.
+    points: Vec<(f64, f64)>,
+    is_free: bool,
+    alpha: [f64; 2],
+    swing: (f64, f64, bool),
+    last_touch: Option<usize>,
+    flight_s: Option<f64>,
+    /// Where the slipping foot of a contact began to slip, and its stretch.
+    slips: Vec<f64>,
+}
+
+impl Track {
+    /// `is_free`: no base motion.
+    pub(super) fn new(block: &Block, body: &Body, points_m: &[(f64, f64)], is_free: bool, start: &State) -> Self {
+        let edge = |contact, side, pivot| EdgeTrack { contact, side, open: None, pivot };
+        let pivots = [block.pivot(), block.right_pivot()];
+        Self {
+            edges: [edge(0, EdgeSide::Left, pivots[0]), edge(body.contacts.len() - 1, EdgeSide::Right, pivots[1])],
+            points: points_m.iter().map(|&(x, z)| (x - block.cg_from_left_m(), z - block.cg_height_m())).collect(),
+            is_free,
+            alpha: pivots.map(|pivot| pivot.slenderness_angle_rad),
+            swing: (0.0, start[THETA], false),
+            last_touch: None,
+            flight_s: None,
+            slips: vec![0.0; body.contacts.len()],
+        }
+    }
+
+    /// Reads a step.
+    pub(super) fn read(&mut self, seen: &Seen, result: &mut CompliantRocking) {
+        self.accelerations(seen, result);
+        self.rotations(seen, result);
+        self.uplifts(seen, result);
+        self.friction(seen, result);
+    }
+
+    fn accelerations(&self, seen: &Seen, result: &mut CompliantRocking) {
+        for (index, edge) in self.edges.iter().enumerate() {
+            if !seen.grips[edge.contact].carries() {
+                continue;
+            }
+            let up = |share: f64| seen.acceleration(seen.body.contacts[edge.contact], -seen.body.cg_height, share).1;
+            let push = |share: f64| {
+                let (y, _) = seen.at(share);
+                let foot = seen.body.foot(edge.contact, &y);
+                seen.body.load(seen.grips[edge.contact], &foot, y[STRETCH + edge.contact]).normal
+            };
+            if let Some(touch) = edge.open.and_then(|open| result.touches.get_mut(open)) {
+                seen.raise(&mut touch.peak_acceleration_m_s2, up);
+                seen.raise(&mut touch.peak_force_n, push);
+                let (a, f) = (touch.peak_acceleration_m_s2, touch.peak_force_n);
+                result.peak_edge_accelerations_m_s2[index] = result.peak_edge_accelerations_m_s2[index].max(a);
+                result.peak_edge_forces_n[index] = result.peak_edge_forces_n[index].max(f);
+            } else {
+                seen.raise(&mut result.peak_edge_accelerations_m_s2[index], up);
+                seen.raise(&mut result.peak_edge_forces_n[index], push);
+            }
+        }
+        for (&(right, up), peaks) in self.points.iter().zip(&mut result.points) {
+            seen.raise(&mut peaks.horizontal_m_s2, |share| seen.acceleration(right, up, share).0.abs());
+            seen.raise(&mut peaks.vertical_m_s2, |share| seen.acceleration(right, up, share).1.abs());
+        }
+    }
+
+    fn rotations(&mut self, seen: &Seen, result: &mut CompliantRocking) {
+        let (from, to) = (seen.step.start[THETA], seen.step.end[THETA]);
+        let side = if from + to < 0.0 { -1.0 } else { 1.0 };
+        let top = seen.falls(|y| side * y[OMEGA]);
+        let mut extremes = vec![(0.0, from), (1.0, to)];
+        extremes.extend(top.map(|share| (share, seen.step.state(share)[THETA])));
+        for (share, theta) in extremes {
+            if theta.abs() > result.peak_rotation_rad {
+                (result.peak_rotation_rad, result.peak_rotation_time_s) = (theta.abs(), seen.time_s(share));
+            }
+            if theta.abs() > self.swing.1.abs() && theta * side >= 0.0 {
+                (self.swing.0, self.swing.1) = (seen.time_s(share), theta);
+            }
+        }
+        let alpha = self.alpha[usize::from(side > 0.0)];
+        if result.passed_alpha_time_s.is_none() && side * to > alpha {
+            let share = halved(0.0, 1.0, |share| side * seen.step.state(share)[THETA] > alpha);
+            result.passed_alpha_time_s = Some(seen.time_s(share));
+        }
+        if from != 0.0 && from.signum() != to.signum() {
+            self.end_swing(result);
+            self.swing = (seen.time_s(1.0), to, false);
+        }
+    }
+
+    /// Writes the swing down that is over, if an edge was off its cushion in it.
+    pub(super) fn end_swing(&self, result: &mut CompliantRocking) {
+        let (time_s, rotation_rad, lifted) = self.swing;
+        if !lifted {
+            return;
+        }
+        let rise = |theta: f64| self.edges[usize::from(theta > 0.0)].pivot.largest_rise_m(theta);
+        let before = result.swings.last().filter(|_| self.is_free).map(|last| rise(last.rotation_rad));
+        let ratio = before.map(|before| (rise(rotation_rad) / before).sqrt());
+        result.swings.push(Swing { time_s, rotation_rad, effective_restitution_ratio: ratio });
+    }
+
+    fn uplifts(&mut self, seen: &Seen, result: &mut CompliantRocking) {
+        for edge in &self.edges {
+            let height = |y: &State| -seen.body.foot(edge.contact, y).compression;
+            let rising = |y: &State| -seen.body.foot(edge.contact, y).compression_rate;
+            let top = seen.falls(rising).map(|share| height(&seen.step.state(share)));
+            let most = height(&seen.step.start).max(height(&seen.step.end)).max(top.unwrap_or(0.0));
+            result.uplift_m = result.uplift_m.max(most);
+            if most > 0.0 {
+                self.swing.2 = true;
+                if result.first_uplift_time_s.is_none() {
+                    let is_up = |share: f64| height(&seen.step.state(share)) > 0.0;
+                    let share = if is_up(0.0) { 0.0 } else { halved(0.0, 1.0, is_up) };
+                    result.first_uplift_time_s = Some(seen.time_s(share));
+                }
+                let theta = seen.step.start[THETA].abs().max(seen.step.end[THETA].abs());
+                let theta =
+                    if seen.falls(|y| y[OMEGA] * y[THETA]).is_some() { theta.max(self.swing.1.abs()) } else { theta };
+                result.peak_uplifted_rotation_rad = result.peak_uplifted_rotation_rad.max(theta);
+            }
+        }
+    }
+
+    fn friction(&self, seen: &Seen, result: &mut CompliantRocking) {
+        let y = &seen.step.end;
+        for (index, &grip) in seen.grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {
+            let load = seen.body.load(grip, &seen.body.foot(index, y), y[STRETCH + index]);
+            if load.normal > CARRYING_RATIO * seen.body.mass * seen.body.gravity {
+                result.friction_used_ratio = result.friction_used_ratio.max(load.tangential.abs() / load.normal);
+            }
+        }
+    }
+
+    /// A contact begins.
+    pub(super) fn touch(&mut self, body: &Body, contact: usize, time_s: f64, y: &State, result: &mut CompliantRocking) {
+        if let Some(start_s) = self.flight_s.take() {
+            result.flight_time_s += time_s - start_s;
+        }
+        let Some(edge) = self.edges.iter_mut().position(|edge| edge.contact == contact) else { return };
+        if self.last_touch == Some(edge) {
+            result.bounce_count += 1;
+        }
+        self.last_touch = Some(edge);
+        self.edges[edge].open = Some(result.touches.len());
+        result.touches.push(Touch {
+            edge: self.edges[edge].side,
+            time_s,
+            speed_m_s: body.foot(contact, y).compression_rate,
+            omega_before_rad_s: y[OMEGA],
+            end_s: None,
+            rebound_m_s: None,
+            omega_after_rad_s: None,
+            peak_acceleration_m_s2: 0.0,
+            peak_force_n: 0.0,
+        });
+    }
+
+    /// A contact ends; `none_left`: it was the last one.
+    pub(super) fn leave(
+        &mut self,
+        body: &Body,
+        (contact, none_left): (usize, bool),
+        time_s: f64,
+        y: &State,
+        result: &mut CompliantRocking,
+    ) {
+        if none_left {
+            self.flight_s = Some(time_s);
+            result.flight_count += 1;
+        }
+        let Some(edge) = self.edges.iter_mut().find(|edge| edge.contact == contact) else { return };
+        if let Some(touch) = edge.open.take().and_then(|open| result.touches.get_mut(open)) {
+            touch.end_s = Some(time_s);
+            touch.rebound_m_s = Some(-body.foot(contact, y).compression_rate);
+            touch.omega_after_rad_s = Some(y[OMEGA]);
+        }
+    }
+
+    /// The foot of a contact begins to slide, or ends: `place` is where it is, from the centre of the base.
+    pub(super) fn slide(&mut self, contact: usize, place: f64, begins: bool, result: &mut CompliantRocking) {
+        let Some(from) = self.slips.get_mut(contact) else { return };
+        if !begins {
+            result.slid_m += (place - *from).abs();
+        }
+        *from = place;
+    }
+
+    /// A flight from the start, or to the end.
+    pub(super) fn flies_from(&mut self, time_s: f64, result: &mut CompliantRocking) {
+        self.flight_s = Some(time_s);
+        result.flight_count += 1;
+    }
+
+    pub(super) fn finish(&self, block: &Block, time_s: f64, result: &mut CompliantRocking) {
+        self.end_swing(result);
+        if let Some(start_s) = self.flight_s {
+            result.flight_time_s += time_s - start_s;
+        }
+        let theta = result.peak_uplifted_rotation_rad;
+        let rises = [block.pivot(), block.right_pivot()].map(|pivot| pivot.largest_rise_m(theta));
+        let is_right = result.swings.iter().any(|swing| swing.rotation_rad == theta);
+        result.cg_rise_m = if is_right { rises[1] } else { rises[0] };
+    }
+}
+
+impl PointPeaks {
+    pub(super) const NONE: Self = Self { horizontal_m_s2: 0.0, vertical_m_s2: 0.0 };
+}
