@@ -12,7 +12,8 @@
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
-//! | severity of a half-sine pulse | [`shock_response`] |
+//! | what a component feels of a shock: shock response spectra, classical pulses | [`shock_response`] |
+//! | what a shock must exceed to do harm, ASTM D3332 | [`damage_boundary`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
 //!
@@ -50,6 +51,7 @@
 pub mod block;
 pub mod building;
 pub mod code_spectrum;
+pub mod damage_boundary;
 pub mod impact;
 pub mod measures;
 pub mod motion;
