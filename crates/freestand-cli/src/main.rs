@@ -2,6 +2,7 @@
 
 mod args;
 mod commands;
+mod cushion;
 mod failure;
 mod files;
 mod printer;

@@ -16,6 +16,7 @@ use freestand::spectra::UpliftCell;
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 
+use crate::cushion::{CushionWords, EdgeCushion};
 use crate::input::InputFile;
 use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
@@ -24,7 +25,10 @@ use crate::study::{
 };
 
 pub(crate) const MASS_KG: f64 = 150.0;
-pub(crate) const STIFFNESS_N_M: f64 = 4.38e6;
+/// Two pads of 2190 N/mm.
+pub(crate) fn spring() -> EdgeCushion {
+    CushionWords::spring(4.38e6).resolve(None).unwrap()
+}
 
 /// A study with synthetic ground motions.
 pub(crate) fn study() -> Study {
@@ -58,7 +62,8 @@ pub(crate) fn study() -> Study {
             thicknesses_m,
             blocks,
             mass_kg: MASS_KG,
-            stiffness_n_m: STIFFNESS_N_M,
+            cushion: spring(),
+            cushion_file: None,
             restitution: Restitution::Housner,
             accuracy: Accuracy::Standard,
             tolerance_m_s2: None,
@@ -162,7 +167,7 @@ fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResul
                     return ObjectResponse::Failed("the floor falls away: g + ü_v ≤ 0".into());
                 }
                 let uplift = rocked(block, floor.peak_m_s2() / G0_M_S2, m);
-                let shock = uplift.shock(MASS_KG, STIFFNESS_N_M, ImpactModel::Paper, G0_M_S2);
+                let shock = uplift.shock(MASS_KG, &spring().cushion, ImpactModel::Paper, G0_M_S2);
                 ObjectResponse::Done { uplift, shock }
             };
             study.objects.blocks.iter().enumerate().map(one).collect()

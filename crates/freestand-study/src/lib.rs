@@ -1,11 +1,13 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
+pub mod cushion;
 pub mod error;
 pub mod figures;
 #[cfg(test)]
 mod fixture;
 pub mod input;
 pub mod inspect;
+pub mod law;
 mod options;
 pub mod output;
 pub mod outputs;

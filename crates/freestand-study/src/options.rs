@@ -3,6 +3,7 @@
 //! Nothing stops at the first problem: every reader takes what it can, notes what is wrong and goes on, so that a file
 //! is put right in one round. Unknown keys are found because each reader says which keys it knows.
 
+mod cushion;
 mod processing;
 
 use std::path::Path;
@@ -13,6 +14,7 @@ use toml::de::{DeTable, DeValue};
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{self, Dimension, Unit};
 
+pub(crate) use cushion::CushionOptions;
 pub(crate) use processing::ProcessingOptions;
 
 /// A value and the line on which it stands.
@@ -78,7 +80,7 @@ pub(crate) struct ObjectsOptions {
     pub(crate) heights_m: Option<Written<Vec<f64>>>,
     pub(crate) thicknesses_m: Option<Written<Vec<f64>>>,
     pub(crate) mass_kg: Option<Written<f64>>,
-    pub(crate) stiffness_n_m: Option<Written<f64>>,
+    pub(crate) cushion: CushionOptions,
     pub(crate) restitution: Option<Written<RestitutionOption>>,
     pub(crate) restitution_factor: Option<Written<f64>>,
     pub(crate) accuracy: Option<Written<String>>,
@@ -130,29 +132,8 @@ pub(crate) fn has_table_of_ours(text: &str) -> bool {
 /// Reads a study; what is wrong goes into the problems, what could be read into the options.
 pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>) {
     let mut reader = Reader::new(text, source);
-    // An editor's byte order mark is no part of the first key.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    reader.set_text(text);
-    let (document, errors) = DeTable::parse_recoverable(text);
-    for error in errors {
-        let line = error.span().map(|span| reader.line_of(span.start));
-        // What else is wrong with the same line follows from the first.
-        if reader.problems.last().is_some_and(|last| last.line == line) {
-            continue;
-        }
-        let problem = Problem::new(ProblemKind::Format, format!("not TOML: {}", one_line(error.message())));
-        let hint = if text.replace("\r\n", "").contains('\r') {
-            "save it with lines that end in LF or CR LF"
-        } else {
-            "a table is written [ground], a key as name = value, and text in \"quotes\""
-        };
-        reader.note(line, problem.hint(hint));
-    }
     let mut options = Options::default();
-    // In a text that is not TOML the rest may be rubbish: do not bury the cause under its consequences.
-    if !reader.problems.is_empty() {
-        return (options, reader.problems);
-    }
+    let Some(document) = reader.document(text) else { return (options, reader.problems) };
     let mut top = Section::new("", document.get_ref(), 1);
     if let Some(mut table) = top.table(&mut reader, "ground") {
         options.ground = ground(&mut reader, &mut table);
@@ -171,6 +152,16 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
         options.outputs = outputs(&mut reader, &mut table);
         table.finish(&mut reader);
     }
+    top.finish(&mut reader);
+    (options, reader.problems)
+}
+
+/// Reads a cushion file, in which the keys stand at the top.
+pub(crate) fn parse_cushion(text: &str, source: &Path) -> (CushionOptions, Vec<Problem>) {
+    let mut reader = Reader::new(text, Some(source));
+    let Some(document) = reader.document(text) else { return (CushionOptions::new(), reader.problems) };
+    let mut top = Section::new("", document.get_ref(), 1);
+    let options = cushion::cushion(&mut reader, &mut top);
     top.finish(&mut reader);
     (options, reader.problems)
 }
@@ -244,7 +235,7 @@ fn objects(reader: &mut Reader, table: &mut Section) -> ObjectsOptions {
         heights_m: table.grid(reader, "heights", Dimension::Length),
         thicknesses_m: table.grid(reader, "thicknesses", Dimension::Length),
         mass_kg: table.quantity(reader, "mass", Dimension::Mass),
-        stiffness_n_m: table.quantity(reader, "stiffness", Dimension::Stiffness),
+        cushion: cushion::cushion(reader, table),
         restitution: restitution(reader, table),
         restitution_factor: table.ratio(reader, "restitution_factor"),
         accuracy: table.string(reader, "accuracy"),
@@ -330,6 +321,30 @@ impl<'s> Reader<'s> {
 
     fn set_text(&mut self, text: &str) {
         self.line_starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+    }
+
+    /// The keys and values of the text, unless it is not TOML.
+    fn document<'t>(&mut self, text: &'t str) -> Option<Spanned<DeTable<'t>>> {
+        // An editor's byte order mark is no part of the first key.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        self.set_text(text);
+        let (document, errors) = DeTable::parse_recoverable(text);
+        for error in errors {
+            let line = error.span().map(|span| self.line_of(span.start));
+            // What else is wrong with the same line follows from the first.
+            if self.problems.last().is_some_and(|last| last.line == line) {
+                continue;
+            }
+            let problem = Problem::new(ProblemKind::Format, format!("not TOML: {}", one_line(error.message())));
+            let hint = if text.replace("\r\n", "").contains('\r') {
+                "save it with lines that end in LF or CR LF"
+            } else {
+                "a table is written [ground], a key as name = value, and text in \"quotes\""
+            };
+            self.note(line, problem.hint(hint));
+        }
+        // In a text that is not TOML the rest may be rubbish: do not bury the cause under its consequences.
+        self.problems.is_empty().then_some(document)
     }
 
     /// The line of a byte, from 1.
@@ -639,7 +654,10 @@ mod tests {
         assert_eq!(options.building.damping, Some(Written { value: 0.05, line: 4 }));
         assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
         assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
-        assert_eq!(options.objects.stiffness_n_m.unwrap().value, 4.38e6);
+        assert_eq!(
+            (options.objects.cushion[0].0, options.objects.cushion[0].1.value.as_str()),
+            ("stiffness", "4380 N/mm")
+        );
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::figures::figures;
 use crate::output::{OutputFolder, document};
 use crate::records::write_csv;
 use crate::report::{provenance, report};
-use crate::rerun::{with_motions, with_seed};
+use crate::rerun::{with_cushion, with_motions, with_seed};
 use crate::result::StudyResult;
 use crate::study::{Ground, Study};
 use crate::summary::{SCHEMA, summary};
@@ -74,11 +74,15 @@ type File = (String, Vec<u8>);
 
 /// The study, as it gives the same result from the output folder.
 fn rerun_toml(study: &Study) -> Result<String, Problem> {
+    let toml = match &study.objects.cushion_file {
+        Some((_, words)) => with_cushion(&study.toml, words)?,
+        None => study.toml.clone(),
+    };
     match &study.ground {
-        Ground::Synthetic(synthetic) => with_seed(&study.toml, synthetic.seed),
+        Ground::Synthetic(synthetic) => with_seed(&toml, synthetic.seed),
         Ground::Recorded(_) => {
             let files: Vec<String> = study.ground.names().iter().map(|name| ground_name(name)).collect();
-            with_motions(&study.toml, &files)
+            with_motions(&toml, &files)
         }
     }
 }

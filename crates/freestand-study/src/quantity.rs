@@ -20,6 +20,12 @@ pub enum Dimension {
     Acceleration,
     /// N/m.
     Stiffness,
+    /// Newtons.
+    Force,
+    /// Viscous damping, N s/m.
+    Damping,
+    /// Hunt and Crossley's Λ, s/m.
+    Dissipation,
     /// Hertz.
     Frequency,
     /// Radians.
@@ -43,6 +49,9 @@ impl Dimension {
             Self::Time => "a time",
             Self::Acceleration => "an acceleration",
             Self::Stiffness => "a stiffness",
+            Self::Force => "a force",
+            Self::Damping => "a damping",
+            Self::Dissipation => "a dissipation",
             Self::Frequency => "a frequency",
             Self::Angle => "an angle",
             Self::AngularVelocity => "an angular velocity",
@@ -150,6 +159,13 @@ static UNITS: &[Unit] = &[
     unit("kN/m", Dimension::Stiffness, 3, true),
     unit("kN/mm", Dimension::Stiffness, 6, true),
     unit("MN/m", Dimension::Stiffness, 6, false),
+    unit("N", Dimension::Force, 0, true),
+    unit("kN", Dimension::Force, 3, true),
+    unit("MN", Dimension::Force, 6, false),
+    unit("N·s/m", Dimension::Damping, 0, true),
+    Unit { aliases: &["N·s/mm"], ..unit("kN·s/m", Dimension::Damping, 3, true) },
+    unit("s/m", Dimension::Dissipation, 0, false),
+    unit("s/mm", Dimension::Dissipation, 3, false),
     unit("Hz", Dimension::Frequency, 0, true),
     unit("kHz", Dimension::Frequency, 3, true),
     unit("rad", Dimension::Angle, 0, true),
@@ -414,6 +430,9 @@ pub fn format_si(value_si: f64, dimension: Dimension) -> String {
         Dimension::Time => "s",
         Dimension::Acceleration => "g",
         Dimension::Stiffness => "N/mm",
+        Dimension::Force => "N",
+        Dimension::Damping => "N·s/m",
+        Dimension::Dissipation => "s/m",
         Dimension::Frequency => "Hz",
         Dimension::Angle => "rad",
         Dimension::AngularVelocity => "rad/s",

@@ -2,6 +2,7 @@
 
 use toml_edit::{Array, DocumentMut, Item, Table, value};
 
+use crate::cushion::CushionWords;
 use crate::error::{Problem, ProblemKind};
 
 /// The text with this seed of the synthetic motions; all else, comments too, stays.
@@ -60,6 +61,25 @@ pub fn with_motions(toml: &str, files: &[String]) -> Result<String, Problem> {
     Ok(study.to_string())
 }
 
+/// The text with the words of a cushion file in place of its name, so that it does not need the file.
+///
+/// # Errors
+/// A text that is not TOML, or without `[objects]`.
+pub fn with_cushion(toml: &str, words: &CushionWords) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let Some(objects) = study.get_mut("objects").and_then(Item::as_table_like_mut) else {
+        return Err(broken("objects is no table"));
+    };
+    objects.remove("cushion");
+    for (key, text) in words.entries() {
+        match text.parse::<i64>() {
+            Ok(count) if *key == "pads_per_edge" => objects.insert(key, value(count)),
+            _ => objects.insert(key, value(text.as_str())),
+        };
+    }
+    Ok(study.to_string())
+}
+
 fn parse(toml: &str) -> Result<DocumentMut, Problem> {
     toml.parse().map_err(|error: toml_edit::TomlError| broken(error.message()))
 }
@@ -72,6 +92,19 @@ fn broken(why: impl std::fmt::Display) -> Problem {
 mod tests {
     use super::*;
     use crate::resolve::builtin_toml;
+
+    /// Several layers in series come as one list.
+    #[test]
+    fn a_cushion_file_is_written_out() {
+        let mut words = CushionWords::default();
+        words.set("pad_stiffness", "2190 N/mm");
+        words.set("pads_per_edge", "2");
+        words.set("series_stiffness", "4380 N/mm, 9000 N/mm");
+        let text = with_cushion("[objects]\ncushion = \"pad.toml\" # ours\nmass = \"1 kg\"\n", &words).unwrap();
+        let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = 2\nseries_stiffness = \
+                        \"4380 N/mm, 9000 N/mm\"\n";
+        assert_eq!(text, expected);
+    }
 
     #[test]
     fn only_the_ground_changes() {

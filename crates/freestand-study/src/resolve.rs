@@ -1,5 +1,6 @@
 //! The study as meant: defaults filled in, everything checked, files loaded; all problems at once.
 
+mod cushion;
 mod processing;
 
 use std::collections::HashSet;
@@ -482,7 +483,6 @@ impl Resolver<'_> {
             }
         }
         self.positive(&written.mass_kg, "mass", Dimension::Mass);
-        self.positive(&written.stiffness_n_m, "stiffness", Dimension::Stiffness);
         self.positive(&written.tolerance_m_s2, "tolerance", Dimension::Acceleration);
         self.positive(&written.friction, "friction", Dimension::Ratio);
         self.exclusive(("restitution", &written.restitution), ("restitution_factor", &written.restitution_factor));
@@ -506,15 +506,18 @@ impl Resolver<'_> {
         if blocks.len() != heights_m.len() * thicknesses_m.len() {
             return None;
         }
-        let (mass_kg, stiffness_n_m) = (or(&written.mass_kg, 150.0), or(&written.stiffness_n_m, 4.38e6));
-        self.warnings.extend(stiffness_warnings(mass_kg, stiffness_n_m, None).iter().map(ToString::to_string));
+        let mass_kg = or(&written.mass_kg, 150.0);
+        let (cushion, cushion_file) = self.cushion(&written.cushion, mass_kg)?;
+        let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
+        self.warnings.extend(soft.iter().map(ToString::to_string));
         self.warnings.extend(squat_warning(&blocks));
         Some(Objects {
             heights_m,
             thicknesses_m,
             blocks,
             mass_kg,
-            stiffness_n_m,
+            cushion,
+            cushion_file,
             restitution: restitution?,
             accuracy: accuracy?,
             tolerance_m_s2: written.tolerance_m_s2.as_ref().map(|w| w.value),

@@ -2,7 +2,8 @@
 
 use freestand::block::Block;
 use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, ValidityWarning, bottoming_warning, impact_friction_needed_ratio, stiffness_warnings,
+    ASSUMED_FRICTION, ImpactModel, ValidityWarning, compression_warnings, impact_friction_needed_ratio,
+    stiffness_warnings,
 };
 use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::Outcome;
@@ -13,6 +14,7 @@ use freestand::spectra::{UpliftCell, landings};
 use freestand::{G0_M_S2, rocking};
 use serde::Serialize;
 
+use crate::cushion::EdgeCushion;
 use crate::error::{Problem, ProblemKind};
 use crate::records::push_shortest;
 
@@ -30,8 +32,8 @@ pub struct RockRequest {
     pub vertical: Option<Motion>,
     /// Model, restitution, accuracy, initial state, end.
     pub options: RockingOptions,
-    /// Mass \[kg\] and stiffness of the cushion under one edge \[N/m\], for the shock.
-    pub cushion: Option<(f64, f64)>,
+    /// Mass \[kg\] and what stands under one edge, for the shock.
+    pub cushion: Option<(f64, EdgeCushion)>,
     /// Coefficient of friction that sliding is judged by.
     pub friction: Option<f64>,
 }
@@ -132,13 +134,14 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .map(|block| impact_friction_needed_ratio(&block, rocking.restitution_ratio))
         .into_iter()
         .fold(0.0, f64::max);
-    let shock = request.cushion.map(|(mass, stiffness)| cell.shock(mass, stiffness, ImpactModel::Paper, gravity));
+    let cushion = request.cushion.as_ref();
+    let shock = cushion.map(|(mass, edge)| cell.shock(*mass, &edge.cushion, ImpactModel::Paper, gravity));
     let shock_of = |omega: f64| {
-        request.cushion.map(|(mass, stiffness)| {
+        cushion.map(|(mass, edge)| {
             // A block on its right edge (θ > 0) comes back with ω < 0.
             let landing = &landings[usize::from(omega > 0.0)];
             let rise_m = landing.equivalent_rise_m(omega, gravity);
-            landing.impact(mass, stiffness, rise_m, gravity).edge_acceleration_m_s2 / G0_M_S2
+            landing.edge_acceleration_m_s2(*mass, &edge.cushion, rise_m, gravity) / G0_M_S2
         })
     };
 
@@ -146,14 +149,15 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     if block.landing_ratio() < 0.0 {
         warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
     }
-    if let Some((mass, stiffness)) = request.cushion {
-        warnings.extend(stiffness_warnings(mass, stiffness, None).iter().map(ToString::to_string));
+    if let Some((mass, EdgeCushion { cushion, pad_thickness_m, .. })) = request.cushion.as_ref() {
+        warnings.extend(stiffness_warnings(*mass, cushion, *pad_thickness_m).iter().map(ToString::to_string));
         let impacts = landings.iter().zip(rocking.sides).map(|(landing, side)| {
             let rise_m = landing.pivot.largest_rise_m(side.peak_rotation_rad);
-            landing.impact(mass, stiffness, rise_m, gravity)
+            landing.impact(*mass, cushion, rise_m, gravity)
         });
         let deepest = impacts.max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
-        warnings.extend(deepest.and_then(|i| bottoming_warning(&i, None)).map(|warning| warning.to_string()));
+        let beyond = deepest.map(|impact| compression_warnings(&impact, cushion, *pad_thickness_m)).unwrap_or_default();
+        warnings.extend(beyond.iter().map(ToString::to_string));
     }
     let limit = request.friction.unwrap_or(ASSUMED_FRICTION);
     let mut sliding = |needed: f64, when| {

@@ -6,7 +6,7 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::building::floor_motions;
 use freestand::impact::impact_friction_needed_ratio;
-use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, bottoming_warning};
+use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::rocking::Outcome;
@@ -17,6 +17,7 @@ use freestand::spectra::{UpliftCell, uplift_spectrum};
 use freestand::synthesis::{self, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 
+use crate::cushion::EdgeCushion;
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
@@ -183,7 +184,7 @@ fn object_responses(study: &Study, floor: &Motion) -> Vec<ObjectResponse> {
         .into_iter()
         .map(|cell| match cell {
             Ok(uplift) => {
-                let shock = uplift.shock(objects.mass_kg, objects.stiffness_n_m, ImpactModel::Paper, G0_M_S2);
+                let shock = uplift.shock(objects.mass_kg, &objects.cushion.cushion, ImpactModel::Paper, G0_M_S2);
                 ObjectResponse::Done { uplift, shock }
             }
             Err(error) => ObjectResponse::Failed(error.to_string()),
@@ -218,8 +219,8 @@ fn example_history(
     let points = recorder.finish(&rocking);
     let landing = Landing::rocking(&block, ImpactModel::Paper);
     let shock_g = |omega: f64| {
-        let (mass, stiffness) = (study.objects.mass_kg, study.objects.stiffness_n_m);
-        landing.impact_at_omega(mass, stiffness, omega, G0_M_S2).edge_acceleration_m_s2 / G0_M_S2
+        let (mass, cushion) = (study.objects.mass_kg, &study.objects.cushion.cushion);
+        landing.impact_at_omega(mass, cushion, omega, G0_M_S2).edge_acceleration_m_s2 / G0_M_S2
     };
     Ok(Some(ExampleHistory {
         level: level.level.name.clone(),
@@ -325,17 +326,18 @@ fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
             objects.blocks.len()
         ));
     }
+    let EdgeCushion { cushion, pad_thickness_m, .. } = &objects.cushion;
     let worst = rows()
         .filter_map(|response| match response {
             ObjectResponse::Done { uplift, .. } if uplift.rocking.outcome == Outcome::Rocked => {
                 let landing = Landing::rocking(&uplift.block, ImpactModel::Paper);
-                Some(landing.impact(objects.mass_kg, objects.stiffness_n_m, uplift.rocking.cg_rise_m, G0_M_S2))
+                Some(landing.impact(objects.mass_kg, cushion, uplift.rocking.cg_rise_m, G0_M_S2))
             }
             _ => None,
         })
         .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
-    if let Some(warning) = worst.and_then(|impact| bottoming_warning(&impact, None)) {
-        warnings.push(warning.to_string());
+    if let Some(impact) = worst {
+        warnings.extend(compression_warnings(&impact, cushion, *pad_thickness_m).iter().map(ToString::to_string));
     }
     warnings
 }

@@ -2,19 +2,23 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
+use freestand::cushion::Cushion;
 use freestand::impact::{
-    self, Impact, ImpactModel, Landing, ValidityWarning, bottoming_warning, impact_friction_needed_ratio,
+    self, Impact, ImpactModel, Landing, ValidityWarning, compression_warnings, impact_friction_needed_ratio,
     stiffness_warnings,
 };
 use serde::Serialize;
 
+mod boundary;
 mod cushion;
 mod verdict;
 
-use cushion::{Cushion, cushion};
+pub use boundary::DamageBoundaryReport;
+use cushion::{Contact, contact};
 pub use verdict::DemandCapacity;
 use verdict::{max_stiffness, verdict};
 
+use crate::cushion::{CushionWords, cushion_words};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::quantity::{Dimension, format_si};
 
@@ -77,14 +81,8 @@ pub struct ShockRequest {
     pub block: Block,
     /// Its mass \[kg\].
     pub mass_kg: f64,
-    /// Stiffness of all the cushion under one edge \[N/m\].
-    pub stiffness_n_m: Option<f64>,
-    /// Stiffness of one pad \[N/m\], with [`ShockRequest::pads_per_edge`].
-    pub pad_stiffness_n_m: Option<f64>,
-    /// Pads under one edge.
-    pub pads_per_edge: Option<u32>,
-    /// What acts in series with the cushion of the edge: legs, floor covering \[N/m\].
-    pub series_stiffness_n_m: Vec<f64>,
+    /// What stands under one edge.
+    pub cushion: CushionWords,
     /// Stiffness of the side on the floor or the obstacle, when the object falls over \[N/m\].
     pub contact_stiffness_n_m: Option<f64>,
     /// A measured drop acceleration (same mass, same rise) in place of the stiffness \[m/s²\].
@@ -103,8 +101,6 @@ pub struct ShockRequest {
     pub at_m: Option<(f64, f64)>,
     /// Gravity \[m/s²\].
     pub gravity_m_s2: f64,
-    /// Thickness of the pad, for the guards \[m\].
-    pub pad_thickness_m: Option<f64>,
     /// Coefficient of friction, for the guard against sliding.
     pub friction_ratio: Option<f64>,
     /// Peak acceleration that the object stands \[m/s²\].
@@ -113,6 +109,12 @@ pub struct ShockRequest {
     pub tolerance_duration_s: Option<f64>,
     /// Velocity change below which no peak does harm \[m/s\].
     pub tolerance_velocity_change_m_s: Option<f64>,
+    /// Lift of one edge from which it may fall back: bench handling \[m\].
+    pub tolerance_edge_lift_m: Option<f64>,
+    /// Frequency of its most delicate component \[Hz\], with [`ShockRequest::component_capacity_m_s2`].
+    pub component_frequency_hz: Option<f64>,
+    /// Acceleration that this component itself stands \[m/s²\].
+    pub component_capacity_m_s2: Option<f64>,
 }
 
 impl ShockRequest {
@@ -121,10 +123,7 @@ impl ShockRequest {
         Self {
             block,
             mass_kg,
-            stiffness_n_m: None,
-            pad_stiffness_n_m: None,
-            pads_per_edge: None,
-            series_stiffness_n_m: Vec::new(),
+            cushion: CushionWords::default(),
             contact_stiffness_n_m: None,
             drop_acceleration_m_s2: None,
             energy: None,
@@ -134,11 +133,13 @@ impl ShockRequest {
             obstacle_height_m: None,
             at_m: None,
             gravity_m_s2: G0_M_S2,
-            pad_thickness_m: None,
             friction_ratio: None,
             tolerance_m_s2: None,
             tolerance_duration_s: None,
             tolerance_velocity_change_m_s: None,
+            tolerance_edge_lift_m: None,
+            component_frequency_hz: None,
+            component_capacity_m_s2: None,
         }
     }
 }
@@ -204,11 +205,15 @@ pub struct ShockReport {
     pub uplift_m: Option<f64>,
     /// Rotation at that rise \[rad\].
     pub rotation_rad: Option<f64>,
-    /// Stiffness that acted, given or implied by the measured drop acceleration \[N/m\].
+    /// Stiffness that acted, given or implied by the measured drop acceleration; `None` for a law that has none \[N/m\].
     pub stiffness_n_m: Option<f64>,
-    /// π√(m_eff/k) \[s\].
+    /// The law of the cushion: `linear`, `power`, …
+    pub law: Option<&'static str>,
+    /// The cushion in words.
+    pub cushion: Option<String>,
+    /// Duration of the contact, π√(m_eff/k) on a spring \[s\].
     pub pulse_duration_s: Option<f64>,
-    /// 2v \[m/s\].
+    /// (1 + e)v, 2v on a spring \[m/s\].
     pub velocity_change_m_s: Option<f64>,
     /// Largest compression of the cushion \[m\].
     pub compression_m: Option<f64>,
@@ -224,11 +229,15 @@ pub struct ShockReport {
     pub at: Option<PointShock>,
     /// Peak that the object stands \[g\].
     pub tolerance_g: Option<f64>,
+    /// Lift of one edge that the object stands \[m\].
+    pub tolerance_edge_lift_m: Option<f64>,
+    /// The damage boundary of tests or of the component, with the demand.
+    pub damage_boundary: Option<DamageBoundaryReport>,
     /// Demand over capacity for each kind of tolerance.
     pub demand_capacity: Option<DemandCapacity>,
     /// The one that governs.
     pub demand_capacity_ratio: Option<f64>,
-    /// `peak`, `damage-boundary` or `spectrum`.
+    /// `damage-boundary`, `spectrum`, `component`, `edge-lift`, or `peak` where nothing else is known.
     pub governing: Option<&'static str>,
     /// `ok`, `exceeded` or `no-verdict`.
     pub verdict: &'static str,
@@ -261,9 +270,10 @@ fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
 /// # Example
 /// Test 1 of Table I of Al Abadi et al., with g = 9.81 m/s² as the paper has it:
 /// ```
+/// use freestand_study::cushion::CushionWords;
 /// use freestand_study::shock::{Energy, ShockRequest, shock};
 /// let mut cabinet = ShockRequest::new(freestand::block::Block::uniform(2.3, 0.6)?, 140.0);
-/// cabinet.stiffness_n_m = Some(4.38e6);
+/// cabinet.cushion = CushionWords::spring(4.38e6);
 /// cabinet.energy = Some(Energy::CgRise(0.016));
 /// let report = shock(&cabinet)?;
 /// assert!((report.edge_acceleration_g - 4.526).abs() < 1e-3);
@@ -272,13 +282,13 @@ fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
 /// ```
 pub fn shock(request: &ShockRequest) -> Result<ShockReport, StudyError> {
     let mut problems = Vec::new();
-    let cushion = cushion(request, &mut problems);
+    let contact = contact(request, &mut problems);
     check_combinations(request, &mut problems);
     let block = &request.block;
     let Some(landing) = keep(&mut problems, landing(request, block)) else { return Err(StudyError { problems }) };
     let energy = keep(&mut problems, fall(request, block, &landing));
-    match (cushion, energy) {
-        (Some(cushion), Some(fall)) if problems.is_empty() => Ok(report(request, block, &landing, &cushion, &fall)?),
+    match (contact, energy) {
+        (Some(contact), Some(fall)) if problems.is_empty() => Ok(report(request, block, &landing, &contact, &fall)?),
         _ => Err(StudyError { problems }),
     }
 }
@@ -314,6 +324,12 @@ fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
         problems.push(problem(
             "--tolerance-duration and --tolerance-velocity-change go with --tolerance",
             "give the peak acceleration that the object stands, such as --tolerance \"5 g\"",
+        ));
+    }
+    if request.component_frequency_hz.is_some() != request.component_capacity_m_s2.is_some() {
+        problems.push(problem(
+            "--component-frequency and --component-capacity go together",
+            "such as --component-frequency \"100 Hz\" --component-capacity \"40 g\"",
         ));
     }
     if request.tolerance_m_s2.is_some()
@@ -430,41 +446,38 @@ fn report(
     request: &ShockRequest,
     block: &Block,
     landing: &Landing,
-    cushion: &Cushion,
+    contact: &Contact,
     fall: &Fall,
 ) -> Result<ShockReport, Problem> {
     let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
     let mut warnings: Vec<String> = fall.warning.iter().cloned().collect();
     let mut notes = Vec::new();
-    let stiffness_n_m = match (cushion, fall.rise_m) {
-        (Cushion::Stiffness { value_n_m, notes: read }, _) => {
-            notes.extend(read.iter().cloned());
-            Some(*value_n_m)
+    let (cushion, pad_thickness_m) = match contact {
+        Contact::Cushion(edge) => {
+            notes.extend(edge.notes.iter().cloned());
+            (Some(edge.cushion.clone()), edge.pad_thickness_m)
         }
-        (Cushion::Measured(a), Some(rise_m)) if rise_m > 0.0 => {
-            let implied = mass_kg * a * a / (2.0 * gravity * rise_m);
-            notes.push(format!("the measured drop acceleration implies {}", format_si(implied, Dimension::Stiffness)));
-            Some(implied)
-        }
-        (Cushion::Measured(_), Some(_)) => {
-            return Err(problem(
-                "a drop from no height gives no acceleration",
-                "give the rise at which it was measured",
-            ));
-        }
-        (Cushion::Measured(_), None) => None,
+        Contact::Measured(a) => (implied_spring(*a, mass_kg, fall.rise_m, gravity, &mut notes)?, None),
     };
+    let cushion = cushion.as_ref();
     let impact_of =
-        |landing: &Landing| -> Option<Impact> { Some(landing.impact(mass_kg, stiffness_n_m?, fall.rise_m?, gravity)) };
+        |landing: &Landing| -> Option<Impact> { Some(landing.impact(mass_kg, cushion?, fall.rise_m?, gravity)) };
     let impact = impact_of(landing);
-    let drop_m_s2 = match cushion {
-        Cushion::Measured(a) => *a,
-        Cushion::Stiffness { .. } => impact.map_or(0.0, |impact| impact.drop_acceleration_m_s2),
+    let drop_m_s2 = match contact {
+        Contact::Measured(a) => *a,
+        Contact::Cushion(_) => impact.map_or(0.0, |impact| impact.drop_acceleration_m_s2),
     };
-    let edge_m_s2 = impact.map_or(landing.amplification_ratio() * drop_m_s2, |impact| impact.edge_acceleration_m_s2);
+    let edge_of = |landing: &Landing| {
+        let measured = || landing.amplification_ratio() * drop_m_s2;
+        impact_of(landing).map_or_else(measured, |impact| impact.edge_acceleration_m_s2)
+    };
+    let edge_m_s2 = edge_of(landing);
     let overturns = request.scenario.overturns();
     if !edge_m_s2.is_finite() {
-        return Err(problem("the shock is beyond all numbers", "check the sizes, the mass and the stiffness"));
+        return Err(problem(
+            "the shock is beyond all numbers",
+            "check the sizes, the mass and the cushion: one that bottoms must hold the energy of the landing",
+        ));
     }
 
     if landing.model == ImpactModel::Halted
@@ -473,7 +486,8 @@ fn report(
     {
         warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
     }
-    if overturns && (request.stiffness_n_m.is_some() || request.pad_stiffness_n_m.is_some()) {
+    let edge_keys = ["stiffness", "pad_stiffness", "cushion", "compressions"];
+    if overturns && edge_keys.iter().any(|key| request.cushion.get(key).is_some()) {
         warnings.push("an object that falls over lands on its side: the stiffness of its edge is not used".to_owned());
     }
     if overturns && request.energy.is_some() && fall.source == "fall-from-balance" {
@@ -481,12 +495,12 @@ fn report(
             "an object that falls over starts from its balance point: the rise that was given is not used".to_owned(),
         );
     }
-    if let Some(k) = stiffness_n_m {
-        let pad = request.pad_thickness_m.filter(|_| !overturns);
-        warnings.extend(stiffness_warnings(mass_kg, k, pad).iter().map(ToString::to_string));
+    if let Some(cushion) = cushion {
+        warnings.extend(stiffness_warnings(mass_kg, cushion, pad_thickness_m).iter().map(ToString::to_string));
     }
-    if let Some(impact) = impact.filter(|_| !overturns) {
-        warnings.extend(bottoming_warning(&impact, request.pad_thickness_m).map(|warning| warning.to_string()));
+    if let Some((impact, cushion)) = impact.zip(cushion).filter(|_| !overturns) {
+        let beyond = compression_warnings(&impact, cushion, pad_thickness_m);
+        warnings.extend(beyond.iter().map(ToString::to_string));
     }
     let rocks_through = request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;
     let friction_needed = rocks_through.then(|| impact_friction_needed_ratio(block, block.landing_ratio()));
@@ -498,17 +512,17 @@ fn report(
         warnings.push("the free-corner model is for comparison only".to_owned());
     }
 
-    let verdict = verdict(request, edge_m_s2, impact.as_ref());
+    let uplift_m = fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin());
+    let verdict = verdict(request, edge_m_s2, uplift_m, impact.as_ref());
+    let damage_boundary = impact.as_ref().and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
     let share = request.at_m.map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
     if let Some((x_m, z_m, _)) = share
         && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
     {
         warnings.push("the point of --at lies outside the object".to_owned());
     }
-    let (max_stiffness_n_m, stiffness_note) = match request.tolerance_m_s2.zip(fall.rise_m) {
-        Some((tolerance, rise_m)) => max_stiffness(request, landing, rise_m, tolerance),
-        None => (None, None),
-    };
+    let (max_stiffness_n_m, stiffness_note) =
+        fall.rise_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
     notes.extend(stiffness_note.map(str::to_owned));
     Ok(ShockReport {
         scenario: request.scenario.name(),
@@ -520,26 +534,29 @@ fn report(
         amplification_ratio: landing.amplification_ratio(),
         landing_ratio: block.landing_ratio(),
         effective_mass_kg: landing.effective_mass_ratio * mass_kg,
-        edge_velocity_m_s: fall.rise_m.map(|rise| landing.omega_rad_s(rise, gravity) * landing.contact_distance_m),
+        edge_velocity_m_s: fall.rise_m.map(|rise| landing.edge_velocity_m_s(rise, gravity)),
         angular_velocity_rad_s: fall.rise_m.map(|rise| landing.omega_rad_s(rise, gravity)),
         contact_distance_m: landing.contact_distance_m,
         half_diagonal_m: landing.pivot.half_diagonal_m,
         slenderness_angle_rad: landing.pivot.slenderness_angle_rad,
         cg_rise_m: fall.rise_m,
-        uplift_m: fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin()),
+        uplift_m,
         rotation_rad: fall.rotation_rad,
-        stiffness_n_m,
+        stiffness_n_m: cushion.and_then(Cushion::linear_stiffness_n_m),
+        law: cushion.map(|cushion| cushion.law().name()),
+        cushion: cushion.map(cushion_words),
         pulse_duration_s: impact.map(|impact| impact.pulse_duration_s),
-        velocity_change_m_s: fall
-            .rise_m
-            .map(|rise| 2.0 * landing.omega_rad_s(rise, gravity) * landing.contact_distance_m),
+        velocity_change_m_s: impact.map(|impact| impact.velocity_change_m_s),
         compression_m: impact.map(|impact| impact.compression_m),
         balance_rise_m: landing.pivot.balance_rise_m(),
-        ceiling_g: stiffness_n_m.filter(|_| !overturns).map(|k| {
-            landing.impact(mass_kg, k, landing.pivot.balance_rise_m(), gravity).edge_acceleration_m_s2 / G0_M_S2
-        }),
+        ceiling_g: cushion
+            .filter(|_| !overturns)
+            .map(|cushion| {
+                landing.edge_acceleration_m_s2(mass_kg, cushion, landing.pivot.balance_rise_m(), gravity) / G0_M_S2
+            })
+            .filter(|ceiling_g| ceiling_g.is_finite()),
         impact_friction_needed_ratio: friction_needed,
-        models: models(request, block, landing, drop_m_s2),
+        models: models(request, block, landing, &edge_of),
         at: share.map(|(x_m, z_m, (horizontal, vertical))| PointShock {
             x_m,
             z_m,
@@ -547,6 +564,8 @@ fn report(
             vertical_g: vertical * edge_m_s2 / G0_M_S2,
         }),
         tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
+        tolerance_edge_lift_m: request.tolerance_edge_lift_m,
+        damage_boundary,
         demand_capacity: verdict.map(|verdict| verdict.0),
         demand_capacity_ratio: verdict.map(|verdict| verdict.1),
         governing: verdict.map(|verdict| verdict.2),
@@ -557,9 +576,31 @@ fn report(
     })
 }
 
-/// The same drop through every model that applies: a_edge/a is all that differs.
-fn models(request: &ShockRequest, block: &Block, landing: &Landing, drop_m_s2: f64) -> ModelShocks {
-    let shock_g = |landing: &Landing| landing.amplification_ratio() * drop_m_s2 / G0_M_S2;
+/// The spring on which the mass dropped by the same rise meets the measured acceleration; `None` where no rise is known.
+fn implied_spring(
+    measured_m_s2: f64,
+    mass_kg: f64,
+    rise_m: Option<f64>,
+    gravity_m_s2: f64,
+    notes: &mut Vec<String>,
+) -> Result<Option<Cushion>, Problem> {
+    let Some(rise_m) = rise_m else { return Ok(None) };
+    let implied_n_m = mass_kg * measured_m_s2 * measured_m_s2 / (2.0 * gravity_m_s2 * rise_m);
+    let Ok(spring) = Cushion::linear(implied_n_m) else {
+        return Err(problem("a drop from no height gives no acceleration", "give the rise at which it was measured"));
+    };
+    notes.push(format!("the measured drop acceleration implies {}", format_si(implied_n_m, Dimension::Stiffness)));
+    Ok(Some(spring))
+}
+
+/// The same landing through every model that applies.
+fn models(
+    request: &ShockRequest,
+    block: &Block,
+    landing: &Landing,
+    edge_m_s2: &dyn Fn(&Landing) -> f64,
+) -> ModelShocks {
+    let shock_g = |landing: &Landing| edge_m_s2(landing) / G0_M_S2;
     if request.scenario.overturns() {
         return ModelShocks { paper_g: None, halted_g: Some(shock_g(landing)), free_corner_g: None };
     }

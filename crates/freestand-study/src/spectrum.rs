@@ -6,13 +6,15 @@ use std::time::Instant;
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::impact::ImpactModel;
+use freestand::cushion::Cushion;
+use freestand::impact::{Impact, ImpactModel, Landing};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingError, RockingOptions};
 use freestand::spectra::{Sensitivity, UpliftCell, uplift_sensitivity, uplift_spectrum};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::cushion::EdgeCushion;
 use crate::error::{Problem, ProblemKind};
 use crate::resolve::MAX_OBJECTS;
 use crate::tables::Field;
@@ -76,8 +78,8 @@ pub struct SpectrumRequest {
     pub grid: Grid,
     /// Model, restitution, accuracy.
     pub options: RockingOptions,
-    /// Mass \[kg\] and stiffness of the cushion under one edge \[N/m\], for the shock.
-    pub cushion: Option<(f64, f64)>,
+    /// Mass \[kg\] and what stands under one edge, for the shock.
+    pub cushion: Option<(f64, EdgeCushion)>,
     /// Whether to tell how far each object amplifies an error of the motion.
     pub sensitivity: bool,
 }
@@ -158,7 +160,7 @@ pub struct SpectrumChunk<'a> {
     /// Index of the motion.
     pub motion: usize,
     name: &'a str,
-    cushion: Option<(f64, f64)>,
+    cushion: Option<(f64, &'a Cushion)>,
     blocks: Vec<Block>,
     cells: Vec<Result<UpliftCell, RockingError>>,
     sensitivities: Option<Vec<Sensitivity>>,
@@ -176,7 +178,7 @@ impl SpectrumChunk<'_> {
         let done = cell.as_ref().ok();
         let shock = done
             .zip(self.cushion)
-            .map(|(cell, (mass, stiffness))| cell.shock(mass, stiffness, ImpactModel::Paper, G0_M_S2));
+            .map(|(cell, (mass, cushion))| cell.shock(mass, cushion, ImpactModel::Paper, G0_M_S2));
         let rocking = done.map(|cell| &cell.rocking);
         SpectrumRow {
             motion: self.name,
@@ -198,6 +200,20 @@ impl SpectrumChunk<'_> {
     /// All rows.
     pub fn rows(&self) -> impl Iterator<Item = SpectrumRow<'_>> {
         (0..self.objects()).map(|index| self.row(index))
+    }
+
+    /// The landing of most energy among the objects that rocked and stayed upright, by their largest rise: the one that
+    /// compresses the cushion most.
+    pub fn deepest_impact(&self) -> Option<Impact> {
+        let (mass_kg, cushion) = self.cushion?;
+        let rocked = self.cells.iter().flatten().filter(|cell| cell.rocking.outcome == Outcome::Rocked);
+        let energy_of = |cell: &UpliftCell| {
+            let landing = Landing::rocking(&cell.block, ImpactModel::Paper);
+            landing.effective_mass_ratio * landing.edge_velocity_m_s(cell.rocking.cg_rise_m, G0_M_S2).powi(2)
+        };
+        let cell = rocked.max_by(|a, b| energy_of(a).total_cmp(&energy_of(b)))?;
+        let landing = Landing::rocking(&cell.block, ImpactModel::Paper);
+        Some(landing.impact(mass_kg, cushion, cell.rocking.cg_rise_m, G0_M_S2))
     }
 
     /// What `words` makes of a few rows at a time, in their order and on all threads, to be written one after the other.
@@ -246,7 +262,8 @@ pub fn spectrum<E>(
                 *seconds += began.elapsed().as_secs_f64();
                 sensitivities
             });
-            let (name, cushion) = (motion.name.as_str(), request.cushion);
+            let name = motion.name.as_str();
+            let cushion = request.cushion.as_ref().map(|(mass_kg, edge)| (*mass_kg, &edge.cushion));
             each(&SpectrumChunk { motion: index, name, cushion, blocks, cells, sensitivities })?;
         }
     }
@@ -291,6 +308,7 @@ impl SpectrumTally {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cushion::CushionWords;
     use crate::tables::csv_rows;
 
     fn request() -> SpectrumRequest {
@@ -299,7 +317,7 @@ mod tests {
         SpectrumRequest {
             grid: Grid::new(heights_m, thicknesses_m).unwrap(),
             options: RockingOptions::default(),
-            cushion: Some((150.0, 4.38e6)),
+            cushion: Some((150.0, CushionWords::spring(4.38e6).resolve(None).unwrap())),
             sensitivity: true,
         }
     }

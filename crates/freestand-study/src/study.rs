@@ -6,6 +6,7 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
 
+use crate::cushion::{CushionWords, EdgeCushion};
 use crate::input::InputFile;
 
 /// Everything that `run` needs, and nothing that it does not.
@@ -129,8 +130,10 @@ pub struct Objects {
     pub blocks: Vec<Block>,
     /// Mass \[kg\].
     pub mass_kg: f64,
-    /// Stiffness of the cushion under one edge \[N/m\].
-    pub stiffness_n_m: f64,
+    /// What stands under one edge.
+    pub cushion: EdgeCushion,
+    /// The cushion file that it was read from, and its words.
+    pub cushion_file: Option<(InputFile, CushionWords)>,
     /// Restitution of the motion.
     pub restitution: Restitution,
     /// Accuracy of the rocking solver.

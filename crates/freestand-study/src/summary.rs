@@ -4,6 +4,7 @@ use freestand::rocking::Outcome;
 use freestand::synthesis;
 use serde_json::{Value, json};
 
+use crate::cushion::cushion_words;
 use crate::input::{InputFile, sha256_hex};
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::ranked_quantile;
@@ -164,7 +165,11 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
                 "heights_m": objects.heights_m,
                 "thicknesses_m": objects.thicknesses_m,
                 "mass_kg": objects.mass_kg,
-                "stiffness_n_m": objects.stiffness_n_m,
+                "stiffness_n_m": objects.cushion.cushion.linear_stiffness_n_m(),
+                "law": objects.cushion.cushion.law().name(),
+                "cushion": cushion_words(&objects.cushion.cushion),
+                "cushion_notes": objects.cushion.notes,
+                "cushion_file": objects.cushion_file.as_ref().map(|(file, _)| input_file(file)),
                 "restitution": restitution_words(objects.restitution),
                 "accuracy": accuracy_words(objects.accuracy),
                 "tolerance_m_s2": objects.tolerance_m_s2,

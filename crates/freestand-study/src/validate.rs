@@ -5,7 +5,8 @@ mod rocking;
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::Building;
 use freestand::code_spectrum::{CodeSpectrum, Edition, FrameKind, SiteClass, fundamental_period_s};
-use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio, series_stiffness_n_m};
+use freestand::cushion::Cushion;
+use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::shock_response::{HalfSine, half_sine_maximax_ratio, half_sine_severity_ratio};
@@ -116,10 +117,11 @@ const TABLE_ONE: [(u32, f64, f64, f64); 5] =
 
 fn table_one() -> Result<Vec<TableOneRow>, Problem> {
     let landing = Landing::rocking(&Block::uniform(2.3, 0.6).map_err(defect)?, ImpactModel::Paper);
+    let pads = Cushion::linear(4.38e6).map_err(defect)?;
     let g = TABLE_ONE_GRAVITY_M_S2;
     let rows = TABLE_ONE.map(|(test, rise_mm, published_g, measured_g)| {
         let cg_rise_m = rise_mm / 1e3;
-        let impact = landing.impact(140.0, 4.38e6, cg_rise_m, g);
+        let impact = landing.impact(140.0, &pads, cg_rise_m, g);
         let edge_acceleration_g = impact.edge_acceleration_m_s2 / g;
         TableOneRow {
             test,
@@ -206,7 +208,8 @@ fn block_checks() -> Result<Vec<Check>, Problem> {
     const CEILING: &str = "Eq. (5) at the rise R(1 − cos α), 150 kg on 4380 N/mm, by hand";
     for (height_m, thickness_m, expected) in [(1.5, 0.2, 1.45), (1.5, 0.4, 5.72), (2.0, 0.6, 8.32)] {
         let landing = Landing::rocking(&Block::uniform(height_m, thickness_m).map_err(defect)?, ImpactModel::Paper);
-        let impact = landing.impact(150.0, 4.38e6, landing.pivot.balance_rise_m(), freestand::G0_M_S2);
+        let pads = Cushion::linear(4.38e6).map_err(defect)?;
+        let impact = landing.impact(150.0, &pads, landing.pivot.balance_rise_m(), freestand::G0_M_S2);
         let name = format!("uplift ceiling of {height_m} m × {thickness_m} m [g]");
         checks.push(check(name, impact.edge_acceleration_m_s2 / freestand::G0_M_S2, expected, 5e-3, CEILING));
     }
@@ -224,7 +227,11 @@ fn block_checks() -> Result<Vec<Check>, Problem> {
     let needed = impact_friction_needed_ratio(&five, 0.63);
     checks.push(check("friction needed in an impact, H = 5, r = 0.63", needed, 5.0 * 0.37 / 1.63, 1e-14, FRICTION));
     const SERIES: &str = "springs in series: 1/k = Σ 1/kᵢ";
-    let series = series_stiffness_n_m(&[4e6, 4e6, 2e6]);
+    let mut layers = Vec::new();
+    for stiffness_n_m in [4e6, 4e6, 2e6] {
+        layers.push(Cushion::linear(stiffness_n_m).map_err(defect)?);
+    }
+    let series = Cushion::in_series(&layers).map_err(defect)?.force_n(1e-3, 0.0) / 1e-3;
     checks.push(check("4000, 4000 and 2000 N/mm in series [N/m]", series, 1e6, 1e-8, SERIES));
     Ok(checks)
 }

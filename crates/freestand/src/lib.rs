@@ -11,6 +11,7 @@
 //! | the floors of a building | [`building`], [`oscillator`] |
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
+//! | contact laws: what a cushion does to what lands on it | [`cushion`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
 //! | what a component feels of a shock: shock response spectra, classical pulses | [`shock_response`] |
 //! | what a shock must exceed to do harm, ASTM D3332 | [`damage_boundary`] |
@@ -28,6 +29,7 @@
 //! A cabinet of 2.3 m × 0.6 m and 140 kg on pads of 4380 N/mm an edge, under one cycle of 0.35 g:
 //! ```
 //! use freestand::block::Block;
+//! use freestand::cushion::Cushion;
 //! use freestand::impact::ImpactModel;
 //! use freestand::motion::Motion;
 //! use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
@@ -43,7 +45,8 @@
 //! assert_eq!(history.outcome, Outcome::Rocked);
 //! assert!(history.peak_rotation_rad < cabinet.pivot().slenderness_angle_rad);
 //!
-//! let shock = UpliftCell::new(cabinet, &history).shock(140.0, 4.38e6, ImpactModel::Paper, freestand::G0_M_S2);
+//! let pads = Cushion::linear(4.38e6)?;
+//! let shock = UpliftCell::new(cabinet, &history).shock(140.0, &pads, ImpactModel::Paper, freestand::G0_M_S2);
 //! assert!(shock.edge_acceleration_g < Some(shock.ceiling_g));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -51,12 +54,14 @@
 pub mod block;
 pub mod building;
 pub mod code_spectrum;
+pub mod cushion;
 pub mod damage_boundary;
 pub mod impact;
 pub mod measures;
 pub mod motion;
 pub mod oscillator;
 mod polynomial;
+mod quadrature;
 pub mod rocking;
 pub mod shock_response;
 pub mod signal;

@@ -5,6 +5,7 @@
 
 use crate::G0_M_S2;
 use crate::block::Block;
+use crate::cushion::Cushion;
 use crate::impact::{ImpactModel, Landing};
 use crate::rocking::{Base, Outcome, RockingError, RockingOptions, RockingSummary, SideExtremes, rock_many};
 
@@ -28,7 +29,7 @@ pub struct UpliftCell {
     pub rocking: RockingSummary,
 }
 
-/// The shock that belongs to an [`UpliftCell`], for a mass and a stiffness.
+/// The shock that belongs to an [`UpliftCell`], for a mass and a cushion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShockCell {
     /// a_edge from the largest rise of the centre of gravity (the paper's source); `None` for overturned objects \[g\].
@@ -137,15 +138,15 @@ impl UpliftCell {
         self.rocking.sides.iter().fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
     }
 
-    /// The shock on a linear cushion `stiffness_n_m` under the landing edge: the harder of the landings off the two
+    /// The shock on a cushion, all of it that is under the landing edge: the harder of the landings off the two
     /// edges, which are alike unless the centre of gravity is off the middle.
-    pub fn shock(&self, mass_kg: f64, stiffness_n_m: f64, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
+    pub fn shock(&self, mass_kg: f64, cushion: &Cushion, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
         let stands = self.rocking.outcome != Outcome::Overturned;
         let landings = landings(&self.block, model);
         let largest = |rise_m: &dyn Fn(&Landing, SideExtremes) -> f64| {
             let shocks = landings.iter().zip(self.rocking.sides).map(|(landing, side)| {
                 let rise_m = rise_m(landing, side);
-                landing.impact(mass_kg, stiffness_n_m, rise_m, gravity_m_s2).edge_acceleration_m_s2 / G0_M_S2
+                landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, gravity_m_s2) / G0_M_S2
             });
             shocks.fold(0.0, f64::max)
         };
@@ -180,7 +181,7 @@ mod tests {
             let cells = uplift_spectrum(&[block], base, &RockingOptions::default());
             let cell = cells[0].unwrap();
             assert_eq!(cell.rocking.outcome, Outcome::NoUplift);
-            let shock = cell.shock(150.0, 4.38e6, ImpactModel::Paper, G0_M_S2);
+            let shock = cell.shock(150.0, &Cushion::linear(4.38e6).unwrap(), ImpactModel::Paper, G0_M_S2);
             // Two decimals are known.
             assert!((shock.ceiling_g - expected).abs() < 5e-3, "{}", shock.ceiling_g);
             assert_eq!(shock.edge_acceleration_g, Some(0.0));
@@ -263,7 +264,7 @@ mod tests {
         let base = Base { horizontal: Some(&push), vertical: None };
         let cell = uplift_spectrum(&[block], base, &RockingOptions::default())[0].unwrap();
         assert_eq!((cell.rocking.outcome, cell.rocking.uplift_m), (Outcome::Overturned, 0.2));
-        let shock = cell.shock(150.0, 4.38e6, ImpactModel::Paper, G0_M_S2);
+        let shock = cell.shock(150.0, &Cushion::linear(4.38e6).unwrap(), ImpactModel::Paper, G0_M_S2);
         assert_eq!((shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g), (None, None));
     }
 }

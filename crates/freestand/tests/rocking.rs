@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
+use freestand::cushion::Cushion;
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::rocking::Outcome;
@@ -313,7 +314,8 @@ fn both_energy_sources_agree_in_a_free_landing() {
         let first = rock(&block, Base::default(), &free(rotation, 0.0, 5.0, RockingModel::Rigid)).unwrap().impacts[0];
         let options = free(rotation, 0.0, first.time_s * (1.0 + 1e-9), RockingModel::Rigid);
         let got = rock(&block, Base::default(), &options).unwrap();
-        let shock = UpliftCell::new(block, &got).shock(100.0, 4e6, ImpactModel::Paper, G0_M_S2);
+        let shock =
+            UpliftCell::new(block, &got).shock(100.0, &Cushion::linear(4e6).unwrap(), ImpactModel::Paper, G0_M_S2);
         let (uplift, velocity) =
             (shock.edge_acceleration_g.unwrap(), shock.edge_acceleration_impact_velocity_g.unwrap());
         // Energy to 1e-13 a step.

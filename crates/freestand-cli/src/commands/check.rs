@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_study::cushion::cushion_words;
 use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
 use freestand_study::study::{Ground, Study};
@@ -43,7 +44,9 @@ struct CheckReport {
     thicknesses_m: Vec<f64>,
     objects: usize,
     mass_kg: f64,
-    stiffness_n_m: f64,
+    stiffness_n_m: Option<f64>,
+    cushion: String,
+    cushion_notes: Vec<String>,
     tolerance_g: Option<f64>,
 }
 
@@ -127,7 +130,9 @@ fn report(study: &Study) -> CheckReport {
         thicknesses_m: objects.thicknesses_m.clone(),
         objects: objects.blocks.len(),
         mass_kg: objects.mass_kg,
-        stiffness_n_m: objects.stiffness_n_m,
+        stiffness_n_m: objects.cushion.cushion.linear_stiffness_n_m(),
+        cushion: cushion_words(&objects.cushion.cushion),
+        cushion_notes: objects.cushion.notes.clone(),
         tolerance_g: objects.tolerance_m_s2.map(|tolerance| tolerance / freestand::G0_M_S2),
     }
 }
@@ -168,8 +173,9 @@ fn text(study: &Study, report: &CheckReport) -> String {
             "{} of {} on {} under one edge",
             report.objects,
             format_si(report.mass_kg, Dimension::Mass),
-            format_si(report.stiffness_n_m, Dimension::Stiffness)
+            report.cushion
         ),
     ));
+    rows.extend(report.cushion_notes.iter().map(|note| ("note", note.clone())));
     pairs(&rows)
 }

@@ -9,11 +9,13 @@ use freestand::rocking::{RockingOptions, Until};
 use freestand_study::output::write_file;
 use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
+use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
 use crate::args::GlobalArgs;
+use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
@@ -51,14 +53,13 @@ pub(crate) struct RockArgs {
     /// Mass, for the shock
     #[arg(long, value_name = "MASS", allow_hyphen_values = true, help_heading = "The object")]
     mass: Option<String>,
-    /// Stiffness of all the cushion under one edge, for the shock
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, requires = "mass", help_heading = "The object")]
-    stiffness: Option<String>,
     /// Coefficient of friction, for the warning against sliding [default: 0.5]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The object")]
     friction: Option<String>,
     #[command(flatten)]
     shape: ShapeArgs,
+    #[command(flatten)]
+    cushion: CushionArgs,
 
     #[command(flatten)]
     rocking: RockingArgs,
@@ -81,7 +82,7 @@ pub(crate) struct RockArgs {
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (request, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut report = rock(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);
@@ -113,7 +114,11 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let height = values.positive("--height", Some(&args.height), Dimension::Length);
     let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
     let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
-    let stiffness = values.positive("--stiffness", args.stiffness.as_deref(), Dimension::Stiffness);
+    let edge = args.cushion.edge(mass, &mut values)?;
+    if args.cushion.is_given() && args.mass.is_none() {
+        let problem = Problem::new(ProblemKind::Value, "the cushion gives a shock only with the mass of the object");
+        values.push(problem.hint("add --mass, or leave the cushion out"));
+    }
     let block = match (height, thickness) {
         (Some(height_m), Some(thickness_m)) => args.shape.block(height_m, thickness_m, mass, &mut values),
         _ => None,
@@ -153,7 +158,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let horizontal = args.motion.as_ref().map(|path| read(&args.read, path, &mut reading)).transpose()?;
     let vertically = args.vertically.reading(&args.read);
     let vertical = args.vertical.as_ref().map(|path| read(&vertically, path, &mut reading)).transpose()?;
-    Ok((RockRequest { block, horizontal, vertical, options, cushion: mass.zip(stiffness), friction }, reading))
+    Ok((RockRequest { block, horizontal, vertical, options, cushion: mass.zip(edge), friction }, reading))
 }
 
 fn read(args: &ReadArgs, path: &std::path::Path, reading: &mut Reading) -> Result<Motion, Failure> {

@@ -1,14 +1,16 @@
 //! `freestand shock`: one landing.
 
+use std::path::PathBuf;
+
 use clap::{Args, ValueEnum};
 use freestand::impact::ImpactModel;
 use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, shock};
-use freestand_study::{Problem, ProblemKind};
 
 use super::Done;
 use super::block::ShapeArgs;
 use crate::args::GlobalArgs;
+use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
@@ -23,6 +25,9 @@ Examples:
   Two pads under each edge, and a component that stands 5 g:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --pad-stiffness \"2190 N/mm\" --pads-per-edge 2 \\
       --uplift \"30 mm\" --tolerance 5g
+  The same on pads that a laboratory tested, on legs of 9000 N/mm:
+    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --cushion cushion.toml --pads-per-edge 2 \
+      --series-stiffness \"9000 N/mm\" --uplift \"30 mm\"
   It falls over onto the floor:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
 pub(crate) struct ShockArgs {
@@ -38,21 +43,8 @@ pub(crate) struct ShockArgs {
     #[command(flatten)]
     shape: ShapeArgs,
 
-    /// Stiffness of ALL the cushion under one edge
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
-    stiffness: Option<String>,
-    /// Stiffness of one pad, with --pads-per-edge
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
-    pad_stiffness: Option<String>,
-    /// Pads under one edge
-    #[arg(long, value_name = "N", allow_negative_numbers = true, help_heading = "The cushion")]
-    pads_per_edge: Option<u32>,
-    /// Acts in series with the cushion: legs, floor covering (repeatable)
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
-    series_stiffness: Vec<String>,
-    /// Thickness of the pad, for the warnings [default: 20 mm]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The cushion")]
-    pad_thickness: Option<String>,
+    #[command(flatten)]
+    cushion: CushionArgs,
     /// Stiffness of the object's side on what it falls against
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
     contact_stiffness: Option<String>,
@@ -128,6 +120,15 @@ pub(crate) struct ShockArgs {
     /// Velocity change below which no peak does harm
     #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, help_heading = "The verdict")]
     tolerance_velocity_change: Option<String>,
+    /// Lift of one edge from which the object may fall back (bench handling)
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The verdict")]
+    tolerance_edge_lift: Option<String>,
+    /// Frequency of the most delicate component, with --component-capacity
+    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true, help_heading = "The verdict")]
+    component_frequency: Option<String>,
+    /// Acceleration that this component itself stands
+    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The verdict")]
+    component_capacity: Option<String>,
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
@@ -176,8 +177,14 @@ impl From<ModelName> for ImpactModel {
 
 pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;
-    let files = Files::begin(global, &[])?;
+    let inputs: Vec<PathBuf> = args.cushion.inputs().cloned().collect();
+    let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
+    if let Some(boundary) = report.damage_boundary.filter(|_| files.wanted()) {
+        let figure = boundary.figure().map_err(|error| Failure::computation(error.to_string()))?;
+        files.write("damage-boundary.svg", || figure.svg)?;
+        files.write("damage-boundary.png", || figure.png)?;
+    }
     files.print(printer, "freestand.shock/1", &report, &report.warnings, || text(&report))?;
     Ok(Done { criterion_met: !report.exceeded() })
 }
@@ -188,9 +195,6 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
     let mass = values.positive("--mass", Some(&args.mass), Dimension::Mass);
     let mut positive = |flag: &str, text: &Option<String>, dimension| values.positive(flag, text.as_deref(), dimension);
-    let stiffness_n_m = positive("--stiffness", &args.stiffness, Dimension::Stiffness);
-    let pad_stiffness_n_m = positive("--pad-stiffness", &args.pad_stiffness, Dimension::Stiffness);
-    let pad_thickness_m = positive("--pad-thickness", &args.pad_thickness, Dimension::Length);
     let contact_stiffness_n_m = positive("--contact-stiffness", &args.contact_stiffness, Dimension::Stiffness);
     let drop_acceleration_m_s2 = positive("--drop-acceleration", &args.drop_acceleration, Dimension::Acceleration);
     let gap_m = positive("--gap", &args.gap, Dimension::Length);
@@ -201,31 +205,29 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let tolerance_duration_s = positive("--tolerance-duration", &args.tolerance_duration, Dimension::Time);
     let tolerance_velocity_change_m_s =
         positive("--tolerance-velocity-change", &args.tolerance_velocity_change, Dimension::Velocity);
-    let series_stiffness_n_m = args
-        .series_stiffness
-        .iter()
-        .filter_map(|text| values.positive("--series-stiffness", Some(text), Dimension::Stiffness))
-        .collect();
+    let tolerance_edge_lift_m = positive("--tolerance-edge-lift", &args.tolerance_edge_lift, Dimension::Length);
+    let component_frequency_hz = positive("--component-frequency", &args.component_frequency, Dimension::Frequency);
+    let component_capacity_m_s2 = positive("--component-capacity", &args.component_capacity, Dimension::Acceleration);
+    let cushion = args.cushion.words(&mut values)?;
+    // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
+    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some())
+        && let Err(problems) = cushion.resolve(mass)
+    {
+        problems.into_iter().for_each(|(_, problem)| values.push(problem));
+    }
     let block = match (height, thickness) {
         (Some(height_m), Some(thickness_m)) => args.shape.block(height_m, thickness_m, mass, &mut values),
         _ => None,
     };
     let at_m = values.point("--at", args.at.as_deref());
     let energy = energy(args, &mut values);
-    if args.pads_per_edge == Some(0) {
-        let problem = Problem::new(ProblemKind::Value, "--pads-per-edge must be at least 1");
-        values.push(problem.hint("a cabinet on four feet has 2 under each edge"));
-    }
     values.finish()?;
     let (Some(block), Some(mass_kg)) = (block, mass) else {
         return Err(Failure::usage("the object has no size", "give --height, --thickness and --mass"));
     };
     let bare = ShockRequest::new(block, mass_kg);
     Ok(ShockRequest {
-        stiffness_n_m,
-        pad_stiffness_n_m,
-        pads_per_edge: args.pads_per_edge,
-        series_stiffness_n_m,
+        cushion,
         contact_stiffness_n_m,
         drop_acceleration_m_s2,
         energy,
@@ -235,11 +237,13 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
         obstacle_height_m,
         at_m,
         gravity_m_s2: gravity_m_s2.unwrap_or(bare.gravity_m_s2),
-        pad_thickness_m,
         friction_ratio,
         tolerance_m_s2,
         tolerance_duration_s,
         tolerance_velocity_change_m_s,
+        tolerance_edge_lift_m,
+        component_frequency_hz,
+        component_capacity_m_s2,
         ..bare
     })
 }
@@ -274,7 +278,8 @@ fn text(report: &ShockReport) -> String {
         ("velocity of the edge", optional(report.edge_velocity_m_s, 4, "m/s")),
         ("velocity change", optional(report.velocity_change_m_s, 4, "m/s")),
         ("duration of the pulse", quantity(report.pulse_duration_s, Dimension::Time)),
-        ("stiffness", quantity(report.stiffness_n_m, Dimension::Stiffness)),
+        ("cushion", report.cushion.clone().unwrap_or_else(|| "-".to_owned())),
+        ("compression of the cushion", quantity(report.compression_m, Dimension::Length)),
         ("effective mass", optional(Some(report.effective_mass_kg), 4, "kg")),
         ("landing ratio R_D, Eq. (6)", significant(report.landing_ratio, 4)),
         ("half diagonal R, angle α", {
@@ -289,7 +294,17 @@ fn text(report: &ShockReport) -> String {
         ));
     }
     if let (Some(ratio), Some(governing)) = (report.demand_capacity_ratio, report.governing) {
-        rows.push(("tolerance", g(report.tolerance_g)));
+        if report.tolerance_g.is_some() {
+            rows.push(("tolerance", g(report.tolerance_g)));
+        }
+        if report.tolerance_edge_lift_m.is_some() {
+            rows.push(("tolerated lift of the edge", quantity(report.tolerance_edge_lift_m, Dimension::Length)));
+        }
+        if let Some(boundary) = report.damage_boundary {
+            let a_c = significant(boundary.critical_acceleration_g, 4);
+            let v_c = significant(boundary.critical_velocity_change_m_s, 4);
+            rows.push(("damage boundary", format!("{a_c} g, {v_c} m/s, from {}", boundary.source)));
+        }
         rows.push(("demand/capacity", format!("{} by {governing}: {}", significant(ratio, 4), report.verdict)));
         rows.push(("largest stiffness at this rise", quantity(report.max_stiffness_n_m, Dimension::Stiffness)));
     }

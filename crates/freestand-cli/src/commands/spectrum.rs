@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::impact::{ValidityWarning, stiffness_warnings};
+use freestand::impact::{Impact, ValidityWarning, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::rocking::{RockingError, RockingOptions};
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
@@ -12,12 +12,14 @@ use freestand_study::rock::problem;
 use freestand_study::spectrum::{
     Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming, chunk_objects, spectrum,
 };
+use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
 use super::Done;
 use super::block::RockingArgs;
 use super::spectrum_text::Seen;
 use crate::args::GlobalArgs;
+use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
@@ -60,11 +62,10 @@ pub(crate) struct SpectrumArgs {
     #[arg(long, value_name = "GRID", allow_hyphen_values = true, help_heading = "The objects")]
     thicknesses: String,
     /// Mass, for the shock
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, requires = "stiffness", help_heading = "The objects")]
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true, help_heading = "The objects")]
     mass: Option<String>,
-    /// Stiffness of all the cushion under one edge, for the shock
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, requires = "mass", help_heading = "The objects")]
-    stiffness: Option<String>,
+    #[command(flatten)]
+    cushion: CushionArgs,
     #[command(flatten)]
     rocking: RockingArgs,
     /// Tell how many times each object amplifies an error of the motion
@@ -110,7 +111,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     warnings.extend(validity_warnings(&request));
 
     let stop = Stop::listen();
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut rows = Rows::begin(SCHEMA, printer, &files, args.csv.as_deref(), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
@@ -118,15 +119,21 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let bar = printer.progress_bar(printer.json());
     bar.set_length(total as u64);
     bar.set_message("rocking histories");
+    let mut deepest: Option<Impact> = None;
     let solved = spectrum(&request, &reading.motions, chunk_objects, |chunk| {
         rows.write(chunk)?;
         seen.add(chunk);
         bar.inc(chunk.objects() as u64);
+        deepest = deeper(deepest, chunk.deepest_impact());
         if stop.wanted() { Err(Failure::Stopped { printed: printer.json() }) } else { Ok(()) }
     });
     bar.finish_and_clear();
     let timing = solved?;
 
+    if let Some((impact, (_, edge))) = deepest.zip(request.cushion.as_ref()) {
+        let beyond = compression_warnings(&impact, &edge.cushion, edge.pad_thickness_m);
+        warnings.extend(beyond.iter().map(|warning| format!("the deepest of the landings: {warning}")));
+    }
     let sum = |count: fn(&SpectrumTally) -> usize| seen.tallies.iter().map(count).sum::<usize>();
     let (failed, sensitive) = (sum(|tally| tally.failed), sum(|tally| tally.sensitive));
     if failed > 0 {
@@ -145,12 +152,20 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     Ok(Done { criterion_met: failed == 0 })
 }
 
+fn deeper(one: Option<Impact>, other: Option<Impact>) -> Option<Impact> {
+    one.into_iter().chain(other).max_by(|a, b| a.compression_m.total_cmp(&b.compression_m))
+}
+
 fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let mut values = Values::default();
     let heights = values.grid("--heights", &args.heights, Dimension::Length).unwrap_or_default();
     let thicknesses = values.grid("--thicknesses", &args.thicknesses, Dimension::Length).unwrap_or_default();
     let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
-    let stiffness = values.positive("--stiffness", args.stiffness.as_deref(), Dimension::Stiffness);
+    let cushion = args.cushion.edge(mass, &mut values)?;
+    if args.mass.is_some() != args.cushion.is_given() {
+        let problem = Problem::new(ProblemKind::Value, "the shock needs both the mass and the cushion of the objects");
+        values.push(problem.hint("give --mass and --stiffness (or another cushion), or neither"));
+    }
     let options = RockingOptions {
         model: args.rocking.model(),
         restitution: args.rocking.restitution(&mut values),
@@ -169,7 +184,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     for block in grid.blocks(0..grid.objects()) {
         options.restitution.ratios(&block).map_err(problem)?;
     }
-    Ok(SpectrumRequest { grid, options, cushion: mass.zip(stiffness), sensitivity: args.sensitivity })
+    Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity })
 }
 
 fn validity_warnings(request: &SpectrumRequest) -> Vec<String> {
@@ -180,7 +195,9 @@ fn validity_warnings(request: &SpectrumRequest) -> Vec<String> {
         let warning = ValidityWarning::Squat { landing_ratio };
         format!("{count} of {objects} objects: {warning}")
     });
-    let soft = request.cushion.map(|(mass, stiffness)| stiffness_warnings(mass, stiffness, None)).unwrap_or_default();
+    let soft =
+        request.cushion.as_ref().map(|(mass, edge)| stiffness_warnings(*mass, &edge.cushion, edge.pad_thickness_m));
+    let soft = soft.unwrap_or_default();
     squat.into_iter().chain(soft.iter().map(ToString::to_string)).collect()
 }
 

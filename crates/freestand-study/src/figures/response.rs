@@ -6,6 +6,7 @@ use kuva::render::annotations::{ShadedRegion, TextAnnotation};
 use kuva::render::layout::TickFormat;
 use kuva::render::plots::Plot;
 
+use crate::cushion::cushion_words;
 use crate::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
 use crate::study::Study;
 use crate::words::number;
@@ -68,10 +69,10 @@ pub(super) fn srs(study: &Study, result: &StudyResult) -> Page {
         "Shock spectra (SRS)",
         format!(
             "Shock at the impacting edge by the paper’s Eqs. (5) and (7), from the largest rise of the centre of \
-             gravity, for {} kg on {} N/mm: {}. {} Dotted: the uplift ceiling, the shock from the balance point, which \
+             gravity, for {} kg on {}: {}. {} Dotted: the uplift ceiling, the shock from the balance point, which \
              no motion can exceed from this source of energy.",
             number(study.objects.mass_kg, 6),
-            number(study.objects.stiffness_n_m * 1e-3, 6),
+            cushion_words(&study.objects.cushion.cushion),
             median_words(result),
             OVERTURNED_WORDS
         ),

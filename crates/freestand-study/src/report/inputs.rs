@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::synthesis;
 
+use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
 use crate::study::{Ground, RecordedMotion, Study, SyntheticGround};
 use crate::summary::{accuracy_words, restitution_words};
@@ -210,13 +211,7 @@ fn objects(study: &Study) -> String {
             ("Heights h", grid_words(&objects.heights_m, 1.0, "m")),
             ("Thicknesses t", grid_words(&objects.thicknesses_m, 1e3, "mm")),
             ("Mass m", format!("{} kg", number(objects.mass_kg, 6))),
-            (
-                "Stiffness k under one edge",
-                format!(
-                    "{} N/mm, all the cushion under that edge (two pads of 2190 N/mm make 4380)",
-                    number(1e-3 * objects.stiffness_n_m, 6)
-                ),
-            ),
+            ("Cushion under one edge", edge_words(&objects.cushion)),
             ("Restitution r of the motion", restitution_words(objects.restitution)),
             ("Accuracy of the solver", accuracy_words(objects.accuracy)),
             ("Shock that the objects stand", tolerance),
@@ -235,4 +230,12 @@ fn grid_words(values: &[f64], factor: f64, unit: &str) -> String {
         }
         _ => format!("{} {unit}", values.iter().map(text).collect::<Vec<_>>().join(", ")),
     }
+}
+
+fn edge_words(edge: &EdgeCushion) -> String {
+    let words = format!("{}, all the cushion under that edge", cushion_words(&edge.cushion));
+    if edge.notes.is_empty() {
+        return format!("{words} (two pads of 2190 N/mm make 4380)");
+    }
+    format!("{words} ({})", edge.notes.join("; "))
 }

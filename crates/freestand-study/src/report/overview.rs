@@ -1,5 +1,6 @@
 //! The top of the report: the result in words, the first table, the warnings.
 
+use crate::cushion::cushion_words;
 use crate::result::{ObjectResponse, StudyResult};
 use crate::study::{Ground, Study};
 use crate::summary::{LevelSummary, level_summaries};
@@ -74,13 +75,13 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         n => format!("{n} of them failed and are left out of the statistics"),
     };
     format!(
-        "{} objects ({} heights × {} thicknesses, {} kg, {} N/mm under an edge) stood on {} of a {}-storey building under \
+        "{} objects ({} heights × {} thicknesses, {} kg, {} under an edge) stood on {} of a {}-storey building under \
          {kind}: {histories} rocking histories, {failed}.",
         objects.blocks.len(),
         objects.heights_m.len(),
         objects.thicknesses_m.len(),
         number(objects.mass_kg, 6),
-        number(1e-3 * objects.stiffness_n_m, 6),
+        cushion_words(&objects.cushion.cushion),
         if levels.len() == 1 { "one floor".to_owned() } else { format!("{} floors", levels.len()) },
         study.building.storeys,
     )

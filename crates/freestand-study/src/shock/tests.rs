@@ -1,8 +1,9 @@
 use super::*;
+use crate::cushion::KeyStyle;
 
 fn cabinet() -> ShockRequest {
     ShockRequest {
-        stiffness_n_m: Some(4.38e6),
+        cushion: CushionWords::spring(4.38e6),
         energy: Some(Energy::CgRise(0.016)),
         gravity_m_s2: 9.81,
         ..ShockRequest::new(Block::uniform(2.3, 0.6).unwrap(), 140.0)
@@ -39,7 +40,7 @@ fn ceilings_of_three_objects() {
 fn a_drop_acceleration_replaces_the_stiffness() {
     let known = shock(&cabinet()).unwrap();
     let mut measured = cabinet();
-    measured.stiffness_n_m = None;
+    measured.cushion = CushionWords::default();
     measured.drop_acceleration_m_s2 = Some(known.drop_acceleration_g * G0_M_S2);
     let implied = shock(&measured).unwrap();
     assert!((implied.stiffness_n_m.unwrap() / 4.38e6 - 1.0).abs() < 1e-12);
@@ -47,21 +48,22 @@ fn a_drop_acceleration_replaces_the_stiffness() {
     let alone = shock(&measured).unwrap();
     assert!((alone.edge_acceleration_g / known.edge_acceleration_g - 1.0).abs() < 1e-12);
     assert_eq!((alone.pulse_duration_s, alone.velocity_change_m_s, alone.ceiling_g), (None, None, None));
-    measured.stiffness_n_m = Some(4.38e6);
+    measured.cushion = CushionWords::spring(4.38e6);
     assert!(refused(&measured).contains("exclude each other"));
 }
 
 #[test]
 fn pads_and_series_become_an_edge() {
     let mut request = cabinet();
-    request.stiffness_n_m = None;
-    request.pad_stiffness_n_m = Some(2.19e6);
+    request.cushion = CushionWords::new(KeyStyle::Flag);
+    request.cushion.set("pad_stiffness", "2190 N/mm");
     assert!(refused(&request).contains("--pads-per-edge"));
-    request.pads_per_edge = Some(2);
+    request.cushion.set("pads_per_edge", "2");
     let report = shock(&request).unwrap();
     assert_eq!(report.notes, ["2 pads of 2190 N/mm → edge 4380 N/mm"]);
     assert_eq!(report.edge_acceleration_g, shock(&cabinet()).unwrap().edge_acceleration_g);
-    request.series_stiffness_n_m = vec![4.38e6, 2.19e6];
+    request.cushion.set("series_stiffness", "4380 N/mm");
+    request.cushion.set("series_stiffness", "2190 N/mm");
     assert!((shock(&request).unwrap().stiffness_n_m.unwrap() / 1.095e6 - 1.0).abs() < 1e-14);
 }
 
@@ -104,7 +106,7 @@ fn overturning_lands_on_its_side() {
     assert_eq!(floor.models.paper_g, None);
     // The edge's stiffness, and a rise, have no part in the fall: said, and the same shock without them.
     assert!(floor.warnings.iter().any(|warning| warning.contains("its edge is not used")));
-    request.stiffness_n_m = None;
+    request.cushion = CushionWords::default();
     request.energy = Some(Energy::CgRise(0.01));
     let again = shock(&request).unwrap();
     assert_eq!(again.edge_acceleration_g, floor.edge_acceleration_g);
@@ -131,7 +133,7 @@ fn squat_objects_are_halted_with_a_warning() {
 
 #[test]
 fn newtons_per_metre_are_noticed() {
-    let report = shock(&ShockRequest { stiffness_n_m: Some(4380.0), ..cabinet() }).unwrap();
+    let report = shock(&ShockRequest { cushion: CushionWords::spring(4380.0), ..cabinet() }).unwrap();
     assert!(report.warnings.iter().any(|warning| warning.contains("N/m for N/mm")));
 }
 
@@ -141,7 +143,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let report = shock(&peak_only).unwrap();
     assert_eq!((report.governing, report.verdict, report.exceeded()), (Some("peak"), "exceeded", true));
     // At the largest stiffness the shock is the tolerance.
-    let softer = ShockRequest { stiffness_n_m: report.max_stiffness_n_m, ..peak_only.clone() };
+    let softer = ShockRequest { cushion: CushionWords::spring(report.max_stiffness_n_m.unwrap()), ..peak_only.clone() };
     assert!((shock(&softer).unwrap().demand_capacity_ratio.unwrap() - 1.0).abs() < 1e-12);
 
     let boundary = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..peak_only.clone() };
@@ -155,7 +157,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let report = shock(&spectrum).unwrap();
     assert_eq!(report.governing, Some("spectrum"));
     let capacity = report.demand_capacity.unwrap();
-    assert!((capacity.spectrum.unwrap() / capacity.peak - 1.0).abs() < 1e-12);
+    assert!((capacity.spectrum.unwrap() / capacity.peak.unwrap() - 1.0).abs() < 1e-12);
 
     let both = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..spectrum };
     assert_eq!(shock(&both).unwrap().governing, Some("spectrum"));
@@ -190,8 +192,9 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
     };
     for request in [with(None, None), with(Some(0.025), None), with(None, Some(0.5)), with(Some(0.03), Some(0.5))] {
         let largest = shock(&request).unwrap().max_stiffness_n_m.unwrap();
-        let at =
-            |factor: f64| shock(&ShockRequest { stiffness_n_m: Some(factor * largest), ..request.clone() }).unwrap();
+        let at = |factor: f64| {
+            shock(&ShockRequest { cushion: CushionWords::spring(factor * largest), ..request.clone() }).unwrap()
+        };
         assert_eq!((at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict), ("ok", "exceeded"), "{largest}");
     }
     // 5 g for 11 ms carry less velocity than the landing; a limit of 1 m/s carries more.
@@ -202,4 +205,57 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
         assert_eq!(report.max_stiffness_n_m, None);
         assert!(report.notes.iter().any(|note| note.contains(said)), "{:?}", report.notes);
     }
+}
+
+/// A lift or a component alone is enough for a verdict, and the peak then is not known.
+#[test]
+fn a_lift_or_a_component_alone_is_enough() {
+    let lifted = ShockRequest { tolerance_edge_lift_m: Some(0.1), energy: Some(Energy::Uplift(0.05)), ..cabinet() };
+    let report = shock(&lifted).unwrap();
+    let capacity = report.demand_capacity.unwrap();
+    assert_eq!((report.governing, report.verdict, capacity.peak), (Some("edge-lift"), "ok", None));
+    assert!((report.demand_capacity_ratio.unwrap() - 0.5).abs() < 1e-12);
+    let higher = ShockRequest { tolerance_edge_lift_m: Some(0.04), ..lifted };
+    let report = shock(&higher).unwrap();
+    assert_eq!((report.verdict, report.max_stiffness_n_m), ("exceeded", None));
+    assert!(report.notes.iter().any(|note| note.contains("the lift does not depend")));
+
+    // At fT = 1 the component feels 1.62379 times the half-sine, ζ = 0.05.
+    let bare = shock(&cabinet()).unwrap();
+    let (f, a) = (1.0 / bare.pulse_duration_s.unwrap(), bare.edge_acceleration_m_s2);
+    let delicate =
+        ShockRequest { component_frequency_hz: Some(f), component_capacity_m_s2: Some(2.0 * a), ..cabinet() };
+    let report = shock(&delicate).unwrap();
+    assert_eq!((report.governing, report.verdict), (Some("component"), "ok"));
+    assert!((report.demand_capacity_ratio.unwrap() - 1.62379 / 2.0).abs() < 1e-5);
+    let boundary = report.damage_boundary.unwrap();
+    // V_c = a_c/ω, A_c = a_c/2.
+    assert!((boundary.critical_velocity_change_m_s - 2.0 * a / (std::f64::consts::TAU * f)).abs() < 1e-12);
+    assert_eq!((boundary.source, boundary.critical_acceleration_g), ("component", a / G0_M_S2));
+    let largest = report.max_stiffness_n_m.unwrap();
+    let at = |factor: f64| {
+        let cushion = CushionWords::spring(factor * largest);
+        shock(&ShockRequest { cushion, ..delicate.clone() }).unwrap().verdict
+    };
+    assert_eq!((at(1.0 - 1e-6), at(1.0 + 1e-6)), ("ok", "exceeded"));
+    let half = ShockRequest { component_capacity_m_s2: None, ..delicate };
+    assert!(refused(&half).contains("go together"));
+}
+
+/// The largest of the kinds that apply governs; the bare peak never beside them.
+#[test]
+fn the_largest_of_several_kinds_governs() {
+    let request = ShockRequest {
+        energy: Some(Energy::Uplift(0.05)),
+        tolerance_m_s2: Some(1.0 * G0_M_S2),
+        tolerance_velocity_change_m_s: Some(10.0),
+        tolerance_edge_lift_m: Some(0.025),
+        ..cabinet()
+    };
+    let report = shock(&request).unwrap();
+    let capacity = report.demand_capacity.unwrap();
+    assert!(capacity.peak.unwrap() > 4.0 && capacity.damage_boundary.unwrap() < 0.2);
+    assert_eq!(report.governing, Some("edge-lift"));
+    assert!((report.demand_capacity_ratio.unwrap() - 2.0).abs() < 1e-12);
+    assert_eq!(report.damage_boundary.unwrap().source, "tests");
 }

@@ -1,0 +1,97 @@
+//! The stiffness of a contact law as people write it.
+
+use crate::error::{Problem, ProblemKind};
+use crate::quantity::{Dimension, parse, parse_positive, shorten};
+use crate::words::number;
+
+/// Exponents in a unit and in a flag are the same number, typed twice.
+const SAME_EXPONENT: f64 = 1e-9;
+
+/// The coefficient K of F = K dⁿ in N/mⁿ, and a note where the unit was completed.
+///
+/// `"2190 N/mm"` for n = 1; `"2e7 N/m^1.5"` or `"632 N/mm^1.5"` for n = 1.5. A plain `"632 N/mm"` with n ≠ 1 is read as
+/// 632 N/mmⁿ, and the note says so. 1 N/mmⁿ = 1000ⁿ N/mⁿ.
+///
+/// # Errors
+/// No positive stiffness, or an exponent in the unit that is not `exponent`.
+///
+/// # Example
+/// ```
+/// use freestand_study::law::contact_law_stiffness;
+/// assert_eq!(contact_law_stiffness("2190 N/mm", 1.0)?, (2.19e6, None));
+/// let (coefficient_n_mn, note) = contact_law_stiffness("40 N/mm", 2.0)?;
+/// assert!((coefficient_n_mn / 40e6 - 1.0).abs() < 1e-12);
+/// assert_eq!(note.as_deref(), Some("\"40 N/mm\" is read as 40 N/mm^2: 4.0000e7 N/m^2"));
+/// # Ok::<(), freestand_study::Problem>(())
+/// ```
+pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<String>), Problem> {
+    let text = text.trim();
+    let (plain, stated) = split_exponent(text)?;
+    let stiffness_n_m = parse_positive(&plain, Dimension::Stiffness, "the stiffness")
+        .map_err(|problem| if exponent == 1.0 { problem } else { problem.hint(example(exponent)) })?;
+    let is_one = (exponent - 1.0).abs() <= SAME_EXPONENT;
+    match stated {
+        Some(stated) if (stated - exponent).abs() > SAME_EXPONENT => {
+            let message = format!("\"{}\" has the exponent {stated}, the law has {exponent}", shorten(text));
+            Err(Problem::new(ProblemKind::Value, message).hint("give the same exponent in both places"))
+        }
+        _ if is_one => Ok((stiffness_n_m, None)),
+        _ => {
+            // One N/mm is 1000 N/m, one N/mmⁿ is 1000ⁿ N/mⁿ.
+            let lengths_in_m: f64 = if plain.trim_end().to_ascii_lowercase().ends_with("/mm") { 1e3 } else { 1.0 };
+            let coefficient_n_mn = stiffness_n_m * lengths_in_m.powf(exponent - 1.0);
+            let note = stated.is_none().then(|| {
+                let (written, power) = (shorten(text), number(exponent, 6));
+                format!("\"{written}\" is read as {written}^{power}: {coefficient_n_mn:.4e} N/m^{power}")
+            });
+            Ok((coefficient_n_mn, note))
+        }
+    }
+}
+
+/// `N/mm^1.5` → `N/mm` and 1.5; `N/m²` → `N/m` and 2.
+fn split_exponent(text: &str) -> Result<(String, Option<f64>), Problem> {
+    let text = text.replace('²', "^2").replace('³', "^3");
+    let Some((plain, power)) = text.split_once('^') else { return Ok((text, None)) };
+    let power = power.trim().trim_start_matches('(').trim_end_matches(')');
+    let value = match power.split_once('/') {
+        Some((above, below)) => parse(above, Dimension::Ratio)? / parse(below, Dimension::Ratio)?,
+        None => parse(power, Dimension::Ratio)?,
+    };
+    Ok((plain.to_owned(), Some(value)))
+}
+
+fn example(exponent: f64) -> String {
+    format!("write for example \"632 N/mm^{exponent}\" or \"2e7 N/m^{exponent}\"")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stiffnesses_of_power_laws() {
+        // 1000^1.5 = 31622.7766.
+        let cases = [
+            ("2190 N/mm", 1.0, 2.19e6),
+            ("2e7 N/m^1.5", 1.5, 2e7),
+            ("2e7 N/m^(3/2)", 1.5, 2e7),
+            ("632 N/mm^1.5", 1.5, 632.0 * 31_622.776_601_683_8),
+            ("632 N/mm", 1.5, 632.0 * 31_622.776_601_683_8),
+            ("1 kN/mm", 2.0, 1e9),
+            ("3 N/m²", 2.0, 3.0),
+            ("5 kN/m", 1.2, 5e3),
+        ];
+        for (text, exponent, expected) in cases {
+            let (found, note) = contact_law_stiffness(text, exponent).unwrap();
+            // Rounding of a power.
+            assert!((found / expected - 1.0).abs() < 1e-14, "{text}: {found}");
+            assert_eq!(note.is_some(), exponent != 1.0 && !text.contains(['^', '²']), "{text}");
+        }
+        for (text, exponent) in
+            [("632 N/mm^1.5", 1.0), ("632", 1.5), ("-3 N/mm", 1.0), ("3 N/mm^", 1.5), ("3 N/mm^x", 1.5), ("1 mm", 1.0)]
+        {
+            assert!(contact_law_stiffness(text, exponent).is_err(), "{text}");
+        }
+    }
+}

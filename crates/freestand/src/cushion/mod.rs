@@ -1,0 +1,492 @@
+//! What an object stands on: the force of a cushion against its compression, and what it does to a mass that lands on it.
+//!
+//! A [`ContactLaw`] is the formula, a [`Cushion`] a law whose numbers were checked. The cushion pushes and never pulls:
+//! where a law would give a tension, the force is zero and the contact is over.
+
+mod curve;
+mod history;
+mod landing;
+
+pub use curve::{CurveError, StressEnergy, StressEnergyFit};
+pub use history::ContactPoint;
+pub use landing::Contact;
+
+use thiserror::Error;
+
+use crate::quadrature::halved;
+
+/// Force against compression d and its speed ḋ (positive while the cushion is being pressed).
+#[derive(Debug, Clone, PartialEq)]
+pub enum ContactLaw {
+    /// F = k d.
+    Linear {
+        /// k \[N/m\].
+        stiffness_n_m: f64,
+    },
+    /// F = K dⁿ; a sphere on a thick pad has n = 1.5 (Hertz).
+    Power {
+        /// K \[N/mⁿ\].
+        coefficient_n_mn: f64,
+        /// n.
+        exponent: f64,
+    },
+    /// F = k d + c ḋ.
+    KelvinVoigt {
+        /// k \[N/m\].
+        stiffness_n_m: f64,
+        /// c = 2ζ√(k m) \[N s/m\].
+        damping_n_s_m: f64,
+    },
+    /// F = K dⁿ (1 + Λ ḋ), Hunt and Crossley (1975): no force at the first touch, none left at the last.
+    HuntCrossley {
+        /// K \[N/mⁿ\].
+        coefficient_n_mn: f64,
+        /// n.
+        exponent: f64,
+        /// Λ \[s/m\].
+        dissipation_s_m: f64,
+    },
+    /// F = (2 k₀ d_b/π) tan(π d/2d_b), Mindlin (1945): a cushion that bottoms at d_b.
+    Tangent {
+        /// k₀, the stiffness at first touch \[N/m\].
+        stiffness_n_m: f64,
+        /// d_b \[m\].
+        bottoming_m: f64,
+    },
+    /// Straight lines between measured points, from (0, 0); beyond the last one its line goes on.
+    Tabulated {
+        /// Rising compressions \[m\].
+        compressions_m: Vec<f64>,
+        /// Forces that never fall \[N\].
+        forces_n: Vec<f64>,
+    },
+    /// Undamped laws one on top of the other: pad, leg, floor covering carry the same force.
+    Series {
+        /// The laws.
+        parts: Vec<ContactLaw>,
+    },
+}
+
+/// A [`ContactLaw`] whose numbers make a cushion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cushion {
+    law: ContactLaw,
+}
+
+/// Why numbers make no cushion.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CushionError {
+    /// A number of the law is not what it must be.
+    #[error("the {name} of the {law} law must be {requirement}, not {value}")]
+    Value {
+        /// The law.
+        law: &'static str,
+        /// The number.
+        name: &'static str,
+        /// What it must be.
+        requirement: &'static str,
+        /// What it is.
+        value: f64,
+    },
+    /// A table that is too short, or whose columns differ.
+    #[error("a force-compression table needs at least one point beyond (0, 0) and as many forces as compressions")]
+    ShortTable,
+    /// A table that goes back, or whose force falls.
+    #[error("point {number} of the force-compression table: {requirement}")]
+    Table {
+        /// The point, from 1.
+        number: usize,
+        /// What is wrong.
+        requirement: &'static str,
+    },
+    /// A damped law in series has an inner state that is left out.
+    #[error("a damped cushion ({law}) in series with another has an inner state, which is left out")]
+    DampedSeries {
+        /// The law.
+        law: &'static str,
+    },
+    /// Nothing in series.
+    #[error("a cushion in series needs parts")]
+    NoParts,
+}
+
+fn positive(law: &'static str, name: &'static str, value: f64) -> Result<(), CushionError> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(CushionError::Value { law, name, requirement: "positive", value })
+}
+
+fn not_negative(law: &'static str, name: &'static str, value: f64) -> Result<(), CushionError> {
+    if value >= 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(CushionError::Value { law, name, requirement: "zero or positive", value })
+}
+
+/// Exponents of foams and rubbers lie between ½ and 5; beyond 20 the numbers no longer hold.
+fn exponent(law: &'static str, value: f64) -> Result<(), CushionError> {
+    if (0.1..=20.0).contains(&value) {
+        return Ok(());
+    }
+    Err(CushionError::Value { law, name: "exponent", requirement: "between 0.1 and 20", value })
+}
+
+impl ContactLaw {
+    /// The name in flags, files and outputs.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Linear { .. } => "linear",
+            Self::Power { .. } => "power",
+            Self::KelvinVoigt { .. } => "kelvin-voigt",
+            Self::HuntCrossley { .. } => "hunt-crossley",
+            Self::Tangent { .. } => "tangent",
+            Self::Tabulated { .. } => "tabulated",
+            Self::Series { .. } => "series",
+        }
+    }
+
+    /// Whether the force depends on the speed.
+    pub fn is_damped(&self) -> bool {
+        matches!(self, Self::KelvinVoigt { .. } | Self::HuntCrossley { .. })
+    }
+
+    fn check(&self) -> Result<(), CushionError> {
+        let name = self.name();
+        match self {
+            Self::Linear { stiffness_n_m } => positive(name, "stiffness", *stiffness_n_m),
+            Self::Power { coefficient_n_mn, exponent: n } => {
+                positive(name, "coefficient", *coefficient_n_mn)?;
+                exponent(name, *n)
+            }
+            Self::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+                positive(name, "stiffness", *stiffness_n_m)?;
+                not_negative(name, "damping", *damping_n_s_m)
+            }
+            Self::HuntCrossley { coefficient_n_mn, exponent: n, dissipation_s_m } => {
+                positive(name, "coefficient", *coefficient_n_mn)?;
+                exponent(name, *n)?;
+                not_negative(name, "dissipation", *dissipation_s_m)
+            }
+            Self::Tangent { stiffness_n_m, bottoming_m } => {
+                positive(name, "stiffness", *stiffness_n_m)?;
+                positive(name, "bottoming compression", *bottoming_m)
+            }
+            Self::Tabulated { compressions_m, forces_n } => check_table(compressions_m, forces_n),
+            Self::Series { parts } => check_series(parts),
+        }
+    }
+
+    /// The elastic part of the force at compression `d` > 0 \[N\].
+    fn elastic_force_n(&self, d: f64) -> f64 {
+        match self {
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => stiffness_n_m * d,
+            Self::Power { coefficient_n_mn, exponent } | Self::HuntCrossley { coefficient_n_mn, exponent, .. } => {
+                coefficient_n_mn * d.powf(*exponent)
+            }
+            Self::Tangent { stiffness_n_m, bottoming_m } => {
+                let limit_n = 2.0 * stiffness_n_m * bottoming_m / std::f64::consts::PI;
+                if d < *bottoming_m {
+                    limit_n * (std::f64::consts::FRAC_PI_2 * d / bottoming_m).tan()
+                } else {
+                    f64::INFINITY
+                }
+            }
+            Self::Tabulated { compressions_m, forces_n } => {
+                let line = Line::at_compression(compressions_m, forces_n, d);
+                line.force_n + line.slope_n_m * (d - line.compression_m)
+            }
+            Self::Series { parts } => Self::force_in_series_n(parts, d),
+        }
+    }
+
+    /// The force at which the parts are compressed by `d` together.
+    fn force_in_series_n(parts: &[Self], d: f64) -> f64 {
+        let together = |force_n: f64| parts.iter().map(|part| part.compression_m(force_n)).sum::<f64>();
+        // No part takes more than all of `d`, so the weakest of them bounds the force.
+        let most = parts.iter().map(|part| part.elastic_force_n(d)).fold(f64::INFINITY, f64::min);
+        if !most.is_finite() || most == 0.0 {
+            return most;
+        }
+        halved(0.0, most, |force_n| together(force_n) >= d)
+    }
+
+    /// The compression of an undamped law under a force \[m\].
+    fn compression_m(&self, force_n: f64) -> f64 {
+        match self {
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => force_n / stiffness_n_m,
+            Self::Power { coefficient_n_mn, exponent } | Self::HuntCrossley { coefficient_n_mn, exponent, .. } => {
+                (force_n / coefficient_n_mn).powf(exponent.recip())
+            }
+            Self::Tangent { stiffness_n_m, bottoming_m } => {
+                let limit_n = 2.0 * stiffness_n_m * bottoming_m / std::f64::consts::PI;
+                bottoming_m * std::f64::consts::FRAC_2_PI * (force_n / limit_n).atan()
+            }
+            Self::Tabulated { compressions_m, forces_n } => {
+                let line = Line::at_force(compressions_m, forces_n, force_n);
+                line.compression_m + (force_n - line.force_n) / line.slope_n_m
+            }
+            Self::Series { parts } => parts.iter().map(|part| part.compression_m(force_n)).sum(),
+        }
+    }
+
+    /// ∫F dd of the elastic part up to compression `d` > 0 \[J\].
+    fn elastic_energy_j(&self, d: f64) -> f64 {
+        match self {
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => 0.5 * stiffness_n_m * d * d,
+            Self::Power { exponent, .. } | Self::HuntCrossley { exponent, .. } => {
+                self.elastic_force_n(d) * d / (exponent + 1.0)
+            }
+            Self::Tangent { stiffness_n_m, bottoming_m } => {
+                let scale_j = 2.0 * stiffness_n_m * (bottoming_m / std::f64::consts::PI).powi(2);
+                let tangent = (std::f64::consts::FRAC_PI_2 * d / bottoming_m).tan();
+                if d < *bottoming_m { scale_j * (tangent * tangent).ln_1p() } else { f64::INFINITY }
+            }
+            Self::Tabulated { compressions_m, forces_n } => {
+                let line = Line::at_compression(compressions_m, forces_n, d);
+                let beyond_m = d - line.compression_m;
+                line.energy_j + (line.force_n + 0.5 * line.slope_n_m * beyond_m) * beyond_m
+            }
+            Self::Series { parts } => {
+                let force_n = Self::force_in_series_n(parts, d);
+                parts.iter().map(|part| part.elastic_energy_j(part.compression_m(force_n))).sum()
+            }
+        }
+    }
+
+    /// The same law `factor` times as strong at every compression: pads side by side.
+    fn times(&self, factor: f64) -> Self {
+        let mut law = self.clone();
+        match &mut law {
+            Self::Linear { stiffness_n_m } | Self::Tangent { stiffness_n_m, .. } => *stiffness_n_m *= factor,
+            Self::Power { coefficient_n_mn, .. } | Self::HuntCrossley { coefficient_n_mn, .. } => {
+                *coefficient_n_mn *= factor;
+            }
+            Self::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+                *stiffness_n_m *= factor;
+                *damping_n_s_m *= factor;
+            }
+            Self::Tabulated { forces_n, .. } => forces_n.iter_mut().for_each(|force_n| *force_n *= factor),
+            Self::Series { parts } => parts.iter_mut().for_each(|part| *part = part.times(factor)),
+        }
+        law
+    }
+}
+
+/// A straight piece of a table, from its first point on.
+struct Line {
+    compression_m: f64,
+    force_n: f64,
+    slope_n_m: f64,
+    energy_j: f64,
+}
+
+impl Line {
+    fn at_compression(compressions_m: &[f64], forces_n: &[f64], d: f64) -> Self {
+        Self::piece(compressions_m, forces_n, compressions_m.partition_point(|&x| x <= d))
+    }
+
+    fn at_force(compressions_m: &[f64], forces_n: &[f64], force_n: f64) -> Self {
+        Self::piece(compressions_m, forces_n, forces_n.partition_point(|&f| f <= force_n))
+    }
+
+    /// The piece that ends at point `end`; the last one beyond the table.
+    fn piece(compressions_m: &[f64], forces_n: &[f64], end: usize) -> Self {
+        let end = end.clamp(1, compressions_m.len() - 1);
+        let (x, f) = (&compressions_m[..=end], &forces_n[..=end]);
+        let energy_j = (1..end).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
+        let slope_n_m = (f[end] - f[end - 1]) / (x[end] - x[end - 1]);
+        Self { compression_m: x[end - 1], force_n: f[end - 1], slope_n_m, energy_j }
+    }
+}
+
+fn check_table(compressions_m: &[f64], forces_n: &[f64]) -> Result<(), CushionError> {
+    if compressions_m.len() != forces_n.len() || compressions_m.len() < 2 {
+        return Err(CushionError::ShortTable);
+    }
+    let refuse = |number: usize, requirement: &'static str| Err(CushionError::Table { number, requirement });
+    if compressions_m[0] != 0.0 || forces_n[0] != 0.0 {
+        return refuse(1, "the first point must be (0, 0)");
+    }
+    for i in 1..compressions_m.len() {
+        if !compressions_m[i].is_finite() || !forces_n[i].is_finite() {
+            return refuse(i + 1, "it is not a number");
+        }
+        if compressions_m[i] <= compressions_m[i - 1] {
+            return refuse(i + 1, "the compression must rise from point to point");
+        }
+        if forces_n[i] < forces_n[i - 1] {
+            return refuse(i + 1, "the force falls: take the loading branch, smoothed if it is noisy");
+        }
+    }
+    let last = forces_n.len() - 1;
+    if forces_n[last] <= forces_n[last - 1] {
+        return refuse(last + 1, "the last line must rise: it goes on beyond the table");
+    }
+    Ok(())
+}
+
+fn check_series(parts: &[ContactLaw]) -> Result<(), CushionError> {
+    if parts.is_empty() {
+        return Err(CushionError::NoParts);
+    }
+    for part in parts {
+        part.check()?;
+        if part.is_damped() {
+            return Err(CushionError::DampedSeries { law: part.name() });
+        }
+        if let ContactLaw::Tabulated { forces_n, .. } = part
+            && let Some(i) = (1..forces_n.len()).find(|&i| forces_n[i] <= forces_n[i - 1])
+        {
+            return Err(CushionError::Table { number: i + 1, requirement: "in series every line must rise" });
+        }
+    }
+    Ok(())
+}
+
+impl Cushion {
+    /// A cushion of this law.
+    ///
+    /// # Errors
+    /// Numbers that make no cushion.
+    pub fn new(law: ContactLaw) -> Result<Self, CushionError> {
+        law.check()?;
+        Ok(Self { law })
+    }
+
+    /// F = k d \[N/m\].
+    ///
+    /// # Errors
+    /// A stiffness that is not positive.
+    pub fn linear(stiffness_n_m: f64) -> Result<Self, CushionError> {
+        Self::new(ContactLaw::Linear { stiffness_n_m })
+    }
+
+    /// Layers that carry the same force, one on top of the other: 1/k = Σ 1/kᵢ for springs.
+    ///
+    /// # Errors
+    /// No layers, or a damped one among several.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand::cushion::Cushion;
+    /// let layers = [Cushion::linear(2e6)?, Cushion::linear(2e6)?];
+    /// assert!((Cushion::in_series(&layers)?.force_n(1e-3, 0.0) - 1e3).abs() < 1e-9);
+    /// # Ok::<(), freestand::cushion::CushionError>(())
+    /// ```
+    pub fn in_series(layers: &[Self]) -> Result<Self, CushionError> {
+        if let [one] = layers {
+            return Ok(one.clone());
+        }
+        let springs = layers.iter().filter_map(Self::linear_stiffness_n_m).map(f64::recip).sum::<f64>();
+        let mut parts: Vec<ContactLaw> = layers
+            .iter()
+            .filter(|layer| layer.linear_stiffness_n_m().is_none())
+            .map(|layer| layer.law.clone())
+            .collect();
+        if springs > 0.0 {
+            parts.push(ContactLaw::Linear { stiffness_n_m: springs.recip() });
+        }
+        if let [one] = parts.as_slice() {
+            return Self::new(one.clone());
+        }
+        Self::new(ContactLaw::Series { parts })
+    }
+
+    /// `count` such cushions side by side, each with its share of the load: the pads under one edge.
+    pub fn side_by_side(&self, count: u32) -> Self {
+        Self { law: self.law.times(f64::from(count.max(1))) }
+    }
+
+    /// The law.
+    pub fn law(&self) -> &ContactLaw {
+        &self.law
+    }
+
+    /// k, if the law is F = k d.
+    pub fn linear_stiffness_n_m(&self) -> Option<f64> {
+        match self.law {
+            ContactLaw::Linear { stiffness_n_m } => Some(stiffness_n_m),
+            _ => None,
+        }
+    }
+
+    /// Whether the stiffness depends on the compression.
+    pub fn is_curved(&self) -> bool {
+        match &self.law {
+            ContactLaw::Linear { .. } | ContactLaw::KelvinVoigt { .. } => false,
+            ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => *exponent != 1.0,
+            _ => true,
+        }
+    }
+
+    /// The same cushion, `factor` times as stiff at every compression and as strongly damped.
+    ///
+    /// # Errors
+    /// A factor that is not positive, or that takes the numbers out of range.
+    pub fn times(&self, factor: f64) -> Result<Self, CushionError> {
+        Self::new(self.law.times(factor))
+    }
+
+    /// The force on what presses the cushion by `compression_m` at the speed `speed_m_s` (positive: further in); never
+    /// below zero, and zero without compression \[N\].
+    ///
+    /// # Example
+    /// A Kelvin–Voigt pad of 2190 N/mm and 300 N s/m, 1 mm deep, on the way in and on the way out:
+    /// ```
+    /// use freestand::cushion::{ContactLaw, Cushion};
+    /// let pad = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m: 2.19e6, damping_n_s_m: 300.0 })?;
+    /// assert!((pad.force_n(1e-3, 1.0) - 2490.0).abs() < 1e-9);
+    /// assert_eq!(pad.force_n(1e-4, -1.0), 0.0);
+    /// # Ok::<(), freestand::cushion::CushionError>(())
+    /// ```
+    pub fn force_n(&self, compression_m: f64, speed_m_s: f64) -> f64 {
+        if compression_m < 0.0 {
+            return 0.0;
+        }
+        let elastic_n = self.law.elastic_force_n(compression_m);
+        let force_n = match self.law {
+            ContactLaw::KelvinVoigt { damping_n_s_m, .. } => elastic_n + damping_n_s_m * speed_m_s,
+            ContactLaw::HuntCrossley { dissipation_s_m, .. } => elastic_n * (1.0 + dissipation_s_m * speed_m_s),
+            _ => elastic_n,
+        };
+        force_n.max(0.0)
+    }
+
+    /// The energy that the compressed cushion gives back to whoever lets it go slowly, ∫F dd without damping \[J\].
+    pub fn stored_energy_j(&self, compression_m: f64) -> f64 {
+        if compression_m > 0.0 { self.law.elastic_energy_j(compression_m) } else { 0.0 }
+    }
+
+    /// The compression under a force that acts for long, such as a weight \[m\].
+    pub fn static_compression_m(&self, force_n: f64) -> f64 {
+        self.law.compression_m(force_n)
+    }
+
+    /// dF/dd at a compression, without damping \[N/m\]: the tangent stiffness.
+    pub fn tangent_stiffness_n_m(&self, compression_m: f64) -> f64 {
+        self.law.slope_n_m(compression_m)
+    }
+}
+
+impl ContactLaw {
+    fn slope_n_m(&self, d: f64) -> f64 {
+        match self {
+            Self::Linear { stiffness_n_m } | Self::KelvinVoigt { stiffness_n_m, .. } => *stiffness_n_m,
+            Self::Power { coefficient_n_mn, exponent } | Self::HuntCrossley { coefficient_n_mn, exponent, .. } => {
+                coefficient_n_mn * exponent * d.powf(exponent - 1.0)
+            }
+            Self::Tangent { stiffness_n_m, bottoming_m } => {
+                stiffness_n_m / (std::f64::consts::FRAC_PI_2 * d / bottoming_m).cos().powi(2)
+            }
+            Self::Tabulated { compressions_m, forces_n } => Line::at_compression(compressions_m, forces_n, d).slope_n_m,
+            Self::Series { parts } => {
+                let force_n = Self::force_in_series_n(parts, d);
+                parts.iter().map(|part| part.slope_n_m(part.compression_m(force_n)).recip()).sum::<f64>().recip()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,59 @@
+//! Integrals over the unit interval whose integrand may have a kink or a root of any order at its ends.
+
+use std::f64::consts::PI;
+
+/// Nodes lie 1/20 apart in the transformed variable: 1e-14 for what is smooth inside.
+const STEP: f64 = 0.05;
+/// Where the transformed variable ends: the weight is 1e-20 there.
+const END: i32 = 68;
+
+/// ∫₀¹ f(x) dx by the double-exponential rule.
+///
+/// # Reference
+/// Takahasi and Mori (1974): x = 1/(1 + exp(−π sinh t)), trapezoidal rule in t.
+///
+/// # Accuracy
+/// About 1e-13 of the integral for an integrand that is analytic inside the interval.
+pub(crate) fn unit_integral(f: impl Fn(f64) -> f64) -> f64 {
+    let mut sum = 0.0;
+    for i in -END..=END {
+        let t = f64::from(i) * STEP;
+        let x = 1.0 / (1.0 + (-PI * t.sinh()).exp());
+        let rest = 1.0 / (1.0 + (PI * t.sinh()).exp());
+        sum += f(x) * PI * t.cosh() * x * rest;
+    }
+    sum * STEP
+}
+
+/// The place between `low` and `high` where `is_beyond` turns from false to true, by halving to the last digit.
+pub(crate) fn halved(mut low: f64, mut high: f64, is_beyond: impl Fn(f64) -> bool) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if is_beyond(middle) { high = middle } else { low = middle }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ∫ xᵃ = 1/(1+a), also for a root and for a pole that can be integrated; ∫ eˣ = e − 1.
+    #[test]
+    fn known_integrals() {
+        for power in [0.0, 1.0, 3.0, 0.4, -0.3] {
+            let got = unit_integral(|x| x.powf(power));
+            // The pole loses what lies nearer to it than the last node: (1e-20)^0.7 = 1e-14.
+            assert!((got * (1.0 + power) - 1.0).abs() < 1e-12, "{power}: {got}");
+        }
+        assert!((unit_integral(f64::exp) - (std::f64::consts::E - 1.0)).abs() < 1e-13);
+    }
+
+    #[test]
+    fn halving_ends_at_the_last_digit() {
+        let root = halved(0.0, 2.0, |x| x * x >= 2.0);
+        assert!((root - std::f64::consts::SQRT_2).abs() < 3e-16);
+    }
+}
