@@ -27,6 +27,7 @@ pub mod rock;
 pub mod run;
 pub mod shape;
 pub mod shock;
+pub mod shock_spectrum;
 pub mod spectrum;
 pub mod static_test;
 pub mod statistics;

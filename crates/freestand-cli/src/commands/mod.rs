@@ -8,6 +8,7 @@ mod motion;
 mod rock;
 mod run;
 mod shock;
+mod shock_spectrum;
 mod spectrum;
 mod spectrum_text;
 mod validate;
@@ -35,6 +36,7 @@ pub(crate) enum Command {
     Run(Box<run::RunArgs>),
     Check(check::CheckArgs),
     Shock(Box<shock::ShockArgs>),
+    ShockSpectrum(Box<shock_spectrum::ShockSpectrumArgs>),
     Rock(Box<rock::RockArgs>),
     Spectrum(Box<spectrum::SpectrumArgs>),
     Motion(motion::MotionArgs),
@@ -49,6 +51,7 @@ impl Command {
             Self::Run(args) => run::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
             Self::Shock(args) => shock::run(args, global, printer),
+            Self::ShockSpectrum(args) => shock_spectrum::run(args, global, printer),
             Self::Rock(args) => rock::run(args, global, printer),
             Self::Spectrum(args) => spectrum::run(args, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
