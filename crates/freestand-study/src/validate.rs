@@ -1,5 +1,6 @@
 //! The paper's Table I and every closed form that the models can be held against.
 
+mod cushion;
 mod rocking;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
@@ -107,6 +108,7 @@ pub fn validate() -> Result<Validation, Problem> {
         code_spectrum_checks()?,
         building_checks()?,
         oscillator_checks()?,
+        cushion::checks()?,
         rocking::checks()?,
     ];
     let checks = groups.into_iter().flatten().collect();
