@@ -43,7 +43,7 @@ mod volumes;
 mod write;
 
 pub use direction::Direction;
-pub(crate) use found::check_step;
+pub(crate) use found::{BEYOND_A_FLOOR, check_step};
 pub(crate) use lines::load;
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};
