@@ -9,11 +9,13 @@ use freestand::shock_response::{
 };
 use serde::Serialize;
 use std::f64::consts::PI;
+use std::time::Instant;
 
 use crate::error::{Problem, ProblemKind};
 use crate::figures::{Figure, FigureError, ShockCurve, shock_spectrum_figure};
 use crate::quantity::{Dimension, find_unit};
 use crate::recorded::ReadMotion;
+use crate::records::BEYOND_A_FLOOR;
 use crate::tables::records_csv;
 use crate::words::number;
 
@@ -116,6 +118,13 @@ pub struct OneShockSpectrum {
     values_si: Vec<f64>,
 }
 
+/// Where the time went.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Timing {
+    /// The spectra alone, without reading and writing \[s\].
+    pub solve_s: f64,
+}
+
 /// The spectra; the keys of the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ShockSpectrumReport {
@@ -131,6 +140,8 @@ pub struct ShockSpectrumReport {
     pub upsample: bool,
     /// One for each file, in their order, or that of the pulse.
     pub spectra: Vec<OneShockSpectrum>,
+    /// Where the time went.
+    pub timing: Timing,
     /// What a reader of the results should know.
     #[serde(skip)]
     pub warnings: Vec<String>,
@@ -148,22 +159,25 @@ pub fn recorded_shock_spectra(
 ) -> Result<ShockSpectrumReport, Problem> {
     let options =
         ShockSpectrumOptions { kind: request.kind, damping_ratio: request.damping_ratio, upsample: request.upsample };
-    let (mut spectra, mut warnings) = (Vec::new(), Vec::new());
+    let (mut spectra, mut warnings, mut solve_s) = (Vec::new(), Vec::new(), 0.0);
     for read in motions {
         let recorded = &read.motion;
         let motion = &recorded.motion;
+        let began = Instant::now();
         let found = shock_spectrum(motion, &request.frequencies_hz, options)
             .map_err(|error| refused(error).in_file(&recorded.path))?;
+        solve_s += began.elapsed().as_secs_f64();
         let mut one = one(recorded.name.clone(), read.unit, &found, request)?;
         one.path = Some(recorded.path.to_string_lossy().into_owned());
         (one.dt_s, one.samples) = (Some(motion.dt_s()), Some(motion.accel_m_s2().len()));
         one.processing.clone_from(&recorded.processing);
         let of_file = |text: String| if motions.len() > 1 { format!("{}: {text}", recorded.name) } else { text };
-        warnings.extend(read.notes.iter().cloned().map(of_file));
+        let of_shocks = read.notes.iter().filter(|note| !note.contains(BEYOND_A_FLOOR));
+        warnings.extend(of_shocks.cloned().map(of_file));
         warnings.extend(sampling_warning(request, motion.dt_s(), &found).map(of_file));
         spectra.push(one);
     }
-    Ok(report(request, spectra, warnings))
+    Ok(report(request, spectra, solve_s, warnings))
 }
 
 /// Computes the spectrum of a pulse; `unit` is the one of accelerations in the result.
@@ -175,7 +189,9 @@ pub fn pulse_shock_spectrum(
     unit: &'static str,
     request: &ShockSpectrumRequest,
 ) -> Result<ShockSpectrumReport, Problem> {
+    let began = Instant::now();
     let found = pulse_spectrum(pulse, &request.frequencies_hz, request.kind, request.damping_ratio).map_err(refused)?;
+    let solve_s = began.elapsed().as_secs_f64();
     let mut one = one(pulse_name(pulse.shape()).to_owned(), unit, &found, request)?;
     one.pulse = Some(PulseWords {
         shape: pulse_name(pulse.shape()),
@@ -187,7 +203,7 @@ pub fn pulse_shock_spectrum(
     let few = found.samples_per_period.iter().any(|samples| *samples < SAMPLES_PER_PERIOD);
     let warning =
         "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be low";
-    Ok(report(request, vec![one], few.then(|| warning.to_owned()).into_iter().collect()))
+    Ok(report(request, vec![one], solve_s, few.then(|| warning.to_owned()).into_iter().collect()))
 }
 
 /// The unit in which a quantity such as `30 g` is written; its spelling in outputs.
@@ -256,6 +272,7 @@ fn one(
 fn report(
     request: &ShockSpectrumRequest,
     spectra: Vec<OneShockSpectrum>,
+    solve_s: f64,
     warnings: Vec<String>,
 ) -> ShockSpectrumReport {
     let zeta = request.damping_ratio;
@@ -266,6 +283,7 @@ fn report(
         quality_factor_ratio: (zeta > 0.0).then(|| 0.5 / zeta),
         upsample: request.upsample,
         spectra,
+        timing: Timing { solve_s },
         warnings,
         response: request.kind,
     }

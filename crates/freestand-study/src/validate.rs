@@ -2,6 +2,7 @@
 
 mod cushion;
 mod rocking;
+mod shock;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::Building;
@@ -105,6 +106,9 @@ pub fn validate() -> Result<Validation, Problem> {
         coefficient_checks()?,
         block_checks()?,
         shock_response_checks(),
+        shock::spectrum_checks()?,
+        shock::pulse_checks()?,
+        shock::boundary_checks()?,
         code_spectrum_checks()?,
         building_checks()?,
         oscillator_checks()?,

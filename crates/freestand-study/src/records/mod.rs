@@ -46,7 +46,7 @@ mod write;
 
 pub(crate) use cushion_curve::load_curve;
 pub use direction::Direction;
-pub(crate) use found::{check_step, extreme_note};
+pub(crate) use found::{BEYOND_A_FLOOR, check_step, extreme_note};
 pub(crate) use lines::load;
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};

@@ -77,8 +77,8 @@ fn what_the_record_does_not_hold_is_said() {
         let request = ShockSpectrumRequest { upsample, ..request(ResponseKind::default(), vec![f]) };
         recorded_shock_spectra(&motions, &request).unwrap().warnings
     };
-    let sampling = |all: &[String]| all.iter().any(|one| one.contains("rate") || one.contains("low"));
-    assert!(!sampling(&with(1e4, true)), "{:?}", with(1e4, true));
+    // 40 g are no fault of a drop test.
+    assert!(with(1e4, true).is_empty(), "{:?}", with(1e4, true));
     let has = |all: &[String], words: &str| all.iter().any(|one| one.contains(words));
     assert!(has(&with(60e3, true), "half its sampling rate, 50000 Hz"), "{:?}", with(60e3, true));
     assert!(has(&with(20e3, false), "19 % low"), "{:?}", with(20e3, false));
