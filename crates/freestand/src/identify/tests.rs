@@ -173,6 +173,36 @@ fn faults_are_flagged() {
     assert_eq!(flags_of(&[0.0; 100], 1e-5), [Flag::NoPulse]);
 }
 
+/// A sensor that shows gravity reads 1 g while the mass is held, and nothing in the fall: the zero line is that of the fall.
+#[test]
+fn the_mass_may_have_been_held_before() {
+    let (samples, dt_s) = half_sine(50.0, 0.002, 0.3, 1, STIFFNESS_N_M);
+    let fall = std::iter::repeat_n(0.0, 1500);
+    let held: Vec<f64> =
+        std::iter::repeat_n(G0_M_S2, 4000).chain(fall).chain(samples.iter().map(|a| a - G0_M_S2)).collect();
+    // Noise all over, so that the record is one of a sensor.
+    let mut random = ChaCha12Rng::seed_from_u64(5);
+    let noisy = held.iter().map(|a| {
+        let normal: f64 = StandardNormal.sample(&mut random);
+        a + 5.0 * normal
+    });
+    let test = drop_test(&noisy.collect::<Vec<_>>(), dt_s, &setup(true)).unwrap();
+    assert_eq!(test.flags, []);
+    assert!((test.identified.unwrap().stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.02);
+}
+
+/// A slow drift over a long record, 5 % of the peak in 100 contacts, is a drift although the contact hardly notices.
+#[test]
+fn a_slow_drift_is_flagged() {
+    let (samples, dt_s) = half_sine(50.0, 0.002, 0.3, 1, STIFFNESS_N_M);
+    let peak = 349.8 * G0_M_S2;
+    let noisy = half_sine(800.0, 0.002, 0.3, 2, STIFFNESS_N_M).0;
+    let quiet = noisy.iter().take(1500).copied().cycle().take(5000);
+    let long = quiet.chain(samples).enumerate().map(|(i, a)| a + 0.05 * peak * i as f64 / 5300.0);
+    let flags = drop_test(&long.collect::<Vec<_>>(), dt_s, &setup(true)).unwrap().flags;
+    assert!(flags.contains(&Flag::Drift), "{flags:?}");
+}
+
 /// Rounding to whole g makes a flat top of a few samples, and no clipping.
 #[test]
 fn rounded_samples_are_not_clipped() {
