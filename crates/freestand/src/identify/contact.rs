@@ -8,6 +8,8 @@ const PULSE_SHARE: f64 = 0.2;
 const THRESHOLD_SIGMA: f64 = 5.0;
 /// Least threshold as a share of the peak: a record without noise has ringing of filters and rounding instead.
 const THRESHOLD_SHARE: f64 = 0.02;
+/// The zero line is the mean over so many contact times before the contact: earlier, the mass may have been held.
+const BEFORE: usize = 20;
 /// Least number of samples before the contact: a mean and its scatter.
 const LEAST_PRE: usize = 10;
 /// A shift or a drift below this share of the peak is let pass.
@@ -91,7 +93,8 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     if before < LEAST_PRE + guard {
         return Err(Flag::NoPreTrigger);
     }
-    let pre = &samples[..before - guard];
+    let all = &samples[..before - guard];
+    let pre = &all[all.len().saturating_sub(BEFORE * (after - before))..];
     let mut pulse = Pulse {
         before,
         after,
@@ -108,6 +111,13 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
         pulse.flags.push(Flag::CutOff);
     }
     judge_zero(pre, &samples[post], &mut pulse);
+    let (rise, error) = trend(all);
+    // Where a line leaves more than the noise, it was no drift: the mass was held and let go.
+    let left = error * (all.len() as f64 / 12.0).sqrt();
+    let is_drift = rise.abs() > ZERO_SHIFT_GATE * peak && rise.abs() > SIGNIFICANT * error;
+    if is_drift && left < 2.0 * pulse.noise_m_s2.max(1e-3 * peak) && !pulse.flags.contains(&Flag::Drift) {
+        pulse.flags.push(Flag::Drift);
+    }
     if is_clipped(&samples[before..after.min(samples.len())], pulse.noise_m_s2) {
         pulse.flags.push(Flag::Clipped);
     }

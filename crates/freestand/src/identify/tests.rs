@@ -72,9 +72,35 @@ fn half_sines_give_their_stiffness() {
     }
 }
 
+/// The weight in the contact is told from the record where it matters: a pad of 100 N/mm (75 g) with a stated speed gives
+/// its stiffness within 2 % whether it acts or not, where the wrong guess costs 1.6 %.
+#[test]
+fn weight_is_told_from_the_record() {
+    let stiffness_n_m = 1e5;
+    let pad = Cushion::linear(stiffness_n_m).unwrap();
+    let contact_s = pad.land(MASS_KG, fall_m_s()).duration_s;
+    for seed in 0..6 {
+        let (without, dt_s) = half_sine(50.0, 0.005, 0.2, seed, stiffness_n_m);
+        let options = VirtualDropOptions {
+            sample_rate_hz: 50.0 / contact_s,
+            pre_trigger_s: 3.0 * contact_s,
+            after_s: 4.0 * contact_s,
+            noise_ratio: 0.005,
+            ..virtual_options(seed)
+        };
+        let with = virtual_drop(&pad, &options).unwrap();
+        for (samples, dt_s, has_gravity) in [(without, dt_s, false), (with.samples_m_s2, with.dt_s, true)] {
+            let found = drop_test(&samples, dt_s, &setup(true)).unwrap().identified.unwrap();
+            assert_eq!(found.has_gravity, has_gravity, "{seed}");
+            let (low, high) = interval(&found);
+            assert!((found.stiffness.fit_n_m / stiffness_n_m - 1.0).abs() < 0.01, "{seed} {has_gravity} {found:?}");
+            assert!(low < stiffness_n_m && stiffness_n_m < high);
+        }
+    }
+}
+
 /// Without noise the four estimates are what the closed forms say: peak 349.808 g, 1.28255 ms, 0.571741 mm. The
-/// trapezoidal rule of 50 samples takes (π/50)²/12 = 3e-4 from the compression; gravity, which this contact does not
-/// have, adds gt²/2 = 2 µm to it, 0.35 %.
+/// trapezoidal rule of 50 samples takes (π/50)²/12 = 3e-4 from the compression. That no weight acts shows without noise.
 #[test]
 fn four_estimates_agree_where_the_pad_is_linear() {
     let (samples, dt_s) = half_sine(50.0, 0.0, 0.0, 1, STIFFNESS_N_M);
@@ -88,7 +114,7 @@ fn four_estimates_agree_where_the_pad_is_linear() {
     assert!(found.stiffness.spread_ratio() < 4e-3);
     assert!((found.exponent_by_identity - 1.0).abs() < 4e-3);
     let falling = drop_test(&samples, dt_s, &setup(true)).unwrap();
-    assert!((falling.max_compression_m.unwrap() * 1e3 / 0.571741 - 1.0035).abs() < 1e-3);
+    assert!(!falling.identified.unwrap().has_gravity);
 }
 
 /// A pulse of a law in the time domain, by nothing but small steps of the equation of motion: semi-implicit Euler, 1e-4.
@@ -171,6 +197,36 @@ fn faults_are_flagged() {
         assert!(flags_of(&coarse, dt_s).contains(&Flag::FewSamples), "{noise}");
     }
     assert_eq!(flags_of(&[0.0; 100], 1e-5), [Flag::NoPulse]);
+}
+
+/// A sensor that shows gravity reads 1 g while the mass is held, and nothing in the fall: the zero line is that of the fall.
+#[test]
+fn the_mass_may_have_been_held_before() {
+    let (samples, dt_s) = half_sine(50.0, 0.002, 0.3, 1, STIFFNESS_N_M);
+    let fall = std::iter::repeat_n(0.0, 1500);
+    let held: Vec<f64> =
+        std::iter::repeat_n(G0_M_S2, 4000).chain(fall).chain(samples.iter().map(|a| a - G0_M_S2)).collect();
+    // Noise all over, so that the record is one of a sensor.
+    let mut random = ChaCha12Rng::seed_from_u64(5);
+    let noisy = held.iter().map(|a| {
+        let normal: f64 = StandardNormal.sample(&mut random);
+        a + 5.0 * normal
+    });
+    let test = drop_test(&noisy.collect::<Vec<_>>(), dt_s, &setup(true)).unwrap();
+    assert_eq!(test.flags, []);
+    assert!((test.identified.unwrap().stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.02);
+}
+
+/// A slow drift over a long record, 5 % of the peak in 100 contacts, is a drift although the contact hardly notices.
+#[test]
+fn a_slow_drift_is_flagged() {
+    let (samples, dt_s) = half_sine(50.0, 0.002, 0.3, 1, STIFFNESS_N_M);
+    let peak = 349.8 * G0_M_S2;
+    let noisy = half_sine(800.0, 0.002, 0.3, 2, STIFFNESS_N_M).0;
+    let quiet = noisy.iter().take(1500).copied().cycle().take(5000);
+    let long = quiet.chain(samples).enumerate().map(|(i, a)| a + 0.05 * peak * i as f64 / 5300.0);
+    let flags = drop_test(&long.collect::<Vec<_>>(), dt_s, &setup(true)).unwrap().flags;
+    assert!(flags.contains(&Flag::Drift), "{flags:?}");
 }
 
 /// Rounding to whole g makes a flat top of a few samples, and no clipping.
