@@ -524,6 +524,9 @@ fn report(
     let (max_stiffness_n_m, stiffness_note) =
         fall.rise_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
     notes.extend(stiffness_note.map(str::to_owned));
+    if max_stiffness_n_m.is_some() && cushion.is_some_and(|cushion| cushion.linear_stiffness_n_m().is_none()) {
+        notes.push("the largest stiffness is that of a spring in place of this cushion".to_owned());
+    }
     Ok(ShockReport {
         scenario: request.scenario.name(),
         model: model_name(landing.model),

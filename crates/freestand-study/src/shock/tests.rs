@@ -242,7 +242,7 @@ fn a_lift_or_a_component_alone_is_enough() {
     assert!(refused(&half).contains("go together"));
 }
 
-/// The largest of the kinds that apply governs; the bare peak never beside them.
+/// The largest of the kinds that apply governs; a peak that is part of a boundary never on its own.
 #[test]
 fn the_largest_of_several_kinds_governs() {
     let request = ShockRequest {
@@ -258,4 +258,8 @@ fn the_largest_of_several_kinds_governs() {
     assert_eq!(report.governing, Some("edge-lift"));
     assert!((report.demand_capacity_ratio.unwrap() - 2.0).abs() < 1e-12);
     assert_eq!(report.damage_boundary.unwrap().source, "tests");
+    // A peak without duration or velocity change is a kind of its own: a lift that was survived does not excuse it.
+    let peak = ShockRequest { tolerance_velocity_change_m_s: None, tolerance_edge_lift_m: Some(0.1), ..request };
+    let report = shock(&peak).unwrap();
+    assert_eq!((report.governing, report.verdict), (Some("peak"), "exceeded"));
 }

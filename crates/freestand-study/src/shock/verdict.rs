@@ -29,17 +29,18 @@ pub struct DemandCapacity {
 
 impl DemandCapacity {
     /// The largest of those that apply, and its name. A peak that is part of a boundary or of a pulse does not apply on
-    /// its own, and gives way to what is known of a component or of a lift.
+    /// its own.
     fn governing(&self) -> Option<(f64, &'static str)> {
+        let is_part = self.damage_boundary.is_some() || self.spectrum.is_some();
         let kinds = [
+            (self.peak.filter(|_| !is_part), "peak"),
             (self.damage_boundary, "damage-boundary"),
             (self.spectrum, "spectrum"),
             (self.component, "component"),
             (self.edge_lift, "edge-lift"),
         ];
         let known = kinds.into_iter().filter_map(|(ratio, name)| Some((ratio?, name)));
-        let largest = known.reduce(|most, next| if next.0 > most.0 { next } else { most });
-        largest.or_else(|| Some((self.peak?, "peak")))
+        known.reduce(|most, next| if next.0 > most.0 { next } else { most })
     }
 }
 
@@ -63,8 +64,7 @@ pub(super) fn boundary(request: &ShockRequest) -> Option<DamageBoundary> {
 /// Demand over capacity for each kind of tolerance, the one that governs, and its name; `None`: nothing to compare.
 ///
 /// The kinds are alternatives by kind of data. A velocity change makes the peak part of a damage boundary, a duration
-/// makes it part of a spectrum; the bare peak governs only where nothing else is known. A lift is compared without any
-/// model of the impact.
+/// makes it part of a spectrum; without both it stands for itself. A lift is compared without any model of the impact.
 pub(super) fn verdict(
     request: &ShockRequest,
     edge_m_s2: f64,
