@@ -16,8 +16,8 @@ use crate::records::laboratory::comments;
 use crate::records::{ReadOptions, extreme_note, load, parse_motions, push_shortest};
 use crate::words::significant;
 
-/// Warned below this many samples per contact.
-const GOOD_SAMPLES: f64 = 50.0;
+/// Warned below this many samples per contact: 50, of a contact time that is good to a hundredth or two.
+const GOOD_SAMPLES: f64 = 49.0;
 /// A spread of the four estimates beyond this is worth a word where the pad is linear.
 const WIDE_SPREAD: f64 = 0.1;
 /// A sphere deeper than this share of the pad no longer meets a half space.

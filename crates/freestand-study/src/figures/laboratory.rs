@@ -115,10 +115,20 @@ fn panel(curves: &[Vec<(f64, f64)>], fits: &[Vec<(f64, f64)>], label: &str) -> P
     Panel { plots, layout: axes(x, y) }
 }
 
+/// Dashes cannot be seen between points that are closer than they are long.
+const MOST_POINTS: usize = 80;
+
+/// A static curve in mm, with few enough points, its turn and its end among them.
+fn thinned(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let every = curve.len().div_ceil(MOST_POINTS).max(1);
+    let top = curve.iter().enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map_or(0, |(i, _)| i);
+    let kept = |i: usize| i.is_multiple_of(every) || i == top || i + 1 == curve.len();
+    curve.iter().enumerate().filter(|(i, _)| kept(*i)).map(|(_, (d, f))| (1e3 * d, *f)).collect()
+}
+
 /// Force against compression of static tests.
 pub(super) fn statics(report: &StaticsReport) -> Page {
-    let curves: Vec<Vec<(f64, f64)>> =
-        report.tests.iter().map(|test| test.test.curve.iter().map(|(d, f)| (1e3 * d, *f)).collect()).collect();
+    let curves: Vec<Vec<(f64, f64)>> = report.tests.iter().map(|test| thinned(&test.test.curve)).collect();
     let tangents: Vec<Vec<(f64, f64)>> = report
         .tests
         .iter()

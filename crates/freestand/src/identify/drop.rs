@@ -91,6 +91,9 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
             test.identified = None;
         }
     }
+    if test.identified.is_none() && test.flags.is_empty() {
+        test.flags.push(Flag::PoorFit);
+    }
     test.samples_per_contact = test.contact_time_s.map(|time_s| time_s / dt_s);
     if let (Some(corner_hz), Some(time_s)) = (setup.filter_corner_hz, test.contact_time_s)
         && corner_hz * time_s < LEAST_CORNER

@@ -341,3 +341,40 @@ fn static_tests_come_back() {
     let heavy = StaticOptions { load_n: Some(2e3), ..options };
     assert!(matches!(static_test(&force, &displacement, &heavy), Err(StaticError::Load { .. })));
 }
+
+proptest::proptest! {
+    /// Whatever a record holds, there is an answer: numbers that are numbers, or a flag that says why not. Pulses of any
+    /// width and place, several of them, plateaus, steps, huge and tiny values.
+    #[test]
+    fn every_record_has_an_answer(
+        length in 20..300usize,
+        pulses in proptest::collection::vec((0.0..1.0f64, 0.5..80.0f64, -2.0..2.0f64, proptest::bool::ANY), 0..4),
+        scale in proptest::sample::select(vec![1e-300, 1e-9, 1.0, 3e3, 1e9, 1e150]),
+        noise in proptest::sample::select(vec![0.0, 1e-4, 0.05]),
+        top in 0.2..3.0f64,
+        known in proptest::bool::ANY,
+    ) {
+        let samples: Vec<f64> = (0..length)
+            .map(|i| {
+                let x = i as f64;
+                let sum: f64 = pulses
+                    .iter()
+                    .map(|&(place, width, height, is_step)| {
+                        let s = (x - place * length as f64) / width;
+                        if is_step { if s > 0.0 { height } else { 0.0 } } else { height * (-s * s).exp() }
+                    })
+                    .sum();
+                scale * (sum + noise * (x * x * 0.7).sin()).min(top)
+            })
+            .collect();
+        let test = drop_test(&samples, 2e-5, &setup(known)).unwrap();
+        if let Some(found) = &test.identified {
+            proptest::prop_assert!(found.stiffness.fit_n_m > 0.0 && found.stiffness.fit_n_m.is_finite());
+            proptest::prop_assert!(found.error_ratio.is_finite() && found.exponent.is_finite());
+            proptest::prop_assert!(test.max_compression_m.is_some_and(|d| d > 0.0 && d.is_finite()));
+            proptest::prop_assert!(test.restitution_ratio.is_some_and(f64::is_finite));
+        } else {
+            proptest::prop_assert!(!test.flags.is_empty());
+        }
+    }
+}
