@@ -402,7 +402,7 @@ pub fn problem(error: CompliantError) -> Problem {
             (ProblemKind::Value, "resample one of them, so that both have the same step and length")
         }
         CompliantError::StepTooSmall { .. } => {
-            (ProblemKind::Computation, "check the units of the motion and of the cushion")
+            (ProblemKind::Computation, "check the units of the motion and of the cushion, and whether it bottoms")
         }
         CompliantError::TooManySteps { .. } => {
             (ProblemKind::Computation, "use a shorter --duration or --accuracy fast; a very stiff base is --base rigid")
