@@ -1,7 +1,10 @@
 //! `cargo xtask test`: everything that has to hold, with all set-up; what the README names and what CI runs.
+//! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a developer's tool talks to the terminal")]
 
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
@@ -65,20 +68,74 @@ const CHECKS: &[Check] = &[
 fn main() -> ExitCode {
     match std::env::args().nth(1).as_deref() {
         Some("test") => test(),
+        Some("validate-shock") => finished(validate_shock(true)),
         _ => {
-            eprintln!("usage: cargo xtask test");
+            eprintln!("usage: cargo xtask test | validate-shock");
             ExitCode::from(2)
         }
     }
 }
 
+/// The workspace. At run time: a target folder may be shared between checkouts.
+fn root() -> Option<PathBuf> {
+    std::env::var("CARGO_MANIFEST_DIR").ok().map(|manifest| PathBuf::from(manifest).join(".."))
+}
+
+fn finished(done: bool) -> ExitCode {
+    if done { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Runs a command in `folder` and says when it does not succeed.
+fn succeeds(folder: &Path, program: impl AsRef<OsStr>, arguments: &[&str]) -> bool {
+    let name = program.as_ref().to_string_lossy().into_owned();
+    match Command::new(program).args(arguments).current_dir(folder).status() {
+        Ok(status) if status.success() => true,
+        Ok(status) => {
+            eprintln!("== failed ({status}): {name} {} ==", arguments.join(" "));
+            false
+        }
+        Err(error) => {
+            eprintln!("== cannot run {name}: {error} ==");
+            false
+        }
+    }
+}
+
+/// Shock response spectra beside pyyeti and endaq. Their environment is made only when asked for by name: a check of
+/// every change must not wait for PyPI.
+fn validate_shock(fetch: bool) -> bool {
+    const PACKAGES: [&str; 2] = ["pyyeti>=1.4,<2", "endaq>=1.5,<2"];
+    let Some(root) = root() else {
+        eprintln!("run it as `cargo xtask validate-shock`");
+        return false;
+    };
+    let environment = "target/validation-shock";
+    let python = root.join(environment).join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    if !python.exists() && !fetch {
+        println!(
+            "== shock response spectra beside pyyeti and endaq: skipped, `cargo xtask validate-shock` fetches them =="
+        );
+        return true;
+    }
+    let imports = || Command::new(&python).args(["-c", "import pyyeti, endaq"]).status().is_ok_and(|s| s.success());
+    if fetch && !imports() {
+        let program = if cfg!(windows) { "python" } else { "python3" };
+        let install = [&["-m", "pip", "install", "--quiet"][..], &PACKAGES[..]].concat();
+        if !succeeds(&root, program, &["-m", "venv", environment]) || !succeeds(&root, &python, &install) {
+            println!("== shock response spectra beside pyyeti and endaq: skipped, they cannot be installed ==");
+            return true;
+        }
+    }
+    let binary = if cfg!(windows) { "target/debug/freestand.exe" } else { "target/debug/freestand" };
+    succeeds(&root, "cargo", &["build", "--locked", "--package", "freestand-cli"])
+        && succeeds(&root, &python, &["validation/shock_response/compare.py", binary])
+}
+
 fn test() -> ExitCode {
-    // At run time: a target folder may be shared between checkouts.
-    let Ok(manifest) = std::env::var("CARGO_MANIFEST_DIR") else {
+    let Some(root) = root() else {
         eprintln!("run it as `cargo xtask test`");
         return ExitCode::from(2);
     };
-    let root = std::path::Path::new(&manifest).join("..");
     let start = Instant::now();
     for check in CHECKS {
         println!("\n== {} ==", check.title);
@@ -99,6 +156,10 @@ fn test() -> ExitCode {
                 return ExitCode::FAILURE;
             }
         }
+    }
+    println!("\n== shock response spectra beside public packages ==");
+    if !validate_shock(false) {
+        return ExitCode::FAILURE;
     }
     println!("\nall checks passed in {:.0} s", start.elapsed().as_secs_f64());
     ExitCode::SUCCESS

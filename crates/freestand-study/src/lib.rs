@@ -2,6 +2,8 @@
 
 pub mod compliant;
 pub mod cushion;
+pub mod cushion_curve;
+pub mod drop_test;
 pub mod error;
 pub mod figures;
 #[cfg(test)]
@@ -25,13 +27,16 @@ pub mod rock;
 pub mod run;
 pub mod shape;
 pub mod shock;
+pub mod shock_spectrum;
 pub mod spectrum;
+pub mod static_test;
 pub mod statistics;
 pub mod streamed;
 pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod validate;
+pub mod virtual_laboratory;
 pub mod words;
 
 /// The design document: its examples are compiled and run.

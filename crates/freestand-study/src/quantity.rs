@@ -24,6 +24,10 @@ pub enum Dimension {
     Force,
     /// Viscous damping, N s/m.
     Damping,
+    /// Pascals.
+    Pressure,
+    /// Square metres.
+    Area,
     /// Hunt and Crossley's Λ, s/m.
     Dissipation,
     /// Hertz.
@@ -51,6 +55,8 @@ impl Dimension {
             Self::Stiffness => "a stiffness",
             Self::Force => "a force",
             Self::Damping => "a damping",
+            Self::Pressure => "a pressure",
+            Self::Area => "an area",
             Self::Dissipation => "a dissipation",
             Self::Frequency => "a frequency",
             Self::Angle => "an angle",
@@ -159,11 +165,19 @@ static UNITS: &[Unit] = &[
     unit("kN/m", Dimension::Stiffness, 3, true),
     unit("kN/mm", Dimension::Stiffness, 6, true),
     unit("MN/m", Dimension::Stiffness, 6, false),
-    unit("N", Dimension::Force, 0, true),
+    unit("N", Dimension::Force, 0, false),
     unit("kN", Dimension::Force, 3, true),
     unit("MN", Dimension::Force, 6, false),
     unit("N·s/m", Dimension::Damping, 0, true),
     Unit { aliases: &["N·s/mm"], ..unit("kN·s/m", Dimension::Damping, 3, true) },
+    unit("kPa", Dimension::Pressure, 3, false),
+    unit("Pa", Dimension::Pressure, 0, false),
+    unit("MPa", Dimension::Pressure, 6, false),
+    // A pound is 0.45359237 kg, an inch 25.4 mm, exactly.
+    Unit { factor: 0.453_592_37 * G0_M_S2 / (0.0254 * 0.0254), ..unit("psi", Dimension::Pressure, 0, true) },
+    unit("m2", Dimension::Area, 0, false),
+    unit("cm2", Dimension::Area, -4, false),
+    unit("mm2", Dimension::Area, -6, false),
     unit("s/m", Dimension::Dissipation, 0, false),
     unit("s/mm", Dimension::Dissipation, 3, false),
     unit("Hz", Dimension::Frequency, 0, true),
@@ -432,6 +446,8 @@ pub fn format_si(value_si: f64, dimension: Dimension) -> String {
         Dimension::Stiffness => "N/mm",
         Dimension::Force => "N",
         Dimension::Damping => "N·s/m",
+        Dimension::Pressure => "kPa",
+        Dimension::Area => "m2",
         Dimension::Dissipation => "s/m",
         Dimension::Frequency => "Hz",
         Dimension::Angle => "rad",

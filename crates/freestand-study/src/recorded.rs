@@ -32,6 +32,8 @@ pub struct ReadMotion {
     pub notes: Vec<String>,
     /// What is to be said where the motion is written to a file: see [`start_note`].
     pub start_note: Option<String>,
+    /// The unit of acceleration in the file; the motion itself is in m/s².
+    pub unit: &'static str,
 }
 
 /// What is lost of a file with a time column where its motion is written to another: times are counted from the first
@@ -86,8 +88,11 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
         motion: processed.motion,
     };
     let start_note = start_note(&file);
+    // Two components that were turned to an azimuth are of one file; the unit of the first stands for both.
+    let chosen = file.select(files.component.as_deref()).ok().or(file.components.first());
+    let unit = chosen.map_or("m/s2", |component| component.unit);
     let notes = file.notes.into_iter().chain(processed.notes).collect();
-    Ok(ReadMotion { motion, notes, start_note })
+    Ok(ReadMotion { motion, notes, start_note, unit })
 }
 
 /// The file's name without its extension, with what is unsafe in a file name replaced by `-`.

@@ -9,9 +9,11 @@ use freestand::impact::{
 };
 use serde::Serialize;
 
+mod boundary;
 mod cushion;
 mod verdict;
 
+pub use boundary::DamageBoundaryReport;
 use cushion::{Contact, contact};
 pub use verdict::DemandCapacity;
 use verdict::{max_stiffness, verdict};
@@ -107,6 +109,12 @@ pub struct ShockRequest {
     pub tolerance_duration_s: Option<f64>,
     /// Velocity change below which no peak does harm \[m/s\].
     pub tolerance_velocity_change_m_s: Option<f64>,
+    /// Lift of one edge from which it may fall back: bench handling \[m\].
+    pub tolerance_edge_lift_m: Option<f64>,
+    /// Frequency of its most delicate component \[Hz\], with [`ShockRequest::component_capacity_m_s2`].
+    pub component_frequency_hz: Option<f64>,
+    /// Acceleration that this component itself stands \[m/s²\].
+    pub component_capacity_m_s2: Option<f64>,
 }
 
 impl ShockRequest {
@@ -129,6 +137,9 @@ impl ShockRequest {
             tolerance_m_s2: None,
             tolerance_duration_s: None,
             tolerance_velocity_change_m_s: None,
+            tolerance_edge_lift_m: None,
+            component_frequency_hz: None,
+            component_capacity_m_s2: None,
         }
     }
 }
@@ -218,11 +229,15 @@ pub struct ShockReport {
     pub at: Option<PointShock>,
     /// Peak that the object stands \[g\].
     pub tolerance_g: Option<f64>,
+    /// Lift of one edge that the object stands \[m\].
+    pub tolerance_edge_lift_m: Option<f64>,
+    /// The damage boundary of tests or of the component, with the demand.
+    pub damage_boundary: Option<DamageBoundaryReport>,
     /// Demand over capacity for each kind of tolerance.
     pub demand_capacity: Option<DemandCapacity>,
     /// The one that governs.
     pub demand_capacity_ratio: Option<f64>,
-    /// `peak`, `damage-boundary` or `spectrum`.
+    /// `damage-boundary`, `spectrum`, `component`, `edge-lift`, or `peak` where nothing else is known.
     pub governing: Option<&'static str>,
     /// `ok`, `exceeded` or `no-verdict`.
     pub verdict: &'static str,
@@ -309,6 +324,12 @@ fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
         problems.push(problem(
             "--tolerance-duration and --tolerance-velocity-change go with --tolerance",
             "give the peak acceleration that the object stands, such as --tolerance \"5 g\"",
+        ));
+    }
+    if request.component_frequency_hz.is_some() != request.component_capacity_m_s2.is_some() {
+        problems.push(problem(
+            "--component-frequency and --component-capacity go together",
+            "such as --component-frequency \"100 Hz\" --component-capacity \"40 g\"",
         ));
     }
     if request.tolerance_m_s2.is_some()
@@ -491,18 +512,21 @@ fn report(
         warnings.push("the free-corner model is for comparison only".to_owned());
     }
 
-    let verdict = verdict(request, edge_m_s2, impact.as_ref());
+    let uplift_m = fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin());
+    let verdict = verdict(request, edge_m_s2, uplift_m, impact.as_ref());
+    let damage_boundary = impact.as_ref().and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
     let share = request.at_m.map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
     if let Some((x_m, z_m, _)) = share
         && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
     {
         warnings.push("the point of --at lies outside the object".to_owned());
     }
-    let (max_stiffness_n_m, stiffness_note) = match request.tolerance_m_s2.zip(fall.rise_m) {
-        Some((tolerance, rise_m)) => max_stiffness(request, landing, rise_m, tolerance),
-        None => (None, None),
-    };
+    let (max_stiffness_n_m, stiffness_note) =
+        fall.rise_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
     notes.extend(stiffness_note.map(str::to_owned));
+    if max_stiffness_n_m.is_some() && cushion.is_some_and(|cushion| cushion.linear_stiffness_n_m().is_none()) {
+        notes.push("the largest stiffness is that of a spring in place of this cushion".to_owned());
+    }
     Ok(ShockReport {
         scenario: request.scenario.name(),
         model: model_name(landing.model),
@@ -519,7 +543,7 @@ fn report(
         half_diagonal_m: landing.pivot.half_diagonal_m,
         slenderness_angle_rad: landing.pivot.slenderness_angle_rad,
         cg_rise_m: fall.rise_m,
-        uplift_m: fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin()),
+        uplift_m,
         rotation_rad: fall.rotation_rad,
         stiffness_n_m: cushion.and_then(Cushion::linear_stiffness_n_m),
         law: cushion.map(|cushion| cushion.law().name()),
@@ -543,6 +567,8 @@ fn report(
             vertical_g: vertical * edge_m_s2 / G0_M_S2,
         }),
         tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
+        tolerance_edge_lift_m: request.tolerance_edge_lift_m,
+        damage_boundary,
         demand_capacity: verdict.map(|verdict| verdict.0),
         demand_capacity_ratio: verdict.map(|verdict| verdict.1),
         governing: verdict.map(|verdict| verdict.2),

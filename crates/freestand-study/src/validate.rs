@@ -1,6 +1,8 @@
 //! The paper's Table I and every closed form that the models can be held against.
 
+mod cushion;
 mod rocking;
+mod shock;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::Building;
@@ -104,9 +106,13 @@ pub fn validate() -> Result<Validation, Problem> {
         coefficient_checks()?,
         block_checks()?,
         shock_response_checks(),
+        shock::spectrum_checks()?,
+        shock::pulse_checks()?,
+        shock::boundary_checks()?,
         code_spectrum_checks()?,
         building_checks()?,
         oscillator_checks()?,
+        cushion::checks()?,
         rocking::checks()?,
     ];
     let checks = groups.into_iter().flatten().collect();

@@ -14,7 +14,9 @@
 //! | contact laws: what a cushion does to what lands on it | [`cushion`] |
 //! | the object on cushions, followed in time: a second opinion on that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
-//! | severity of a half-sine pulse | [`shock_response`] |
+//! | a cushion from a test of it | [`identify`] |
+//! | what a component feels of a shock: shock response spectra, classical pulses | [`shock_response`] |
+//! | what a shock must exceed to do harm, ASTM D3332 | [`damage_boundary`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
 //!
@@ -56,6 +58,8 @@ pub mod building;
 pub mod code_spectrum;
 pub mod compliant;
 pub mod cushion;
+pub mod damage_boundary;
+pub mod identify;
 pub mod impact;
 pub mod measures;
 pub mod motion;

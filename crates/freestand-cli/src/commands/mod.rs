@@ -2,11 +2,13 @@
 
 mod block;
 mod check;
+mod cushion;
 mod floor;
 mod motion;
 mod rock;
 mod run;
 mod shock;
+mod shock_spectrum;
 mod spectrum;
 mod spectrum_text;
 mod validate;
@@ -34,9 +36,11 @@ pub(crate) enum Command {
     Run(Box<run::RunArgs>),
     Check(check::CheckArgs),
     Shock(Box<shock::ShockArgs>),
+    ShockSpectrum(Box<shock_spectrum::ShockSpectrumArgs>),
     Rock(Box<rock::RockArgs>),
     Spectrum(Box<spectrum::SpectrumArgs>),
     Motion(motion::MotionArgs),
+    Cushion(cushion::CushionArgs),
     Floor(floor::FloorArgs),
     Validate(validate::ValidateArgs),
 }
@@ -47,9 +51,11 @@ impl Command {
             Self::Run(args) => run::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
             Self::Shock(args) => shock::run(args, global, printer),
+            Self::ShockSpectrum(args) => shock_spectrum::run(args, global, printer),
             Self::Rock(args) => rock::run(args, global, printer),
             Self::Spectrum(args) => spectrum::run(args, global, printer),
             Self::Motion(args) => motion::run(args, global, printer),
+            Self::Cushion(args) => cushion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
         }

@@ -120,6 +120,15 @@ pub(crate) struct ShockArgs {
     /// Velocity change below which no peak does harm
     #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, help_heading = "The verdict")]
     tolerance_velocity_change: Option<String>,
+    /// Lift of one edge from which the object may fall back (bench handling)
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The verdict")]
+    tolerance_edge_lift: Option<String>,
+    /// Frequency of the most delicate component, with --component-capacity
+    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true, help_heading = "The verdict")]
+    component_frequency: Option<String>,
+    /// Acceleration that this component itself stands
+    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The verdict")]
+    component_capacity: Option<String>,
 }
 
 #[derive(Debug, Clone, Copy, Default, ValueEnum)]
@@ -171,6 +180,11 @@ pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> R
     let inputs: Vec<PathBuf> = args.cushion.inputs().cloned().collect();
     let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
+    if let Some(boundary) = report.damage_boundary.filter(|_| files.wanted()) {
+        let figure = boundary.figure().map_err(|error| Failure::computation(error.to_string()))?;
+        files.write("damage-boundary.svg", || figure.svg)?;
+        files.write("damage-boundary.png", || figure.png)?;
+    }
     files.print(printer, "freestand.shock/1", &report, &report.warnings, || text(&report))?;
     Ok(Done { criterion_met: !report.exceeded() })
 }
@@ -191,6 +205,9 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let tolerance_duration_s = positive("--tolerance-duration", &args.tolerance_duration, Dimension::Time);
     let tolerance_velocity_change_m_s =
         positive("--tolerance-velocity-change", &args.tolerance_velocity_change, Dimension::Velocity);
+    let tolerance_edge_lift_m = positive("--tolerance-edge-lift", &args.tolerance_edge_lift, Dimension::Length);
+    let component_frequency_hz = positive("--component-frequency", &args.component_frequency, Dimension::Frequency);
+    let component_capacity_m_s2 = positive("--component-capacity", &args.component_capacity, Dimension::Acceleration);
     let cushion = args.cushion.words(&mut values)?;
     // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
     if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some())
@@ -224,6 +241,9 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
         tolerance_m_s2,
         tolerance_duration_s,
         tolerance_velocity_change_m_s,
+        tolerance_edge_lift_m,
+        component_frequency_hz,
+        component_capacity_m_s2,
         ..bare
     })
 }
@@ -274,7 +294,17 @@ fn text(report: &ShockReport) -> String {
         ));
     }
     if let (Some(ratio), Some(governing)) = (report.demand_capacity_ratio, report.governing) {
-        rows.push(("tolerance", g(report.tolerance_g)));
+        if report.tolerance_g.is_some() {
+            rows.push(("tolerance", g(report.tolerance_g)));
+        }
+        if report.tolerance_edge_lift_m.is_some() {
+            rows.push(("tolerated lift of the edge", quantity(report.tolerance_edge_lift_m, Dimension::Length)));
+        }
+        if let Some(boundary) = report.damage_boundary {
+            let a_c = significant(boundary.critical_acceleration_g, 4);
+            let v_c = significant(boundary.critical_velocity_change_m_s, 4);
+            rows.push(("damage boundary", format!("{a_c} g, {v_c} m/s, from {}", boundary.source)));
+        }
         rows.push(("demand/capacity", format!("{} by {governing}: {}", significant(ratio, 4), report.verdict)));
         rows.push(("largest stiffness at this rise", quantity(report.max_stiffness_n_m, Dimension::Stiffness)));
     }

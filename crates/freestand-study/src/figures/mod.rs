@@ -6,11 +6,13 @@
 mod compliant;
 mod floor_spectra;
 mod history;
+mod laboratory;
 mod legend;
 mod page;
 mod record;
 mod response;
 mod response_spectrum;
+mod shock_spectrum;
 mod style;
 mod time;
 
@@ -18,6 +20,8 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use freestand::motion::Motion;
+
+pub use shock_spectrum::{BoundaryPicture, ShockCurve};
 
 use crate::inspect::DampedSpectrum;
 use crate::result::StudyResult;
@@ -164,12 +168,44 @@ pub fn response_spectrum_figure(
     page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
 }
 
+/// Draws the loops of drop tests: force and acceleration against compression.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn drop_figures(report: &crate::drop_test::DropsReport) -> Result<Vec<Figure>, FigureError> {
+    laboratory::drops(report).into_iter().map(page::draw).collect()
+}
+
+/// Draws the curves of static tests.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn static_figure(report: &crate::static_test::StaticsReport) -> Result<Figure, FigureError> {
+    page::draw(laboratory::statics(report))
+}
+
 /// Draws a landing on cushions: edge accelerations, forces and rotation against time.
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn trace_figure(trace: &Trace<'_>) -> Result<Figure, FigureError> {
     page::draw(compliant::trace(trace))
+}
+
+/// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn shock_spectrum_figure(title: &str, label: &str, curves: &[ShockCurve]) -> Result<Figure, FigureError> {
+    page::draw(shock_spectrum::shock_spectrum(title, label, curves))
+}
+
+/// Draws a damage boundary and a demand.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure, FigureError> {
+    page::draw(shock_spectrum::damage_boundary(picture))
 }
 
 /// Draws every figure of [`figure_kinds`], on the threads of the current pool; the figures do not depend on them.

@@ -127,7 +127,7 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
         processing: Vec::new(),
         motion: Motion::new(dt_s, accel).unwrap(),
     };
-    ReadMotion { motion, notes: Vec::new(), start_note: None }
+    ReadMotion { motion, notes: Vec::new(), start_note: None, unit: "m/s2" }
 }
 
 #[test]

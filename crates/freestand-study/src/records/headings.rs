@@ -19,13 +19,13 @@ pub(super) fn heading(cell: &str) -> Heading {
         && open < close
     {
         // Brackets that hold no unit belong to the name: "a (NS)", "a (EW)".
-        let unit = record_unit(&cell[open + 1..close]);
+        let unit = column_unit(&cell[..open], &cell[open + 1..close]);
         let name = if unit.is_some() { cell[..open].trim() } else { cell };
         return Heading { name: name.to_owned(), unit };
     }
     for separator in [", ", " / ", " in "] {
         if let Some((name, unit)) = cell.rsplit_once(separator)
-            && let Some(unit) = record_unit(unit)
+            && let Some(unit) = column_unit(name, unit)
         {
             return Heading { name: name.trim().to_owned(), unit: Some(unit) };
         }
@@ -50,6 +50,13 @@ pub(super) fn heading(cell: &str) -> Heading {
         None => None,
     };
     Heading { name: cell.to_owned(), unit }
+}
+
+/// The unit of a column: N is the newton of a force and the north of anything else.
+fn column_unit(name: &str, unit: &str) -> Option<&'static Unit> {
+    let name = name.to_ascii_lowercase();
+    let is_force = ["force", "load", "kraft"].iter().any(|word| name.contains(word)) || name.trim() == "f";
+    if is_force && unit.trim() == "N" { lookup("N") } else { record_unit(unit) }
 }
 
 pub(super) fn is_time_name(name: &str) -> bool {

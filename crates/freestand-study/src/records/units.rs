@@ -17,7 +17,8 @@ pub(super) struct Stated {
 /// A unit as record headers write it: `G`, `(g)`, `CM/SEC/SEC`, `cm/s**2`, `m s-2`.
 pub(super) fn record_unit(text: &str) -> Option<&'static Unit> {
     let text = text.trim_matches(|c: char| c.is_whitespace() || "()[]{}\"'.,;:".contains(c));
-    if let Some(unit) = lookup(text) {
+    // In a record N is north.
+    if let Some(unit) = lookup(text).filter(|unit| unit.symbol != "N") {
         return Some(unit);
     }
     // Headers are often in capitals: there M/S/S is no mega-metre. MG alone stays open (milli or mega).

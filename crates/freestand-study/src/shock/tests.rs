@@ -157,7 +157,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let report = shock(&spectrum).unwrap();
     assert_eq!(report.governing, Some("spectrum"));
     let capacity = report.demand_capacity.unwrap();
-    assert!((capacity.spectrum.unwrap() / capacity.peak - 1.0).abs() < 1e-12);
+    assert!((capacity.spectrum.unwrap() / capacity.peak.unwrap() - 1.0).abs() < 1e-12);
 
     let both = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..spectrum };
     assert_eq!(shock(&both).unwrap().governing, Some("spectrum"));
@@ -205,4 +205,61 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
         assert_eq!(report.max_stiffness_n_m, None);
         assert!(report.notes.iter().any(|note| note.contains(said)), "{:?}", report.notes);
     }
+}
+
+/// A lift or a component alone is enough for a verdict, and the peak then is not known.
+#[test]
+fn a_lift_or_a_component_alone_is_enough() {
+    let lifted = ShockRequest { tolerance_edge_lift_m: Some(0.1), energy: Some(Energy::Uplift(0.05)), ..cabinet() };
+    let report = shock(&lifted).unwrap();
+    let capacity = report.demand_capacity.unwrap();
+    assert_eq!((report.governing, report.verdict, capacity.peak), (Some("edge-lift"), "ok", None));
+    assert!((report.demand_capacity_ratio.unwrap() - 0.5).abs() < 1e-12);
+    let higher = ShockRequest { tolerance_edge_lift_m: Some(0.04), ..lifted };
+    let report = shock(&higher).unwrap();
+    assert_eq!((report.verdict, report.max_stiffness_n_m), ("exceeded", None));
+    assert!(report.notes.iter().any(|note| note.contains("the lift does not depend")));
+
+    // At fT = 1 the component feels 1.62379 times the half-sine, ζ = 0.05.
+    let bare = shock(&cabinet()).unwrap();
+    let (f, a) = (1.0 / bare.pulse_duration_s.unwrap(), bare.edge_acceleration_m_s2);
+    let delicate =
+        ShockRequest { component_frequency_hz: Some(f), component_capacity_m_s2: Some(2.0 * a), ..cabinet() };
+    let report = shock(&delicate).unwrap();
+    assert_eq!((report.governing, report.verdict), (Some("component"), "ok"));
+    assert!((report.demand_capacity_ratio.unwrap() - 1.62379 / 2.0).abs() < 1e-5);
+    let boundary = report.damage_boundary.unwrap();
+    // V_c = a_c/ω, A_c = a_c/2.
+    assert!((boundary.critical_velocity_change_m_s - 2.0 * a / (std::f64::consts::TAU * f)).abs() < 1e-12);
+    assert_eq!((boundary.source, boundary.critical_acceleration_g), ("component", a / G0_M_S2));
+    let largest = report.max_stiffness_n_m.unwrap();
+    let at = |factor: f64| {
+        let cushion = CushionWords::spring(factor * largest);
+        shock(&ShockRequest { cushion, ..delicate.clone() }).unwrap().verdict
+    };
+    assert_eq!((at(1.0 - 1e-6), at(1.0 + 1e-6)), ("ok", "exceeded"));
+    let half = ShockRequest { component_capacity_m_s2: None, ..delicate };
+    assert!(refused(&half).contains("go together"));
+}
+
+/// The largest of the kinds that apply governs; a peak that is part of a boundary never on its own.
+#[test]
+fn the_largest_of_several_kinds_governs() {
+    let request = ShockRequest {
+        energy: Some(Energy::Uplift(0.05)),
+        tolerance_m_s2: Some(1.0 * G0_M_S2),
+        tolerance_velocity_change_m_s: Some(10.0),
+        tolerance_edge_lift_m: Some(0.025),
+        ..cabinet()
+    };
+    let report = shock(&request).unwrap();
+    let capacity = report.demand_capacity.unwrap();
+    assert!(capacity.peak.unwrap() > 4.0 && capacity.damage_boundary.unwrap() < 0.2);
+    assert_eq!(report.governing, Some("edge-lift"));
+    assert!((report.demand_capacity_ratio.unwrap() - 2.0).abs() < 1e-12);
+    assert_eq!(report.damage_boundary.unwrap().source, "tests");
+    // A peak without duration or velocity change is a kind of its own: a lift that was survived does not excuse it.
+    let peak = ShockRequest { tolerance_velocity_change_m_s: None, tolerance_edge_lift_m: Some(0.1), ..request };
+    let report = shock(&peak).unwrap();
+    assert_eq!((report.governing, report.verdict), (Some("peak"), "exceeded"));
 }

@@ -1,83 +1,148 @@
 //! Demand over capacity of one landing, by all that is known of what the object stands.
 
 use freestand::cushion::Cushion;
+use freestand::damage_boundary::{DamageBoundary, half_sine_duration_s};
 use freestand::impact::{Impact, Landing};
-use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
+use freestand::shock_response::{
+    HalfSine, Peak, Pulse, PulseShape, ResponseKind, half_sine_severity_ratio, pulse_spectrum,
+};
 use serde::Serialize;
 
 use super::ShockRequest;
 
 /// What was known of the tolerance, each as demand over capacity.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct DemandCapacity {
     /// A/A_c.
-    pub peak: f64,
+    pub peak: Option<f64>,
     /// Δv/V_c.
     pub velocity_change: Option<f64>,
     /// min(A/A_c, Δv/V_c): the damage boundary is an AND.
     pub damage_boundary: Option<f64>,
     /// The largest ratio of the two shock response spectra over frequency.
     pub spectrum: Option<f64>,
+    /// The response of the component over the acceleration that it stands.
+    pub component: Option<f64>,
+    /// The lift of the edge over the one that was survived.
+    pub edge_lift: Option<f64>,
 }
 
-/// Demand over capacity for each kind of tolerance, the largest of those that apply, and its name.
+impl DemandCapacity {
+    /// The largest of those that apply, and its name. A peak that is part of a boundary or of a pulse does not apply on
+    /// its own.
+    fn governing(&self) -> Option<(f64, &'static str)> {
+        let is_part = self.damage_boundary.is_some() || self.spectrum.is_some();
+        let kinds = [
+            (self.peak.filter(|_| !is_part), "peak"),
+            (self.damage_boundary, "damage-boundary"),
+            (self.spectrum, "spectrum"),
+            (self.component, "component"),
+            (self.edge_lift, "edge-lift"),
+        ];
+        let known = kinds.into_iter().filter_map(|(ratio, name)| Some((ratio?, name)));
+        known.reduce(|most, next| if next.0 > most.0 { next } else { most })
+    }
+}
+
+/// Damping of a component where a verdict looks at one: Q = 10.
+const COMPONENT_DAMPING_RATIO: f64 = 0.05;
+
+/// What a component of this frequency feels of the half-sine of the same peak and velocity change \[m/s²\].
+fn component_m_s2(frequency_hz: f64, edge_m_s2: f64, velocity_change_m_s: f64) -> Option<f64> {
+    let duration_s = half_sine_duration_s(edge_m_s2, velocity_change_m_s);
+    let pulse = Pulse::new(PulseShape::HalfSine, edge_m_s2, duration_s).ok()?;
+    let kind = ResponseKind::AbsoluteAcceleration;
+    let spectrum = pulse_spectrum(&pulse, &[frequency_hz], kind, COMPONENT_DAMPING_RATIO).ok()?;
+    Some(spectrum.peaks.first()?.peak(Peak::Maximax))
+}
+
+/// The damage boundary that is known: A_c and V_c of tests.
+pub(super) fn boundary(request: &ShockRequest) -> Option<DamageBoundary> {
+    DamageBoundary::new(request.tolerance_m_s2?, request.tolerance_velocity_change_m_s?).ok()
+}
+
+/// Demand over capacity for each kind of tolerance, the one that governs, and its name; `None`: nothing to compare.
 ///
-/// A velocity change makes the peak part of a damage boundary, a duration makes it part of a spectrum; the bare peak
-/// governs only where nothing else is known.
+/// The kinds are alternatives by kind of data. A velocity change makes the peak part of a damage boundary, a duration
+/// makes it part of a spectrum; without both it stands for itself. A lift is compared without any model of the impact.
 pub(super) fn verdict(
     request: &ShockRequest,
     edge_m_s2: f64,
+    uplift_m: Option<f64>,
     impact: Option<&Impact>,
 ) -> Option<(DemandCapacity, f64, &'static str)> {
-    let tolerance = request.tolerance_m_s2?;
-    let peak = edge_m_s2 / tolerance;
+    let peak = request.tolerance_m_s2.map(|tolerance| edge_m_s2 / tolerance);
     let velocity_change =
         request.tolerance_velocity_change_m_s.zip(impact).map(|(limit, impact)| impact.velocity_change_m_s / limit);
-    let damage_boundary = velocity_change.map(|ratio| ratio.min(peak));
-    let spectrum = request.tolerance_duration_s.zip(impact).map(|(duration_s, impact)| {
+    let damage_boundary =
+        boundary(request).zip(impact).map(|(one, impact)| one.demand_ratio(edge_m_s2, impact.velocity_change_m_s));
+    let survived = request.tolerance_m_s2.zip(request.tolerance_duration_s);
+    let spectrum = survived.zip(impact).map(|((peak_acceleration, duration_s), impact)| {
+        // The half-sine of the same peak and velocity change: on a spring that is the pulse itself.
+        let demand_s = half_sine_duration_s(edge_m_s2, impact.velocity_change_m_s);
         half_sine_severity_ratio(
-            HalfSine { peak_acceleration: edge_m_s2, duration_s: impact.pulse_duration_s },
-            HalfSine { peak_acceleration: tolerance, duration_s },
+            HalfSine { peak_acceleration: edge_m_s2, duration_s: demand_s },
+            HalfSine { peak_acceleration, duration_s },
         )
     });
-    let all = DemandCapacity { peak, velocity_change, damage_boundary, spectrum };
-    let (ratio, name) = match (damage_boundary, spectrum) {
-        (None, None) => (peak, "peak"),
-        (Some(boundary), Some(spectrum)) if boundary >= spectrum => (boundary, "damage-boundary"),
-        (_, Some(spectrum)) => (spectrum, "spectrum"),
-        (Some(boundary), None) => (boundary, "damage-boundary"),
-    };
-    Some((all, ratio, name))
+    let component = request.component_frequency_hz.zip(request.component_capacity_m_s2).zip(impact);
+    let component = component.and_then(|((frequency_hz, capacity_m_s2), impact)| {
+        Some(component_m_s2(frequency_hz, edge_m_s2, impact.velocity_change_m_s)? / capacity_m_s2)
+    });
+    let edge_lift = request.tolerance_edge_lift_m.zip(uplift_m).map(|(survived_m, uplift_m)| uplift_m / survived_m);
+    let all = DemandCapacity { peak, velocity_change, damage_boundary, spectrum, component, edge_lift };
+    all.governing().map(|(ratio, name)| (all, ratio, name))
 }
 
 /// The largest stiffness at which the verdict still is `ok` for this rise, or why there is none.
 ///
 /// By the peak alone it is m_eff (a/v)². The other criteria grow with the stiffness too (the peak rises, the pulse
-/// shortens, the velocity change stays), so their limit is found by bisection of the verdict's own ratio.
+/// shortens, the velocity change stays), so their limit is found by bisection of the verdict's own ratio. A lift does not
+/// depend on the stiffness, and a component may feel less of a shorter pulse: its limit is the first one from below.
 pub(super) fn max_stiffness(
     request: &ShockRequest,
     landing: &Landing,
     rise_m: f64,
-    tolerance_m_s2: f64,
+    uplift_m: Option<f64>,
 ) -> (Option<f64>, Option<&'static str>) {
     let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
-    if request.tolerance_duration_s.is_none() && request.tolerance_velocity_change_m_s.is_none() {
+    let others = [
+        request.tolerance_duration_s,
+        request.tolerance_velocity_change_m_s,
+        request.component_frequency_hz,
+        request.tolerance_edge_lift_m,
+    ];
+    if let (Some(tolerance_m_s2), true) = (request.tolerance_m_s2, others.iter().all(Option::is_none)) {
         let largest = landing.max_stiffness_n_m(mass_kg, rise_m, gravity, tolerance_m_s2);
         return (Some(largest).filter(|k| k.is_finite()), None);
+    }
+    if others.iter().all(Option::is_none) {
+        return (None, None);
     }
     let exceeded = |log_k: f64| {
         let Ok(spring) = Cushion::linear(log_k.exp()) else { return false };
         let impact = landing.impact(mass_kg, &spring, rise_m, gravity);
-        verdict(request, impact.edge_acceleration_m_s2, Some(&impact)).is_some_and(|(_, ratio, _)| ratio > 1.0)
+        let found = verdict(request, impact.edge_acceleration_m_s2, uplift_m, Some(&impact));
+        found.is_some_and(|(_, ratio, _)| ratio > 1.0)
     };
     // From a feather to a thousand times the stiffest steel column.
     let (mut low, mut high) = (1e-2f64.ln(), 1e14f64.ln());
     if exceeded(low) {
-        return (None, Some("no stiffness brings the verdict to ok: the velocity change does not depend on it"));
+        let lift = request.tolerance_edge_lift_m.zip(uplift_m).is_some_and(|(survived_m, lift_m)| lift_m > survived_m);
+        let note = if lift {
+            "no stiffness brings the verdict to ok: the lift does not depend on it"
+        } else {
+            "no stiffness brings the verdict to ok: the velocity change does not depend on it"
+        };
+        return (None, Some(note));
     }
-    if !exceeded(high) {
+    // The first stiffness that exceeds, in steps of a factor 1.3: no response curve has a narrower top.
+    let steps = 128;
+    let grid = |i: usize| low + (high - low) * i as f64 / f64::from(steps);
+    let Some(first) = (1..=steps as usize).find(|&i| exceeded(grid(i))) else {
         return (None, Some("no stiffness takes the verdict beyond ok: the velocity change is below its limit"));
-    }
+    };
+    (low, high) = (grid(first - 1), grid(first));
     while high - low > 1e-12 {
         let middle = 0.5 * (low + high);
         if exceeded(middle) { high = middle } else { low = middle }

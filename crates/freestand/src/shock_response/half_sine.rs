@@ -1,4 +1,4 @@
-//! What a component inside the object feels of a shock: the shock response spectrum of a half-sine in closed form.
+//! The undamped shock response spectrum of a half-sine in closed form, and the severity of one half-sine against another.
 
 use std::f64::consts::PI;
 

@@ -1,0 +1,45 @@
+//! `freestand cushion`: what a pad does, from tests of it, and virtual tests.
+
+mod curve;
+mod drop;
+mod recovery;
+mod simulate;
+mod static_test;
+
+use clap::{Args, Subcommand};
+
+use super::Done;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::printer::Printer;
+
+/// Cushions: drop tests, static tests, virtual tests
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand cushion drop drop-*.csv --mass 0.365kg --height \"100 mm\" --out pad
+  freestand cushion static press.csv --load \"350 N\" --machine-compliance \"50 kN/mm\"
+  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --count 5 --out drops")]
+pub(crate) struct CushionArgs {
+    #[command(subcommand)]
+    command: CushionCommand,
+}
+
+#[derive(Debug, Subcommand)]
+enum CushionCommand {
+    Drop(Box<drop::DropArgs>),
+    Static(static_test::StaticArgs),
+    Simulate(Box<simulate::SimulateArgs>),
+    Recovery(recovery::RecoveryArgs),
+    Curve(curve::CurveArgs),
+}
+
+pub(crate) fn run(args: &CushionArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    match &args.command {
+        CushionCommand::Drop(args) => drop::run(args, global, printer),
+        CushionCommand::Static(args) => static_test::run(args, global, printer),
+        CushionCommand::Simulate(args) => simulate::run(args, global, printer),
+        CushionCommand::Recovery(args) => recovery::run(args, global, printer),
+        CushionCommand::Curve(args) => curve::run(args, global, printer),
+    }
+}

@@ -1,0 +1,72 @@
+//! The damage boundary of an object with the demand of a landing on it.
+
+use freestand::G0_M_S2;
+use freestand::damage_boundary::{DamageBoundary, KNEE_RATIO};
+use freestand::impact::Impact;
+use serde::Serialize;
+
+use super::ShockRequest;
+use super::verdict::boundary;
+use crate::figures::{BoundaryPicture, Figure, FigureError, damage_boundary_figure};
+
+/// A damage boundary and a demand; the keys of the JSON document.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DamageBoundaryReport {
+    /// `tests`, or `component` where it follows from a frequency and a capacity.
+    pub source: &'static str,
+    /// A_c \[g\].
+    pub critical_acceleration_g: f64,
+    /// V_c \[m/s\].
+    pub critical_velocity_change_m_s: f64,
+    /// The velocity change from which the critical acceleration holds alone, (π/2) V_c \[m/s\].
+    pub knee_velocity_change_m_s: f64,
+    /// min(A/A_c, Δv/V_c).
+    pub demand_ratio: f64,
+    #[serde(skip)]
+    boundary: DamageBoundary,
+    #[serde(skip)]
+    demand: (f64, f64),
+}
+
+/// Points of the curve up to its knee.
+const CURVE_POINTS: u32 = 200;
+
+impl DamageBoundaryReport {
+    /// `None`: no boundary is known.
+    pub(super) fn new(request: &ShockRequest, edge_m_s2: f64, impact: &Impact) -> Option<Self> {
+        let of_component = || {
+            let (frequency_hz, capacity) = (request.component_frequency_hz?, request.component_capacity_m_s2?);
+            Some(("component", DamageBoundary::of_component(frequency_hz, capacity).ok()?))
+        };
+        let (source, boundary) = boundary(request).map(|one| ("tests", one)).or_else(of_component)?;
+        Some(Self {
+            source,
+            critical_acceleration_g: boundary.acceleration_m_s2() / G0_M_S2,
+            critical_velocity_change_m_s: boundary.velocity_change_m_s(),
+            knee_velocity_change_m_s: KNEE_RATIO * boundary.velocity_change_m_s(),
+            demand_ratio: boundary.demand_ratio(edge_m_s2, impact.velocity_change_m_s),
+            boundary,
+            demand: (impact.velocity_change_m_s, edge_m_s2 / G0_M_S2),
+        })
+    }
+
+    /// Peak against velocity change.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn figure(&self) -> Result<Figure, FigureError> {
+        let v_c = self.critical_velocity_change_m_s;
+        let curve = (1..=CURVE_POINTS).filter_map(|i| {
+            // Close together near V_c, where the curve is steep.
+            let share = (f64::from(i) / f64::from(CURVE_POINTS)).powi(3);
+            let velocity_change_m_s = v_c * (1.0 + (KNEE_RATIO - 1.0) * share);
+            Some((velocity_change_m_s, self.boundary.knee_acceleration_m_s2(velocity_change_m_s)? / G0_M_S2))
+        });
+        damage_boundary_figure(&BoundaryPicture {
+            corner: (v_c, self.critical_acceleration_g),
+            curve: curve.collect(),
+            demand: self.demand,
+            safe: self.demand_ratio <= 1.0,
+        })
+    }
+}

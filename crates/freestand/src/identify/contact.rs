@@ -1,0 +1,235 @@
+//! Where the pulse of a drop test begins and ends, its zero line, and what is wrong with the record.
+
+use super::Flag;
+
+/// A pulse is looked for above this share of the largest excursion; smaller ones are noise or later bounces.
+const PULSE_SHARE: f64 = 0.2;
+/// Standard deviations of the noise that a sample must stand above the zero line to belong to the contact.
+const THRESHOLD_SIGMA: f64 = 5.0;
+/// Least threshold as a share of the peak: a record without noise has ringing of filters and rounding instead.
+const THRESHOLD_SHARE: f64 = 0.02;
+/// The zero line is the mean over so many contact times before the contact: earlier, the mass may have been held.
+const BEFORE: usize = 20;
+/// Least number of samples before the contact: a mean and its scatter.
+const LEAST_PRE: usize = 10;
+/// A shift or a drift below this share of the peak is let pass.
+pub(super) const ZERO_SHIFT_GATE: f64 = 0.005;
+/// The window after the contact, in contact times.
+const AFTER: f64 = 5.0;
+/// Standard errors by which a shift must stand out of the noise.
+const SIGNIFICANT: f64 = 5.0;
+
+/// The first pulse of a record, in samples and in the record's unit (m/s²).
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Pulse {
+    /// Last sample below the threshold before the pulse.
+    pub(super) before: usize,
+    /// First sample below it after the pulse.
+    pub(super) after: usize,
+    /// Zero line.
+    pub(super) zero_m_s2: f64,
+    /// Standard deviation before the contact.
+    pub(super) noise_m_s2: f64,
+    /// Samples of the zero line.
+    pub(super) pre_count: usize,
+    /// Largest sample above the zero line.
+    pub(super) peak_m_s2: f64,
+    /// (zero after − zero before)/peak; `None` where too little follows.
+    pub(super) zero_shift_ratio: Option<f64>,
+    /// From the end of this pulse to the next one, in samples.
+    pub(super) flight: Option<usize>,
+    pub(super) flags: Vec<Flag>,
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+fn deviation(values: &[f64]) -> f64 {
+    let m = mean(values);
+    let sum: f64 = values.iter().map(|v| (v - m).powi(2)).sum();
+    (sum / (values.len().max(2) - 1) as f64).sqrt()
+}
+
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// Finds the first pulse. What makes it useless is among the flags; `Err` where there is no pulse at all.
+pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
+    let rough_zero = median(samples);
+    let highest = samples.iter().fold(0.0, |most: f64, a| most.max(a - rough_zero));
+    let lowest = samples.iter().fold(0.0, |most: f64, a| most.max(rough_zero - a));
+    if lowest > 2.0 * highest {
+        // Where the record is nothing but the pulse, its middle is no zero line.
+        let quiet = samples.iter().filter(|a| (*a - rough_zero).abs() < PULSE_SHARE * lowest).count();
+        return Err(if 5 * quiet > 2 * samples.len() { Flag::UpsideDown } else { Flag::NoPreTrigger });
+    }
+    if highest <= 0.0 {
+        return Err(Flag::NoPulse);
+    }
+    let level = rough_zero + PULSE_SHARE * highest;
+    let Some(rise) = samples.iter().position(|&a| a > level) else { return Err(Flag::NoPulse) };
+    let width = samples[rise..].iter().take_while(|&&a| a > level).count();
+    // A soft cushion rises slowly: what may be contact already is not part of the zero line.
+    let guard = (width / 4).max(1);
+    if rise < LEAST_PRE + guard {
+        return Err(Flag::NoPreTrigger);
+    }
+    let rough = &samples[..rise - guard];
+    let (zero, noise) = (mean(rough), deviation(rough));
+    let end = fall(samples, rise, zero + (THRESHOLD_SIGMA * noise).max(THRESHOLD_SHARE * highest));
+    let peak = samples[rise..end].iter().fold(0.0, |most: f64, a| most.max(a - zero));
+    if peak < 8.0 * noise {
+        return Err(Flag::NoPulse);
+    }
+    let threshold = zero + (THRESHOLD_SIGMA * noise).max(THRESHOLD_SHARE * peak);
+    let before = samples[..rise].iter().rposition(|&a| a <= threshold).unwrap_or(0);
+    let after = fall(samples, rise, threshold);
+    // Again with the guard in terms of the whole contact, which a root at its beginning (Hertz) needs.
+    let guard = (after - before).div_ceil(10);
+    if before < LEAST_PRE + guard {
+        return Err(Flag::NoPreTrigger);
+    }
+    let all = &samples[..before - guard];
+    let pre = &all[all.len().saturating_sub(BEFORE * (after - before))..];
+    let mut pulse = Pulse {
+        before,
+        after,
+        zero_m_s2: mean(pre),
+        noise_m_s2: deviation(pre),
+        pre_count: pre.len(),
+        peak_m_s2: peak,
+        zero_shift_ratio: None,
+        flight: None,
+        flags: Vec::new(),
+    };
+    let post = post_window(samples, &mut pulse, threshold);
+    if after >= samples.len() {
+        pulse.flags.push(Flag::CutOff);
+    }
+    judge_zero(pre, &samples[post], &mut pulse);
+    let (rise, error) = trend(all);
+    // Where a line leaves more than the noise, it was no drift: the mass was held and let go.
+    let left = error * (all.len() as f64 / 12.0).sqrt();
+    let is_drift = rise.abs() > ZERO_SHIFT_GATE * peak && rise.abs() > SIGNIFICANT * error;
+    if is_drift && left < 2.0 * pulse.noise_m_s2.max(1e-3 * peak) && !pulse.flags.contains(&Flag::Drift) {
+        pulse.flags.push(Flag::Drift);
+    }
+    if is_clipped(&samples[before..after.min(samples.len())], pulse.noise_m_s2) {
+        pulse.flags.push(Flag::Clipped);
+    }
+    Ok(pulse)
+}
+
+/// The first sample from `from` on that is not above `level`, and is not followed at once by one that is.
+fn fall(samples: &[f64], from: usize, level: f64) -> usize {
+    let is_down = |i: usize| samples[i] <= level && samples.get(i + 1).is_none_or(|&next| next <= level);
+    (from..samples.len()).find(|&i| is_down(i)).unwrap_or(samples.len())
+}
+
+/// The quiet after the pulse, up to the next bounce.
+fn post_window(samples: &[f64], pulse: &mut Pulse, threshold: f64) -> std::ops::Range<usize> {
+    let contact = pulse.after - pulse.before;
+    let from = (pulse.after + contact.div_ceil(4).max(2)).min(samples.len());
+    let next = samples[from..].iter().position(|&a| a > threshold.max(pulse.zero_m_s2 + 0.1 * pulse.peak_m_s2));
+    pulse.flight = next.map(|steps| from + steps - pulse.after);
+    let quiet = next.map_or(samples.len(), |steps| from + steps.saturating_sub(contact.div_ceil(4)));
+    let most = from + (AFTER * contact as f64).ceil() as usize;
+    from..quiet.clamp(from, most.max(from))
+}
+
+/// Zero shift and drift.
+fn judge_zero(pre: &[f64], post: &[f64], pulse: &mut Pulse) {
+    let of_peak = |value: f64| value / pulse.peak_m_s2;
+    let mut flags = Vec::new();
+    if post.len() >= 5 {
+        let shift = of_peak(mean(post) - pulse.zero_m_s2);
+        let error = of_peak(pulse.noise_m_s2 * (1.0 / post.len() as f64 + 1.0 / pre.len() as f64).sqrt());
+        pulse.zero_shift_ratio = Some(shift);
+        if shift.abs() > ZERO_SHIFT_GATE && shift.abs() > SIGNIFICANT * error {
+            flags.push(Flag::ZeroShift);
+        }
+    }
+    for window in [pre, post] {
+        let (rise, error) = trend(window);
+        if of_peak(rise.abs()) > ZERO_SHIFT_GATE && rise.abs() > SIGNIFICANT * error && !flags.contains(&Flag::Drift) {
+            flags.push(Flag::Drift);
+        }
+    }
+    pulse.flags.extend(flags);
+}
+
+/// What the line through a window rises by from its first to its last sample, and the standard error of that.
+fn trend(window: &[f64]) -> (f64, f64) {
+    let count = window.len() as f64;
+    if window.len() < LEAST_PRE {
+        return (0.0, 0.0);
+    }
+    let centre = 0.5 * (count - 1.0);
+    let m = mean(window);
+    let xx = count * (count * count - 1.0) / 12.0;
+    let slope = window.iter().enumerate().map(|(i, v)| (i as f64 - centre) * (v - m)).sum::<f64>() / xx;
+    let left: f64 = window.iter().enumerate().map(|(i, v)| (v - m - slope * (i as f64 - centre)).powi(2)).sum();
+    (slope * (count - 1.0), (left / (count - 2.0) / xx).sqrt() * (count - 1.0))
+}
+
+/// Whether the top of a pulse is flat: a run of equal largest samples that is longer than rounding makes it.
+fn is_clipped(pulse: &[f64], noise: f64) -> bool {
+    let top = pulse.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let bottom = pulse.iter().copied().fold(f64::INFINITY, f64::min);
+    let is_top = |a: &f64| (top - a).abs() <= 1e-9 * (top - bottom);
+    let (mut longest, mut run, mut all) = (0usize, 0usize, 0usize);
+    for a in pulse {
+        run = if is_top(a) { run + 1 } else { 0 };
+        all += usize::from(is_top(a));
+        longest = longest.max(run);
+    }
+    // The step between neighbouring printed values tells rounding.
+    let mut sorted = pulse.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let rounding = sorted
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .filter(|step| *step > 1e-9 * (top - bottom))
+        .fold(f64::INFINITY, f64::min);
+    // The top of a half-sine falls by this much within so many samples.
+    let half_angle = 0.5 * std::f64::consts::PI * longest as f64 / pulse.len().max(1) as f64;
+    let falls = (top - bottom) * (1.0 - half_angle.cos());
+    let is_flat = longest >= 3 && falls > 2.5 * rounding;
+    // With noise, equal largest values are no chance, even where they are not next to each other.
+    let noisy = all >= 3 && noise > 3.0 * rounding;
+    is_flat || noisy
+}
+
+/// The peak of a pulse between its samples: least squares of a parabola over the samples around the largest one of
+/// their moving mean. Noise averages out, which it does not in the largest sample.
+pub(super) fn smooth_peak(values: &[f64]) -> f64 {
+    let reach = (values.len() / 9).max(2);
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if values.len() < 2 * reach + 3 {
+        return largest;
+    }
+    let middle = (reach..values.len() - reach)
+        .max_by(|&a, &b| {
+            let sum = |i: usize| values[i - reach..=i + reach].iter().sum::<f64>();
+            sum(a).total_cmp(&sum(b))
+        })
+        .unwrap_or(reach);
+    let window = &values[middle - reach..=middle + reach];
+    let n = reach as f64;
+    let x = |i: usize| (i as f64 - n) / n;
+    let s = |power: i32| (0..window.len()).map(|i| x(i).powi(power)).sum::<f64>();
+    let t = |power: i32| window.iter().enumerate().map(|(i, v)| v * x(i).powi(power)).sum::<f64>();
+    let (s0, s2, s4) = (s(0), s(2), s(4));
+    let curvature = (t(2) * s0 - t(0) * s2) / (s4 * s0 - s2 * s2);
+    let level = (t(0) - curvature * s2) / s0;
+    let slope = t(1) / s2;
+    // A pulse that jumps at its beginning has no round top.
+    if curvature >= 0.0 || (0.5 * slope / curvature).abs() > 1.0 {
+        return largest;
+    }
+    level - 0.25 * slope * slope / curvature
+}

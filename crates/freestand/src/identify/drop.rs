@@ -1,0 +1,489 @@
+//! One drop test, from samples to a law.
+
+use super::contact::{self, Pulse, smooth_peak};
+use super::fit::{Data, Fit};
+use super::{
+    Candidate, DropError, DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, LoopPoint,
+    StiffnessEstimates,
+};
+use crate::cushion::ContactLaw;
+
+/// Samples per contact below which a record gives no stiffness. The contact time is good to a hundredth or two.
+const LEAST_SAMPLES: f64 = 24.5;
+/// The flanks alone give a contact that is up to a fifth too short where the law has a root at its beginning (Hertz).
+const ROUGH_SHARE: f64 = 0.8;
+/// Low-pass corner times contact time.
+const LEAST_CORNER: f64 = 3.0;
+/// What one more number of a law must take from the sum of squares: one in two thousand does by chance.
+const WORTH: f64 = 12.0;
+/// What must be gained to take the pulse for one without weight. From a stated speed, pulses with weight have −3 and less at
+/// 75 g and below, pulses without it +3 and more; above, neither is told from the other, and the weight acts.
+const LIKELY: f64 = 3.0;
+/// What must be gained for no doubt to be left: four standard deviations.
+const DECISIVE: f64 = 16.0;
+/// A zero line that is off by more than this share of the peak gives no stiffness.
+const HOPELESS_SHIFT: f64 = 0.05;
+/// Beyond this share of the peak what a law leaves is no noise.
+const POOR_RESIDUAL: f64 = 0.02;
+/// Prior of a speed that is not known.
+const UNKNOWN_SPEED: f64 = 0.5;
+/// Laws whose scores are closer than this cannot be told apart.
+const ALIKE: f64 = 4.0;
+/// Numerical accuracy, rounding of printed samples, the clock of the recorder.
+const FLOOR: f64 = 1e-3;
+
+/// Identifies the cushion under a mass that fell on it.
+///
+/// **Method**: the contact is found above 5 standard deviations of the noise before it; zero line = mean before the
+/// contact. The pulses of F = kd, Kdⁿ, kd + cḋ and Kdⁿ(1 + Λḋ) are fitted to the samples by least squares over first
+/// touch, impact velocity, zero line and the law's own numbers; the simplest law that none betters clearly is chosen.
+/// The impact velocity and the zero line carry what is known of them as priors, so a wrong height gives way to the pulse.
+/// The compression comes from integrating twice over the contact alone.
+///
+/// **Units**: samples in m/s², upward positive.
+///
+/// # Accuracy
+/// From a noise-free record of 50 samples per contact the stiffness comes back to 1e-3.
+///
+/// # Errors
+/// A mass, time step or speed that is not positive, fewer than 20 samples, or one that is no number. A record that gives
+/// no stiffness is no error: it has flags and no law.
+///
+/// # Example
+/// A half-sine of 349.8 g and 1.2826 ms: m(π/t_c)² = 2190 N/mm.
+/// ```
+/// use freestand::identify::{DropSetup, ImpactVelocity, drop_test};
+/// let (mass_kg, speed_m_s, omega) = (0.365, 1.400475, (2.19e6_f64 / 0.365).sqrt());
+/// let pulse = |i: i32| {
+///     let t = f64::from(i - 40) * 20e-6;
+///     if t > 0.0 && omega * t < std::f64::consts::PI { speed_m_s * omega * (omega * t).sin() } else { 0.0 }
+/// };
+/// let samples: Vec<f64> = (0..200).map(pulse).collect();
+/// let impact_velocity = ImpactVelocity::Known { speed_m_s, error_ratio: 0.01 };
+/// let setup = DropSetup { mass_kg, impact_velocity, gravity_m_s2: 9.80665, filter_corner_hz: None, law: None };
+/// let test = drop_test(&samples, 20e-6, &setup)?;
+/// let stiffness_n_m = test.identified.map(|found| found.stiffness.fit_n_m).unwrap_or_default();
+/// assert!((stiffness_n_m / 2.19e6 - 1.0).abs() < 0.005 && test.flags.is_empty());
+/// # Ok::<(), freestand::identify::DropError>(())
+/// ```
+pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<DropTest, DropError> {
+    check(samples_m_s2, dt_s, setup)?;
+    let pulse = match contact::find(samples_m_s2) {
+        Ok(pulse) => pulse,
+        Err(flag) => return Ok(DropTest::nothing(flag)),
+    };
+    let accel: Vec<f64> = samples_m_s2.iter().map(|a| a - pulse.zero_m_s2).collect();
+    let contact = Contact::new(&accel, dt_s, setup, &pulse);
+    let mut test = DropTest::nothing(Flag::NoPulse);
+    test.flags = pulse.flags.clone();
+    test.peak_acceleration_m_s2 = Some(contact.peak_m_s2);
+    test.noise_ratio = Some(pulse.noise_m_s2 / contact.peak_m_s2);
+    test.zero_shift_ratio = pulse.zero_shift_ratio;
+    test.contact_time_s = Some(contact.rough_s);
+    test.impact_velocity_m_s = contact.known_speed();
+    contact.judge(&mut test);
+    if !is_hopeless(&test)
+        && let Some(choice) = contact.choose()
+    {
+        contact.report(choice, &mut test);
+        if test.contact_time_s.is_some_and(|time_s| time_s < LEAST_SAMPLES * dt_s) {
+            test.flags.push(Flag::FewSamples);
+            test.identified = None;
+        }
+    }
+    test.samples_per_contact = test.contact_time_s.map(|time_s| time_s / dt_s);
+    if let (Some(corner_hz), Some(time_s)) = (setup.filter_corner_hz, test.contact_time_s)
+        && corner_hz * time_s < LEAST_CORNER
+    {
+        test.flags.push(Flag::Filter);
+    }
+    Ok(test)
+}
+
+fn check(samples: &[f64], dt_s: f64, setup: &DropSetup) -> Result<(), DropError> {
+    let positive = |name, value: f64| {
+        if value > 0.0 && value.is_finite() { Ok(()) } else { Err(DropError::NotPositive { name, value }) }
+    };
+    positive("mass", setup.mass_kg)?;
+    positive("time step", dt_s)?;
+    if let ImpactVelocity::Known { speed_m_s, error_ratio } = setup.impact_velocity {
+        positive("impact velocity", speed_m_s)?;
+        positive("error of the impact velocity", error_ratio)?;
+    }
+    if samples.len() < 20 {
+        return Err(DropError::TooShort { samples: samples.len() });
+    }
+    match samples.iter().position(|a| !a.is_finite()) {
+        Some(index) => Err(DropError::NotFinite { number: index + 1 }),
+        None => Ok(()),
+    }
+}
+
+/// Whether the flags so far forbid a stiffness.
+fn is_hopeless(test: &DropTest) -> bool {
+    let shift = test.zero_shift_ratio.unwrap_or(0.0).abs();
+    let fatal = [Flag::CutOff, Flag::Clipped, Flag::FewSamples, Flag::Impulse];
+    shift > HOPELESS_SHIFT || test.flags.iter().any(|flag| fatal.contains(flag))
+}
+
+impl DropTest {
+    fn nothing(flag: Flag) -> Self {
+        Self {
+            impact_velocity_m_s: None,
+            peak_acceleration_m_s2: None,
+            contact_time_s: None,
+            max_compression_m: None,
+            restitution_ratio: None,
+            restitution_bounce_ratio: None,
+            energy_lost_ratio: None,
+            identified: None,
+            samples_per_contact: None,
+            zero_shift_ratio: None,
+            noise_ratio: None,
+            flags: vec![flag],
+            points: Vec::new(),
+        }
+    }
+}
+
+/// A contact that was found.
+struct Contact<'a> {
+    accel: &'a [f64],
+    dt_s: f64,
+    setup: &'a DropSetup,
+    pulse: &'a Pulse,
+    peak_m_s2: f64,
+    /// Between the threshold crossings, carried on to zero along the flanks.
+    rough_s: f64,
+    /// ∫a dt over the contact \[m/s\].
+    impulse_m_s: f64,
+}
+
+/// The law that was chosen, and those that were not.
+struct Choice {
+    best: Fit,
+    others: Vec<Fit>,
+    has_gravity: bool,
+    /// ln k with gravity over without, where the record cannot tell.
+    gravity_error: f64,
+}
+
+impl<'a> Contact<'a> {
+    fn new(accel: &'a [f64], dt_s: f64, setup: &'a DropSetup, pulse: &'a Pulse) -> Self {
+        let inside = &accel[pulse.before..pulse.after.min(accel.len())];
+        let impulse_m_s = inside.iter().sum::<f64>() * dt_s;
+        Self {
+            accel,
+            dt_s,
+            setup,
+            pulse,
+            peak_m_s2: smooth_peak(inside),
+            rough_s: rough_contact(accel, pulse) * dt_s,
+            impulse_m_s,
+        }
+    }
+
+    fn known_speed(&self) -> Option<f64> {
+        match self.setup.impact_velocity {
+            ImpactVelocity::Known { speed_m_s, .. } => Some(speed_m_s),
+            ImpactVelocity::FromImpulse => None,
+        }
+    }
+
+    /// Gates that need no law.
+    fn judge(&self, test: &mut DropTest) {
+        if self.rough_s < ROUGH_SHARE * LEAST_SAMPLES * self.dt_s {
+            test.flags.push(Flag::FewSamples);
+        }
+        if let Some(speed) = self.known_speed() {
+            // (1 + e) v₀, with what gravity may add and a tenth for noise and a wrong height.
+            let given_m_s = self.impulse_m_s;
+            let weight_m_s = self.setup.gravity_m_s2 * self.rough_s;
+            if given_m_s < 0.9 * speed || given_m_s > 2.2 * speed + weight_m_s {
+                test.flags.push(Flag::Impulse);
+            }
+        }
+    }
+
+    fn data(&self, gravity_m_s2: f64) -> Data<'_> {
+        let contact = self.rough_s / self.dt_s;
+        let margin = (0.25 * contact).ceil() as usize + 2;
+        let from = self.pulse.before.saturating_sub(margin);
+        let to = (self.pulse.after + margin / 2).min(self.accel.len());
+        let shift_m_s2 = self.pulse.zero_shift_ratio.unwrap_or(0.0) * self.peak_m_s2;
+        let is_shifted = self.pulse.flags.contains(&Flag::ZeroShift);
+        let mean_error = self.pulse.noise_m_s2 / (self.pulse.pre_count as f64).sqrt();
+        let (speed_m_s, speed_error_ratio) = match self.setup.impact_velocity {
+            ImpactVelocity::Known { speed_m_s, error_ratio } => (speed_m_s, error_ratio),
+            ImpactVelocity::FromImpulse => (0.53 * self.impulse_m_s, UNKNOWN_SPEED),
+        };
+        Data {
+            mass_kg: self.setup.mass_kg,
+            gravity_m_s2,
+            dt_s: self.dt_s,
+            accel_m_s2: &self.accel[from..to],
+            peak_m_s2: self.peak_m_s2,
+            noise_m_s2: self.pulse.noise_m_s2,
+            zero_error_m_s2: mean_error + if is_shifted { 0.5 * shift_m_s2.abs() } else { 0.0 },
+            speed_m_s,
+            speed_error_ratio,
+            touch: (self.pulse.before - from) as f64 + 0.5,
+            contact,
+        }
+    }
+
+    /// Every law with and without gravity; the simplest that none betters clearly.
+    fn choose(&self) -> Option<Choice> {
+        let gravity = self.setup.gravity_m_s2;
+        let with = self.fits(gravity);
+        let (best, others) = simplest(with)?;
+        if gravity == 0.0 {
+            return Some(Choice { best, others, has_gravity: false, gravity_error: 0.0 });
+        }
+        let Some((without, others_without)) = simplest(self.fits(0.0)) else {
+            return Some(Choice { best, others, has_gravity: true, gravity_error: 0.0 });
+        };
+        let scale = (best.chi_squared.min(without.chi_squared) / best.degrees).max(1.0);
+        let score = |fit: &Fit| fit.chi_squared / scale + WORTH * f64::from(numbers(fit.law));
+        let gain = score(&best) - score(&without);
+        let apart = (best.secant_n_m / without.secant_n_m).ln().abs();
+        let gravity_error = if gain.abs() > DECISIVE { 0.0 } else { apart };
+        if gain > LIKELY {
+            return Some(Choice { best: without, others: others_without, has_gravity: false, gravity_error });
+        }
+        Some(Choice { best, others, has_gravity: true, gravity_error })
+    }
+
+    fn fits(&self, gravity_m_s2: f64) -> Vec<Fit> {
+        let data = self.data(gravity_m_s2);
+        let all = [FittedLaw::Linear, FittedLaw::Power, FittedLaw::KelvinVoigt, FittedLaw::HuntCrossley];
+        let wanted = |law: &FittedLaw| self.setup.law.is_none_or(|only| only == *law);
+        all.iter().filter(|law| wanted(law)).filter_map(|&law| data.fit(law)).collect()
+    }
+
+    fn report(&self, choice: Choice, test: &mut DropTest) {
+        let Choice { best, others, has_gravity, gravity_error } = choice;
+        let gravity = if has_gravity { self.setup.gravity_m_s2 } else { 0.0 };
+        let speed = self.known_speed().unwrap_or(best.model.speed_m_s);
+        let contact_s = best.predicted.contact_s;
+        let data = self.data(gravity);
+        let touch_s = best.touch_s + (self.pulse.before as f64 + 0.5 - data.touch) * self.dt_s;
+        let points = self.integrate(touch_s, contact_s, speed, gravity, best.predicted.at(0.0));
+        let Some(deepest) = deepest(&points) else { return };
+        let m = self.setup.mass_kg;
+        let a = self.peak_m_s2;
+        let d = deepest.compression_m;
+        let stiffness = StiffnessEstimates {
+            fit_n_m: best.secant_n_m,
+            peak_over_velocity_n_m: m * (a / speed).powi(2),
+            contact_time_n_m: m * (std::f64::consts::PI / contact_s).powi(2),
+            velocity_over_compression_n_m: m * (speed / d).powi(2),
+            acceleration_over_compression_n_m: m * a / d,
+            energy_n_m: 2.0 * deepest.energy_j / (d * d),
+        };
+        test.impact_velocity_m_s = Some(speed);
+        test.contact_time_s = Some(contact_s);
+        test.max_compression_m = Some(d);
+        let rebound_m_s = -points.last().map_or(0.0, |point| point.speed_m_s);
+        let e = rebound_m_s / speed;
+        test.restitution_ratio = Some(e);
+        test.energy_lost_ratio = Some(1.0 - e * e);
+        test.restitution_bounce_ratio = self
+            .pulse
+            .flight
+            .filter(|_| has_gravity)
+            .map(|steps| self.setup.gravity_m_s2 * steps as f64 * self.dt_s / (2.0 * speed));
+        if best.residual_ratio > POOR_RESIDUAL.max(3.0 * self.pulse.noise_m_s2 / a) {
+            test.flags.push(Flag::PoorFit);
+        }
+        if let ImpactVelocity::Known { speed_m_s, error_ratio } = self.setup.impact_velocity
+            && (best.model.speed_m_s / speed_m_s).ln().abs() > 3.0 * error_ratio
+        {
+            test.flags.push(Flag::Velocity);
+        }
+        let free = self.with_free_exponent(&best, &others, gravity);
+        test.identified = Some(Identified {
+            chosen: best.law,
+            law: law_of(&best),
+            stiffness,
+            error_ratio: best.secant_error_ratio.hypot(gravity_error).hypot(FLOOR),
+            exponent: free.as_ref().map_or(best.model.exponent, |fit| fit.model.exponent),
+            exponent_error: free.as_ref().and_then(|fit| fit.exponent_error),
+            exponent_by_identity: 2.0 * a * d / (speed * speed) - 1.0,
+            damping_ratio: damping_ratio(&best),
+            fitted_velocity_m_s: best.model.speed_m_s,
+            candidates: std::iter::once(&best).chain(&others).map(candidate).collect(),
+            has_gravity,
+            residual_ratio: best.residual_ratio,
+        });
+        test.points = points;
+    }
+
+    /// The fit that says what the exponent is, where the chosen law has it fixed.
+    fn with_free_exponent(&self, best: &Fit, others: &[Fit], gravity: f64) -> Option<Fit> {
+        match best.law {
+            FittedLaw::Linear => others
+                .iter()
+                .find(|fit| fit.law == FittedLaw::Power)
+                .cloned()
+                .or_else(|| self.data(gravity).extend(FittedLaw::Power, best)),
+            FittedLaw::KelvinVoigt => self.data(gravity).extend(FittedLaw::DampedPower, best),
+            _ => Some(best.clone()),
+        }
+    }
+
+    /// ḋ = v₀ + gt − ∫a dt and d, from the first touch to the end of the contact: the trapezoidal rule with the ends
+    /// between two samples, where the acceleration is zero (or, of a jump, that of the first sample).
+    fn integrate(&self, touch_s: f64, contact_s: f64, speed: f64, gravity: f64, jump: f64) -> Vec<LoopPoint> {
+        let point = |time_s: f64, accel: f64, d: f64, v: f64| LoopPoint {
+            time_s,
+            acceleration_m_s2: accel,
+            force_n: self.setup.mass_kg * accel,
+            compression_m: d,
+            speed_m_s: v,
+        };
+        let mut points = vec![point(0.0, jump, 0.0, speed)];
+        let first = (touch_s / self.dt_s).floor().max(-1.0) as isize + 1;
+        let (mut t, mut a, mut d, mut v) = (0.0, jump, 0.0, speed);
+        let mut step = |next_s: f64, next_a: f64, t: &mut f64, a: &mut f64| {
+            let h = next_s - *t;
+            let change = gravity * h - 0.5 * (*a + next_a) * h;
+            // Acceleration linear in between: exact for d as well.
+            d += v * h + h * h * (0.5 * gravity - *a / 3.0 - next_a / 6.0);
+            v += change;
+            (*t, *a) = (next_s, next_a);
+            points.push(point(next_s, next_a, d, v));
+        };
+        for i in usize::try_from(first).unwrap_or(0)..self.accel.len() {
+            let time_s = i as f64 * self.dt_s - touch_s;
+            if time_s >= contact_s {
+                break;
+            }
+            if time_s > 0.0 {
+                step(time_s, self.accel[i], &mut t, &mut a);
+            }
+        }
+        step(contact_s, 0.0, &mut t, &mut a);
+        points
+    }
+}
+
+/// How many numbers a law has beyond its stiffness.
+fn numbers(law: FittedLaw) -> u8 {
+    match law {
+        FittedLaw::Linear => 0,
+        FittedLaw::Power | FittedLaw::KelvinVoigt => 1,
+        FittedLaw::HuntCrossley | FittedLaw::DampedPower => 2,
+    }
+}
+
+/// The best by sum of squares and a price for every number; negative damping is no law. Where another is as good, the
+/// difference of their stiffnesses is part of the error.
+fn simplest(fits: Vec<Fit>) -> Option<(Fit, Vec<Fit>)> {
+    let least = fits.iter().map(|fit| fit.chi_squared / fit.degrees).fold(f64::INFINITY, f64::min).max(1.0);
+    let is_law = |fit: &Fit| fit.damping_ratio >= 0.0 && fit.model.dissipation_s_m >= 0.0;
+    let score = |fit: &Fit| fit.chi_squared / least + WORTH * f64::from(numbers(fit.law));
+    let best = fits
+        .iter()
+        .enumerate()
+        .filter(|(_, fit)| is_law(fit) || fits.len() == 1)
+        .min_by(|a, b| score(a.1).total_cmp(&score(b.1)))
+        .map(|(index, _)| index)?;
+    let mut fits = fits;
+    let mut chosen = fits.remove(best);
+    let reach = score(&chosen) + ALIKE;
+    let apart = fits
+        .iter()
+        .filter(|fit| is_law(fit) && score(fit) < reach)
+        .map(|fit| (fit.secant_n_m / chosen.secant_n_m).ln().abs())
+        .fold(0.0, f64::max);
+    chosen.secant_error_ratio = chosen.secant_error_ratio.hypot(apart);
+    Some((chosen, fits))
+}
+
+fn candidate(fit: &Fit) -> Candidate {
+    Candidate {
+        law: fit.law,
+        secant_n_m: fit.secant_n_m,
+        exponent: fit.model.exponent,
+        damping_ratio: fit.damping_ratio,
+        residual_ratio: fit.residual_ratio,
+        chi_squared: fit.chi_squared,
+    }
+}
+
+fn law_of(fit: &Fit) -> ContactLaw {
+    let model = &fit.model;
+    let (coefficient_n_mn, exponent) = (model.coefficient_n_mn, model.exponent);
+    match fit.law {
+        FittedLaw::Linear => ContactLaw::Linear { stiffness_n_m: coefficient_n_mn },
+        FittedLaw::KelvinVoigt => {
+            ContactLaw::KelvinVoigt { stiffness_n_m: coefficient_n_mn, damping_n_s_m: model.damping_n_s_m.max(0.0) }
+        }
+        FittedLaw::HuntCrossley => {
+            ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m: model.dissipation_s_m.max(0.0) }
+        }
+        FittedLaw::Power | FittedLaw::DampedPower => ContactLaw::Power { coefficient_n_mn, exponent },
+    }
+}
+
+/// ζ, or for Hunt–Crossley that of the Kelvin–Voigt pad with the same restitution: e = exp(−2ζ acos ζ/√(1−ζ²)).
+fn damping_ratio(fit: &Fit) -> f64 {
+    match fit.law {
+        FittedLaw::KelvinVoigt => fit.damping_ratio,
+        FittedLaw::HuntCrossley => {
+            let e = fit.predicted.rebound_m_s / fit.model.speed_m_s;
+            let of = |zeta: f64| (-2.0 * zeta * zeta.acos() / (1.0 - zeta * zeta).sqrt()).exp();
+            if e >= 1.0 { 0.0 } else { crate::quadrature::halved(0.0, 0.999, |zeta| of(zeta) <= e) }
+        }
+        _ => 0.0,
+    }
+}
+
+/// Contact time in samples: the flanks between 8 and 35 % of the peak, carried on to zero.
+fn rough_contact(accel: &[f64], pulse: &Pulse) -> f64 {
+    let end = pulse.after.min(accel.len().saturating_sub(1));
+    let crossing = |share: f64, up: bool| -> f64 {
+        let level = share * pulse.peak_m_s2;
+        let between = |i: usize, j: usize| {
+            let (a, b) = (accel[i], accel[j]);
+            i as f64 + (j as f64 - i as f64) * if b == a { 0.5 } else { ((level - a) / (b - a)).clamp(0.0, 1.0) }
+        };
+        let found = if up {
+            (pulse.before..end).find(|&i| accel[i + 1] > level).map(|i| between(i, i + 1))
+        } else {
+            (pulse.before..end).rev().find(|&i| accel[i] > level).map(|i| between(i, i + 1))
+        };
+        found.unwrap_or(if up { pulse.before as f64 } else { end as f64 })
+    };
+    let zero = |up: bool| {
+        let (low, high) = (crossing(0.08, up), crossing(0.35, up));
+        low - (high - low) * 0.08 / 0.27
+    };
+    zero(false) - zero(true)
+}
+
+/// The deepest point, between the samples, and ∫F dd up to it.
+struct Deepest {
+    compression_m: f64,
+    energy_j: f64,
+}
+
+fn deepest(points: &[LoopPoint]) -> Option<Deepest> {
+    let mut energy_j = 0.0;
+    for pair in points.windows(2) {
+        let [a, b] = pair else { continue };
+        if b.speed_m_s <= 0.0 {
+            // The speed is nearly straight between two samples.
+            let h = b.time_s - a.time_s;
+            let fall = a.speed_m_s - b.speed_m_s;
+            let share = if fall > 0.0 { a.speed_m_s / fall } else { 0.0 };
+            let compression_m = a.compression_m + 0.5 * a.speed_m_s * share * h;
+            let force_n = a.force_n + share * (b.force_n - a.force_n);
+            energy_j += 0.5 * (a.force_n + force_n) * (compression_m - a.compression_m);
+            return (compression_m > 0.0).then_some(Deepest { compression_m, energy_j });
+        }
+        energy_j += 0.5 * (a.force_n + b.force_n) * (b.compression_m - a.compression_m);
+    }
+    None
+}

@@ -1,0 +1,303 @@
+//! A law's pulse is laid through the samples: least squares on the acceleration, with what is known before as priors.
+
+use super::FittedLaw;
+use super::model::{Model, Predicted};
+
+/// Share of the peak to which the predicted pulse and printed samples are good.
+const FLOOR_SHARE: f64 = 2e-4;
+/// Rounds of Levenberg–Marquardt.
+const ROUNDS: usize = 60;
+/// Number of parameters.
+const P: usize = 7;
+/// First touch in samples; ln v; ln k; n; ζ; Λv; zero line over peak.
+type Parameters = [f64; P];
+const TOUCH: usize = 0;
+const SPEED: usize = 1;
+const STIFFNESS: usize = 2;
+const EXPONENT: usize = 3;
+const DAMPING: usize = 4;
+const DISSIPATION: usize = 5;
+const OFFSET: usize = 6;
+/// Steps of the numerical derivatives.
+const STEPS: Parameters = [1e-3, 1e-5, 1e-5, 1e-4, 1e-4, 1e-4, 1e-5];
+
+/// The samples around a contact and what is known about it.
+#[derive(Debug, Clone)]
+pub(super) struct Data<'a> {
+    pub(super) mass_kg: f64,
+    pub(super) gravity_m_s2: f64,
+    pub(super) dt_s: f64,
+    /// Above the zero line.
+    pub(super) accel_m_s2: &'a [f64],
+    pub(super) peak_m_s2: f64,
+    pub(super) noise_m_s2: f64,
+    /// Standard deviation of the zero line.
+    pub(super) zero_error_m_s2: f64,
+    /// The speed and the standard deviation of its logarithm; wide where it is not known.
+    pub(super) speed_m_s: f64,
+    pub(super) speed_error_ratio: f64,
+    /// About where the contact begins and how long it is, in samples.
+    pub(super) touch: f64,
+    pub(super) contact: f64,
+}
+
+/// One law, fitted.
+#[derive(Debug, Clone)]
+pub(super) struct Fit {
+    pub(super) law: FittedLaw,
+    parameters: Parameters,
+    pub(super) model: Model,
+    pub(super) predicted: Predicted,
+    /// Since the first sample of the data.
+    pub(super) touch_s: f64,
+    /// F/d at the largest compression, without damping.
+    pub(super) secant_n_m: f64,
+    /// Standard deviation of its logarithm.
+    pub(super) secant_error_ratio: f64,
+    pub(super) exponent_error: Option<f64>,
+    /// ζ = c/(2√(km)), of Kelvin–Voigt only.
+    pub(super) damping_ratio: f64,
+    /// Sum of squares in units of the noise.
+    pub(super) chi_squared: f64,
+    pub(super) degrees: f64,
+    /// Root mean square of what is left, over the peak.
+    pub(super) residual_ratio: f64,
+}
+
+fn free_of(law: FittedLaw) -> Vec<usize> {
+    let more: &[usize] = match law {
+        FittedLaw::Linear => &[],
+        FittedLaw::Power => &[EXPONENT],
+        FittedLaw::KelvinVoigt => &[DAMPING],
+        FittedLaw::HuntCrossley => &[EXPONENT, DISSIPATION],
+        FittedLaw::DampedPower => &[EXPONENT, DAMPING],
+    };
+    [TOUCH, SPEED, STIFFNESS, OFFSET].iter().chain(more).copied().collect()
+}
+
+impl Data<'_> {
+    /// The compression at which `k` is the secant: constant, so that k and n are nearly independent.
+    fn reference_m(&self) -> f64 {
+        self.speed_m_s * self.contact * self.dt_s / std::f64::consts::PI
+    }
+
+    fn model(&self, p: &Parameters) -> Model {
+        let k = p[STIFFNESS].exp();
+        let speed_m_s = p[SPEED].exp();
+        Model {
+            mass_kg: self.mass_kg,
+            gravity_m_s2: self.gravity_m_s2,
+            speed_m_s,
+            coefficient_n_mn: k * self.reference_m().powf(1.0 - p[EXPONENT]),
+            exponent: p[EXPONENT],
+            damping_n_s_m: 2.0 * p[DAMPING] * (k * self.mass_kg).sqrt(),
+            dissipation_s_m: p[DISSIPATION] / speed_m_s,
+        }
+    }
+
+    fn sigma(&self) -> f64 {
+        self.noise_m_s2.max(FLOOR_SHARE * self.peak_m_s2)
+    }
+
+    /// Samples, then the priors of the speed and of the zero line.
+    fn residuals(&self, p: &Parameters) -> Vec<f64> {
+        let predicted = self.model(p).predict();
+        let offset = p[OFFSET] * self.peak_m_s2;
+        let sigma = self.sigma();
+        let left = self.accel_m_s2.iter().enumerate().map(|(i, a)| {
+            let at = predicted.at((i as f64 - p[TOUCH]) * self.dt_s);
+            (a - offset - at) / sigma
+        });
+        let priors = [
+            (p[SPEED] - self.speed_m_s.ln()) / self.speed_error_ratio,
+            offset / self.zero_error_m_s2.max(1e-6 * self.peak_m_s2),
+        ];
+        left.chain(priors).collect()
+    }
+
+    fn start(&self, touch: f64, exponent: f64) -> Parameters {
+        let omega = std::f64::consts::PI / (self.contact * self.dt_s);
+        [touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln(), exponent, 0.0, 0.0, 0.0]
+    }
+
+    /// The best fit of a law over a few starts; `None` where none converges to a cushion.
+    pub(super) fn fit(&self, law: FittedLaw) -> Option<Fit> {
+        let exponents: &[f64] = if free_of(law).contains(&EXPONENT) { &[1.0, 1.6] } else { &[1.0] };
+        let damped = matches!(law, FittedLaw::KelvinVoigt | FittedLaw::DampedPower | FittedLaw::HuntCrossley);
+        let mut best: Option<(Parameters, f64)> = None;
+        let enough = 1.5 * self.accel_m_s2.len() as f64;
+        for early in [0.0, 1.0] {
+            for &exponent in exponents {
+                if best.as_ref().is_some_and(|(_, least)| *least < enough) {
+                    continue;
+                }
+                let mut p = self.start(self.touch - early, exponent);
+                if damped {
+                    let which = if law == FittedLaw::HuntCrossley { DISSIPATION } else { DAMPING };
+                    p[which] = 0.1;
+                }
+                let (p, cost) = self.descend(p, &free_of(law));
+                if cost.is_finite() && best.as_ref().is_none_or(|(_, least)| cost < *least) {
+                    best = Some((p, cost));
+                }
+            }
+        }
+        let (p, cost) = best?;
+        self.finished(law, &p, cost)
+    }
+
+    /// A law with more numbers, from where one with fewer arrived.
+    pub(super) fn extend(&self, law: FittedLaw, from: &Fit) -> Option<Fit> {
+        let (p, cost) = self.descend(from.parameters, &free_of(law));
+        self.finished(law, &p, cost)
+    }
+
+    /// Levenberg–Marquardt.
+    fn descend(&self, start: Parameters, free: &[usize]) -> (Parameters, f64) {
+        let mut p = start;
+        let mut r = self.residuals(&p);
+        let mut cost = square(&r);
+        let mut damping = 1e-3;
+        for _ in 0..ROUNDS {
+            let (normal, gradient) = self.normal(&p, &r, free);
+            let mut gained = 0.0;
+            while damping < 1e9 {
+                let mut damped = normal.clone();
+                for (i, row) in damped.iter_mut().enumerate() {
+                    row[i] *= 1.0 + damping;
+                }
+                let Some(step) = solve(damped, gradient.clone()) else {
+                    damping *= 10.0;
+                    continue;
+                };
+                let next = moved(&p, free, &step);
+                let left = self.residuals(&next);
+                let less = square(&left);
+                if less < cost {
+                    gained = cost - less;
+                    (p, r, cost) = (next, left, less);
+                    damping = (damping * 0.2).max(1e-9);
+                    break;
+                }
+                damping *= 5.0;
+            }
+            if gained < 1e-4 + 1e-9 * cost {
+                break;
+            }
+        }
+        (p, cost)
+    }
+
+    /// JᵀJ and −Jᵀr over the free parameters.
+    fn normal(&self, p: &Parameters, r: &[f64], free: &[usize]) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let columns: Vec<Vec<f64>> = free
+            .iter()
+            .map(|&i| {
+                let mut q = *p;
+                q[i] += STEPS[i];
+                self.residuals(&q).iter().zip(r).map(|(a, b)| (a - b) / STEPS[i]).collect()
+            })
+            .collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+        let normal = columns.iter().map(|a| columns.iter().map(|b| dot(a, b)).collect()).collect();
+        (normal, columns.iter().map(|a| -dot(a, r)).collect())
+    }
+
+    fn finished(&self, law: FittedLaw, p: &Parameters, cost: f64) -> Option<Fit> {
+        let free = free_of(law);
+        let r = self.residuals(p);
+        let degrees = (self.accel_m_s2.len() + 2 - free.len()) as f64;
+        // What the law leaves beyond the noise makes every number less certain.
+        let scale = (cost / degrees).max(1.0);
+        let (normal, _) = self.normal(p, &r, &free);
+        let covariance = inverse(&normal)?;
+        let secant = |p: &Parameters| {
+            let model = self.model(p);
+            let d = model.predict().compression_m;
+            (model.coefficient_n_mn * d.powf(model.exponent - 1.0)).ln()
+        };
+        let slopes: Vec<f64> = free
+            .iter()
+            .map(|&i| {
+                let mut q = *p;
+                q[i] += STEPS[i];
+                (secant(&q) - secant(p)) / STEPS[i]
+            })
+            .collect();
+        let mut variance = 0.0;
+        for (i, row) in covariance.iter().enumerate() {
+            variance += row.iter().zip(&slopes).map(|(c, s)| c * s * slopes[i]).sum::<f64>();
+        }
+        let of = |which: usize| {
+            let at = free.iter().position(|&i| i == which)?;
+            Some((covariance[at][at] * scale).max(0.0).sqrt())
+        };
+        let samples = &r[..self.accel_m_s2.len()];
+        let model = self.model(p);
+        let fit = Fit {
+            law,
+            parameters: *p,
+            model,
+            predicted: model.predict(),
+            touch_s: p[TOUCH] * self.dt_s,
+            secant_n_m: secant(p).exp(),
+            secant_error_ratio: (variance * scale).max(0.0).sqrt(),
+            exponent_error: of(EXPONENT),
+            damping_ratio: p[DAMPING],
+            chi_squared: cost,
+            degrees,
+            residual_ratio: (square(samples) / samples.len() as f64).sqrt() * self.sigma() / self.peak_m_s2,
+        };
+        let sound = fit.secant_n_m.is_finite() && fit.secant_error_ratio.is_finite() && fit.predicted.contact_s > 0.0;
+        sound.then_some(fit)
+    }
+}
+
+/// Keeps the parameters where the laws mean something.
+fn moved(p: &Parameters, free: &[usize], step: &[f64]) -> Parameters {
+    let mut next = *p;
+    for (&i, s) in free.iter().zip(step) {
+        let most = match i {
+            TOUCH => 2.0,
+            OFFSET => 0.05,
+            _ => 0.3,
+        };
+        next[i] += s.clamp(-most, most);
+    }
+    next[EXPONENT] = next[EXPONENT].clamp(0.3, 8.0);
+    next[DAMPING] = next[DAMPING].clamp(-0.2, 2.0);
+    next[DISSIPATION] = next[DISSIPATION].clamp(-0.3, 20.0);
+    next
+}
+
+fn square(r: &[f64]) -> f64 {
+    r.iter().map(|x| x * x).sum()
+}
+
+/// Gaussian elimination with pivoting.
+fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
+    let n = b.len();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        if !(a[k][k].abs() > 0.0 && a[k][k].is_finite()) {
+            return None;
+        }
+        let row = a[k].clone();
+        for i in k + 1..n {
+            let factor = a[i][k] / row[k];
+            a[i].iter_mut().zip(&row).skip(k).for_each(|(x, y)| *x -= factor * y);
+            b[i] -= factor * b[k];
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| a[k][j] * b[j]).sum();
+        b[k] = (b[k] - known) / a[k][k];
+    }
+    b.iter().all(|x| x.is_finite()).then_some(b)
+}
+
+fn inverse(a: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+    (0..a.len()).map(|i| solve(a.to_vec(), (0..a.len()).map(|j| if i == j { 1.0 } else { 0.0 }).collect())).collect()
+}

@@ -1,0 +1,197 @@
+//! Virtual drop and static tests: for teaching, for planning a test, and for testing the identification.
+
+use rand::RngExt;
+use rand_chacha::ChaCha12Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+use crate::cushion::{ContactPoint, Cushion};
+
+/// How a virtual drop is made and recorded.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VirtualDropOptions {
+    /// Mass that falls \[kg\].
+    pub mass_kg: f64,
+    /// Speed at the first touch \[m/s\].
+    pub speed_m_s: f64,
+    /// Gravity \[m/s²\]; 0: none during the contact.
+    pub gravity_m_s2: f64,
+    /// Samples per second \[Hz\].
+    pub sample_rate_hz: f64,
+    /// Before the first touch \[s\].
+    pub pre_trigger_s: f64,
+    /// After the first contact, without bounces \[s\].
+    pub after_s: f64,
+    /// Standard deviation of white noise over the peak.
+    pub noise_ratio: f64,
+    /// Added to every sample \[m/s²\].
+    pub bias_m_s2: f64,
+    /// Added after the peak, over the peak: the zero line that a shaken sensor comes back to.
+    pub zero_shift_ratio: f64,
+    /// Corner of a low-pass of two poles before the converter \[Hz\].
+    pub filter_corner_hz: Option<f64>,
+    /// Bounces after the first contact that are recorded as well.
+    pub bounces: u32,
+    /// The seed.
+    pub seed: u64,
+    /// The number of the test, with random numbers of its own.
+    pub index: u64,
+}
+
+/// A virtual drop.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VirtualDrop {
+    /// Step \[s\].
+    pub dt_s: f64,
+    /// What the accelerometer reads \[m/s²\]: force over mass, zero in free fall.
+    pub samples_m_s2: Vec<f64>,
+    /// Peak without noise, bias, shift and filter \[m/s²\].
+    pub peak_m_s2: f64,
+    /// Duration of the first contact \[s\].
+    pub contact_s: f64,
+    /// Rebound over impact speed of the first contact.
+    pub restitution_ratio: f64,
+}
+
+/// Most samples of a virtual record.
+const MOST_SAMPLES: usize = 5_000_000;
+/// Finer steps than the samples where a filter works.
+const OVERSAMPLING: usize = 8;
+
+/// Drops a mass on a cushion and records it; `None` where the record would be longer than five million samples.
+///
+/// The first touch falls between two samples, at random. Noise is Gaussian and white, of stream `index` of `seed`.
+///
+/// # Accuracy
+/// That of [`Cushion::landing_history`], 1e-8 of the peak.
+pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<VirtualDrop> {
+    let o = options;
+    let mut random = ChaCha12Rng::seed_from_u64(o.seed);
+    random.set_stream(o.index);
+    let dt_s = 1.0 / o.sample_rate_hz;
+    let touch_s = o.pre_trigger_s + random.random::<f64>() * dt_s;
+    let (contacts, end_s) = contacts(cushion, o, touch_s);
+    let (first_s, first) = contacts.first()?;
+    let peak_m_s2 = first.iter().map(|p| p.force_n).fold(0.0, f64::max) / o.mass_kg;
+    let last = first.last()?;
+    let (contact_s, rebound_m_s) = (last.time_s, -last.speed_m_s);
+    let peak_at_s = first_s + first.iter().max_by(|a, b| a.force_n.total_cmp(&b.force_n))?.time_s;
+    let count = (end_s / dt_s).ceil() as usize + 1;
+    let finer = if o.filter_corner_hz.is_some() { OVERSAMPLING } else { 1 };
+    if count.saturating_mul(finer) > MOST_SAMPLES {
+        return None;
+    }
+    let fine_s = dt_s / finer as f64;
+    let mut fine: Vec<f64> = (0..count * finer).map(|i| force_at(&contacts, i as f64 * fine_s) / o.mass_kg).collect();
+    if let Some(corner_hz) = o.filter_corner_hz {
+        low_pass(&mut fine, corner_hz, fine_s);
+    }
+    let samples_m_s2 = fine
+        .iter()
+        .step_by(finer)
+        .enumerate()
+        .map(|(i, reading)| {
+            let noise: f64 = StandardNormal.sample(&mut random);
+            let shift = if i as f64 * dt_s > peak_at_s { o.zero_shift_ratio } else { 0.0 };
+            reading + o.bias_m_s2 + peak_m_s2 * (shift + o.noise_ratio * noise)
+        })
+        .collect();
+    Some(VirtualDrop { dt_s, samples_m_s2, peak_m_s2, contact_s, restitution_ratio: rebound_m_s / o.speed_m_s })
+}
+
+/// The contacts with their beginnings, and the end of the record.
+fn contacts(cushion: &Cushion, o: &VirtualDropOptions, touch_s: f64) -> (Vec<(f64, Vec<ContactPoint>)>, f64) {
+    let mut all = Vec::new();
+    let (mut at_s, mut speed) = (touch_s, o.speed_m_s);
+    let mut end_s = touch_s;
+    for _ in 0..=o.bounces {
+        let history = cushion.landing_history(o.mass_kg, speed, o.gravity_m_s2);
+        let Some(last) = history.last().copied() else { break };
+        all.push((at_s, history));
+        end_s = at_s + last.time_s;
+        speed = -last.speed_m_s;
+        // It leaves the pad where the force ends, falls back to its surface, and has to fly.
+        if speed <= 0.0 || o.gravity_m_s2 <= 0.0 {
+            break;
+        }
+        at_s = end_s + 2.0 * speed / o.gravity_m_s2;
+    }
+    (all, end_s + o.after_s)
+}
+
+fn force_at(contacts: &[(f64, Vec<ContactPoint>)], time_s: f64) -> f64 {
+    for (start_s, history) in contacts {
+        let t = time_s - start_s;
+        let after = history.partition_point(|point| point.time_s <= t);
+        if t < 0.0 || after >= history.len() {
+            continue;
+        }
+        let [a, b] = [history[after.saturating_sub(1)], history[after]];
+        let share = if b.time_s > a.time_s { (t - a.time_s) / (b.time_s - a.time_s) } else { 0.0 };
+        return a.force_n + share * (b.force_n - a.force_n);
+    }
+    0.0
+}
+
+/// Butterworth of two poles, by the trapezoidal rule (bilinear transform with the corner kept).
+fn low_pass(samples: &mut [f64], corner_hz: f64, dt_s: f64) {
+    let w = (std::f64::consts::PI * corner_hz * dt_s).min(1.5).tan();
+    let (root, w2) = (std::f64::consts::SQRT_2 * w, w * w);
+    let scale = 1.0 / (1.0 + root + w2);
+    let (mut x1, mut x2, mut y1, mut y2) = (0.0, 0.0, 0.0, 0.0);
+    for sample in samples {
+        let x = *sample;
+        let y = scale * (w2 * (x + 2.0 * x1 + x2) - 2.0 * (w2 - 1.0) * y1 - (1.0 - root + w2) * y2);
+        (x2, x1, y2, y1) = (x1, x, y1, y);
+        *sample = y;
+    }
+}
+
+/// How a virtual static test is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VirtualStaticOptions {
+    /// Largest force \[N\].
+    pub max_force_n: f64,
+    /// Points up, and as many down.
+    pub points: usize,
+    /// Energy lost over the energy of the way in.
+    pub hysteresis_ratio: f64,
+    /// Slack before the pad is touched \[m\].
+    pub toe_m: f64,
+    /// Stiffness of the machine \[N/m\].
+    pub machine_stiffness_n_m: Option<f64>,
+    /// Standard deviation of the force over its largest value.
+    pub noise_ratio: f64,
+    /// The seed.
+    pub seed: u64,
+    /// The number of the test.
+    pub index: u64,
+}
+
+/// Force \[N\] and displacement \[m\] of a slow test, up and down at equal steps of compression. On the way out the force
+/// is the law's less a half-sine over the compression that takes the energy of the hysteresis.
+pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<(f64, f64)> {
+    let o = options;
+    let mut random = ChaCha12Rng::seed_from_u64(o.seed);
+    random.set_stream(o.index);
+    let most_m = cushion.static_compression_m(o.max_force_n);
+    // ∫sin(πd/D) dd = 2D/π.
+    let loss_n = o.hysteresis_ratio * cushion.stored_energy_j(most_m) * std::f64::consts::PI / (2.0 * most_m);
+    let points = o.points.max(2);
+    let up = (0..points).map(|i| (i as f64 / (points - 1) as f64, false));
+    let down = (0..points - 1).rev().map(|i| (i as f64 / (points - 1) as f64, true));
+    let slack = (0..points / 10).map(|i| i as f64 / (points / 10).max(1) as f64 * o.toe_m);
+    let slack: Vec<f64> = if o.toe_m > 0.0 { slack.collect() } else { Vec::new() };
+    let mut read = |d: f64, force_n: f64| {
+        let noise: f64 = StandardNormal.sample(&mut random);
+        let give_m = o.machine_stiffness_n_m.map_or(0.0, |k| force_n / k);
+        (force_n + o.noise_ratio * o.max_force_n * noise, d + give_m)
+    };
+    let mut out: Vec<(f64, f64)> = slack.into_iter().map(|d| read(d, 0.0)).collect();
+    for (share, is_out) in up.chain(down) {
+        let d = share * most_m;
+        let loss = if is_out { loss_n * (std::f64::consts::PI * share).sin() } else { 0.0 };
+        out.push(read(o.toe_m + d, (cushion.force_n(d, 0.0) - loss).max(0.0)));
+    }
+    out
+}

@@ -1,0 +1,172 @@
+//! The half-sine whose shock response spectrum lies on or above a given one.
+
+use super::{HalfSine, Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockResponseError, pulse_spectrum};
+
+/// Frequencies of the unit spectrum in an octave: a straight line between two misses a curve of unit curvature by
+/// (ln 2/48)²/8 = 3e-5, which the last scaling takes up.
+const PER_OCTAVE: f64 = 48.0;
+/// f T where the unit spectrum begins and ends: below it is proportional to f T to 1e-4, above it is within 1 % of its limit.
+const UNIT_RANGE: (f64, f64) = (0.01, 50.0);
+/// Durations that are tried in an octave before the best is refined.
+const TRIED_PER_OCTAVE: f64 = 24.0;
+
+/// The half-sine of the **smallest peak** whose absolute-acceleration maximax spectrum is nowhere below the given one,
+/// at the same damping; of equal peaks the shortest.
+///
+/// For a duration T the peak that envelopes is A(T) = max over f of S(f)/R(fT), R being the spectrum of a half-sine of
+/// peak 1 and duration 1; A is least over T. A half-sine's own spectrum gives that half-sine back: any other has a
+/// larger peak, because all R tend to 1 for stiff components. The spectrum is enveloped at the frequencies given; it
+/// should reach well below and above its top, or the pulse is shorter or longer than it need be.
+///
+/// Another rule in use, endaq's, takes the peak of the spectrum as A without its amplification and the duration from the
+/// largest pseudo-velocity: simpler, and up to 1.65 times (Q = 10) higher.
+///
+/// **Units**: Hz; any unit of acceleration in, the same out; s. `None`: a spectrum that is zero.
+///
+/// # Accuracy
+/// It envelopes to rounding; its peak is the least there is to 1e-3.
+///
+/// # Errors
+/// A frequency that is not positive, damping outside 0 ≤ ζ < 1, values too large.
+///
+/// # Example
+/// A constant spectrum of 16 over five octaves:
+/// ```
+/// use freestand::shock_response::enveloping_half_sine;
+/// let frequencies: Vec<f64> = (0..=60).map(|i| 100.0 * 2f64.powf(f64::from(i) / 12.0)).collect();
+/// let pulse = enveloping_half_sine(&frequencies, &[16.0; 61], 0.05)?.expect("not zero");
+/// assert!((10.0..=16.0).contains(&pulse.peak_acceleration));
+/// # Ok::<(), freestand::shock_response::ShockResponseError>(())
+/// ```
+pub fn enveloping_half_sine(
+    frequencies_hz: &[f64],
+    spectrum: &[f64],
+    damping_ratio: f64,
+) -> Result<Option<HalfSine>, ShockResponseError> {
+    let points: Vec<(f64, f64)> =
+        frequencies_hz.iter().copied().zip(spectrum.iter().copied()).filter(|point| point.1 > 0.0).collect();
+    if let Some(&(frequency_hz, _)) = points.iter().find(|(f, _)| !(*f > 0.0 && f.is_finite())) {
+        return Err(ShockResponseError::Frequency { frequency_hz });
+    }
+    if points.is_empty() {
+        return Ok(None);
+    }
+    let unit = UnitSpectrum::new(damping_ratio)?;
+    let peak = |log_t: f64| points.iter().map(|(f, value)| value / unit.at(f.ln() + log_t)).fold(0.0, f64::max);
+    let lowest = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
+    let highest = points.iter().map(|point| point.0).fold(0.0, f64::max);
+    // A pulse shorter than 0.1/f of every oscillator only needs a higher peak; one of ten periods of each only is longer.
+    let (from, to) = ((0.1 / highest).ln(), (10.0 / lowest).ln());
+    let step = std::f64::consts::LN_2 / TRIED_PER_OCTAVE;
+    let tried = (0..=((to - from) / step).ceil() as usize).map(|i| from + i as f64 * step);
+    let (mut log_t, mut least) = (from, f64::INFINITY);
+    for one in tried {
+        let value = peak(one);
+        if value < least {
+            (log_t, least) = (one, value);
+        }
+    }
+    for fine in (1..40).map(|i| log_t + step * (f64::from(i) / 20.0 - 1.0)).collect::<Vec<_>>() {
+        let value = peak(fine);
+        if value < least {
+            (log_t, least) = (fine, value);
+        }
+    }
+    let duration_s = log_t.exp();
+    enveloping(&points, least, duration_s, damping_ratio).map(Some)
+}
+
+/// The peak raised until the pulse's own spectrum, not the interpolated one, is nowhere below.
+fn enveloping(
+    points: &[(f64, f64)],
+    peak_acceleration: f64,
+    duration_s: f64,
+    damping_ratio: f64,
+) -> Result<HalfSine, ShockResponseError> {
+    let frequencies: Vec<f64> = points.iter().map(|point| point.0).collect();
+    let unit = unit_pulse(&frequencies, duration_s, damping_ratio)?;
+    let needed = points.iter().zip(unit).map(|(point, unit)| point.1 / unit).fold(0.0, f64::max);
+    // Where the table is a hair low the pulse is a hair too strong; that stays, it envelopes.
+    Ok(HalfSine { peak_acceleration: if needed > 0.0 { needed } else { peak_acceleration }, duration_s })
+}
+
+/// Maximax absolute acceleration under a half-sine of peak 1.
+fn unit_pulse(frequencies_hz: &[f64], duration_s: f64, damping_ratio: f64) -> Result<Vec<f64>, ShockResponseError> {
+    let highest = frequencies_hz.iter().copied().fold(0.0, f64::max);
+    let refused = |_: PulseError| ShockResponseError::Frequency { frequency_hz: highest };
+    let pulse = Pulse::new(PulseShape::HalfSine, 1.0, duration_s).map_err(refused)?;
+    let spectrum = pulse_spectrum(&pulse, frequencies_hz, ResponseKind::AbsoluteAcceleration, damping_ratio)?;
+    Ok(spectrum.peaks.iter().map(|one| one.peak(Peak::Maximax)).collect())
+}
+
+/// R(fT) on a logarithmic grid.
+struct UnitSpectrum {
+    values: Vec<f64>,
+}
+
+impl UnitSpectrum {
+    fn new(damping_ratio: f64) -> Result<Self, ShockResponseError> {
+        let (from, to) = UNIT_RANGE;
+        let count = (PER_OCTAVE * (to / from).log2()).ceil();
+        let grid: Vec<f64> = (0..=count as usize).map(|i| from * (i as f64 / PER_OCTAVE).exp2()).collect();
+        Ok(Self { values: unit_pulse(&grid, 1.0, damping_ratio)? })
+    }
+
+    fn at(&self, log_q: f64) -> f64 {
+        let position = (log_q - UNIT_RANGE.0.ln()) / std::f64::consts::LN_2 * PER_OCTAVE;
+        let (Some(first), Some(last)) = (self.values.first(), self.values.last()) else { return 1.0 };
+        if position <= 0.0 {
+            return first * log_q.exp() / UNIT_RANGE.0;
+        }
+        let index = position as usize;
+        match (self.values.get(index), self.values.get(index + 1)) {
+            (Some(low), Some(high)) => low + (position - index as f64) * (high - low),
+            _ => *last,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid() -> Vec<f64> {
+        (0..=159).map(|i| (f64::from(i) / 12.0).exp2()).collect()
+    }
+
+    /// Spectra of pulses and of a random shape: nowhere below, and touched.
+    #[test]
+    fn it_envelopes_and_touches() {
+        let frequencies = grid();
+        let mut spectra = Vec::new();
+        for shape in PulseShape::ALL {
+            let pulse = Pulse::new(shape, 300.0, 0.004).unwrap();
+            let found = pulse_spectrum(&pulse, &frequencies, ResponseKind::AbsoluteAcceleration, 0.05).unwrap();
+            spectra.push(found.peaks.iter().map(|one| one.peak(Peak::Maximax)).collect::<Vec<f64>>());
+        }
+        spectra.push(frequencies.iter().map(|f| 3.0 * f / (1.0 + (f / 90.0).powi(3))).collect());
+        for spectrum in spectra {
+            let found = enveloping_half_sine(&frequencies, &spectrum, 0.05).unwrap().unwrap();
+            let own = unit_pulse(&frequencies, found.duration_s, 0.05).unwrap();
+            let margins = || own.iter().zip(&spectrum).map(|(own, value)| found.peak_acceleration * own / value);
+            let least = margins().fold(f64::INFINITY, f64::min);
+            assert!((least - 1.0).abs() < 1e-12, "{least}");
+        }
+    }
+
+    #[test]
+    fn a_half_sine_gives_itself_back() {
+        let frequencies = grid();
+        let spectrum: Vec<f64> = unit_pulse(&frequencies, 0.011, 0.05).unwrap().iter().map(|r| 30.0 * r).collect();
+        let found = enveloping_half_sine(&frequencies, &spectrum, 0.05).unwrap().unwrap();
+        // The durations are tried in steps of 2^(1/480) = 1.4e-3; the peak then follows.
+        assert!((found.duration_s / 0.011 - 1.0).abs() < 3e-3, "{found:?}");
+        assert!((found.peak_acceleration / 30.0 - 1.0).abs() < 3e-3, "{found:?}");
+    }
+
+    #[test]
+    fn nothing_to_envelope_is_none() {
+        assert_eq!(enveloping_half_sine(&[10.0], &[0.0], 0.05).unwrap(), None);
+        assert!(enveloping_half_sine(&[-1.0], &[1.0], 0.05).is_err());
+    }
+}
