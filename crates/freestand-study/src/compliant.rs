@@ -465,7 +465,15 @@ mod tests {
         let base = CompliantBase::new(140.0, damped(&block, 140.0, 4.38e6, damping_ratio).unwrap());
         let start = Start::Tilted { rotation_rad, omega_rad_s: 0.0 };
         let options = CompliantOptions { start, points_m: vec![(0.3, 1.15)], ..CompliantOptions::default() };
-        CompliantRequest { block, base, pad_thickness_m: None, notes: Vec::new(), horizontal: None, vertical: None, options }
+        CompliantRequest {
+            block,
+            base,
+            pad_thickness_m: None,
+            notes: Vec::new(),
+            horizontal: None,
+            vertical: None,
+            options,
+        }
     }
 
     /// Eq. (5) at the rise of the release by hand: 4.526 g at 9.81 m/s², √(9.80665/9.81) of the acceleration and the
