@@ -31,6 +31,8 @@ pub struct CompliantRequest {
     pub base: CompliantBase,
     /// Thickness of the pad, for the warnings \[m\].
     pub pad_thickness_m: Option<f64>,
+    /// How the cushion was read, in words.
+    pub notes: Vec<String>,
     /// Horizontal motion of its base.
     pub horizontal: Option<Motion>,
     /// Vertical motion of its base.
@@ -144,6 +146,7 @@ pub struct CompliantReport {
     pub tolerance: f64,
     pub steps: usize,
     pub evaluations: usize,
+    pub notes: Vec<String>,
     #[serde(skip)]
     pub warnings: Vec<String>,
     #[serde(skip)]
@@ -312,6 +315,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         tolerance: options.accuracy.tolerance(),
         steps: rocking.effort.steps,
         evaluations: rocking.effort.evaluations,
+        notes: request.notes.clone(),
         warnings: warnings(request, force_n, &rocking),
         impacts: rocking.touches.into_iter().map(touch).collect(),
         swings: rocking
@@ -402,7 +406,7 @@ pub fn problem(error: CompliantError) -> Problem {
             (ProblemKind::Value, "resample one of them, so that both have the same step and length")
         }
         CompliantError::StepTooSmall { .. } => {
-            (ProblemKind::Computation, "check the units of the motion and of the cushion")
+            (ProblemKind::Computation, "check the units of the motion and of the cushion, and whether it bottoms")
         }
         CompliantError::TooManySteps { .. } => {
             (ProblemKind::Computation, "use a shorter --duration or --accuracy fast; a very stiff base is --base rigid")
@@ -461,7 +465,15 @@ mod tests {
         let base = CompliantBase::new(140.0, damped(&block, 140.0, 4.38e6, damping_ratio).unwrap());
         let start = Start::Tilted { rotation_rad, omega_rad_s: 0.0 };
         let options = CompliantOptions { start, points_m: vec![(0.3, 1.15)], ..CompliantOptions::default() };
-        CompliantRequest { block, base, pad_thickness_m: None, horizontal: None, vertical: None, options }
+        CompliantRequest {
+            block,
+            base,
+            pad_thickness_m: None,
+            notes: Vec::new(),
+            horizontal: None,
+            vertical: None,
+            options,
+        }
     }
 
     /// Eq. (5) at the rise of the release by hand: 4.526 g at 9.81 m/s², √(9.80665/9.81) of the acceleration and the

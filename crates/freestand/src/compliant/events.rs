@@ -6,6 +6,9 @@ use super::CompliantRocking;
 use super::equation::{Grip, Line, Load, OMEGA, SLIP, STRETCH, State, THETA, V_Z, X};
 use super::solve::{Piece, Solver};
 
+/// A contact that begins with less than this share of the weight begins with no force.
+const TOUCHING: f64 = 1e-9;
+
 impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
     /// How far each contact is from its next event, of the order of 1; below zero it is past it.
     pub(super) fn margin(&self, index: usize, line: &Line, time_s: f64, y: &State) -> f64 {
@@ -92,11 +95,16 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         self.place_between_kinks(index);
         let load = self.load(index);
         if let Some(friction) = self.body.friction {
-            let rate = self.body.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
-            let pulls = load.tangential.abs() > friction * load.normal.max(0.0);
-            // At the first touch without a dashpot both forces are zero, and their rates decide.
-            let (springs, k) = (self.body.tangential_damping == 0.0, self.body.tangential_stiffness);
-            if if springs { k * foot.sliding.abs() > friction * rate } else { pulls } {
+            let weight = self.body.mass * self.body.gravity;
+            let slips = if load.normal > TOUCHING * weight {
+                load.tangential.abs() > friction * load.normal
+            } else {
+                // At the first touch without dashpots both forces are zero, and their rates decide.
+                let rate = self.body.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
+                let k = self.body.tangential_stiffness;
+                load.tangential != 0.0 || k * foot.sliding.abs() > friction * rate
+            };
+            if slips {
                 self.grips[index] = Grip::Slip(foot.sliding.signum());
                 self.track.slide(index, self.place(index), true, result);
             }

@@ -62,7 +62,8 @@ pub struct CompliantBase {
     pub contacts: usize,
     /// Tangential stiffness over the tangent stiffness of the cushion at half the weight.
     pub tangential_stiffness_ratio: f64,
-    /// Tangential dashpot of one edge \[N s/m\].
+    /// Tangential dashpot of one edge \[N s/m\]. Where feet slip, a small one makes the equations stiff: k_t/c steps a second. Without
+    /// slip it pulls on a foot that hardly presses, and the contact may chatter: give friction then.
     pub tangential_damping_n_s_m: f64,
     /// μ, or `None`: no slip while there is contact.
     pub friction_ratio: Option<f64>,

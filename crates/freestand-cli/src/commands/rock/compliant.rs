@@ -167,9 +167,8 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         duration_s,
         points_m: at.into_iter().collect(),
     };
-    reading.warnings.splice(0..0, edge.notes);
-    let pad_thickness_m = edge.pad_thickness_m;
-    Ok((CompliantRequest { block, base, pad_thickness_m, horizontal, vertical, options }, reading))
+    let (pad_thickness_m, notes) = (edge.pad_thickness_m, edge.notes);
+    Ok((CompliantRequest { block, base, pad_thickness_m, notes, horizontal, vertical, options }, reading))
 }
 
 /// The figure of the first landing, where there is one.
@@ -232,5 +231,6 @@ fn text(report: &CompliantReport) -> String {
         ("way that feet slid", length(report.slid_m)),
         ("error of the energy balance", format!("{:.1e}", report.energy.residual_ratio)),
     ]);
+    rows.extend(report.notes.iter().map(|note| ("note", note.clone())));
     pairs(&rows)
 }
