@@ -483,6 +483,8 @@ impl Resolver<'_> {
             }
         }
         self.positive(&written.mass_kg, "mass", Dimension::Mass);
+        let mass_kg = or(&written.mass_kg, 150.0);
+        let cushion = self.cushion(&written.cushion, mass_kg);
         self.positive(&written.tolerance_m_s2, "tolerance", Dimension::Acceleration);
         self.positive(&written.friction, "friction", Dimension::Ratio);
         self.exclusive(("restitution", &written.restitution), ("restitution_factor", &written.restitution_factor));
@@ -506,8 +508,7 @@ impl Resolver<'_> {
         if blocks.len() != heights_m.len() * thicknesses_m.len() {
             return None;
         }
-        let mass_kg = or(&written.mass_kg, 150.0);
-        let (cushion, cushion_file) = self.cushion(&written.cushion, mass_kg)?;
+        let (cushion, cushion_file) = cushion?;
         let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
         self.warnings.extend(soft.iter().map(ToString::to_string));
         self.warnings.extend(squat_warning(&blocks));

@@ -56,7 +56,7 @@ fn every_value_is_checked_and_every_problem_reported() {
         "s.toml:17: heights must be positive, not -1 m",
         "s.toml:18: thicknesses is empty",
         "s.toml:19: mass must be positive, not 0 kg",
-        "s.toml:20: stiffness must be positive, not -1 N/mm",
+        "s.toml:20: stiffness: the stiffness must be positive, not \"-1 N/mm\"",
         "s.toml:22: accuracy \"loose\" is not known",
         "s.toml:23: tolerance must be positive, not 0 g",
         "s.toml:24: friction must be positive, not 0",
