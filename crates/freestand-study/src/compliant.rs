@@ -95,7 +95,8 @@ pub struct EnergyReport {
 /// What the object did: the keys of `freestand rock --base compliant --json`.
 ///
 /// `edge_acceleration_g` is the largest of the history, `…_paper_g` Eq. (5) at the same rise without the cushion's damping,
-/// `…_effective_mass_g` the landing of the same effective mass with it. An impact is a touch of an edge.
+/// `…_effective_mass_g` the landing of the same effective mass with it. An impact is a touch of an edge; `first_impact_…` are
+/// those of a release, and `None` under a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
 pub struct CompliantReport {
@@ -260,7 +261,9 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
     };
     let (paper_m_s2, damped_m_s2) = (landed(&undamped(base)), landed(base));
     let peak_m_s2 = rocking.peak_edge_acceleration_m_s2();
-    let first_m_s2 = rocking.touches.first().map(|touch| touch.peak_acceleration_m_s2);
+    // Under a motion the first touch is not the one that follows the largest rise.
+    let is_release = request.horizontal.is_none() && request.vertical.is_none();
+    let first_m_s2 = rocking.touches.first().filter(|_| is_release).map(|touch| touch.peak_acceleration_m_s2);
     let in_g = |a: f64| a / G0_M_S2;
     let force_n = rocking.peak_edge_forces_n[0].max(rocking.peak_edge_forces_n[1]);
     let rest = rocking.equilibrium;

@@ -216,10 +216,15 @@ fn text(report: &CompliantReport) -> String {
         ("overturns", seconds(report.overturn_time_s)),
         ("compression at rest", report.static_compression_m.map_or_else(|| "-".to_owned(), length)),
         ("shock at the edge, simulated", format!("{} g", significant(report.edge_acceleration_g, 4))),
-        ("  in the first landing", optional(report.first_impact_edge_acceleration_g, 4, "g")),
-        ("shock at the edge by Eq. (5) at this rise", optional(report.edge_acceleration_paper_g, 4, "g")),
-        ("first landing over Eq. (5)", optional(report.first_impact_over_paper_ratio, 4, "")),
     ];
+    if report.first_impact_edge_acceleration_g.is_some() {
+        rows.push(("  in the first landing", optional(report.first_impact_edge_acceleration_g, 4, "g")));
+    }
+    rows.push(("shock at the edge by Eq. (5) at this rise", optional(report.edge_acceleration_paper_g, 4, "g")));
+    rows.push(match report.first_impact_over_paper_ratio {
+        Some(ratio) => ("first landing over Eq. (5)", significant(ratio, 4)),
+        None => ("simulated over Eq. (5)", optional(report.edge_acceleration_over_paper_ratio, 4, "")),
+    });
     if let Some(at) = report.at {
         let words =
             format!("{} g across, {} g upright", significant(at.horizontal_g, 4), significant(at.vertical_g, 4));
