@@ -18,6 +18,9 @@ use crate::words::number;
 /// Exponent of a sphere on a thick pad (Hertz).
 pub const HERTZ_EXPONENT: f64 = 1.5;
 
+/// Why an object has no shock although it stays upright.
+pub(crate) const BOTTOMED: &str = "the cushion bottoms: its law gives no shock to rely on";
+
 /// The words that describe a cushion; the same in flags (`--pad-stiffness`) and in files (`pad_stiffness`).
 pub const CUSHION_KEYS: [&str; 13] = [
     "law",

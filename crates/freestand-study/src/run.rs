@@ -17,7 +17,7 @@ use freestand::spectra::{UpliftCell, uplift_spectrum};
 use freestand::synthesis::{self, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 
-use crate::cushion::EdgeCushion;
+use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
@@ -185,6 +185,9 @@ fn object_responses(study: &Study, floor: &Motion) -> Vec<ObjectResponse> {
         .map(|cell| match cell {
             Ok(uplift) => {
                 let shock = uplift.shock(objects.mass_kg, &objects.cushion.cushion, ImpactModel::Paper, G0_M_S2);
+                if shock.is_beyond_numbers() {
+                    return ObjectResponse::Failed(BOTTOMED.to_owned());
+                }
                 ObjectResponse::Done { uplift, shock }
             }
             Err(error) => ObjectResponse::Failed(error.to_string()),

@@ -10,11 +10,11 @@ use freestand::cushion::Cushion;
 use freestand::impact::{Impact, ImpactModel, Landing};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingError, RockingOptions};
-use freestand::spectra::{Sensitivity, UpliftCell, uplift_sensitivity, uplift_spectrum};
+use freestand::spectra::{Sensitivity, ShockCell, UpliftCell, uplift_sensitivity, uplift_spectrum};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::cushion::EdgeCushion;
+use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::error::{Problem, ProblemKind};
 use crate::resolve::MAX_OBJECTS;
 use crate::tables::Field;
@@ -180,6 +180,8 @@ impl SpectrumChunk<'_> {
             .zip(self.cushion)
             .map(|(cell, (mass, cushion))| cell.shock(mass, cushion, ImpactModel::Paper, G0_M_S2));
         let rocking = done.map(|cell| &cell.rocking);
+        let bottomed = shock.filter(ShockCell::is_beyond_numbers).map(|_| BOTTOMED.to_owned());
+        let shock = shock.filter(|shock| !shock.is_beyond_numbers());
         SpectrumRow {
             motion: self.name,
             height_m: block.height_m(),
@@ -193,7 +195,7 @@ impl SpectrumChunk<'_> {
             edge_acceleration_impact_velocity_g: shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g),
             ceiling_g: shock.map(|shock| shock.ceiling_g),
             sensitivity: self.sensitivities.as_ref().map(|all| all[index]),
-            reason: cell.as_ref().err().map(ToString::to_string),
+            reason: cell.as_ref().err().map(ToString::to_string).or(bottomed),
         }
     }
 
@@ -368,6 +370,30 @@ mod tests {
         for (chunk, threads) in [(usize::MAX, 2), (1, 1), (7, 2), (100, 2), (250, 1)] {
             assert_eq!(table(chunk, threads), whole, "chunks of {chunk} on {threads} threads");
         }
+    }
+
+    /// A pad that ends after 0.1 mm holds no rocking cabinet: no number, and the reason instead.
+    #[test]
+    fn a_cushion_that_bottoms_gives_a_reason_and_no_number() {
+        let mut words = CushionWords::default();
+        for (key, text) in [("law", "tangent"), ("stiffness", "100 N/mm"), ("bottoming", "0.1 mm")] {
+            words.set(key, text);
+        }
+        let request = SpectrumRequest { cushion: Some((150.0, words.resolve(None).unwrap())), ..request() };
+        let mut rocked = 0;
+        let seen = spectrum::<Problem>(
+            &request,
+            &motions()[..1],
+            |_| usize::MAX,
+            |chunk| {
+                for row in chunk.rows().filter(|row| row.outcome == "rocked" && row.uplift_m > Some(1e-3)) {
+                    rocked += 1;
+                    assert_eq!((row.edge_acceleration_g, row.reason.as_deref()), (None, Some(BOTTOMED)));
+                }
+                Ok(())
+            },
+        );
+        assert!(seen.is_ok() && rocked > 10, "{rocked}");
     }
 
     #[test]

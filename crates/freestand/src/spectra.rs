@@ -40,6 +40,17 @@ pub struct ShockCell {
     pub ceiling_g: f64,
 }
 
+/// A shock above this is a law driven into its end, and no number of an object \[g\].
+pub const BEYOND_ALL_G: f64 = 1e6;
+
+impl ShockCell {
+    /// Whether a cushion that bottoms gives no number to rely on, for an object that stays upright.
+    pub fn is_beyond_numbers(&self) -> bool {
+        let shocks = [self.edge_acceleration_g, self.edge_acceleration_impact_velocity_g];
+        shocks.iter().flatten().any(|&shock_g| !(shock_g <= BEYOND_ALL_G))
+    }
+}
+
 /// What a small error of the motion does to an [`UpliftCell`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sensitivity {

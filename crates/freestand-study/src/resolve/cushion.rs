@@ -2,8 +2,10 @@
 
 use super::Resolver;
 use crate::cushion::{CushionWords, EdgeCushion, KeyProblem, read_cushion_file};
+use crate::error::Problem;
 use crate::input::InputFile;
 use crate::options::CushionOptions;
+use crate::quantity::shorten;
 
 /// The pads of Al Abadi et al., two under an edge.
 const BUILTIN: &str = "4380 N/mm";
@@ -23,7 +25,9 @@ impl Resolver<'_> {
             let (pad, input) = match read_cushion_file(&self.base_dir.join(name)) {
                 Ok(read) => read,
                 Err(error) => {
-                    self.problems.extend(error.problems);
+                    for problem in error.problems {
+                        self.file_problem(written, name, problem);
+                    }
                     return None;
                 }
             };
@@ -45,6 +49,18 @@ impl Resolver<'_> {
                 None
             }
         }
+    }
+
+    /// A fault in the cushion file has its own line there; a file that cannot be read is the fault of the study's line.
+    fn file_problem(&mut self, written: &CushionOptions, name: &str, problem: Problem) {
+        if problem.line.is_some() {
+            self.problems.push(problem);
+            return;
+        }
+        let message = format!("cushion \"{}\": {}", shorten(name), problem.message);
+        let of_study = Problem::new(problem.kind, message);
+        let of_study = problem.hint.map_or(of_study.clone(), |hint| of_study.hint(hint));
+        self.key_problem(written, ("cushion", of_study));
     }
 
     /// A problem with the line of its key, or of any key of the cushion.
