@@ -475,7 +475,8 @@ fn report(
     let edge_m_s2 = edge_of(landing);
     let overturns = request.scenario.overturns();
     // A law that is driven into its end gives numbers of any size before it gives none.
-    if !(edge_m_s2.max(drop_m_s2) <= BEYOND_ALL_G * G0_M_S2) {
+    let largest_m_s2 = edge_m_s2.max(drop_m_s2);
+    if edge_m_s2.is_nan() || largest_m_s2 > BEYOND_ALL_G * G0_M_S2 {
         return Err(problem(
             "the shock is beyond all numbers",
             "check the sizes, the mass and the cushion: one that bottoms must hold the energy of the landing",

@@ -47,7 +47,7 @@ impl ShockCell {
     /// Whether a cushion that bottoms gives no number to rely on, for an object that stays upright.
     pub fn is_beyond_numbers(&self) -> bool {
         let shocks = [self.edge_acceleration_g, self.edge_acceleration_impact_velocity_g];
-        shocks.iter().flatten().any(|&shock_g| !(shock_g <= BEYOND_ALL_G))
+        shocks.iter().flatten().any(|shock_g| shock_g.is_nan() || *shock_g > BEYOND_ALL_G)
     }
 }
 
