@@ -49,7 +49,7 @@ def main():
         nonlocal failed
         worst = float(np.max(np.abs(ours / theirs - 1)))
         verdict = "ok" if worst <= tolerance else "FAILED"
-        failed |= worst > tolerance
+        failed |= not worst <= tolerance  # NaN is no agreement.
         print(f"{verdict:6} {worst:.1e} of {tolerance:.0e}  {what}")
 
     with tempfile.TemporaryDirectory() as folder:

@@ -126,6 +126,7 @@ pub struct CompliantReport {
     pub edge_acceleration_over_paper_ratio: Option<f64>,
     pub first_impact_over_paper_ratio: Option<f64>,
     pub edge_force_n: f64,
+    pub compression_m: f64,
     pub friction_used_ratio: f64,
     pub slid_m: f64,
     pub at: Option<PointReport>,
@@ -292,6 +293,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         edge_acceleration_over_paper_ratio: paper_m_s2.map(|paper| peak_m_s2 / paper),
         first_impact_over_paper_ratio: paper_m_s2.zip(first_m_s2).map(|(paper, first)| first / paper),
         edge_force_n: force_n,
+        compression_m: rocking.peak_compression_m,
         friction_used_ratio: rocking.friction_used_ratio,
         slid_m: rocking.slid_m,
         at: options.points_m.first().zip(rocking.points.first()).map(|(&(x_m, z_m), peaks)| PointReport {
@@ -372,12 +374,8 @@ fn warnings(request: &CompliantRequest, force_n: f64, rocking: &CompliantRocking
     let is_shaken = request.horizontal.is_some() || request.vertical.is_some();
     let stiffness = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
     let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
-    let limit_m = pad_thickness_m.unwrap_or(ASSUMED_PAD_THICKNESS_M);
-    let deepest_m = base.cushion.static_compression_m(force_n);
-    if !base.cushion.is_curved() && deepest_m > 0.5 * limit_m {
-        let warning = ValidityWarning::Bottoming { compression_mm: 1e3 * deepest_m, limit_mm: 1e3 * limit_m };
-        warnings.push(warning.to_string());
-    }
+    let beyond = compression_warnings(rocking.peak_compression_m, &base.cushion, pad_thickness_m);
+    warnings.extend(beyond.iter().map(ToString::to_string));
     if is_shaken && !base.cushion.law().is_damped() {
         warnings.push(
             "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock of a long \

@@ -156,7 +156,9 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
             landing.impact(*mass, cushion, rise_m, gravity)
         });
         let deepest = impacts.max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
-        let beyond = deepest.map(|impact| compression_warnings(&impact, cushion, *pad_thickness_m)).unwrap_or_default();
+        let beyond = deepest
+            .map(|impact| compression_warnings(impact.compression_m, cushion, *pad_thickness_m))
+            .unwrap_or_default();
         warnings.extend(beyond.iter().map(ToString::to_string));
     }
     let limit = request.friction.unwrap_or(ASSUMED_FRICTION);

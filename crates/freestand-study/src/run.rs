@@ -340,7 +340,9 @@ fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult
         })
         .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
     if let Some(impact) = worst {
-        warnings.extend(compression_warnings(&impact, cushion, *pad_thickness_m).iter().map(ToString::to_string));
+        warnings.extend(
+            compression_warnings(impact.compression_m, cushion, *pad_thickness_m).iter().map(ToString::to_string),
+        );
     }
     warnings
 }

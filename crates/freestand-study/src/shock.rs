@@ -502,7 +502,7 @@ fn report(
         warnings.extend(stiffness_warnings(mass_kg, cushion, pad_thickness_m).iter().map(ToString::to_string));
     }
     if let Some((impact, cushion)) = impact.zip(cushion).filter(|_| !overturns) {
-        let beyond = compression_warnings(&impact, cushion, pad_thickness_m);
+        let beyond = compression_warnings(impact.compression_m, cushion, pad_thickness_m);
         warnings.extend(beyond.iter().map(ToString::to_string));
     }
     let rocks_through = request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;

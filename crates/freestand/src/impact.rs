@@ -69,8 +69,6 @@ pub struct Impact {
     pub velocity_change_m_s: f64,
     /// Largest compression of the cushion; on a spring v√(m_eff/k) \[m\].
     pub compression_m: f64,
-    /// The compression goes beyond the last point of a force table.
-    pub is_extrapolated: bool,
 }
 
 impl Landing {
@@ -193,7 +191,6 @@ impl Landing {
             pulse_duration_s: contact.duration_s,
             velocity_change_m_s: (1.0 + contact.restitution_ratio) * edge_velocity_m_s,
             compression_m: contact.compression_m,
-            is_extrapolated: contact.is_extrapolated,
         }
     }
 
@@ -358,31 +355,32 @@ const HALF_SPACE_SHARE: f64 = 0.25;
 /// Share of its bottoming compression beyond which a tangent law is all bottoming: the tangent has grown to 6.3 there.
 const BOTTOMED_SHARE: f64 = 0.9;
 
-/// Guards on an impact: the compression comes near the pad's thickness, leaves the half-space of a Hertz law, or leaves
-/// the law's own data.
-pub fn compression_warnings(impact: &Impact, cushion: &Cushion, pad_thickness_m: Option<f64>) -> Vec<ValidityWarning> {
+/// Guards on the compression of a cushion: it comes near the pad's thickness, leaves the half-space of a Hertz law, or the
+/// law's own data. Of layers one on top of the other each has its own.
+pub fn compression_warnings(
+    compression_m: f64,
+    cushion: &Cushion,
+    pad_thickness_m: Option<f64>,
+) -> Vec<ValidityWarning> {
     let limit_m = pad_thickness_m.unwrap_or(ASSUMED_PAD_THICKNESS_M);
-    let (compression_mm, limit_mm) = (1e3 * impact.compression_m, 1e3 * limit_m);
-    let mut warnings = Vec::new();
-    match cushion.law() {
-        ContactLaw::Tangent { bottoming_m, .. } if impact.compression_m > BOTTOMED_SHARE * bottoming_m => {
-            warnings.push(ValidityWarning::Bottomed { compression_mm, bottoming_mm: 1e3 * bottoming_m });
+    let limit_mm = 1e3 * limit_m;
+    let warning = |(law, layer_m): (&ContactLaw, f64)| {
+        let compression_mm = 1e3 * layer_m;
+        match law {
+            ContactLaw::Tangent { bottoming_m, .. } => (layer_m > BOTTOMED_SHARE * bottoming_m)
+                .then_some(ValidityWarning::Bottomed { compression_mm, bottoming_mm: 1e3 * bottoming_m }),
+            ContactLaw::Tabulated { compressions_m, .. } => compressions_m
+                .last()
+                .is_some_and(|&last_m| layer_m > last_m)
+                .then_some(ValidityWarning::BeyondTable { compression_mm }),
+            ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } if *exponent > 1.0 => {
+                (layer_m > HALF_SPACE_SHARE * limit_m)
+                    .then_some(ValidityWarning::HalfSpace { compression_mm, limit_mm })
+            }
+            _ => (layer_m > LINEAR_SHARE * limit_m).then_some(ValidityWarning::Bottoming { compression_mm, limit_mm }),
         }
-        ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. }
-            if *exponent > 1.0 && impact.compression_m > HALF_SPACE_SHARE * limit_m =>
-        {
-            warnings.push(ValidityWarning::HalfSpace { compression_mm, limit_mm });
-        }
-        ContactLaw::Tangent { .. } | ContactLaw::Tabulated { .. } => {}
-        _ if impact.compression_m > LINEAR_SHARE * limit_m => {
-            warnings.push(ValidityWarning::Bottoming { compression_mm, limit_mm });
-        }
-        _ => {}
-    }
-    if impact.is_extrapolated {
-        warnings.push(ValidityWarning::BeyondTable { compression_mm });
-    }
-    warnings
+    };
+    cushion.layers_at(compression_m).into_iter().filter_map(warning).collect()
 }
 
 /// μ without which the landing edge slips in an impact: the ratio of the impulses of the no-slip landing,
@@ -473,7 +471,7 @@ mod tests {
         let warnings = |law: ContactLaw| {
             let cushion = Cushion::new(law).unwrap();
             let impact = landing.impact(140.0, &cushion, 0.03, 9.81);
-            compression_warnings(&impact, &cushion, Some(0.02))
+            compression_warnings(impact.compression_m, &cushion, Some(0.02))
         };
         let hertz = |coefficient_n_mn| ContactLaw::Power { coefficient_n_mn, exponent: 1.5 };
         assert!(warnings(ContactLaw::Linear { stiffness_n_m: 4.38e6 }).is_empty());
@@ -484,6 +482,12 @@ mod tests {
         assert!(matches!(warnings(tangent)[..], [ValidityWarning::Bottomed { .. }]));
         let table = ContactLaw::Tabulated { compressions_m: vec![0.0, 1e-3], forces_n: vec![0.0, 4.38e3] };
         assert!(matches!(warnings(table)[..], [ValidityWarning::BeyondTable { .. }]));
+        // The pad of two layers is the one that bottoms, not the leg.
+        let layers =
+            [ContactLaw::Tangent { stiffness_n_m: 4e5, bottoming_m: 3e-3 }, ContactLaw::Linear { stiffness_n_m: 9e6 }];
+        let layers = layers.map(|law| Cushion::new(law).unwrap());
+        let both = Cushion::in_series(&layers).unwrap();
+        assert!(matches!(warnings(both.law().clone())[..], [ValidityWarning::Bottomed { .. }]));
     }
 
     #[test]

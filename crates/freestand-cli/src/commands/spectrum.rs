@@ -131,7 +131,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let timing = solved?;
 
     if let Some((impact, (_, edge))) = deepest.zip(request.cushion.as_ref()) {
-        let beyond = compression_warnings(&impact, &edge.cushion, edge.pad_thickness_m);
+        let beyond = compression_warnings(impact.compression_m, &edge.cushion, edge.pad_thickness_m);
         warnings.extend(beyond.iter().map(|warning| format!("the deepest of the landings: {warning}")));
     }
     let sum = |count: fn(&SpectrumTally) -> usize| seen.tallies.iter().map(count).sum::<usize>();

@@ -6,7 +6,7 @@ use super::headings::{Heading, headings_of};
 use super::lines::{check_text, load};
 use super::table;
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, shorten};
 
 const HINT: &str = "name the columns with their units, such as \
                     \"static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]\"";
@@ -40,22 +40,28 @@ fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
     let Some((headings, line)) = headings_of(&table) else {
         return Err(Problem::new(ProblemKind::Format, "the columns have no names").hint(HINT));
     };
-    let column = |dimension: Dimension, words: &[&str]| -> Option<Vec<f64>> {
+    let column = |dimension: Dimension, words: &[&str]| -> Result<Option<Vec<f64>>, Problem> {
         let is_it = |heading: &Heading| {
             let name = heading.name.to_lowercase();
             heading.unit.is_some_and(|unit| unit.dimension == dimension)
                 && (words.is_empty() || words.iter().any(|word| name.contains(word)))
         };
-        let (unit, column) = headings.iter().zip(&table.columns).find(|(heading, _)| is_it(heading))?;
-        Some(column.values.iter().map(|&value| unit.unit.map_or(value, |unit| unit.to_si(value))).collect())
+        let mut found = headings.iter().zip(&table.columns).filter(|(heading, _)| is_it(heading));
+        let Some((one, column)) = found.next() else { return Ok(None) };
+        if let Some((other, _)) = found.next() {
+            let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
+            let problem = Problem::new(ProblemKind::Format, format!("{names} both are {}", dimension.with_article()));
+            return Err(problem.at_line(line).hint("leave one of them in the file"));
+        }
+        Ok(Some(column.values.iter().map(|&value| one.unit.map_or(value, |unit| unit.to_si(value))).collect()))
     };
     let missing = |what: &str| {
         Problem::new(ProblemKind::Format, format!("no column holds a {what} with its unit")).at_line(line).hint(HINT)
     };
-    let stress = column(Dimension::Pressure, &[]).ok_or_else(|| missing("static stress"))?;
-    let peak = column(Dimension::Acceleration, &[]).ok_or_else(|| missing("peak acceleration"))?;
-    let heights = column(Dimension::Length, &["height", "drop", "fall"]);
-    let thicknesses = column(Dimension::Length, &["thick"]);
+    let stress = column(Dimension::Pressure, &[])?.ok_or_else(|| missing("static stress"))?;
+    let peak = column(Dimension::Acceleration, &[])?.ok_or_else(|| missing("peak acceleration"))?;
+    let heights = column(Dimension::Length, &["height", "drop", "fall"])?;
+    let thicknesses = column(Dimension::Length, &["thick"])?;
     let rows = stress.iter().zip(&peak).enumerate();
     Ok(rows
         .map(|(row, (&static_stress_pa, &peak_acceleration_m_s2))| CurveRow {

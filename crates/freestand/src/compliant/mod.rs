@@ -290,6 +290,8 @@ pub struct CompliantRocking {
     pub peak_edge_accelerations_m_s2: [f64; 2],
     /// Largest force of the cushion under each edge \[N\].
     pub peak_edge_forces_n: [f64; 2],
+    /// Largest compression of a cushion under an edge \[m\].
+    pub peak_compression_m: f64,
     /// For each of [`CompliantOptions::points_m`].
     pub points: Vec<PointPeaks>,
     /// Largest |T|/N of a contact that carries at least a tenth of the weight.

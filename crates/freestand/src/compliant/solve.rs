@@ -175,6 +175,7 @@ fn nothing_yet(options: &CompliantOptions, equilibrium: Option<super::Equilibriu
         swings: Vec::new(),
         peak_edge_accelerations_m_s2: [0.0; 2],
         peak_edge_forces_n: [0.0; 2],
+        peak_compression_m: 0.0,
         points: vec![PointPeaks::NONE; options.points_m.len()],
         friction_used_ratio: 0.0,
         slid_m: 0.0,

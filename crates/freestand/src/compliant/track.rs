@@ -135,6 +135,8 @@ impl Track {
                 let foot = seen.body.foot(edge.contact, &y);
                 seen.body.load(seen.grips[edge.contact], &foot, y[STRETCH + edge.contact]).normal
             };
+            let press = |share: f64| seen.body.foot(edge.contact, &seen.at(share).0).compression;
+            seen.raise(&mut result.peak_compression_m, press);
             if let Some(touch) = edge.open.and_then(|open| result.touches.get_mut(open)) {
                 seen.raise(&mut touch.peak_acceleration_m_s2, up);
                 seen.raise(&mut touch.peak_force_n, push);
@@ -288,8 +290,9 @@ impl Track {
         }
         let theta = result.peak_uplifted_rotation_rad;
         let rises = [block.pivot(), block.right_pivot()].map(|pivot| pivot.largest_rise_m(theta));
-        let is_right = result.swings.iter().any(|swing| swing.rotation_rad == theta);
-        result.cg_rise_m = if is_right { rises[1] } else { rises[0] };
+        // The edge that it turned about at the largest swing; of a block without offset both rises are alike.
+        let to = |side: f64| result.swings.iter().map(|swing| side * swing.rotation_rad).fold(0.0, f64::max);
+        result.cg_rise_m = if to(1.0) >= to(-1.0) { rises[1] } else { rises[0] };
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use statrs::function::gamma::ln_gamma;
 
 use super::{ContactLaw, Cushion};
-use crate::quadrature::{halved, unit_integral};
+use crate::quadrature::{golden_maximum, halved, unit_integral};
 
 /// Λv below which the damping is lost in rounding.
 const NEGLIGIBLE: f64 = 1e-15;
@@ -21,8 +21,6 @@ pub struct Contact {
     pub duration_s: f64,
     /// e: speed on leaving over speed on landing.
     pub restitution_ratio: f64,
-    /// The compression goes beyond the last point of a table: the numbers follow its last line.
-    pub is_extrapolated: bool,
 }
 
 impl Cushion {
@@ -94,11 +92,11 @@ impl Cushion {
 
 impl Contact {
     fn none() -> Self {
-        Self { peak_force_n: 0.0, compression_m: 0.0, duration_s: 0.0, restitution_ratio: 1.0, is_extrapolated: false }
+        Self { peak_force_n: 0.0, compression_m: 0.0, duration_s: 0.0, restitution_ratio: 1.0 }
     }
 
     fn elastic(peak_force_n: f64, compression_m: f64, duration_s: f64) -> Self {
-        Self { peak_force_n, compression_m, duration_s, restitution_ratio: 1.0, is_extrapolated: false }
+        Self { peak_force_n, compression_m, duration_s, restitution_ratio: 1.0 }
     }
 }
 
@@ -134,7 +132,6 @@ fn kelvin_voigt(omega: f64, zeta: f64, m: f64, v: f64) -> Contact {
         compression_m,
         duration_s: separation / omega,
         restitution_ratio: (-zeta * separation).exp(),
-        is_extrapolated: false,
     }
 }
 
@@ -197,7 +194,7 @@ impl HuntCrossley {
     }
 
     fn peak_force_n(&self) -> f64 {
-        largest(|u| self.force_n(self.g(1.0 - u, u), u))
+        golden_maximum(|u| self.force_n(self.g(1.0 - u, u), u), 0.0, 1.0)
     }
 
     fn contact(&self) -> Contact {
@@ -212,24 +209,8 @@ impl HuntCrossley {
             compression_m: self.compression_m(self.g(1.0, 0.0)),
             duration_s: inwards_s + outwards_s,
             restitution_ratio: e,
-            is_extrapolated: false,
         }
     }
-}
-
-/// The largest value of a function with one maximum on the unit interval, by golden section: its place is known to
-/// 1e-8, so its value to rounding.
-fn largest(f: impl Fn(f64) -> f64) -> f64 {
-    const SHARE: f64 = 0.618_033_988_749_895;
-    let (mut low, mut high) = (0.0, 1.0);
-    let mut best = f(0.0);
-    for _ in 0..80 {
-        let (a, b) = (high - SHARE * (high - low), low + SHARE * (high - low));
-        let (fa, fb) = (f(a), f(b));
-        best = best.max(fa).max(fb);
-        if fa < fb { low = a } else { high = b }
-    }
-    best
 }
 
 /// An undamped law: the compression at which its energy is ½mv², and T = 2∫dd/ḋ.
@@ -257,7 +238,7 @@ fn by_energy(law: &ContactLaw, m: f64, v: f64) -> Contact {
     let mut stops: Vec<f64> = kinks.chain([0.0, 1.0]).collect();
     stops.sort_by(f64::total_cmp);
     let half_s: f64 = stops.windows(2).filter(|pair| pair[1] > pair[0]).map(|pair| time_s(pair[0], pair[1])).sum();
-    Contact { is_extrapolated: law.is_beyond_table(most_m), ..Contact::elastic(force_n, most_m, 2.0 * half_s) }
+    Contact::elastic(force_n, most_m, 2.0 * half_s)
 }
 
 impl ContactLaw {
@@ -272,8 +253,8 @@ impl ContactLaw {
             law => {
                 // Twice the energy at most twice as deep: forces never fall.
                 let beyond = |d: f64| law.elastic_energy_j(d) >= energy_j;
-                let mut high = 1e-3;
-                while !beyond(high) {
+                let mut high: f64 = 1e-3;
+                while high.is_finite() && !beyond(high) {
                     high *= 2.0;
                 }
                 let most_m = halved(0.0, high, beyond);
@@ -294,17 +275,6 @@ impl ContactLaw {
                 parts.iter().flat_map(of).collect()
             }
             _ => Vec::new(),
-        }
-    }
-
-    fn is_beyond_table(&self, d: f64) -> bool {
-        match self {
-            Self::Tabulated { compressions_m, .. } => compressions_m.last().is_some_and(|&last| d > last),
-            Self::Series { parts } => {
-                let force_n = self.elastic_force_n(d);
-                parts.iter().any(|part| part.is_beyond_table(part.compression_m(force_n)))
-            }
-            _ => false,
         }
     }
 }

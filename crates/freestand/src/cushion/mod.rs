@@ -203,10 +203,16 @@ impl ContactLaw {
     /// The force at which the parts are compressed by `d` together.
     fn force_in_series_n(parts: &[Self], d: f64) -> f64 {
         let together = |force_n: f64| parts.iter().map(|part| part.compression_m(force_n)).sum::<f64>();
-        // No part takes more than all of `d`, so the weakest of them bounds the force.
-        let most = parts.iter().map(|part| part.elastic_force_n(d)).fold(f64::INFINITY, f64::min);
-        if !most.is_finite() || most == 0.0 {
-            return most;
+        if d <= 0.0 || !d.is_finite() {
+            return 0.0;
+        }
+        // Parts that all bottom hold no more than the sum of their bottoming compressions: then no force is enough.
+        let mut most = 1.0;
+        while together(most) < d {
+            most *= 2.0;
+            if most == f64::INFINITY {
+                return most;
+            }
         }
         halved(0.0, most, |force_n| together(force_n) >= d)
     }
@@ -461,6 +467,17 @@ impl Cushion {
     /// The compression under a force that acts for long, such as a weight \[m\].
     pub fn static_compression_m(&self, force_n: f64) -> f64 {
         self.law.compression_m(force_n)
+    }
+
+    /// The laws that carry the load and the compression of each, one on top of the other; of most cushions there is one.
+    pub fn layers_at(&self, compression_m: f64) -> Vec<(&ContactLaw, f64)> {
+        match &self.law {
+            ContactLaw::Series { parts } => {
+                let force_n = self.law.elastic_force_n(compression_m);
+                parts.iter().map(|part| (part, part.compression_m(force_n))).collect()
+            }
+            law => vec![(law, compression_m)],
+        }
     }
 
     /// dF/dd at a compression, without damping \[N/m\]: the tangent stiffness.

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use crate::quadrature::golden_maximum;
+
 /// A half-sine acceleration pulse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HalfSine {
@@ -98,26 +100,6 @@ pub fn half_sine_severity_ratio(demand: HalfSine, reference: HalfSine) -> f64 {
         .filter(|&i| values[i] >= values[i - 1] && values[i] >= values[i + 1] && values[i] > 0.99 * best)
         .map(|i| golden_maximum(ratio, at(i - 1), at(i + 1)));
     refined.fold(best, f64::max)
-}
-
-/// The largest value of a function with one maximum between `low` and `high`.
-fn golden_maximum(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    const SHARE: f64 = 0.618_033_988_749_895;
-    let (mut a, mut b) = (high - SHARE * (high - low), low + SHARE * (high - low));
-    let (mut fa, mut fb) = (f(a), f(b));
-    // 0.618^40 = 4e-9 of a bracket that is 1/200 decade wide.
-    for _ in 0..40 {
-        if fa < fb {
-            (low, a, fa) = (a, b, fb);
-            b = low + SHARE * (high - low);
-            fb = f(b);
-        } else {
-            (high, b, fb) = (b, a, fa);
-            a = high - SHARE * (high - low);
-            fa = f(a);
-        }
-    }
-    fa.max(fb)
 }
 
 #[cfg(test)]
