@@ -8,6 +8,7 @@ mod cosmos;
 mod csmip;
 mod cushion_curve;
 mod cwa;
+mod damage_points;
 mod dialect;
 mod direction;
 mod dyna;
@@ -45,6 +46,7 @@ mod volumes;
 mod write;
 
 pub(crate) use cushion_curve::load_curve;
+pub(crate) use damage_points::{DamageRow, load_damage_points};
 pub use direction::Direction;
 pub(crate) use found::{BEYOND_A_FLOOR, check_step, extreme_note};
 pub(crate) use lines::load;
