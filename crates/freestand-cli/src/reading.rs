@@ -94,6 +94,7 @@ impl ReadArgs {
                 dt_s,
                 uneven_dt_s: processing.resample_dt_s,
                 station_xml: self.station_xml.clone(),
+                is_shock: false,
             },
             component: self.component.clone(),
             processing,
@@ -109,9 +110,19 @@ impl ReadArgs {
 
     /// One motion from each file.
     pub(crate) fn read_all(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
+        self.read_as(paths, false)
+    }
+
+    /// As [`ReadArgs::read_all`], of shocks, whose peaks are beyond those of any floor.
+    pub(crate) fn read_shocks(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
+        self.read_as(paths, true)
+    }
+
+    fn read_as(&self, paths: &[PathBuf], is_shock: bool) -> Result<Vec<ReadMotion>, Failure> {
         let mut values = Values::default();
-        let files = self.files(paths, &mut values);
+        let mut files = self.files(paths, &mut values);
         values.finish()?;
+        files.read.is_shock = is_shock;
         let (motions, failures) = read_recorded(&files);
         if failures.is_empty() {
             return Ok(motions);

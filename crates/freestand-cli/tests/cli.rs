@@ -105,6 +105,38 @@ fn shock_refuses_what_contradicts_itself() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
+/// V_c between 0.4 and 0.45 m/s, A_c between 3.5 and 4.5 g, and a landing with 0.451 m/s and 4.17 g.
+const SHOCK_TESTS: &str = "velocity change [m/s],peak acceleration [g],damaged,method\n0.3,120,no,A\n0.4,160,no,A\n\
+                           0.45,180,yes,A\n0.7,3.5,no,B\n0.7,4.5,yes,B\n";
+
+#[test]
+fn shock_beside_its_test_points() {
+    let missing = SHOCK_TESTS.lines().take(4).collect::<Vec<_>>().join("\n");
+    let turned = SHOCK_TESTS.replace("0.3,120,no", "0.3,120,yes").replace("0.7,3.5,no,B", "0.7,3.5,perhaps,B");
+    let contradictory = SHOCK_TESTS.replace("0.3,120,no", "0.3,120,yes");
+    let folder = folder(&[
+        ("tests.csv", SHOCK_TESTS),
+        ("missing.csv", &missing),
+        ("perhaps.csv", &turned),
+        ("contradictory.csv", &contradictory),
+    ]);
+    let with = |more: &[&str]| {
+        let landing = ["--stiffness", "4380 N/mm", "--uplift", "30 mm"];
+        freestand_in(folder.path(), &[&CABINET[..], &landing, &["--damage-boundary"], more].concat())
+    };
+    let all = [
+        with(&["tests.csv"]),
+        with(&["tests.csv", "--json", "--out", "out"]),
+        with(&["missing.csv"]),
+        with(&["perhaps.csv"]),
+        with(&["contradictory.csv"]),
+        with(&["tests.csv", "--tolerance", "5 g"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+    let manifest = std::fs::read_to_string(folder.path().join("out/manifest.json")).unwrap();
+    assert!(manifest.contains("damage-boundary.svg") && manifest.contains("damage-boundary.png"), "{manifest}");
+}
+
 #[test]
 fn usage_errors_have_an_error_and_a_hint() {
     let all = [

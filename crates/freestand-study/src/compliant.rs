@@ -7,7 +7,7 @@ use freestand::compliant::{
     CompliantRocking, EnergyAudit, Start, rock_compliant_observed,
 };
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand::impact::{ASSUMED_PAD_THICKNESS_M, ImpactModel, Landing, ValidityWarning, stiffness_warnings};
+use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{Base, Outcome};
 use serde::Serialize;

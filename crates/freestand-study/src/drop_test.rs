@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, parse_positive};
 use crate::records::laboratory::comments;
-use crate::records::{ReadOptions, extreme_note, load, parse_motions, push_shortest};
+use crate::records::{ReadOptions, load, parse_motions, push_shortest};
 use crate::words::significant;
 
 /// Warned below this many samples per contact: 50, of a contact time that is good to a hundredth or two.
@@ -205,13 +205,11 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     let in_file = |problem: Problem| problem.in_file(path);
     let bytes = load(path)?;
     let said = Said::of(&bytes).map_err(in_file)?;
-    let file = parse_motions(bytes, path, &request.read)
+    let read = ReadOptions { is_shock: true, ..request.read.clone() };
+    let file = parse_motions(bytes, path, &read)
         .map_err(|error| error.problems.into_iter().next().unwrap_or_else(|| value("the file cannot be read")))?;
     let name = path.to_string_lossy().into_owned();
-    // Hundreds of g are what a drop is about.
-    let extremes: Vec<String> = file.components.iter().filter_map(extreme_note).collect();
-    let notes_of_file = file.notes.iter().filter(|note| !extremes.contains(note));
-    warnings.extend(notes_of_file.map(|note| format!("{name}: {note}")));
+    warnings.extend(file.notes.iter().map(|note| format!("{name}: {note}")));
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
         return Err(in_file(value("the mass is not known").hint("give --mass, or a line \"# mass: 0.365 kg\"")));

@@ -12,10 +12,12 @@ use serde::Serialize;
 
 mod boundary;
 mod cushion;
+mod test_points;
 mod verdict;
 
 pub use boundary::DamageBoundaryReport;
 use cushion::{Contact, contact};
+pub use test_points::{BoundaryTests, Bracket, TestPoint, boundary_tests};
 pub use verdict::DemandCapacity;
 use verdict::{max_stiffness, verdict};
 
@@ -110,6 +112,8 @@ pub struct ShockRequest {
     pub tolerance_duration_s: Option<f64>,
     /// Velocity change below which no peak does harm \[m/s\].
     pub tolerance_velocity_change_m_s: Option<f64>,
+    /// Tests of the object, in place of the peak and the velocity change that it stands.
+    pub boundary_tests: Option<BoundaryTests>,
     /// Lift of one edge from which it may fall back: bench handling \[m\].
     pub tolerance_edge_lift_m: Option<f64>,
     /// Frequency of its most delicate component \[Hz\], with [`ShockRequest::component_capacity_m_s2`].
@@ -138,6 +142,7 @@ impl ShockRequest {
             tolerance_m_s2: None,
             tolerance_duration_s: None,
             tolerance_velocity_change_m_s: None,
+            boundary_tests: None,
             tolerance_edge_lift_m: None,
             component_frequency_hz: None,
             component_capacity_m_s2: None,
@@ -232,6 +237,8 @@ pub struct ShockReport {
     pub tolerance_g: Option<f64>,
     /// Lift of one edge that the object stands \[m\].
     pub tolerance_edge_lift_m: Option<f64>,
+    /// The test points of a damage boundary and what they say of it.
+    pub damage_boundary_tests: Option<BoundaryTests>,
     /// The damage boundary of tests or of the component, with the demand.
     pub damage_boundary: Option<DamageBoundaryReport>,
     /// Demand over capacity for each kind of tolerance.
@@ -283,6 +290,7 @@ fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
 /// ```
 pub fn shock(request: &ShockRequest) -> Result<ShockReport, StudyError> {
     let mut problems = Vec::new();
+    let request = &with_tests(request, &mut problems);
     let contact = contact(request, &mut problems);
     check_combinations(request, &mut problems);
     let block = &request.block;
@@ -296,6 +304,24 @@ pub fn shock(request: &ShockRequest) -> Result<ShockReport, StudyError> {
 
 fn keep<T>(problems: &mut Vec<Problem>, result: Result<T, Problem>) -> Option<T> {
     result.map_err(|problem| problems.push(problem)).ok()
+}
+
+/// The request with the peak and the velocity change that its tests say.
+fn with_tests(request: &ShockRequest, problems: &mut Vec<Problem>) -> ShockRequest {
+    let mut request = request.clone();
+    let Some(tests) = &request.boundary_tests else { return request };
+    let stated = [request.tolerance_m_s2, request.tolerance_velocity_change_m_s, request.tolerance_duration_s];
+    if stated.iter().any(Option::is_some) {
+        problems.push(problem(
+            "the test points of --damage-boundary take the place of --tolerance and what goes with it",
+            "leave --tolerance, --tolerance-velocity-change and --tolerance-duration out",
+        ));
+    }
+    if let Some((acceleration_m_s2, velocity_change_m_s)) = tests.critical() {
+        request.tolerance_m_s2 = Some(acceleration_m_s2);
+        request.tolerance_velocity_change_m_s = Some(velocity_change_m_s);
+    }
+    request
 }
 
 fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
@@ -517,6 +543,7 @@ fn report(
 
     let uplift_m = fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin());
     let verdict = verdict(request, edge_m_s2, uplift_m, impact.as_ref());
+    warnings.extend(request.boundary_tests.iter().flat_map(|tests| tests.warnings.iter().cloned()));
     let damage_boundary = impact.as_ref().and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
     let share = request.at_m.map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
     if let Some((x_m, z_m, _)) = share
@@ -571,6 +598,7 @@ fn report(
         }),
         tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
         tolerance_edge_lift_m: request.tolerance_edge_lift_m,
+        damage_boundary_tests: request.boundary_tests.clone(),
         damage_boundary,
         demand_capacity: verdict.map(|verdict| verdict.0),
         demand_capacity_ratio: verdict.map(|verdict| verdict.1),

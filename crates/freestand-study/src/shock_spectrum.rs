@@ -15,7 +15,6 @@ use crate::error::{Problem, ProblemKind};
 use crate::figures::{Figure, FigureError, ShockCurve, shock_spectrum_figure};
 use crate::quantity::{Dimension, find_unit};
 use crate::recorded::ReadMotion;
-use crate::records::BEYOND_A_FLOOR;
 use crate::tables::records_csv;
 use crate::words::number;
 
@@ -172,8 +171,7 @@ pub fn recorded_shock_spectra(
         (one.dt_s, one.samples) = (Some(motion.dt_s()), Some(motion.accel_m_s2().len()));
         one.processing.clone_from(&recorded.processing);
         let of_file = |text: String| if motions.len() > 1 { format!("{}: {text}", recorded.name) } else { text };
-        let of_shocks = read.notes.iter().filter(|note| !note.contains(BEYOND_A_FLOOR));
-        warnings.extend(of_shocks.cloned().map(of_file));
+        warnings.extend(read.notes.iter().cloned().map(of_file));
         warnings.extend(sampling_warning(request, motion.dt_s(), &found).map(of_file));
         spectra.push(one);
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use freestand::impact::ImpactModel;
 use freestand_study::quantity::{Dimension, format_si};
-use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, shock};
+use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, boundary_tests, shock};
 
 use super::Done;
 use super::block::ShapeArgs;
@@ -26,8 +26,12 @@ Examples:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --pad-stiffness \"2190 N/mm\" --pads-per-edge 2 \\
       --uplift \"30 mm\" --tolerance 5g
   The same on pads that a laboratory tested, on legs of 9000 N/mm:
-    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --cushion cushion.toml --pads-per-edge 2 \
+    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --cushion cushion.toml --pads-per-edge 2 \\
       --series-stiffness \"9000 N/mm\" --uplift \"30 mm\"
+  The verdict by shock tests of the object (ASTM D3332), with the columns
+  velocity change [m/s],peak acceleration [g],damaged,method:
+    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --stiffness \"4380 N/mm\" --uplift \"30 mm\" \\
+      --damage-boundary tests.csv --out shock
   It falls over onto the floor:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
 pub(crate) struct ShockArgs {
@@ -120,6 +124,15 @@ pub(crate) struct ShockArgs {
     /// Velocity change below which no peak does harm
     #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, help_heading = "The verdict")]
     tolerance_velocity_change: Option<String>,
+    /// Shock tests of the object (ASTM D3332): velocity change, peak acceleration and damaged (yes, no) in columns,
+    /// perhaps method (A, B) or a duration
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["tolerance", "tolerance_duration", "tolerance_velocity_change"],
+        help_heading = "The verdict"
+    )]
+    damage_boundary: Option<PathBuf>,
     /// Lift of one edge from which the object may fall back (bench handling)
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The verdict")]
     tolerance_edge_lift: Option<String>,
@@ -177,11 +190,13 @@ impl From<ModelName> for ImpactModel {
 
 pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;
-    let inputs: Vec<PathBuf> = args.cushion.inputs().cloned().collect();
+    let inputs: Vec<PathBuf> = args.cushion.inputs().chain(&args.damage_boundary).cloned().collect();
     let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
     if let Some(boundary) = report.damage_boundary.filter(|_| files.wanted()) {
-        let figure = boundary.figure().map_err(|error| Failure::computation(error.to_string()))?;
+        let figure = boundary
+            .figure(report.damage_boundary_tests.as_ref())
+            .map_err(|error| Failure::computation(error.to_string()))?;
         files.write("damage-boundary.svg", || figure.svg)?;
         files.write("damage-boundary.png", || figure.png)?;
     }
@@ -222,6 +237,7 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let at_m = values.point("--at", args.at.as_deref());
     let energy = energy(args, &mut values);
     values.finish()?;
+    let boundary_tests = args.damage_boundary.as_deref().map(boundary_tests).transpose()?;
     let (Some(block), Some(mass_kg)) = (block, mass) else {
         return Err(Failure::usage("the object has no size", "give --height, --thickness and --mass"));
     };
@@ -241,6 +257,7 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
         tolerance_m_s2,
         tolerance_duration_s,
         tolerance_velocity_change_m_s,
+        boundary_tests,
         tolerance_edge_lift_m,
         component_frequency_hz,
         component_capacity_m_s2,
@@ -304,6 +321,13 @@ fn text(report: &ShockReport) -> String {
             let a_c = significant(boundary.critical_acceleration_g, 4);
             let v_c = significant(boundary.critical_velocity_change_m_s, 4);
             rows.push(("damage boundary", format!("{a_c} g, {v_c} m/s, from {}", boundary.source)));
+        }
+        if let Some(tests) = &report.damage_boundary_tests {
+            let [v, a] = [tests.critical_velocity_change_m_s, tests.critical_acceleration_g].map(|one| {
+                format!("{} survived, {} damaged", optional(one.survived, 4, ""), optional(one.damaged, 4, ""))
+            });
+            rows.push(("velocity change in m/s, by test", v));
+            rows.push(("peak acceleration in g, by test", a));
         }
         rows.push(("demand/capacity", format!("{} by {governing}: {}", significant(ratio, 4), report.verdict)));
         rows.push(("largest stiffness at this rise", quantity(report.max_stiffness_n_m, Dimension::Stiffness)));

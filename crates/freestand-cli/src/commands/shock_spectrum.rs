@@ -158,7 +158,7 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
             (pulse_shock_spectrum(&pulse, unit, &request)?, Files::begin(global, &[])?)
         }
         None => {
-            let motions = args.read.read_all(&args.files)?;
+            let motions = args.read.read_shocks(&args.files)?;
             (recorded_shock_spectra(&motions, &request)?, Files::begin(global, &inputs)?)
         }
     };

@@ -27,6 +27,8 @@ pub(super) enum Sign {
     Cross,
     /// A filled dot.
     Dot { colour: &'static str },
+    /// A square, or its outline.
+    Square { colour: &'static str, filled: bool },
 }
 
 const SIGN_PX: f64 = 34.0;
@@ -99,6 +101,16 @@ fn add_sign(scene: &mut Scene, sign: Sign, x: f64, y: f64) {
             }
         }
         Sign::Dot { colour } => add_marker(scene, MarkerShape::Circle, middle, y, colour),
+        Sign::Square { colour, filled } => scene.add(Primitive::Rect {
+            x: middle - 4.2,
+            y: y - 4.2,
+            width: 8.4,
+            height: 8.4,
+            fill: if filled { colour.into() } else { "#ffffff".into() },
+            stroke: Some(colour.into()),
+            stroke_width: Some(1.6),
+            opacity: None,
+        }),
     }
 }
 

@@ -4,7 +4,7 @@ use kuva::plot::scatter::MarkerShape;
 
 use super::legend::{Entry, Sign};
 use super::page::{Page, Panel};
-use super::style::{Axis, DARK, axes, curve_style, line, markers, plain, plain_ticks};
+use super::style::{Axis, DARK, axes, curve_style, hollow, line, markers, plain, plain_ticks};
 
 /// One shock response spectrum: frequency \[Hz\] and value, in the unit of the axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +22,10 @@ pub struct BoundaryPicture {
     pub corner: (f64, f64),
     /// The exact boundary of an undamped component, from the left.
     pub curve: Vec<(f64, f64)>,
+    /// Shocks of a test that were survived.
+    pub survived: Vec<(f64, f64)>,
+    /// And those that were not.
+    pub damaged: Vec<(f64, f64)>,
     /// Velocity change and peak of the demand.
     pub demand: (f64, f64),
     /// Whether it is within the boundary.
@@ -99,17 +103,26 @@ pub(super) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
 pub(super) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     let (v_c, a_c) = picture.corner;
     let (v, a) = picture.demand;
-    let x = decades([v_c / 2.0, v_c * 5.0, v / 1.5, v * 1.5].into_iter(), "Velocity change (m/s)");
-    let y = decades([a_c / 2.0, a_c * 10.0, a / 1.5, a * 1.5].into_iter(), "Peak acceleration (g)");
+    let points = || picture.survived.iter().chain(&picture.damaged);
+    let xs = [v_c / 2.0, v_c * 5.0, v / 1.5, v * 1.5].into_iter().chain(points().map(|p| p.0));
+    let ys = [a_c / 2.0, a_c * 10.0, a / 1.5, a * 1.5].into_iter().chain(points().map(|p| p.1));
+    let (x, y) = (decades(xs, "Velocity change (m/s)"), decades(ys, "Peak acceleration (g)"));
     let corner = [(v_c, y.to), (v_c, a_c), (x.to, a_c)];
     let mut curve: Vec<(f64, f64)> = picture.curve.iter().copied().filter(|p| p.1 <= y.to && p.0 <= x.to).collect();
     curve.push((x.to, a_c));
     let (rectangle, exact) = (curve_style(0), curve_style(1));
-    let plots = vec![
-        line(&corner, rectangle.colour, 2.0, None),
-        line(&curve, exact.colour, 2.0, Some("10 6")),
-        markers(&[(v, a)], DARK, if picture.safe { MarkerShape::Circle } else { MarkerShape::Cross }, 6.0),
-    ];
+    let tested = curve_style(2);
+    let mut plots = vec![line(&corner, rectangle.colour, 2.0, None), line(&curve, exact.colour, 2.0, Some("10 6"))];
+    let mut shocks = Vec::new();
+    if !picture.survived.is_empty() {
+        plots.extend(hollow(&picture.survived, tested.colour, MarkerShape::Square, 5.0));
+        shocks.push((false, "survived in the tests"));
+    }
+    if !picture.damaged.is_empty() {
+        plots.push(markers(&picture.damaged, tested.colour, MarkerShape::Square, 5.0));
+        shocks.push((true, "damaged in the tests"));
+    }
+    plots.push(markers(&[(v, a)], DARK, if picture.safe { MarkerShape::Circle } else { MarkerShape::Cross }, 6.0));
     let sign = |colour, dash| Sign::Line { colour, width_px: 2.0, dash };
     let demand = if picture.safe { Sign::Dot { colour: DARK } } else { Sign::Cross };
     let words = if picture.safe {
@@ -117,6 +130,15 @@ pub(super) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     } else {
         "this landing: in the region of damage"
     };
+    let mut legend = vec![
+        Entry { sign: sign(rectangle.colour, None), words: "rectangle of ASTM D3332".to_owned() },
+        Entry { sign: sign(exact.colour, Some("10 6")), words: "with its knee".to_owned() },
+    ];
+    legend.extend(shocks.into_iter().map(|(filled, words)| {
+        let sign = Sign::Square { colour: tested.colour, filled };
+        Entry { sign, words: words.to_owned() }
+    }));
+    legend.push(Entry { sign: demand, words: words.to_owned() });
     Page {
         name: "damage-boundary".to_owned(),
         title: "Damage boundary".to_owned(),
@@ -128,10 +150,6 @@ pub(super) fn damage_boundary(picture: &BoundaryPicture) -> Page {
         panels: vec![panel(plots, x, y)],
         columns: 1,
         row_heights_px: vec![PANEL_PX],
-        legend: vec![
-            Entry { sign: sign(rectangle.colour, None), words: "rectangle of ASTM D3332".to_owned() },
-            Entry { sign: sign(exact.colour, Some("10 6")), words: "with its knee".to_owned() },
-            Entry { sign: demand, words: words.to_owned() },
-        ],
+        legend,
     }
 }

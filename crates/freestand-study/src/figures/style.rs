@@ -71,6 +71,11 @@ pub(super) fn markers(points: &[(f64, f64)], colour: &str, shape: MarkerShape, s
     ScatterPlot::new().with_data(points.iter().copied()).with_color(colour).with_marker(shape).with_size(size_px).into()
 }
 
+/// Outlines of markers at points: white on top of coloured, because the PNG knows no transparent filling.
+pub(super) fn hollow(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: f64) -> [Plot; 2] {
+    [markers(points, colour, shape, size_px), markers(points, "#ffffff", shape, size_px - 1.8)]
+}
+
 /// Axes without a legend, exactly over these ranges, with the text sizes of all figures.
 pub(super) fn axes(x: Axis, y: Axis) -> Layout {
     let mut layout = Layout::new((x.from, x.to), (y.from, y.to))

@@ -118,14 +118,11 @@ pub(super) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Opt
     })
 }
 
-/// What [`extreme_note`] says of a peak; of a shock, which is no motion of a floor, it is left out.
-pub(crate) const BEYOND_A_FLOOR: &str = "more than the ground or a floor does";
-
 /// What is to be said of values that no motion has.
 ///
 /// The largest acceleration of the ground on record is 4.4 g (Iwate-Miyagi 2008, IWTH25). Floors amplify the ground some
 /// times, so that 20 g is beyond both; a lost decimal point or another unit is nearer at hand than a shock of pyrotechnics.
-pub(crate) fn extreme_note(component: &Component) -> Option<String> {
+pub(super) fn extreme_note(component: &Component) -> Option<String> {
     const HIGHEST_M_S2: f64 = 20.0 * freestand::G0_M_S2;
     let motion = &component.motion;
     // The offset of an instrument's own values may be anything; it is removed before they are used.
@@ -139,8 +136,8 @@ pub(crate) fn extreme_note(component: &Component) -> Option<String> {
     (peak_m_s2 > HIGHEST_M_S2).then(|| {
         let (name, peak_g) = (shorten(&component.name), peak_m_s2 / freestand::G0_M_S2);
         format!(
-            "{name}: value {} is {peak_g:.1} g, {BEYOND_A_FLOOR}: is the unit right ({}), or a digit or a decimal point \
-             damaged?",
+            "{name}: value {} is {peak_g:.1} g, more than the ground or a floor does: is the unit right ({}), or a digit or a \
+             decimal point damaged?",
             at + 1,
             component.unit
         )

@@ -8,6 +8,7 @@ mod cosmos;
 mod csmip;
 mod cushion_curve;
 mod cwa;
+mod damage_points;
 mod dialect;
 mod direction;
 mod dyna;
@@ -45,8 +46,9 @@ mod volumes;
 mod write;
 
 pub(crate) use cushion_curve::load_curve;
+pub(crate) use damage_points::{DamageRow, load_damage_points};
 pub use direction::Direction;
-pub(crate) use found::{BEYOND_A_FLOOR, check_step, extreme_note};
+pub(crate) use found::check_step;
 pub(crate) use lines::load;
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};
@@ -55,7 +57,7 @@ pub use write::{write_at2, write_csv};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::input::InputFile;
 use crate::quantity::shorten;
-use found::{Found, channels_note, end_note, length_note, motion, peak_note, tell_apart};
+use found::{Found, channels_note, end_note, extreme_note, length_note, motion, peak_note, tell_apart};
 use freestand::motion::Motion;
 use std::path::{Path, PathBuf};
 
@@ -72,6 +74,8 @@ pub struct ReadOptions {
     pub uneven_dt_s: Option<f64>,
     /// StationXML with the sensitivity of a miniSEED file; without it one is looked for beside the file.
     pub station_xml: Option<PathBuf>,
+    /// A shock and no motion of the ground or a floor: hundreds of g in it are nothing to be noted.
+    pub is_shock: bool,
 }
 
 impl ReadOptions {
@@ -152,7 +156,9 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
     let Reading { format, components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
-    notes.extend(components.iter().filter_map(extreme_note));
+    if !options.is_shock {
+        notes.extend(components.iter().filter_map(extreme_note));
+    }
     let file = MotionFile { path: path.to_path_buf(), format, components, notes };
     Ok(file.with_unused(options))
 }

@@ -163,7 +163,7 @@ impl Table {
     }
 }
 
-fn quoted_cells(text: &str, separator: u8) -> Vec<String> {
+pub(super) fn quoted_cells(text: &str, separator: u8) -> Vec<String> {
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(separator)
         .has_headers(false)

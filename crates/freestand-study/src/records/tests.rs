@@ -157,3 +157,18 @@ fn a_title_alone_makes_no_agency_s_file() {
         }
     }
 }
+
+/// Hundreds of g are noted of a floor and not of a shock; the other notes stay.
+#[test]
+fn a_shock_may_be_beyond_a_floor() {
+    let notes = |is_shock: bool| {
+        let options = ReadOptions { is_shock, station_xml: Some("x.xml".into()), ..ReadOptions::default() };
+        let text = "time [s],a [g]\n0,0\n0.01,300\n0.02,0\n".to_owned();
+        parse_motions(text.into_bytes(), "x.csv".as_ref(), &options).unwrap().notes
+    };
+    let (floor, shock) = (notes(false), notes(true));
+    assert!(
+        floor[0].contains("value 2 is 300.0 g") && floor[1..] == shock[..] && shock.len() == 1,
+        "{floor:?} {shock:?}"
+    );
+}

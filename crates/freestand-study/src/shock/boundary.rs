@@ -5,14 +5,14 @@ use freestand::damage_boundary::{DamageBoundary, KNEE_RATIO};
 use freestand::impact::Impact;
 use serde::Serialize;
 
-use super::ShockRequest;
 use super::verdict::boundary;
+use super::{BoundaryTests, ShockRequest};
 use crate::figures::{BoundaryPicture, Figure, FigureError, damage_boundary_figure};
 
 /// A damage boundary and a demand; the keys of the JSON document.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct DamageBoundaryReport {
-    /// `tests`, or `component` where it follows from a frequency and a capacity.
+    /// `test points` of a file, `tests` as stated, or `component` where it follows from a frequency and a capacity.
     pub source: &'static str,
     /// A_c \[g\].
     pub critical_acceleration_g: f64,
@@ -38,7 +38,8 @@ impl DamageBoundaryReport {
             let (frequency_hz, capacity) = (request.component_frequency_hz?, request.component_capacity_m_s2?);
             Some(("component", DamageBoundary::of_component(frequency_hz, capacity).ok()?))
         };
-        let (source, boundary) = boundary(request).map(|one| ("tests", one)).or_else(of_component)?;
+        let tests = if request.boundary_tests.is_some() { "test points" } else { "tests" };
+        let (source, boundary) = boundary(request).map(|one| (tests, one)).or_else(of_component)?;
         Some(Self {
             source,
             critical_acceleration_g: boundary.acceleration_m_s2() / G0_M_S2,
@@ -50,11 +51,11 @@ impl DamageBoundaryReport {
         })
     }
 
-    /// Peak against velocity change.
+    /// Peak against velocity change, with the shocks of a test.
     ///
     /// # Errors
     /// What the plot library says when it cannot draw.
-    pub fn figure(&self) -> Result<Figure, FigureError> {
+    pub fn figure(&self, tests: Option<&BoundaryTests>) -> Result<Figure, FigureError> {
         let v_c = self.critical_velocity_change_m_s;
         let curve = (1..=CURVE_POINTS).filter_map(|i| {
             // Close together near V_c, where the curve is steep.
@@ -62,9 +63,16 @@ impl DamageBoundaryReport {
             let velocity_change_m_s = v_c * (1.0 + (KNEE_RATIO - 1.0) * share);
             Some((velocity_change_m_s, self.boundary.knee_acceleration_m_s2(velocity_change_m_s)? / G0_M_S2))
         });
+        let points = |damaged: bool| {
+            let points = tests.map_or(&[][..], |tests| &tests.points).iter();
+            let of = points.filter(move |point| point.damaged == damaged);
+            of.map(|point| (point.velocity_change_m_s, point.peak_acceleration_g)).collect()
+        };
         damage_boundary_figure(&BoundaryPicture {
             corner: (v_c, self.critical_acceleration_g),
             curve: curve.collect(),
+            survived: points(false),
+            damaged: points(true),
             demand: self.demand,
             safe: self.demand_ratio <= 1.0,
         })

@@ -24,7 +24,7 @@ fn request(kind: ResponseKind, frequencies_hz: Vec<f64>) -> ShockSpectrumRequest
 fn read(path: std::path::PathBuf) -> Vec<ReadMotion> {
     let files = MotionFiles {
         paths: vec![path],
-        read: ReadOptions::default(),
+        read: ReadOptions { is_shock: true, ..ReadOptions::default() },
         component: None,
         processing: Processing::default(),
     };

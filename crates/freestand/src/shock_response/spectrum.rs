@@ -13,6 +13,10 @@ use super::{ResponseKind, ResponsePeaks, ShockResponseError};
 /// the peak, and straight lines between samples take (π/128)²/3 = 0.02 % from a component at its own frequency.
 pub const SAMPLES_PER_PERIOD: f64 = 128.0;
 
+/// Doublings of the rate that slow oscillators get too: through its damper one feels a little of what fills the upper end
+/// of the band, where straight lines between the samples of the record would take half of it.
+const LEAST_DOUBLINGS: usize = 2;
+
 /// Oscillators abreast: two vectors of the widest, four of the next.
 const LANES: usize = 16;
 
@@ -23,7 +27,7 @@ pub struct ShockSpectrumOptions {
     pub kind: ResponseKind,
     /// ζ; 1/(2Q).
     pub damping_ratio: f64,
-    /// More samples on the band-limited curve for oscillators with fewer than [`SAMPLES_PER_PERIOD`] in a period. Without
+    /// More samples on the band-limited curve, so that every oscillator has [`SAMPLES_PER_PERIOD`] in a period. Without
     /// it the filter of ISO 18431-4 runs over the samples as they are.
     pub upsample: bool,
 }
@@ -58,9 +62,8 @@ pub struct ShockSpectrum {
 /// # Accuracy
 /// Without upsampling the ramp-invariant filter to rounding, peaks at the samples. With it 0.05 % of the response to the
 /// band-limited curve through the samples, at any frequency up to half the sampling rate that got
-/// [`SAMPLES_PER_PERIOD`] samples; where noise fills the band up to there, slow components come out up to 0.3 % low,
-/// because the straight lines between the samples take some of what they feel through their damper. A record says nothing of what is above half its rate: what is returned there is the
-/// response of a stiff oscillator to what is below.
+/// [`SAMPLES_PER_PERIOD`] samples; 0.1 % where noise fills the band up to there. A record says nothing of what is above
+/// half its rate: what is returned there is the response of a stiff oscillator to what is below.
 ///
 /// # Errors
 /// A frequency that is not positive, damping outside 0 ≤ ζ < 1, responses beyond the largest number.
@@ -127,7 +130,11 @@ pub(super) fn shock_spectrum_on(
 fn level(motion: &Motion, frequency_hz: f64, upsample: bool) -> usize {
     let (mut level, mut per_period) = (0, 1.0 / (frequency_hz * motion.dt_s()));
     let length = |level: usize| motion.accel_m_s2().len() << level;
-    while upsample && per_period < SAMPLES_PER_PERIOD && 1 << level < MAX_FACTOR && length(level + 1) <= MAX_LENGTH {
+    while upsample
+        && (per_period < SAMPLES_PER_PERIOD || level < LEAST_DOUBLINGS)
+        && 1 << level < MAX_FACTOR
+        && length(level + 1) <= MAX_LENGTH
+    {
         level += 1;
         per_period *= 2.0;
     }

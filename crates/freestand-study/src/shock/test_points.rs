@@ -1,0 +1,279 @@
+//! A damage boundary from the shocks of a test, ASTM D3332: Method A (short pulses) gives the critical velocity change,
+//! Method B (long ones) the critical acceleration.
+
+use std::path::Path;
+
+use freestand::G0_M_S2;
+use freestand::damage_boundary::KNEE_RATIO;
+use serde::Serialize;
+
+use crate::error::{Problem, ProblemKind, StudyError};
+use crate::records::{DamageRow, load_damage_points};
+
+/// Longest pulse of Method A \[s\].
+const LONGEST_OF_METHOD_A_S: f64 = 3e-3;
+
+/// One shock of a test.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TestPoint {
+    /// `A` or `B`.
+    pub method: char,
+    /// Δv \[m/s\].
+    pub velocity_change_m_s: f64,
+    /// A \[g\].
+    pub peak_acceleration_g: f64,
+    /// Whether it did harm.
+    pub damaged: bool,
+    /// Its line in the file, from 1.
+    pub line: usize,
+}
+
+/// What was survived and, above it, what first did harm; `None` where no test says.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Bracket {
+    /// The largest that was survived below the first damage: the critical value.
+    pub survived: Option<f64>,
+    /// The first damage.
+    pub damaged: Option<f64>,
+}
+
+/// The tests of an object and what they say of its damage boundary; part of the JSON document.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct BoundaryTests {
+    /// V_c, by Method A.
+    pub critical_velocity_change_m_s: Bracket,
+    /// A_c, by Method B.
+    pub critical_acceleration_g: Bracket,
+    /// All points, in the order of the file.
+    pub points: Vec<TestPoint>,
+    /// What is missing or to be doubted.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+}
+
+impl BoundaryTests {
+    /// A_c \[m/s²\] and V_c \[m/s\], where both are known.
+    pub fn critical(&self) -> Option<(f64, f64)> {
+        let acceleration_m_s2 = G0_M_S2 * self.critical_acceleration_g.survived?;
+        Some((acceleration_m_s2, self.critical_velocity_change_m_s.survived?))
+    }
+}
+
+/// Reads the tests of an object: columns of velocity change, peak acceleration and `damaged`, perhaps `method` (A or B) or
+/// a duration.
+///
+/// Where the method is not stated a duration tells it: up to 3 ms is Method A. Where neither is, velocity change and peak do:
+/// a pulse lasts between Δv/A (a rectangle) and 2Δv/A (a sawtooth); where 3 ms lies between the two, nobody can tell.
+///
+/// # Reference
+/// ASTM D3332, in own words: V_c and A_c are the last that was survived before the first damage; Method B is run at 1.57 V_c
+/// or more, so that what is survived below that says nothing of A_c.
+///
+/// # Errors
+/// A file without such columns, a point whose method is not known, damage at or below what was survived.
+pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, StudyError> {
+    let rows = load_damage_points(path)?;
+    let mut problems = Vec::new();
+    let mut points = Vec::new();
+    for row in &rows {
+        match method(row) {
+            Ok(method) => points.push(TestPoint {
+                method,
+                velocity_change_m_s: row.velocity_change_m_s,
+                peak_acceleration_g: row.peak_acceleration_m_s2 / G0_M_S2,
+                damaged: row.damaged,
+                line: row.line,
+            }),
+            Err(problem) => problems.push(problem),
+        }
+    }
+    for (method, what, size) in [('A', "velocity change", velocity_change as Size), ('B', "peak", peak as Size)] {
+        problems.extend(contradiction(&points, method, what, size));
+    }
+    if problems.is_empty() {
+        return Ok(evaluated(points));
+    }
+    Err(StudyError { problems: problems.into_iter().map(|problem| problem.in_file(path)).collect() })
+}
+
+/// What a method makes larger from shock to shock.
+type Size = fn(&TestPoint) -> f64;
+
+fn velocity_change(point: &TestPoint) -> f64 {
+    point.velocity_change_m_s
+}
+
+fn peak(point: &TestPoint) -> f64 {
+    point.peak_acceleration_g
+}
+
+fn method(row: &DamageRow) -> Result<char, Problem> {
+    if let Some(method) = row.method {
+        return Ok(method);
+    }
+    let rectangle_s = row.velocity_change_m_s / row.peak_acceleration_m_s2;
+    let (shortest_s, longest_s) =
+        row.duration_s.map_or((rectangle_s, 2.0 * rectangle_s), |duration_s| (duration_s, duration_s));
+    if longest_s <= LONGEST_OF_METHOD_A_S {
+        Ok('A')
+    } else if shortest_s > LONGEST_OF_METHOD_A_S {
+        Ok('B')
+    } else {
+        let message = "whether this shock is of Method A or B cannot be told from its velocity change and peak";
+        let problem = Problem::new(ProblemKind::Value, message).at_line(row.line);
+        Err(problem.hint("add a column \"method\" with A or B, or one of durations, such as \"duration [ms]\""))
+    }
+}
+
+/// The least damage of a method and what was survived at or above it.
+fn contradiction(points: &[TestPoint], method: char, what: &str, size: Size) -> Option<Problem> {
+    let of = |damaged: bool| points.iter().filter(move |point| point.method == method && point.damaged == damaged);
+    let first = of(true).min_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let last = of(false).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    (size(last) >= size(first)).then(|| {
+        let message = format!(
+            "Method {method}: damage at a {what} of no more than line {} survived; the tests contradict each other",
+            last.line
+        );
+        let problem = Problem::new(ProblemKind::Value, message).at_line(first.line);
+        problem.hint("test on new specimens each time, and leave out what was weakened by an earlier shock")
+    })
+}
+
+fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
+    let mut warnings = Vec::new();
+    let bracket = |method: char, size: Size, counts: &dyn Fn(&TestPoint) -> bool| {
+        let of = |damaged: bool| points.iter().filter(move |point| point.method == method && point.damaged == damaged);
+        Bracket {
+            survived: of(false).filter(|point| counts(point)).map(size).max_by(f64::total_cmp),
+            damaged: of(true).map(size).min_by(f64::total_cmp),
+        }
+    };
+    let v = bracket('A', velocity_change, &|_| true);
+    let knee_m_s = v.survived.map(|survived| KNEE_RATIO * survived);
+    // 1.57, as the standard rounds it, is enough.
+    let beyond_knee = |point: &TestPoint| knee_m_s.is_none_or(|knee| point.velocity_change_m_s >= 0.999 * knee);
+    let a = bracket('B', peak, &beyond_knee);
+    for (method, what, found) in [('A', "critical velocity change", v), ('B', "critical acceleration", a)] {
+        let tested = points.iter().any(|point| point.method == method);
+        match (found.survived, found.damaged) {
+            (None, _) if !tested => {
+                warnings.push(format!("no damage boundary: no shock of Method {method}, which gives the {what}"));
+            }
+            (None, Some(_)) => warnings.push(format!(
+                "no damage boundary: no shock of Method {method} below the first damage was survived, so that the {what} is not known"
+            )),
+            (None, None) => warnings.push(format!("no damage boundary: no shock of Method {method} counts")),
+            (Some(_), None) => warnings
+                .push(format!("no shock of Method {method} did harm: the {what} is at least the largest survived one")),
+            (Some(_), Some(_)) => {}
+        }
+    }
+    let lines = |is_it: &dyn Fn(&TestPoint) -> bool| {
+        let found: Vec<String> =
+            points.iter().filter(|point| is_it(point)).map(|point| point.line.to_string()).collect();
+        (!found.is_empty()).then(|| found.join(", "))
+    };
+    if let Some(found) = lines(&|point| point.method == 'B' && !point.damaged && !beyond_knee(point)) {
+        warnings.push(format!(
+            "shocks of Method B below 1.57 times the critical velocity change say nothing of the critical acceleration and do \
+             not count: line {found}"
+        ));
+    }
+    // Below A_c every velocity change is survived.
+    let says_nothing = |point: &TestPoint| {
+        point.method == 'A'
+            && !point.damaged
+            && v.survived == Some(point.velocity_change_m_s)
+            && a.survived.is_some_and(|a_c| point.peak_acceleration_g <= a_c)
+    };
+    if let Some(found) = lines(&says_nothing) {
+        warnings.push(format!(
+            "the critical velocity change rests on a peak that the object stands at any velocity change: line {found}; use \
+             shorter pulses for Method A"
+        ));
+    }
+    BoundaryTests { critical_velocity_change_m_s: v, critical_acceleration_g: a, points, warnings }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NAMES: &str = "velocity change [m/s],peak acceleration [g],damaged,method\n";
+    /// V_c between 0.9 and 1.1 m/s, A_c between 30 and 35 g.
+    const POINTS: &str = "0.7,120,no,A\n0.9,150,no,A\n1.1,180,yes,A\n1.6,20,no,B\n1.6,30,no,B\n1.6,35,yes,B\n";
+
+    fn read(text: &str) -> Result<BoundaryTests, String> {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), text).unwrap();
+        boundary_tests(file.path()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn the_last_survived_before_the_first_damage() {
+        let tests = read(&format!("{NAMES}{POINTS}")).unwrap();
+        assert_eq!(tests.critical_velocity_change_m_s, Bracket { survived: Some(0.9), damaged: Some(1.1) });
+        let a = tests.critical_acceleration_g;
+        assert!((a.survived.unwrap() - 30.0).abs() < 1e-12 && (a.damaged.unwrap() - 35.0).abs() < 1e-12);
+        let (a_c, v_c) = tests.critical().unwrap();
+        assert!((a_c - 30.0 * G0_M_S2).abs() < 1e-12 && v_c == 0.9);
+        assert_eq!((tests.points.len(), tests.points[3].method, tests.warnings.len()), (6, 'B', 0));
+    }
+
+    /// The order of the lines changes nothing.
+    #[test]
+    fn the_order_does_not_matter() {
+        let mut lines: Vec<&str> = POINTS.lines().collect();
+        let straight = read(&format!("{NAMES}{POINTS}")).unwrap();
+        for _ in 0..lines.len() {
+            lines.rotate_left(1);
+            let turned = read(&format!("{NAMES}{}\n", lines.join("\n"))).unwrap();
+            assert_eq!(turned.critical(), straight.critical());
+        }
+    }
+
+    #[test]
+    fn the_method_is_told_or_asked_for() {
+        // 1 m/s at 100 g is 1.02 ms for a rectangle and 2.04 ms for a sawtooth; 2 m/s at 30 g is 6.8 ms at least; 1.5 m/s
+        // at 60 g between 2.5 and 5.1 ms.
+        let names = "velocity change [m/s],peak [g],damaged\n";
+        let tests = read(&format!("{names}1,100,0\n2,30,0\n")).unwrap();
+        assert_eq!(tests.points.iter().map(|point| point.method).collect::<String>(), "AB");
+        let asked = read(&format!("{names}1,100,0\n1.5,60,0\n")).unwrap_err();
+        assert!(asked.contains(":3: ") && asked.contains("Method A or B") && asked.contains("column \"method\""));
+        let names = "velocity change [m/s],peak [g],damaged,duration [ms]\n";
+        let tests = read(&format!("{names}1.5,60,0,3\n1.5,60,0,4\n")).unwrap();
+        assert_eq!(tests.points.iter().map(|point| point.method).collect::<String>(), "AB");
+    }
+
+    #[test]
+    fn contradictions_are_refused_with_their_lines() {
+        let said = read(&format!("{NAMES}1.1,180,no,A\n0.9,150,yes,A\n1.6,20,no,B\n1.6,20,yes,B\n")).unwrap_err();
+        assert!(said.contains(":3: Method A: damage") && said.contains("line 2 survived"), "{said}");
+        assert!(said.contains(":5: Method B: damage") && said.contains("line 4 survived"), "{said}");
+        // A peak above the first damage of the other method is no contradiction.
+        assert!(read(&format!("{NAMES}{POINTS}0.5,400,no,A\n")).is_ok());
+    }
+
+    #[test]
+    fn what_is_missing_is_said() {
+        let cases = [
+            ("0.9,150,no,A\n1.1,180,yes,A\n", "no shock of Method B, which gives the critical acceleration"),
+            ("1.6,30,no,B\n1.6,35,yes,B\n", "no shock of Method A, which gives the critical velocity change"),
+            ("0.9,150,no,A\n1.6,35,yes,B\n", "no shock of Method B below the first damage was survived"),
+            // 1.57 × 0.9 = 1.413
+            ("0.9,150,no,A\n1.4,30,no,B\n", "do not count: line 3"),
+        ];
+        for (points, said) in cases {
+            let tests = read(&format!("{NAMES}{points}")).unwrap();
+            assert_eq!(tests.critical(), None, "{points}");
+            assert!(tests.warnings.iter().any(|warning| warning.contains(said)), "{:?}", tests.warnings);
+        }
+        let never = read(&format!("{NAMES}0.9,150,no,A\n1.413,30,no,B\n")).unwrap();
+        assert_eq!((never.critical().map(|(_, v_c)| v_c), never.warnings.len()), (Some(0.9), 2));
+        assert!(never.warnings[0].contains("at least the largest survived one"));
+        let weak = read(&format!("{NAMES}0.9,25,no,A\n1.6,30,no,B\n1.6,35,yes,B\n")).unwrap();
+        assert!(weak.warnings.iter().any(|warning| warning.contains("any velocity change: line 2")));
+    }
+}
