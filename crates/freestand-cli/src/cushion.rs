@@ -84,14 +84,27 @@ impl CushionArgs {
     /// What stands under one edge of an object of `mass_kg`; `None` where no flag says anything, or a wrong thing.
     pub(crate) fn edge(&self, mass_kg: Option<f64>, values: &mut Values) -> Result<Option<EdgeCushion>, Failure> {
         let words = self.words(values)?;
+        Ok(self.resolved(&words, mass_kg, values))
+    }
+
+    /// What stands under one edge by these words; `None` where there are none, or a wrong one.
+    pub(crate) fn resolved(
+        &self,
+        words: &CushionWords,
+        mass_kg: Option<f64>,
+        values: &mut Values,
+    ) -> Option<EdgeCushion> {
         if words.is_empty() {
-            return Ok(None);
+            return None;
         }
         match words.resolve(mass_kg) {
-            Ok(edge) => Ok(Some(edge)),
+            Ok(edge) => Some(edge),
             Err(problems) => {
-                problems.into_iter().for_each(|(_, problem)| values.push(problem));
-                Ok(None)
+                for (_, problem) in problems {
+                    // What a file says is the fault of the file.
+                    values.push(self.cushion.iter().fold(problem, |problem, path| problem.in_file(path)));
+                }
+                None
             }
         }
     }

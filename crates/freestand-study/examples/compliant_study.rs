@@ -10,9 +10,10 @@ use std::error::Error;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::{CompliantBase, CompliantOptions, CompliantRocking, Start, rock_compliant};
-use freestand::cushion::{ContactLaw, Cushion};
+use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::rocking::Base;
+use freestand_study::compliant::damped;
 
 const MASS_KG: f64 = 140.0;
 const HEIGHT_M: f64 = 2.3;
@@ -32,16 +33,6 @@ fn release(block: &Block, base: &CompliantBase, rise_m: f64) -> Result<Compliant
         ..CompliantOptions::default()
     };
     Ok(rock_compliant(block, base, Base::default(), &options)?)
-}
-
-fn cushion(block: &Block, stiffness_n_m: f64, damping_ratio: f64) -> Result<Cushion, Box<dyn Error>> {
-    let m_eff = Landing::rocking(block, ImpactModel::Paper).effective_mass_ratio * MASS_KG;
-    let damping_n_s_m = 2.0 * damping_ratio * (stiffness_n_m * m_eff).sqrt();
-    Ok(Cushion::new(if damping_ratio > 0.0 {
-        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }
-    } else {
-        ContactLaw::Linear { stiffness_n_m }
-    })?)
 }
 
 /// First landing, and the largest until the block has swung to the other side \[g\].
@@ -72,7 +63,7 @@ fn study() -> Result<(), Box<dyn Error>> {
                         let base = CompliantBase {
                             tangential_stiffness_ratio,
                             friction_ratio,
-                            ..CompliantBase::new(MASS_KG, cushion(&block, stiffness_n_m, damping_ratio)?)
+                            ..CompliantBase::new(MASS_KG, damped(MASS_KG, stiffness_n_m, damping_ratio)?)
                         };
                         let run = release(&block, &base, rise_m)?;
                         let (first, largest) = shocks(&run);
@@ -108,7 +99,7 @@ fn table_one() -> Result<(), Box<dyn Error>> {
             for tangential_stiffness_ratio in [0.5, 1.0, 10.0] {
                 let base = CompliantBase {
                     tangential_stiffness_ratio,
-                    ..CompliantBase::new(MASS_KG, cushion(&block, EDGE_N_M, damping_ratio)?)
+                    ..CompliantBase::new(MASS_KG, damped(MASS_KG, EDGE_N_M, damping_ratio)?)
                 };
                 let run = release(&block, &base, 1e-3 * rise_mm)?;
                 let (first, largest) = shocks(&run);

@@ -125,6 +125,11 @@ pub struct CompliantReport {
     pub edge_acceleration_effective_mass_g: Option<f64>,
     pub edge_acceleration_over_paper_ratio: Option<f64>,
     pub first_impact_over_paper_ratio: Option<f64>,
+    /// Of the rigid base: the feet here slip or hold, and a landing takes what it takes.
+    pub friction_needed_ratio: Option<f64>,
+    pub impact_friction_needed_ratio: Option<f64>,
+    pub edge_acceleration_impact_velocity_g: Option<f64>,
+    pub ceiling_g: Option<f64>,
     pub edge_force_n: f64,
     pub compression_m: f64,
     pub friction_used_ratio: f64,
@@ -217,13 +222,12 @@ fn sampling_s(request: &CompliantRequest) -> f64 {
     motion.map_or(pulse_s, |motion| motion.dt_s().min(pulse_s))
 }
 
-/// c = 2ζ√(k m_eff) with the m_eff of Eq. (5): a linear cushion as a Kelvin–Voigt one \[N s/m\].
+/// A linear cushion with c = 2ζ√(k m) under the edge of a mass m \[N s/m\].
 ///
 /// # Errors
 /// A stiffness that makes no cushion.
-pub fn damped(block: &Block, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Result<Cushion, Problem> {
-    let m_eff = Landing::rocking(block, ImpactModel::Paper).effective_mass_ratio * mass_kg;
-    let damping_n_s_m = 2.0 * damping_ratio * (stiffness_n_m * m_eff).sqrt();
+pub fn damped(mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Result<Cushion, Problem> {
+    let damping_n_s_m = 2.0 * damping_ratio * (stiffness_n_m * mass_kg).sqrt();
     let law = if damping_ratio > 0.0 {
         ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }
     } else {
@@ -292,6 +296,10 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         edge_acceleration_effective_mass_g: damped_m_s2.map(in_g),
         edge_acceleration_over_paper_ratio: paper_m_s2.map(|paper| peak_m_s2 / paper),
         first_impact_over_paper_ratio: paper_m_s2.zip(first_m_s2).map(|(paper, first)| first / paper),
+        friction_needed_ratio: None,
+        impact_friction_needed_ratio: None,
+        edge_acceleration_impact_velocity_g: None,
+        ceiling_g: None,
         edge_force_n: force_n,
         compression_m: rocking.peak_compression_m,
         friction_used_ratio: rocking.friction_used_ratio,
@@ -321,7 +329,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         steps: rocking.effort.steps,
         evaluations: rocking.effort.evaluations,
         notes: request.notes.clone(),
-        warnings: warnings(request, force_n, &rocking),
+        warnings: warnings(request, &rocking),
         impacts: rocking.touches.into_iter().map(touch).collect(),
         swings: rocking
             .swings
@@ -369,7 +377,7 @@ fn energy(audit: EnergyAudit) -> EnergyReport {
 /// Energy that may be missing before it is said.
 const ENERGY_LIMIT: f64 = 1e-5;
 
-fn warnings(request: &CompliantRequest, force_n: f64, rocking: &CompliantRocking) -> Vec<String> {
+fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<String> {
     let (base, pad_thickness_m) = (&request.base, request.pad_thickness_m);
     let is_shaken = request.horizontal.is_some() || request.vertical.is_some();
     let stiffness = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
@@ -463,7 +471,7 @@ mod tests {
     fn request(damping_ratio: f64) -> CompliantRequest {
         let block = Block::uniform(2.3, 0.6).unwrap();
         let rotation_rad = block.right_pivot().rotation_at_rise_rad(0.016).unwrap();
-        let base = CompliantBase::new(140.0, damped(&block, 140.0, 4.38e6, damping_ratio).unwrap());
+        let base = CompliantBase::new(140.0, damped(140.0, 4.38e6, damping_ratio).unwrap());
         let start = Start::Tilted { rotation_rad, omega_rad_s: 0.0 };
         let options = CompliantOptions { start, points_m: vec![(0.3, 1.15)], ..CompliantOptions::default() };
         CompliantRequest {

@@ -9,8 +9,8 @@ const SAME_EXPONENT: f64 = 1e-9;
 
 /// The coefficient K of F = K dⁿ in N/mⁿ, and a note where the unit was completed.
 ///
-/// `"2190 N/mm"` for n = 1; `"2e7 N/m^1.5"` or `"632 N/mm^1.5"` for n = 1.5. A plain `"632 N/mm"` with n ≠ 1 is read as
-/// 632 N/mmⁿ, and the note says so. 1 N/mmⁿ = 1000ⁿ N/mⁿ.
+/// `"2190 N/mm"` for n = 1; `"2e7 N/m^1.5"` or `"632 N/mm^1.5"` for n = 1.5. A plain `"632 N/mm"`, or `"632000 N/m"`, with
+/// n ≠ 1 is read as the secant at 1 mm, 632 N/mmⁿ, and the note says so. 1 N/mmⁿ = 1000ⁿ N/mⁿ.
 ///
 /// # Errors
 /// No positive stiffness, or an exponent in the unit that is not `exponent`.
@@ -21,7 +21,7 @@ const SAME_EXPONENT: f64 = 1e-9;
 /// assert_eq!(contact_law_stiffness("2190 N/mm", 1.0)?, (2.19e6, None));
 /// let (coefficient_n_mn, note) = contact_law_stiffness("40 N/mm", 2.0)?;
 /// assert!((coefficient_n_mn / 40e6 - 1.0).abs() < 1e-12);
-/// assert_eq!(note.as_deref(), Some("\"40 N/mm\" is read as 40 N/mm^2: 4.0000e7 N/m^2"));
+/// assert_eq!(note.as_deref(), Some("\"40 N/mm\" is read as the secant stiffness at 1 mm, 40 N/mm^2: 4.0000e7 N/m^2"));
 /// # Ok::<(), freestand_study::Problem>(())
 /// ```
 pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<String>), Problem> {
@@ -37,12 +37,17 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
         }
         _ if is_one => Ok((stiffness_n_m, None)),
         _ => {
-            // One N/mm is 1000 N/m, one N/mmⁿ is 1000ⁿ N/mⁿ.
-            let lengths_in_m: f64 = if plain.trim_end().to_ascii_lowercase().ends_with("/mm") { 1e3 } else { 1.0 };
+            // One N/mm is 1000 N/m, one N/mmⁿ is 1000ⁿ N/mⁿ; without an exponent in the unit its length is a millimetre.
+            let is_per_mm = stated.is_none() || plain.trim_end().to_ascii_lowercase().ends_with("/mm");
+            let lengths_in_m: f64 = if is_per_mm { 1e3 } else { 1.0 };
             let coefficient_n_mn = stiffness_n_m * lengths_in_m.powf(exponent - 1.0);
             let note = stated.is_none().then(|| {
                 let (written, power) = (shorten(text), number(exponent, 6));
-                format!("\"{written}\" is read as {written}^{power}: {coefficient_n_mn:.4e} N/m^{power}")
+                let per_mm = number(stiffness_n_m / 1e3, 6);
+                format!(
+                    "\"{written}\" is read as the secant stiffness at 1 mm, {per_mm} N/mm^{power}: {coefficient_n_mn:.4e} \
+                     N/m^{power}"
+                )
             });
             Ok((coefficient_n_mn, note))
         }
@@ -80,7 +85,8 @@ mod tests {
             ("632 N/mm", 1.5, 632.0 * 31_622.776_601_683_8),
             ("1 kN/mm", 2.0, 1e9),
             ("3 N/m²", 2.0, 3.0),
-            ("5 kN/m", 1.2, 5e3),
+            ("632000 N/m", 1.5, 632.0 * 31_622.776_601_683_8),
+            ("5 kN/m^1.2", 1.2, 5e3),
         ];
         for (text, exponent, expected) in cases {
             let (found, note) = contact_law_stiffness(text, exponent).unwrap();

@@ -142,6 +142,7 @@ static UNITS: &[Unit] = &[
     unit("t", Dimension::Mass, 3, false),
     unit("s", Dimension::Time, 0, false),
     unit("ms", Dimension::Time, -3, false),
+    Unit { aliases: &["µs", "μs"], ..unit("us", Dimension::Time, -6, false) },
     Unit { factor: G0_M_S2, ..unit("g", Dimension::Acceleration, 0, true) },
     Unit { aliases: &["m/s/s"], ..unit("m/s2", Dimension::Acceleration, 0, false) },
     Unit { factor: G0_M_S2, aliases: &["milli-g", "milli·g"], ..unit("mg", Dimension::Acceleration, -3, false) },

@@ -551,12 +551,12 @@ fn report(
     {
         warnings.push("the point of --at lies outside the object".to_owned());
     }
+    // The advice is about springs: of another law it would not be the stiffness that was stated.
+    let rise_on_a_spring_m = fall.rise_m.filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
     let (max_stiffness_n_m, stiffness_note) =
-        fall.rise_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
+        rise_on_a_spring_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
     notes.extend(stiffness_note.map(str::to_owned));
-    if max_stiffness_n_m.is_some() && cushion.is_some_and(|cushion| cushion.linear_stiffness_n_m().is_none()) {
-        notes.push("the largest stiffness is that of a spring in place of this cushion".to_owned());
-    }
+    warnings.extend(not_compared(request, verdict.map(|verdict| verdict.0)));
     Ok(ShockReport {
         scenario: request.scenario.name(),
         model: model_name(landing.model),
@@ -608,6 +608,23 @@ fn report(
         notes,
         warnings,
     })
+}
+
+/// Tolerances that were given and that nothing of this landing can be held against.
+fn not_compared(request: &ShockRequest, compared: Option<DemandCapacity>) -> Vec<String> {
+    let compared = compared.unwrap_or_default();
+    let kinds = [
+        (
+            request.component_frequency_hz.is_some() && compared.component.is_none(),
+            "the component is not compared: a drop acceleration alone has no duration; give the rise at which it was \
+             measured, or the cushion",
+        ),
+        (
+            request.tolerance_edge_lift_m.is_some() && compared.edge_lift.is_none(),
+            "the lift that was survived is not compared: it needs --uplift, --rotation or --cg-rise",
+        ),
+    ];
+    kinds.into_iter().filter(|(is_left, _)| *is_left).map(|(_, words)| words.to_owned()).collect()
 }
 
 /// The spring on which the mass dropped by the same rise meets the measured acceleration; `None` where no rise is known.

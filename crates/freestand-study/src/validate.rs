@@ -155,7 +155,7 @@ fn table_one() -> Result<Vec<TableOneRow>, Problem> {
 fn simulated_g(cg_rise_m: f64, damping_ratio: f64) -> Result<f64, Problem> {
     let block = Block::uniform(2.3, 0.6).map_err(defect)?;
     let rotation_rad = block.right_pivot().rotation_at_rise_rad(cg_rise_m).ok_or_else(|| defect("no such rise"))?;
-    let base = CompliantBase::new(140.0, damped(&block, 140.0, 4.38e6, damping_ratio)?);
+    let base = CompliantBase::new(140.0, damped(140.0, 4.38e6, damping_ratio)?);
     let options = CompliantOptions {
         gravity_m_s2: TABLE_ONE_GRAVITY_M_S2,
         start: Start::Tilted { rotation_rad, omega_rad_s: 0.0 },

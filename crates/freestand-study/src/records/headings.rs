@@ -46,10 +46,16 @@ pub(super) fn heading(cell: &str) -> Heading {
         Some(("_g", _)) if !cell.to_ascii_lowercase().starts_with("acc") => None,
         Some(("_m", _)) if !is_other_name(cell) => None,
         Some((_, symbol)) => lookup(symbol),
-        None if matches!(cell, "time_s" | "t_s") => lookup("s"),
-        None => None,
+        None => time_suffix(cell),
     };
     Heading { name: cell.to_owned(), unit }
+}
+
+/// `time_ms`, `t_s`, `Time ms`: a word of time with its unit behind it.
+fn time_suffix(cell: &str) -> Option<&'static Unit> {
+    let (name, unit) = cell.rsplit_once(['_', ' '])?;
+    let of_time = record_unit(unit).filter(|unit| unit.dimension == Dimension::Time)?;
+    is_time_name(name.trim()).then_some(of_time)
 }
 
 /// The unit of a column: N is the newton of a force and the north of anything else.
@@ -59,6 +65,7 @@ fn column_unit(name: &str, unit: &str) -> Option<&'static Unit> {
     if is_force && unit.trim() == "N" { lookup("N") } else { record_unit(unit) }
 }
 
+/// What a column of time is called, without its unit.
 pub(super) fn is_time_name(name: &str) -> bool {
     matches!(name.to_ascii_lowercase().as_str(), "time" | "t" | "time_s" | "t_s" | "zeit" | "temps" | "tiempo")
 }

@@ -4,6 +4,7 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
+use freestand_study::cushion::EdgeCushion;
 use freestand_study::quantity::{Dimension, parse};
 use freestand_study::virtual_laboratory::{drop_file, static_file};
 use serde::Serialize;
@@ -186,13 +187,34 @@ fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Resul
     }
 }
 
+/// Damping of the virtual pads whose law has some and nobody says how much: those of `recovery`.
+const DAMPING: [(&str, &str, &str); 2] =
+    [("kelvin-voigt", "damping", "10 %"), ("hunt-crossley", "dissipation", "0.3 s/m")];
+
+/// The pad, and what was assumed of it.
+fn edge(
+    args: &SimulateArgs,
+    mass_kg: Option<f64>,
+    values: &mut Values,
+) -> Result<(Option<EdgeCushion>, Vec<String>), Failure> {
+    let mut words = args.cushion.words(values)?;
+    let mut assumed = Vec::new();
+    for (law, key, value) in DAMPING {
+        if words.get("law").is_some_and(|name| name == law) && words.get(key).is_none() {
+            words.set(key, value);
+            assumed.push(format!("the {key} of the {law} pad is not given: {value}"));
+        }
+    }
+    Ok((args.cushion.resolved(&words, mass_kg, values), assumed))
+}
+
 fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<String>), Failure> {
     let mut values = Values::default();
     let seed = global.seed.unwrap_or(1);
     let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
     let height = values.positive("--height", args.height.as_deref(), Dimension::Length);
     let noise_ratio = values.non_negative("--noise", Some(&args.noise), Dimension::Ratio).unwrap_or(0.0);
-    let edge = args.cushion.edge(mass, &mut values)?;
+    let (edge, assumed) = edge(args, mass, &mut values)?;
     let Some(edge) = edge else {
         values.finish()?;
         return Err(Failure::usage("there is no cushion", "give --stiffness, such as \"2190 N/mm\""));
@@ -216,7 +238,7 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
             index: 0,
         };
         values.finish()?;
-        return Ok((cushion, Plan::Static(options), edge.notes));
+        return Ok((cushion, Plan::Static(options), [edge.notes, assumed].concat()));
     }
     let gravity = values.non_negative("--gravity", args.gravity.as_deref(), Dimension::Acceleration);
     let rate = values.positive("--sample-rate", args.sample_rate.as_deref(), Dimension::Frequency);
@@ -245,7 +267,7 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
         seed,
         index: 0,
     };
-    Ok((cushion, Plan::Drop(options), edge.notes))
+    Ok((cushion, Plan::Drop(options), [edge.notes, assumed].concat()))
 }
 
 fn text(report: &Report) -> String {

@@ -167,6 +167,13 @@ fn header_cells() {
         ("Accel[g]", "Accel", Some("g")),
         ("acceleration (cm/s2)", "acceleration", Some("cm/s2")),
         ("time_s", "time_s", Some("s")),
+        ("time_ms", "time_ms", Some("ms")),
+        ("t_us", "t_us", Some("us")),
+        ("Time [µs]", "Time", Some("us")),
+        ("time_of_day", "time_of_day", None),
+        // N is north, but of a force.
+        ("acceleration (N)", "acceleration (N)", None),
+        ("force (N)", "force", Some("N")),
         ("ah_m_s2", "ah_m_s2", Some("m/s2")),
         ("accel_g", "accel_g", Some("g")),
         ("acc_g", "acc_g", Some("g")),
