@@ -342,6 +342,57 @@ fn static_tests_come_back() {
     assert!(matches!(static_test(&force, &displacement, &heavy), Err(StaticError::Load { .. })));
 }
 
+/// Straight lines of 1000 N/mm up to each of `tops`, and back at 80 % of the force; each cycle ends at `rest_n`.
+fn cycles(tops: &[f64], rest_n: f64) -> (Vec<f64>, Vec<f64>) {
+    let (mut force, mut displacement) = (vec![0.0], vec![0.0]);
+    let mut at_n = 0.0;
+    for &top in tops {
+        for (from, to, share) in [(at_n, top, 1.0), (top, rest_n, 0.8)] {
+            let steps = 100;
+            displacement.extend((1..=steps).map(|i| (from + (to - from) * f64::from(i) / f64::from(steps)) / 1e6));
+            force.extend((1..=steps).map(|i| share * (from + (to - from) * f64::from(i) / f64::from(steps))));
+        }
+        at_n = rest_n;
+    }
+    (force, displacement)
+}
+
+/// Cycles before the last full one and after it take no part: the way in is straight, 1000 N/mm to rounding, and the way
+/// out at 80 % of its force loses a fifth, less what the first step back, from 1000 to 792 N, takes: 0.2 · 1/100.
+#[test]
+fn conditioning_cycles_are_left_out() {
+    let options = StaticOptions { load_n: None, machine_stiffness_n_m: None, compensates_toe: true };
+    for (tops, max_n, others) in [
+        (&[1000.0][..], 1000.0, 0),
+        (&[300.0, 600.0, 1000.0], 1000.0, 2),
+        (&[1000.0, 980.0, 970.0], 970.0, 2),
+        (&[600.0, 1000.0, 500.0], 1000.0, 2),
+    ] {
+        let (force, displacement) = cycles(tops, 0.0);
+        let test = static_test(&force, &displacement, &options).unwrap();
+        assert!((test.tangent_stiffness_n_m / 1e6 - 1.0).abs() < 1e-9, "{tops:?} {test:?}");
+        assert!((test.secant_stiffness_n_m / 1e6 - 1.0).abs() < 1e-9, "{tops:?}");
+        assert!((test.hysteresis_ratio.unwrap() - 0.2).abs() < 2.1e-3, "{tops:?} {:?}", test.hysteresis_ratio);
+        assert!(test.toe_m.abs() < 1e-12 && (test.exponent.unwrap() - 1.0).abs() < 1e-9, "{tops:?}");
+        assert_eq!((test.max_force_n, test.other_cycles, test.loading_count), (max_n, others, 101), "{tops:?}");
+    }
+    // A pause that is not unloaded is no beginning of a way in.
+    let (force, displacement) = cycles(&[600.0, 1000.0], 550.0);
+    assert!(matches!(static_test(&force, &displacement, &options), Err(StaticError::Foot { .. })));
+}
+
+/// A curve that softens, F = 1000 N · √(d/1 mm): the tangent at 500 N (0.25 mm, 1000 N/mm) meets zero at −0.25 mm, and the
+/// straight line through a quarter to both sides of a parabola on its side is that tangent to 3 %.
+#[test]
+fn a_softening_curve_has_a_toe_below_zero() {
+    let displacement: Vec<f64> = (0..=200).map(|i| f64::from(i) * 5e-6).collect();
+    let force: Vec<f64> = displacement.iter().map(|d| 1e3 * (d / 1e-3).sqrt()).collect();
+    let options = StaticOptions { load_n: None, machine_stiffness_n_m: None, compensates_toe: true };
+    let test = static_test(&force, &displacement, &options).unwrap();
+    assert!((test.toe_m / -0.25e-3 - 1.0).abs() < 0.06, "{}", test.toe_m);
+    assert!(test.toe_m < -3.0 * test.toe_error_m);
+}
+
 proptest::proptest! {
     /// Whatever a record holds, there is an answer: numbers that are numbers, or a flag that says why not. Pulses of any
     /// width and place, several of them, plateaus, steps, huge and tiny values.
