@@ -26,7 +26,7 @@ const VELOCITY_ERROR: f64 = 0.01;
 pub fn drop_file(cushion: &Cushion, options: &VirtualDropOptions) -> Result<(String, VirtualDrop), Problem> {
     let drop = virtual_drop(cushion, options).ok_or_else(|| {
         Problem::new(ProblemKind::Value, "the record would have more than five million samples")
-            .hint("lower --sample-rate, or leave --bounces out")
+            .hint("lower --sample-rate, shorten --pre-trigger, or leave --bounces out")
     })?;
     let height_m = options.speed_m_s.powi(2) / (2.0 * G0_M_S2);
     let mut text = format!("# virtual drop test\n# mass: {} kg\n# height: {} m\n", options.mass_kg, tidy(height_m));

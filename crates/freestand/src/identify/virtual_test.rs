@@ -63,7 +63,7 @@ const OVERSAMPLING: usize = 8;
 /// The first touch falls between two samples, at random. Noise is Gaussian and white, of stream `index` of `seed`.
 ///
 /// # Accuracy
-/// That of [`Cushion::landing_history`], 1e-8 of the peak.
+/// That of [`Cushion::landing_history`]; between its steps the force is interpolated.
 pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<VirtualDrop> {
     let o = options;
     let mut random = ChaCha12Rng::seed_from_u64(o.seed);
@@ -76,11 +76,13 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     let last = first.last()?;
     let (contact_s, rebound_m_s) = (last.time_s, -last.speed_m_s);
     let peak_at_s = first_s + first.iter().max_by(|a, b| a.force_n.total_cmp(&b.force_n))?.time_s;
-    let count = (end_s / dt_s).ceil() as usize + 1;
     let finer = if o.filter_corner_hz.is_some() { OVERSAMPLING } else { 1 };
-    if count.saturating_mul(finer) > MOST_SAMPLES {
+    // As a float: a count beyond all integers must not wrap around.
+    let wanted = (end_s / dt_s).ceil() + 1.0;
+    if wanted.is_nan() || wanted * finer as f64 > MOST_SAMPLES as f64 {
         return None;
     }
+    let count = wanted as usize;
     let fine_s = dt_s / finer as f64;
     let mut fine: Vec<f64> = (0..count * finer).map(|i| force_at(&contacts, i as f64 * fine_s) / o.mass_kg).collect();
     if let Some(corner_hz) = o.filter_corner_hz {
