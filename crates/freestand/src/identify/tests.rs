@@ -161,6 +161,63 @@ fn other_laws_are_recognised() {
     assert!((exponent - 1.5).abs() < 0.01 && (dissipation_s_m / 0.3 - 1.0).abs() < 0.03, "{found:?}");
 }
 
+/// Noise-free records of 50 samples per contact, of each law: the secant comes back to 1e-3, wherever the first touch
+/// falls between two samples. That is what the claim says, and the floor of every interval.
+#[test]
+fn clean_records_give_their_stiffness() {
+    let laws = [
+        ContactLaw::Linear { stiffness_n_m: STIFFNESS_N_M },
+        ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 },
+        ContactLaw::HuntCrossley { coefficient_n_mn: 2e7, exponent: 1.5, dissipation_s_m: 0.3 },
+        ContactLaw::KelvinVoigt { stiffness_n_m: STIFFNESS_N_M, damping_n_s_m: 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt() },
+    ];
+    for law in laws {
+        let cushion = Cushion::new(law).unwrap();
+        let deepest_m = cushion.deepest_of_fall();
+        let truth_n_m = cushion.force_n(deepest_m, 0.0) / deepest_m;
+        let contact_s = cushion.land(MASS_KG, fall_m_s()).duration_s;
+        for index in 0..8 {
+            let sample_rate_hz = 50.0 / contact_s;
+            let clean = VirtualDropOptions { noise_ratio: 0.0, sample_rate_hz, ..virtual_options(index) };
+            let drop = virtual_drop(&cushion, &clean).unwrap();
+            let found = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true)).unwrap().identified.unwrap();
+            let error = found.stiffness.fit_n_m / truth_n_m - 1.0;
+            assert!(error.abs() < 1e-3, "{} {index}: {error}", cushion.law().name());
+        }
+    }
+}
+
+impl Cushion {
+    /// The largest compression of the worked drop, with its weight.
+    fn deepest_of_fall(&self) -> f64 {
+        let history = self.landing_history(MASS_KG, fall_m_s(), G0_M_S2);
+        history.iter().map(|p| p.compression_m).fold(0.0, f64::max)
+    }
+}
+
+/// A pulse that comes back faster than it came, fitted with a damped law: the damping is none in both of its numbers, and
+/// the record has a flag. The second half of the half-sine is 10 % higher: e = 1.1, ζ of some −0.03.
+#[test]
+fn negative_damping_is_none_and_flagged() {
+    let omega = (STIFFNESS_N_M / MASS_KG).sqrt();
+    let dt_s = PI / omega / 100.0;
+    let pulse = |i: i32, gain: f64| {
+        let angle = omega * (f64::from(i) - 300.3) * dt_s;
+        let share = if angle > PI / 2.0 { gain } else { 1.0 };
+        if angle > 0.0 && angle < PI { share * fall_m_s() * omega * angle.sin() } else { 0.0 }
+    };
+    let forced = DropSetup { law: Some(FittedLaw::KelvinVoigt), gravity_m_s2: 0.0, ..setup(true) };
+    for (gain, is_flagged) in [(1.0, false), (1.1, true)] {
+        let samples: Vec<f64> = (0..800).map(|i| pulse(i, gain)).collect();
+        let test = drop_test(&samples, dt_s, &forced).unwrap();
+        let found = test.identified.as_ref().unwrap();
+        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = found.law else { panic!("{found:?}") };
+        assert_eq!(test.flags.contains(&Flag::Damping), is_flagged, "{:?}", test.flags);
+        assert_eq!(found.damping_ratio == 0.0, damping_n_s_m == 0.0);
+        assert!(found.damping_ratio >= 0.0 && found.damping_ratio < 1e-3, "{}", found.damping_ratio);
+    }
+}
+
 fn flags_of(samples: &[f64], dt_s: f64) -> Vec<Flag> {
     let test = drop_test(samples, dt_s, &setup(true)).unwrap();
     let fatal = [Flag::ZeroShift, Flag::Drift];
@@ -279,6 +336,16 @@ fn virtual_options(index: u64) -> VirtualDropOptions {
         seed: 3,
         index,
     }
+}
+
+/// A record beyond all integers is none.
+#[test]
+fn endless_records_are_refused() {
+    let pad = Cushion::linear(STIFFNESS_N_M).unwrap();
+    let plain = virtual_options(0);
+    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { pre_trigger_s: 1e30, ..plain }), None);
+    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { sample_rate_hz: 1e40, ..plain }), None);
+    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { after_s: f64::NAN, ..plain }), None);
 }
 
 /// A virtual drop is its seed and number; a bounce is found by its flight.
