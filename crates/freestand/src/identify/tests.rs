@@ -333,6 +333,7 @@ fn virtual_options(index: u64) -> VirtualDropOptions {
         zero_shift_ratio: 0.0,
         filter_corner_hz: None,
         bounces: 0,
+        speed_error_ratio: 0.0,
         seed: 3,
         index,
     }
