@@ -1,13 +1,12 @@
 //! Drop tests of a cushion, from files to a pooled law: request → report.
 
-use std::fmt::Write;
+mod pool;
+
 use std::path::{Path, PathBuf};
 
 use freestand::G0_M_S2;
 use freestand::cushion::ContactLaw;
-use freestand::identify::{
-    DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, Pooled, PooledDrop, drop_test, pool_drops,
-};
+use freestand::identify::{DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, drop_test};
 use serde::Serialize;
 
 use crate::error::{Problem, ProblemKind};
@@ -16,12 +15,16 @@ use crate::records::laboratory::comments;
 use crate::records::{ReadOptions, load, parse_motions, push_shortest};
 use crate::words::significant;
 
+pub use pool::{PooledReport, cushion_toml};
+
 /// Warned below this many samples per contact: 50, of a contact time that is good to a hundredth or two.
 const GOOD_SAMPLES: f64 = 49.0;
 /// A spread of the four estimates beyond this is worth a word where the pad is linear.
 const WIDE_SPREAD: f64 = 0.1;
 /// A sphere deeper than this share of the pad no longer meets a half space.
 const HALF_SPACE_SHARE: f64 = 0.25;
+/// A fitted exponent above this is that of a round impactor.
+const ROUND_EXPONENT: f64 = 1.2;
 /// 97.5 % of the normal distribution.
 const NORMAL: f64 = 1.959_963_984_540_054;
 
@@ -52,6 +55,12 @@ pub struct DropRequest {
     pub inverted: bool,
     /// Thickness of the pad \[m\].
     pub thickness_m: Option<f64>,
+    /// Flat or sphere, over what the files say.
+    pub impactor: Option<String>,
+    /// Radius of a sphere \[m\].
+    pub sphere_radius_m: Option<f64>,
+    /// Glued, unglued, lubricated, over what the files say.
+    pub boundary: Option<String>,
     /// Seed of the bootstrap.
     pub seed: u64,
 }
@@ -122,28 +131,15 @@ pub struct DropReport {
     pub candidates: Vec<CandidateReport>,
     pub quality: Quality,
     pub impactor: Option<String>,
+    pub sphere_radius_m: Option<f64>,
     pub boundary: Option<String>,
     /// Why there is no stiffness.
     pub reason: Option<String>,
+    /// What acts in the contact.
+    #[serde(skip)]
+    pub gravity_m_s2: f64,
     #[serde(skip)]
     pub test: Option<DropTest>,
-}
-
-/// All drops of one pad.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
-pub struct PooledReport {
-    pub stiffness_n_m: Option<f64>,
-    pub ci95_n_m: Option<[f64; 2]>,
-    pub exponent: Option<f64>,
-    pub scatter_ratio: Option<f64>,
-    pub count: usize,
-    pub law: Option<&'static str>,
-    pub coefficient_n_mn: Option<f64>,
-    pub damping_ratio: Option<f64>,
-    pub damping_n_s_m: Option<f64>,
-    pub dissipation_s_m: Option<f64>,
-    pub restitution_ratio: Option<f64>,
 }
 
 /// A file that could not be read.
@@ -168,9 +164,11 @@ pub struct DropsReport {
 }
 
 impl DropsReport {
-    /// Whether every file gave a stiffness.
+    /// Whether every file gave a stiffness, and all of them one.
     pub fn all_gave(&self) -> bool {
-        self.failed.is_empty() && self.tests.iter().all(|test| test.stiffness_n_m.is_some())
+        self.failed.is_empty()
+            && self.pooled.reason.is_none()
+            && self.tests.iter().all(|test| test.stiffness_n_m.is_some())
     }
 }
 
@@ -193,11 +191,7 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Vec<Problem>> {
     if tests.is_empty() {
         return Err(failed.into_iter().map(|one| one.problem).collect());
     }
-    let laws: Vec<&str> = tests.iter().filter_map(|test| test.law).collect();
-    if laws.windows(2).any(|pair| pair[0] != pair[1]) {
-        warnings.push(format!("the drops fit different laws ({}): --law takes one for all", laws.join(", ")));
-    }
-    let pooled = pooled(&tests, request.seed);
+    let pooled = pool::pooled(&tests, request.seed, &mut warnings);
     Ok(DropsReport { tests, pooled, failed, warnings })
 }
 
@@ -227,7 +221,11 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     let samples: Vec<f64> = component.motion.accel_m_s2().iter().map(|a| sign * a).collect();
     let test =
         drop_test(&samples, component.motion.dt_s(), &setup).map_err(|error| in_file(value(error.to_string())))?;
-    let report = report(name, mass_kg, source, &said, test);
+    let mut report = report(name, mass_kg, source, &said, test);
+    report.impactor = request.impactor.clone().or(report.impactor);
+    report.sphere_radius_m = request.sphere_radius_m.or(report.sphere_radius_m);
+    report.boundary = request.boundary.clone().or(report.boundary);
+    report.gravity_m_s2 = if report.gravity_in_contact == Some(false) { 0.0 } else { request.gravity_m_s2 };
     notes(&report, request.thickness_m.or(said.thickness_m), warnings);
     Ok(report)
 }
@@ -262,6 +260,7 @@ struct Said {
     corner_hz: Option<f64>,
     thickness_m: Option<f64>,
     impactor: Option<String>,
+    sphere_radius_m: Option<f64>,
     boundary: Option<String>,
 }
 
@@ -277,6 +276,7 @@ impl Said {
                 "impact velocity" => said.velocity_m_s = quantity(Dimension::Velocity)?,
                 "corner" | "filter corner" => said.corner_hz = quantity(Dimension::Frequency)?,
                 "pad thickness" | "thickness" => said.thickness_m = quantity(Dimension::Length)?,
+                "sphere radius" => said.sphere_radius_m = quantity(Dimension::Length)?,
                 "impactor" => said.impactor = Some(text.clone()),
                 "boundary" => said.boundary = Some(text.clone()),
                 _ => {}
@@ -344,8 +344,10 @@ fn report(path: String, mass_kg: f64, source: &'static str, said: &Said, test: D
             flags: test.flags.iter().map(|flag| flag.name()).collect(),
         },
         impactor: said.impactor.clone(),
+        sphere_radius_m: said.sphere_radius_m,
         boundary: said.boundary.clone(),
         reason,
+        gravity_m_s2: 0.0,
         test: Some(test),
     }
 }
@@ -389,78 +391,19 @@ fn notes(report: &DropReport, thickness_m: Option<f64>, warnings: &mut Vec<Strin
     if report.gravity_in_contact == Some(false) && report.impact_velocity_source != "impulse" {
         say("the pulse is that of a contact without weight: the zero line is not that of a free fall".to_owned());
     }
-    if let (Some(d), Some(thickness)) = (report.max_compression_m, thickness_m)
-        && d > HALF_SPACE_SHARE * thickness
-    {
-        say("compressed by more than a quarter of its thickness: a half space (n = 1.5) is no model of it".to_owned());
+    // A flat plate never met a half space.
+    let is_sphere = report.impactor.as_deref().is_some_and(|text| text.to_lowercase().starts_with("sphere"));
+    if !is_sphere && report.exponent.is_none_or(|exponent| exponent <= ROUND_EXPONENT) {
+        return;
     }
-}
-
-fn pooled(tests: &[DropReport], seed: u64) -> PooledReport {
-    let found: Vec<&Identified> =
-        tests.iter().filter_map(|test| test.test.as_ref().and_then(|test| test.identified.as_ref())).collect();
-    let drops: Vec<PooledDrop> = found
-        .iter()
-        .map(|f| PooledDrop { stiffness_n_m: f.stiffness.fit_n_m, error_ratio: f.error_ratio, exponent: f.exponent })
-        .collect();
-    let pooled: Option<Pooled> = pool_drops(&drops, seed);
-    let mean = |of: &dyn Fn(&DropReport) -> Option<f64>| {
-        let values: Vec<f64> = tests.iter().filter(|test| test.stiffness_n_m.is_some()).filter_map(of).collect();
-        (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
-    };
-    let law = most_common(tests);
-    let of_law = |of: fn(&DropReport) -> Option<f64>| mean(&|test| of(test).filter(|_| test.law == law));
-    PooledReport {
-        stiffness_n_m: pooled.map(|p| p.stiffness_n_m),
-        ci95_n_m: pooled.map(|p| [p.ci95_n_m.0, p.ci95_n_m.1]),
-        exponent: pooled.map(|p| p.exponent),
-        scatter_ratio: pooled.and_then(|p| p.scatter_ratio),
-        count: drops.len(),
-        law,
-        coefficient_n_mn: coefficient(tests, law, pooled.as_ref()),
-        damping_ratio: mean(&|test| test.damping_ratio),
-        damping_n_s_m: of_law(|test| test.damping_n_s_m),
-        dissipation_s_m: of_law(|test| test.dissipation_s_m),
-        restitution_ratio: mean(&|test| test.restitution_ratio),
+    let lengths = [("its thickness", thickness_m), ("the sphere's radius", report.sphere_radius_m)];
+    for (name, length_m) in lengths {
+        if let (Some(d), Some(length_m)) = (report.max_compression_m, length_m)
+            && d > HALF_SPACE_SHARE * length_m
+        {
+            say(format!("compressed by more than a quarter of {name}: Hertz's half space (n = 1.5) is no model of it"));
+        }
     }
-}
-
-/// K with the pooled exponent, so that F/d at the mean compression is the pooled stiffness.
-fn coefficient(tests: &[DropReport], law: Option<&str>, pooled: Option<&Pooled>) -> Option<f64> {
-    let pooled = pooled?;
-    if matches!(law?, "linear" | "kelvin-voigt") {
-        return Some(pooled.stiffness_n_m);
-    }
-    let depths: Vec<f64> =
-        tests.iter().filter(|t| t.stiffness_n_m.is_some()).filter_map(|t| t.max_compression_m).collect();
-    let depth_m = (depths.iter().map(|d| d.ln()).sum::<f64>() / depths.len().max(1) as f64).exp();
-    Some(pooled.stiffness_n_m * depth_m.powf(1.0 - pooled.exponent))
-}
-
-fn most_common(tests: &[DropReport]) -> Option<&'static str> {
-    let laws: Vec<&'static str> = tests.iter().filter_map(|test| test.law).collect();
-    let count = |law: &str| laws.iter().filter(|other| **other == law).count();
-    laws.iter().copied().max_by_key(|law| count(law))
-}
-
-/// The pooled law as a file that later commands read; `None` without one.
-pub fn cushion_toml(pooled: &PooledReport) -> Option<String> {
-    let (law, coefficient) = (pooled.law?, pooled.coefficient_n_mn?);
-    let mut text = String::from("# One pad, from drop tests; --pads-per-edge says how many carry an edge.\n");
-    let is_linear = matches!(law, "linear" | "kelvin-voigt");
-    // Writing to a String cannot fail.
-    let _ = writeln!(text, "law = \"{law}\"");
-    let _ = match pooled.exponent.filter(|_| !is_linear) {
-        Some(n) => writeln!(text, "stiffness = \"{coefficient} N/m^{n}\"\nexponent = {n}"),
-        None => writeln!(text, "stiffness = \"{} N/mm\"", coefficient / 1e3),
-    };
-    if let Some(damping) = pooled.damping_n_s_m {
-        let _ = writeln!(text, "damping = \"{damping} N s/m\"");
-    }
-    if let Some(dissipation) = pooled.dissipation_s_m {
-        let _ = writeln!(text, "dissipation = \"{dissipation} s/m\"");
-    }
-    Some(text)
 }
 
 /// The loop of a test as CSV.

@@ -8,6 +8,12 @@ use serde::Serialize;
 use crate::error::{Problem, ProblemKind};
 use crate::records::laboratory::load_static;
 use crate::records::push_shortest;
+use crate::words::significant;
+
+/// Standard errors by which a toe must lie below zero to be worth a word.
+const NOISE_ERRORS: f64 = 3.0;
+/// And the share of the largest compression.
+const NEGATIVE_TOE_SHARE: f64 = 0.005;
 
 /// What is known of all files.
 #[derive(Debug, Clone, Default)]
@@ -41,6 +47,8 @@ pub struct StaticReport {
     pub max_compression_m: f64,
     pub toe_m: f64,
     pub toe_compensated: bool,
+    /// Cycles of the file beside the one that was evaluated.
+    pub other_cycles: usize,
     pub exponent: Option<f64>,
     pub dynamic_over_static_ratio: Option<f64>,
     pub impactor: Option<String>,
@@ -97,7 +105,25 @@ pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Vec<Proble
     for test in tests.iter().filter(|test| test.hysteresis_ratio.is_some_and(|ratio| ratio < 0.0)) {
         warnings.push(format!("{}: the way out lies above the way in: check signs and order of the points", test.path));
     }
+    tests.iter().for_each(|test| notes(test, &mut warnings));
     Ok(StaticsReport { tests, failed, warnings })
+}
+
+/// Which cycle it is, and where its foot lies.
+fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
+    let mut say = |text: String| warnings.push(format!("{}: {text}", report.path));
+    if report.other_cycles > 0 {
+        let others = if report.other_cycles == 1 { "cycle is" } else { "cycles are" };
+        say(format!("{} other {others} left out: the last full one is evaluated", report.other_cycles));
+    }
+    let least_m = (NOISE_ERRORS * report.test.toe_error_m).max(NEGATIVE_TOE_SHARE * report.max_compression_m);
+    if report.toe_m < -least_m {
+        say(format!(
+            "the tangent meets zero force {} mm before the first point: a preload, or a pad that softens, for which \
+             --toe keep has the secant from the first point on",
+            significant(-1e3 * report.toe_m, 3)
+        ));
+    }
 }
 
 fn one(path: &Path, request: &StaticRequest) -> Result<StaticReport, Problem> {
@@ -120,6 +146,7 @@ fn one(path: &Path, request: &StaticRequest) -> Result<StaticReport, Problem> {
         max_compression_m: test.max_compression_m,
         toe_m: test.toe_m,
         toe_compensated: compensates_toe,
+        other_cycles: test.other_cycles,
         exponent: test.exponent,
         dynamic_over_static_ratio: request.dynamic_stiffness_n_m.map(|k| k / test.secant_stiffness_n_m),
         impactor,
@@ -135,6 +162,7 @@ fn problem(error: &StaticError) -> Problem {
         StaticError::NoForce { .. } => "compression must be positive: turn the signs of the columns",
         StaticError::Load { .. } => "give a --load that the test reached",
         StaticError::NotRising { .. } => "check which columns are force and displacement, and their signs",
+        StaticError::Foot { .. } => "unload between the cycles, or give a higher --load",
         StaticError::Machine { .. } => {
             "check --machine-compliance: it is the stiffness of the frame, such as \"50 kN/mm\""
         }

@@ -2,9 +2,8 @@
 
 use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand::identify::DropTest;
 
-use crate::drop_test::DropsReport;
+use crate::drop_test::{DropReport, DropsReport};
 use crate::static_test::StaticsReport;
 
 use super::legend::{Entry, Sign};
@@ -21,12 +20,8 @@ const MOST_NAMES: usize = 8;
 
 /// Force against compression, and acceleration against compression, of all drops, with the fitted laws.
 pub(super) fn drops(report: &DropsReport) -> Vec<Page> {
-    let tests: Vec<(&str, &DropTest)> = report
-        .tests
-        .iter()
-        .filter_map(|test| Some((test.path.as_str(), test.test.as_ref()?)))
-        .filter(|(_, test)| test.points.len() > 1)
-        .collect();
+    let has_loop = |test: &&DropReport| test.test.as_ref().is_some_and(|test| test.points.len() > 1);
+    let tests: Vec<&DropReport> = report.tests.iter().filter(has_loop).collect();
     let force: Drawn = |_, force_n| force_n;
     let accel: Drawn = |a, _| a / G0_M_S2;
     vec![
@@ -35,20 +30,19 @@ pub(super) fn drops(report: &DropsReport) -> Vec<Page> {
     ]
 }
 
-fn page(tests: &[(&str, &DropTest)], name: &str, title: &str, label: &str, value: Drawn) -> Page {
+fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Drawn) -> Page {
     let mut curves = Vec::new();
     let mut fits = Vec::new();
-    for (_, test) in tests {
+    for (drop, test) in tests.iter().filter_map(|drop| Some((drop, drop.test.as_ref()?))) {
         let points = test.points.iter();
         curves.push(
             points.map(|p| (1e3 * p.compression_m, value(p.acceleration_m_s2, p.force_n))).collect::<Vec<(f64, f64)>>(),
         );
         if let (Some(found), Some(most_m)) = (&test.identified, test.max_compression_m) {
-            let mass_kg = test.points.iter().map(|p| p.force_n / p.acceleration_m_s2).find(|m| m.is_finite());
-            fits.push(fitted(&found.law, most_m, found.fitted_velocity_m_s, mass_kg, value));
+            fits.push(fitted(drop, &found.law, most_m, found.fitted_velocity_m_s, value));
         }
     }
-    let legend_tests = tests.iter().map(|(path, _)| *path);
+    let legend_tests = tests.iter().map(|test| test.path.as_str());
     let fitted_sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some("4 4") };
     let mut legend = legend(legend_tests);
     legend.push(Entry { sign: fitted_sign, words: "fitted law, one landing".into() });
@@ -67,10 +61,11 @@ fn page(tests: &[(&str, &DropTest)], name: &str, title: &str, label: &str, value
     }
 }
 
-/// The landing that the fitted law predicts.
-fn fitted(law: &ContactLaw, most_m: f64, speed_m_s: f64, mass_kg: Option<f64>, value: Drawn) -> Vec<(f64, f64)> {
-    let (Ok(cushion), Some(mass_kg)) = (Cushion::new(law.clone()), mass_kg) else { return Vec::new() };
-    let history = cushion.landing_history(mass_kg, speed_m_s, 0.0);
+/// The landing that the fitted law predicts, with the weight where it acts.
+fn fitted(drop: &DropReport, law: &ContactLaw, most_m: f64, speed_m_s: f64, value: Drawn) -> Vec<(f64, f64)> {
+    let Ok(cushion) = Cushion::new(law.clone()) else { return Vec::new() };
+    let mass_kg = drop.mass_kg;
+    let history = cushion.landing_history(mass_kg, speed_m_s, drop.gravity_m_s2);
     let every = (history.len() / 200).max(1);
     history
         .iter()

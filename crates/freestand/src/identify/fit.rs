@@ -57,6 +57,8 @@ pub(super) struct Fit {
     pub(super) exponent_error: Option<f64>,
     /// ζ = c/(2√(km)), of Kelvin–Voigt only.
     pub(super) damping_ratio: f64,
+    /// Standard deviation of ζ, or of Λv.
+    damping_error: Option<f64>,
     /// Sum of squares in units of the noise.
     pub(super) chi_squared: f64,
     pub(super) degrees: f64,
@@ -244,12 +246,26 @@ impl Data<'_> {
             secant_error_ratio: (variance * scale).max(0.0).sqrt(),
             exponent_error: of(EXPONENT),
             damping_ratio: p[DAMPING],
+            damping_error: of(DAMPING).or_else(|| of(DISSIPATION)),
             chi_squared: cost,
             degrees,
             residual_ratio: (square(samples) / samples.len() as f64).sqrt() * self.sigma() / self.peak_m_s2,
         };
         let sound = fit.secant_n_m.is_finite() && fit.secant_error_ratio.is_finite() && fit.predicted.contact_s > 0.0;
         sound.then_some(fit)
+    }
+}
+
+/// A damping below zero by so many standard deviations is no chance, and by less than this much no matter.
+const NEGATIVE_ERRORS: f64 = 3.0;
+const NEGATIVE_DAMPING: f64 = 0.005;
+
+impl Fit {
+    /// Whether the law lies on the samples only with a damping that is clearly negative.
+    pub(super) fn gives_energy(&self) -> bool {
+        let [damping, dissipation] = [DAMPING, DISSIPATION].map(|which| self.parameters[which]);
+        self.damping_error
+            .is_some_and(|error| damping.min(dissipation) < -(NEGATIVE_ERRORS * error).max(NEGATIVE_DAMPING))
     }
 }
 

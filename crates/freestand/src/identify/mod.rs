@@ -77,6 +77,8 @@ pub enum Flag {
     Impulse,
     /// The impact velocity that fits differs from the stated one.
     Velocity,
+    /// The damped law that was asked for fits with negative damping alone; it is reported with none.
+    Damping,
     /// No law lies on the samples.
     PoorFit,
 }
@@ -96,6 +98,7 @@ impl Flag {
             Self::Filter => "filter",
             Self::Impulse => "impulse",
             Self::Velocity => "velocity",
+            Self::Damping => "damping",
             Self::PoorFit => "poor-fit",
         }
     }
@@ -118,6 +121,10 @@ impl Flag {
                 "the impulse of the pulse does not fit the mass at this speed: check unit, mass and drop height"
             }
             Self::Velocity => "the pulse fits another impact velocity than the stated one: check height and guides",
+            Self::Damping => {
+                "the pulse gives back more than it took, so the damping is reported as none: check the zero line and the \
+                 velocity, or leave the law open"
+            }
             Self::PoorFit => "no law lies on the samples: look at the loop; is the pad bottoming, the plate tilting?",
         }
     }

@@ -19,7 +19,7 @@ pub struct StaticOptions {
 pub struct StaticTest {
     /// Working load \[N\].
     pub load_n: f64,
-    /// Largest force \[N\].
+    /// Largest force of the cycle \[N\].
     pub max_force_n: f64,
     /// Largest compression, after toe and machine \[m\].
     pub max_compression_m: f64,
@@ -29,11 +29,16 @@ pub struct StaticTest {
     pub secant_stiffness_n_m: f64,
     /// Energy lost in the cycle over the energy of the way in; `None` without a way out.
     pub hysteresis_ratio: Option<f64>,
-    /// Displacement at which the straight part of the curve begins \[m\].
+    /// Displacement at which the straight part of the curve begins, from where the cycle begins; below zero where the
+    /// tangent meets zero force before that: a preload, or a pad that softens \[m\].
     pub toe_m: f64,
+    /// Standard error of the toe, from what the points leave of the tangent \[m\].
+    pub toe_error_m: f64,
+    /// Cycles before and after the one that was evaluated.
+    pub other_cycles: usize,
     /// Slope of ln F against ln d from a tenth of the load up to it: the exponent of a power law.
     pub exponent: Option<f64>,
-    /// Compression \[m\] and force \[N\], after toe and machine; the way in, then the way out.
+    /// Compression \[m\] and force \[N\], after toe and machine; the way in, then the way out, of one cycle.
     pub curve: Vec<(f64, f64)>,
     /// Number of points of the way in.
     pub loading_count: usize,
@@ -74,6 +79,14 @@ pub enum StaticError {
         /// The working load.
         load_n: f64,
     },
+    /// The cycle does not begin below the working load.
+    #[error("the way in to the largest force begins at {foot_n} N, not below the working load of {load_n} N")]
+    Foot {
+        /// Where it begins.
+        foot_n: f64,
+        /// The working load.
+        load_n: f64,
+    },
     /// The machine is softer than what was measured.
     #[error("the machine at {machine_n_m} N/m gives more than the displacement that was measured")]
     Machine {
@@ -86,17 +99,25 @@ pub enum StaticError {
 const LEAST_POINTS: usize = 10;
 /// The tangent is a line through the points within this share of the load below and above it.
 const TANGENT_SHARE: f64 = 0.25;
+/// The force turns where it goes back by more than this share of the largest one; what is less is noise or a slip.
+const TURN_SHARE: f64 = 0.1;
+/// A cycle is a full one from this share of the largest force on.
+const FULL_SHARE: f64 = 0.95;
+/// Points so close to the least force of a pause belong to the pause.
+const PAUSE_SHARE: f64 = 0.05;
 
 /// Evaluates forces \[N\] over displacements \[m\], both positive in compression, in the order of the test.
 ///
-/// The machine's give F/k_m is taken from the displacement, then the toe; tangent and secant are those of the way in at
-/// the working load; the hysteresis is that of the loop, ∮F dd over ∫F dd of the way in.
+/// Of several cycles the last that reaches 95 % of the largest force is evaluated: from where the force turned before it
+/// to where it turns after it. The machine's give F/k_m is taken from the displacement, then the toe; tangent and secant
+/// are those of the way in at the working load; the hysteresis is that of the loop, ∮F dd over ∫F dd of the way in.
 ///
 /// # Reference
 /// Toe compensation after ASTM D695 annex A1.
 ///
 /// # Errors
-/// Too few points, no rising force, a load that was not reached, a machine that is too soft.
+/// Too few points, no rising force, a load that was not reached or below which the cycle does not begin, a machine that
+/// is too soft.
 ///
 /// # Example
 /// A straight line of 1000 N/mm in a machine of 4000 N/mm that shows 800 N/mm:
@@ -118,10 +139,14 @@ pub fn static_test(
     if let Some(index) = bad {
         return Err(StaticError::NotFinite { number: index + 1 });
     }
-    let top = (0..force_n.len().min(displacement_m.len())).max_by(|&a, &b| force_n[a].total_cmp(&force_n[b]));
-    let Some(top) = top.filter(|&top| top + 1 >= LEAST_POINTS) else {
-        return Err(StaticError::TooFew { points: top.map_or(0, |top| top + 1) });
+    let count = force_n.len().min(displacement_m.len());
+    let (force_n, displacement_m) = (&force_n[..count], &displacement_m[..count]);
+    let cycle = Cycle::last_full(force_n, displacement_m);
+    let Some(cycle) = cycle.filter(|cycle| cycle.top + 1 >= cycle.foot + LEAST_POINTS) else {
+        return Err(StaticError::TooFew { points: cycle.map_or(0, |cycle| cycle.top + 1 - cycle.foot) });
     };
+    let (force_n, displacement_m) = (&force_n[cycle.foot..=cycle.end], &displacement_m[cycle.foot..=cycle.end]);
+    let top = cycle.top - cycle.foot;
     let max_force_n = force_n[top];
     if max_force_n <= 0.0 {
         return Err(StaticError::NoForce { value: max_force_n });
@@ -129,6 +154,10 @@ pub fn static_test(
     let load_n = options.load_n.unwrap_or(0.5 * max_force_n);
     if !(load_n > 0.0 && load_n < max_force_n) {
         return Err(StaticError::Load { load_n, max_force_n });
+    }
+    let foot_n = force_n[0];
+    if cycle.others > 0 && foot_n > (1.0 - TANGENT_SHARE) * load_n {
+        return Err(StaticError::Foot { foot_n, load_n });
     }
     let give = |f: f64| options.machine_stiffness_n_m.map_or(0.0, |k| f / k);
     let mut curve: Vec<(f64, f64)> = force_n.iter().zip(displacement_m).map(|(&f, &d)| (d - give(f), f)).collect();
@@ -147,8 +176,9 @@ pub fn static_test(
     while near(share).len() < 5 && share < 1.0 {
         share += 0.1;
     }
-    let (at_m, tangent) = line(&near(share), load_n).ok_or(StaticError::NotRising { load_n })?;
-    let toe_m = if options.compensates_toe { at_m - load_n / tangent } else { 0.0 };
+    let tangent_line = line(&near(share)).ok_or(StaticError::NotRising { load_n })?;
+    let (at_m, tangent) = (tangent_line.at(load_n), tangent_line.slope);
+    let toe_m = if options.compensates_toe { tangent_line.at(0.0) } else { 0.0 };
     let secant = load_n / (at_m - toe_m);
     if !(tangent > 0.0 && secant > 0.0 && secant.is_finite()) {
         return Err(StaticError::NotRising { load_n });
@@ -168,23 +198,114 @@ pub fn static_test(
         secant_stiffness_n_m: secant,
         hysteresis_ratio,
         toe_m,
+        toe_error_m: if options.compensates_toe { tangent_line.error_at(0.0) } else { 0.0 },
+        other_cycles: cycle.others,
         exponent,
         loading_count: top + 1,
         curve,
     })
 }
 
-/// Least squares of a line: displacement at `load_n`, and dF/dd.
-fn line(points: &[(f64, f64)], load_n: f64) -> Option<(f64, f64)> {
+/// One cycle within a test, as indices of points.
+#[derive(Debug, Clone, Copy)]
+struct Cycle {
+    foot: usize,
+    top: usize,
+    end: usize,
+    /// How many there are beside it.
+    others: usize,
+}
+
+impl Cycle {
+    /// The last cycle that is as high as the highest, or nearly; `None` without points.
+    fn last_full(force_n: &[f64], displacement_m: &[f64]) -> Option<Self> {
+        let most_n = force_n.iter().copied().max_by(f64::total_cmp)?;
+        let peaks = peaks(force_n, TURN_SHARE * most_n.abs());
+        let number = peaks.iter().rposition(|&peak| force_n[peak] >= FULL_SHARE * most_n)?;
+        let pause = |from: usize, to: usize| pause(&force_n[from..=to], &displacement_m[from..=to], most_n);
+        let before = number.checked_sub(1).map(|i| peaks[i]);
+        let after = peaks.get(number + 1).copied();
+        let top = peaks[number];
+        Some(Self {
+            foot: before.map_or(0, |before| before + pause(before, top)),
+            top,
+            end: after.map_or(force_n.len() - 1, |after| top + pause(top, after)),
+            others: peaks.len() - 1,
+        })
+    }
+}
+
+/// The largest points between which the force goes back by more than `turn_n`, and comes again.
+fn peaks(force_n: &[f64], turn_n: f64) -> Vec<usize> {
+    let mut peaks = Vec::new();
+    let (mut highest, mut lowest, mut is_rising) = (0, 0, true);
+    for (i, &force) in force_n.iter().enumerate() {
+        if is_rising {
+            if force > force_n[highest] {
+                highest = i;
+            } else if force < force_n[highest] - turn_n {
+                peaks.push(highest);
+                (lowest, is_rising) = (i, false);
+            }
+        } else if force < force_n[lowest] {
+            lowest = i;
+        } else if force > force_n[lowest] + turn_n {
+            (highest, is_rising) = (i, true);
+        }
+    }
+    if is_rising && !force_n.is_empty() {
+        peaks.push(highest);
+    }
+    peaks
+}
+
+/// Where the press turns between two cycles: the last of the points of least displacement among those of least force.
+fn pause(force_n: &[f64], displacement_m: &[f64], most_n: f64) -> usize {
+    let least_n = force_n.iter().copied().fold(f64::INFINITY, f64::min) + PAUSE_SHARE * most_n.abs();
+    let mut turn: Option<usize> = None;
+    for i in (0..force_n.len()).filter(|&i| force_n[i] <= least_n) {
+        if turn.is_none_or(|turn| displacement_m[i] <= displacement_m[turn]) {
+            turn = Some(i);
+        }
+    }
+    turn.unwrap_or(0)
+}
+
+/// A line through points, by least squares in the second number.
+struct Line {
+    middle: (f64, f64),
+    slope: f64,
+    count: f64,
+    /// Sum of the squares of the first number about its mean, and of what the second leaves.
+    spread: f64,
+    left: f64,
+}
+
+impl Line {
+    /// The first number where the second is `value`.
+    fn at(&self, value: f64) -> f64 {
+        self.middle.0 + (value - self.middle.1) / self.slope
+    }
+
+    /// Standard error of that.
+    fn error_at(&self, value: f64) -> f64 {
+        let variance = self.left / (self.count - 2.0).max(1.0);
+        let lever = (self.at(value) - self.middle.0).powi(2) / self.spread;
+        (variance * (self.count.recip() + lever)).sqrt() / self.slope
+    }
+}
+
+fn line(points: &[(f64, f64)]) -> Option<Line> {
     let count = points.len() as f64;
     if points.len() < 3 {
         return None;
     }
-    let (md, mf) = (points.iter().map(|p| p.0).sum::<f64>() / count, points.iter().map(|p| p.1).sum::<f64>() / count);
-    let df: f64 = points.iter().map(|p| (p.0 - md) * (p.1 - mf)).sum();
-    let dd: f64 = points.iter().map(|p| (p.0 - md).powi(2)).sum();
-    let slope = df / dd;
-    (slope > 0.0 && slope.is_finite()).then(|| (md + (load_n - mf) / slope, slope))
+    let (mx, my) = (points.iter().map(|p| p.0).sum::<f64>() / count, points.iter().map(|p| p.1).sum::<f64>() / count);
+    let xy: f64 = points.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum();
+    let spread: f64 = points.iter().map(|p| (p.0 - mx).powi(2)).sum();
+    let slope = xy / spread;
+    let left = points.iter().map(|p| (p.1 - my - slope * (p.0 - mx)).powi(2)).sum();
+    (slope > 0.0 && slope.is_finite()).then_some(Line { middle: (mx, my), slope, count, spread, left })
 }
 
 fn exponent(loading: &[(f64, f64)], toe_m: f64, load_n: f64) -> Option<f64> {
@@ -193,5 +314,5 @@ fn exponent(loading: &[(f64, f64)], toe_m: f64, load_n: f64) -> Option<f64> {
         .filter(|(d, f)| *f >= 0.1 * load_n && *f <= load_n && d - toe_m > 0.0)
         .map(|(d, f)| ((d - toe_m).ln(), f.ln()))
         .collect();
-    line(&points, 0.0).map(|(_, slope)| slope)
+    line(&points).map(|line| line.slope)
 }

@@ -161,6 +161,63 @@ fn other_laws_are_recognised() {
     assert!((exponent - 1.5).abs() < 0.01 && (dissipation_s_m / 0.3 - 1.0).abs() < 0.03, "{found:?}");
 }
 
+/// Noise-free records of 50 samples per contact, of each law: the secant comes back to 1e-3, wherever the first touch
+/// falls between two samples. That is what the claim says, and the floor of every interval.
+#[test]
+fn clean_records_give_their_stiffness() {
+    let laws = [
+        ContactLaw::Linear { stiffness_n_m: STIFFNESS_N_M },
+        ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 },
+        ContactLaw::HuntCrossley { coefficient_n_mn: 2e7, exponent: 1.5, dissipation_s_m: 0.3 },
+        ContactLaw::KelvinVoigt { stiffness_n_m: STIFFNESS_N_M, damping_n_s_m: 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt() },
+    ];
+    for law in laws {
+        let cushion = Cushion::new(law).unwrap();
+        let deepest_m = cushion.deepest_of_fall();
+        let truth_n_m = cushion.force_n(deepest_m, 0.0) / deepest_m;
+        let contact_s = cushion.land(MASS_KG, fall_m_s()).duration_s;
+        for index in 0..8 {
+            let sample_rate_hz = 50.0 / contact_s;
+            let clean = VirtualDropOptions { noise_ratio: 0.0, sample_rate_hz, ..virtual_options(index) };
+            let drop = virtual_drop(&cushion, &clean).unwrap();
+            let found = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true)).unwrap().identified.unwrap();
+            let error = found.stiffness.fit_n_m / truth_n_m - 1.0;
+            assert!(error.abs() < 1e-3, "{} {index}: {error}", cushion.law().name());
+        }
+    }
+}
+
+impl Cushion {
+    /// The largest compression of the worked drop, with its weight.
+    fn deepest_of_fall(&self) -> f64 {
+        let history = self.landing_history(MASS_KG, fall_m_s(), G0_M_S2);
+        history.iter().map(|p| p.compression_m).fold(0.0, f64::max)
+    }
+}
+
+/// A pulse that comes back faster than it came, fitted with a damped law: the damping is none in both of its numbers, and
+/// the record has a flag. The second half of the half-sine is 10 % higher: e = 1.1, ζ of some −0.03.
+#[test]
+fn negative_damping_is_none_and_flagged() {
+    let omega = (STIFFNESS_N_M / MASS_KG).sqrt();
+    let dt_s = PI / omega / 100.0;
+    let pulse = |i: i32, gain: f64| {
+        let angle = omega * (f64::from(i) - 300.3) * dt_s;
+        let share = if angle > PI / 2.0 { gain } else { 1.0 };
+        if angle > 0.0 && angle < PI { share * fall_m_s() * omega * angle.sin() } else { 0.0 }
+    };
+    let forced = DropSetup { law: Some(FittedLaw::KelvinVoigt), gravity_m_s2: 0.0, ..setup(true) };
+    for (gain, is_flagged) in [(1.0, false), (1.1, true)] {
+        let samples: Vec<f64> = (0..800).map(|i| pulse(i, gain)).collect();
+        let test = drop_test(&samples, dt_s, &forced).unwrap();
+        let found = test.identified.as_ref().unwrap();
+        let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = found.law else { panic!("{found:?}") };
+        assert_eq!(test.flags.contains(&Flag::Damping), is_flagged, "{:?}", test.flags);
+        assert_eq!(found.damping_ratio == 0.0, damping_n_s_m == 0.0);
+        assert!(found.damping_ratio >= 0.0 && found.damping_ratio < 1e-3, "{}", found.damping_ratio);
+    }
+}
+
 fn flags_of(samples: &[f64], dt_s: f64) -> Vec<Flag> {
     let test = drop_test(samples, dt_s, &setup(true)).unwrap();
     let fatal = [Flag::ZeroShift, Flag::Drift];
@@ -276,9 +333,20 @@ fn virtual_options(index: u64) -> VirtualDropOptions {
         zero_shift_ratio: 0.0,
         filter_corner_hz: None,
         bounces: 0,
+        speed_error_ratio: 0.0,
         seed: 3,
         index,
     }
+}
+
+/// A record beyond all integers is none.
+#[test]
+fn endless_records_are_refused() {
+    let pad = Cushion::linear(STIFFNESS_N_M).unwrap();
+    let plain = virtual_options(0);
+    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { pre_trigger_s: 1e30, ..plain }), None);
+    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { sample_rate_hz: 1e40, ..plain }), None);
+    assert_eq!(virtual_drop(&pad, &VirtualDropOptions { after_s: f64::NAN, ..plain }), None);
 }
 
 /// A virtual drop is its seed and number; a bounce is found by its flight.
@@ -340,6 +408,57 @@ fn static_tests_come_back() {
     assert!(matches!(static_test(&force, &displacement, &soft), Err(StaticError::Machine { .. })));
     let heavy = StaticOptions { load_n: Some(2e3), ..options };
     assert!(matches!(static_test(&force, &displacement, &heavy), Err(StaticError::Load { .. })));
+}
+
+/// Straight lines of 1000 N/mm up to each of `tops`, and back at 80 % of the force; each cycle ends at `rest_n`.
+fn cycles(tops: &[f64], rest_n: f64) -> (Vec<f64>, Vec<f64>) {
+    let (mut force, mut displacement) = (vec![0.0], vec![0.0]);
+    let mut at_n = 0.0;
+    for &top in tops {
+        for (from, to, share) in [(at_n, top, 1.0), (top, rest_n, 0.8)] {
+            let steps = 100;
+            displacement.extend((1..=steps).map(|i| (from + (to - from) * f64::from(i) / f64::from(steps)) / 1e6));
+            force.extend((1..=steps).map(|i| share * (from + (to - from) * f64::from(i) / f64::from(steps))));
+        }
+        at_n = rest_n;
+    }
+    (force, displacement)
+}
+
+/// Cycles before the last full one and after it take no part: the way in is straight, 1000 N/mm to rounding, and the way
+/// out at 80 % of its force loses a fifth, less what the first step back, from 1000 to 792 N, takes: 0.2 · 1/100.
+#[test]
+fn conditioning_cycles_are_left_out() {
+    let options = StaticOptions { load_n: None, machine_stiffness_n_m: None, compensates_toe: true };
+    for (tops, max_n, others) in [
+        (&[1000.0][..], 1000.0, 0),
+        (&[300.0, 600.0, 1000.0], 1000.0, 2),
+        (&[1000.0, 980.0, 970.0], 970.0, 2),
+        (&[600.0, 1000.0, 500.0], 1000.0, 2),
+    ] {
+        let (force, displacement) = cycles(tops, 0.0);
+        let test = static_test(&force, &displacement, &options).unwrap();
+        assert!((test.tangent_stiffness_n_m / 1e6 - 1.0).abs() < 1e-9, "{tops:?} {test:?}");
+        assert!((test.secant_stiffness_n_m / 1e6 - 1.0).abs() < 1e-9, "{tops:?}");
+        assert!((test.hysteresis_ratio.unwrap() - 0.2).abs() < 2.1e-3, "{tops:?} {:?}", test.hysteresis_ratio);
+        assert!(test.toe_m.abs() < 1e-12 && (test.exponent.unwrap() - 1.0).abs() < 1e-9, "{tops:?}");
+        assert_eq!((test.max_force_n, test.other_cycles, test.loading_count), (max_n, others, 101), "{tops:?}");
+    }
+    // A pause that is not unloaded is no beginning of a way in.
+    let (force, displacement) = cycles(&[600.0, 1000.0], 550.0);
+    assert!(matches!(static_test(&force, &displacement, &options), Err(StaticError::Foot { .. })));
+}
+
+/// A curve that softens, F = 1000 N · √(d/1 mm): the tangent at 500 N (0.25 mm, 1000 N/mm) meets zero at −0.25 mm, and the
+/// straight line through a quarter to both sides of a parabola on its side is that tangent to 3 %.
+#[test]
+fn a_softening_curve_has_a_toe_below_zero() {
+    let displacement: Vec<f64> = (0..=200).map(|i| f64::from(i) * 5e-6).collect();
+    let force: Vec<f64> = displacement.iter().map(|d| 1e3 * (d / 1e-3).sqrt()).collect();
+    let options = StaticOptions { load_n: None, machine_stiffness_n_m: None, compensates_toe: true };
+    let test = static_test(&force, &displacement, &options).unwrap();
+    assert!((test.toe_m / -0.25e-3 - 1.0).abs() < 0.06, "{}", test.toe_m);
+    assert!(test.toe_m < -3.0 * test.toe_error_m);
 }
 
 proptest::proptest! {

@@ -32,6 +32,8 @@ pub struct VirtualDropOptions {
     pub filter_corner_hz: Option<f64>,
     /// Bounces after the first contact that are recorded as well.
     pub bounces: u32,
+    /// Standard deviation of the speed that is stated, over the true one: guides that rub, a height read off a scale.
+    pub speed_error_ratio: f64,
     /// The seed.
     pub seed: u64,
     /// The number of the test, with random numbers of its own.
@@ -45,6 +47,8 @@ pub struct VirtualDrop {
     pub dt_s: f64,
     /// What the accelerometer reads \[m/s²\]: force over mass, zero in free fall.
     pub samples_m_s2: Vec<f64>,
+    /// The speed as it is stated, with its error \[m/s\].
+    pub stated_speed_m_s: f64,
     /// Peak without noise, bias, shift and filter \[m/s²\].
     pub peak_m_s2: f64,
     /// Duration of the first contact \[s\].
@@ -63,7 +67,7 @@ const OVERSAMPLING: usize = 8;
 /// The first touch falls between two samples, at random. Noise is Gaussian and white, of stream `index` of `seed`.
 ///
 /// # Accuracy
-/// That of [`Cushion::landing_history`], 1e-8 of the peak.
+/// That of [`Cushion::landing_history`]; between its steps the force is interpolated.
 pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<VirtualDrop> {
     let o = options;
     let mut random = ChaCha12Rng::seed_from_u64(o.seed);
@@ -76,17 +80,19 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     let last = first.last()?;
     let (contact_s, rebound_m_s) = (last.time_s, -last.speed_m_s);
     let peak_at_s = first_s + first.iter().max_by(|a, b| a.force_n.total_cmp(&b.force_n))?.time_s;
-    let count = (end_s / dt_s).ceil() as usize + 1;
     let finer = if o.filter_corner_hz.is_some() { OVERSAMPLING } else { 1 };
-    if count.saturating_mul(finer) > MOST_SAMPLES {
+    // As a float: a count beyond all integers must not wrap around.
+    let wanted = (end_s / dt_s).ceil() + 1.0;
+    if wanted.is_nan() || wanted * finer as f64 > MOST_SAMPLES as f64 {
         return None;
     }
+    let count = wanted as usize;
     let fine_s = dt_s / finer as f64;
     let mut fine: Vec<f64> = (0..count * finer).map(|i| force_at(&contacts, i as f64 * fine_s) / o.mass_kg).collect();
     if let Some(corner_hz) = o.filter_corner_hz {
         low_pass(&mut fine, corner_hz, fine_s);
     }
-    let samples_m_s2 = fine
+    let samples_m_s2: Vec<f64> = fine
         .iter()
         .step_by(finer)
         .enumerate()
@@ -96,7 +102,16 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
             reading + o.bias_m_s2 + peak_m_s2 * (shift + o.noise_ratio * noise)
         })
         .collect();
-    Some(VirtualDrop { dt_s, samples_m_s2, peak_m_s2, contact_s, restitution_ratio: rebound_m_s / o.speed_m_s })
+    // Drawn last, so that the samples are those of a speed without error.
+    let error: f64 = StandardNormal.sample(&mut random);
+    Some(VirtualDrop {
+        dt_s,
+        samples_m_s2,
+        stated_speed_m_s: o.speed_m_s * (o.speed_error_ratio * error).exp(),
+        peak_m_s2,
+        contact_s,
+        restitution_ratio: rebound_m_s / o.speed_m_s,
+    })
 }
 
 /// The contacts with their beginnings, and the end of the record.

@@ -11,6 +11,7 @@ use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::records::ReadOptions;
 use freestand_study::{Problem, ProblemKind};
 
+use super::static_test::{Boundary, Impactor, name};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
@@ -30,7 +31,8 @@ Examples:
 A file has columns of time and acceleration with their units (time [ms],acceleration [g]), positive upward, and some
 milliseconds of free fall before the contact, whose mean is the zero line. Lines such as \"# mass: 0.365 kg\", \"# height:
 100 mm\", \"# impactor: flat\", \"# boundary: glued\" above them are read where no flag says it.
-A record that cannot give a stiffness has flags, no stiffness and the exit status 1.")]
+A record that cannot give a stiffness has flags, no stiffness and the exit status 1. Drops are pooled as repeats of one test:
+where impactor, boundary or mass differ there is no stiffness of all, and the exit status is 1.")]
 pub(crate) struct DropArgs {
     /// Files of drops on one pad
     #[arg(value_name = "FILE", required = true)]
@@ -59,6 +61,15 @@ pub(crate) struct DropArgs {
     /// Thickness of the pad, for the warnings
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pad_thickness: Option<String>,
+    /// Shape of the impactor, over what the files say
+    #[arg(long, value_name = "SHAPE")]
+    impactor: Option<Impactor>,
+    /// Radius of a sphere
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    sphere_radius: Option<String>,
+    /// Boundary of the pad, over what the files say
+    #[arg(long, value_name = "BOUNDARY")]
+    boundary: Option<Boundary>,
     /// Turn the sign: the sensor is mounted upside down
     #[arg(long)]
     invert: bool,
@@ -128,6 +139,12 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         let problem = Problem::new(ProblemKind::Value, "--velocity-error is more than 50 %");
         values.push(problem.hint("leave height and velocity out: the pulse itself then tells the speed"));
     }
+    if args.impactor == Some(Impactor::Flat) && args.sphere_radius.is_some() {
+        let problem = Problem::new(ProblemKind::Value, "--sphere-radius is given for a flat impactor");
+        values.push(problem.hint("leave one of the two out"));
+    }
+    // A radius says that it is a sphere.
+    let impactor = args.impactor.or(args.sphere_radius.as_ref().map(|_| Impactor::Sphere));
     let request = DropRequest {
         files: args.files.clone(),
         mass_kg: values.positive("--mass", args.mass.as_deref(), Dimension::Mass),
@@ -142,6 +159,9 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         read,
         component: args.component.clone(),
         inverted: args.invert,
+        impactor: name(impactor.as_ref()),
+        sphere_radius_m: values.positive("--sphere-radius", args.sphere_radius.as_deref(), Dimension::Length),
+        boundary: name(args.boundary.as_ref()),
         thickness_m: values.positive("--pad-thickness", args.pad_thickness.as_deref(), Dimension::Length),
         seed: global.seed.unwrap_or(1),
     };

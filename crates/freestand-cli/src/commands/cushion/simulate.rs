@@ -264,6 +264,7 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
         zero_shift_ratio: zero_shift.unwrap_or(0.0),
         filter_corner_hz: corner,
         bounces: args.bounces,
+        speed_error_ratio: 0.0,
         seed,
         index: 0,
     };

@@ -23,7 +23,7 @@ Examples:
   freestand cushion static glued.csv unglued.csv lubricated.csv --dynamic \"2190 N/mm\" --out static
 
 A file has columns of displacement and force with their units (displacement [mm],force [N]), both positive in compression,
-in the order of the test. The foot of the curve is cut off along the tangent at the working load, but for a sphere, whose
+in the order of the test. Of several cycles the last full one is evaluated. The foot of the curve is cut off along the tangent at the working load, but for a sphere, whose
 curve has a foot of its own. The dynamic over static ratio is shown and never applied.")]
 pub(crate) struct StaticArgs {
     /// Files
@@ -55,20 +55,21 @@ enum Toe {
     Keep,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum Impactor {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Impactor {
     Flat,
     Sphere,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
-enum Boundary {
+pub(super) enum Boundary {
     Glued,
     Unglued,
     Lubricated,
 }
 
-fn name<T: ValueEnum>(value: Option<&T>) -> Option<String> {
+/// The name of a value in flags and files.
+pub(super) fn name<T: ValueEnum>(value: Option<&T>) -> Option<String> {
     value.and_then(|value| value.to_possible_value()).map(|value| value.get_name().to_owned())
 }
 
