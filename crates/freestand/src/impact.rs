@@ -448,11 +448,12 @@ mod tests {
     }
 
     /// Another law is solved for m_eff at the edge's velocity. Putting the lumped mass's drop acceleration into Eq. (5)
-    /// would give 18 % more at n = 1.5 and 43 % more at n = 2.5 for the cabinet (two digits are known).
+    /// would be (a_edge/a)(v₀/v)^(2n/(n+1)) (m_eff/m)^(1/(n+1)) times as high: for the cabinet 18.57 % too high at n = 1.5
+    /// and 44.06 % at n = 2.5.
     #[test]
     fn a_curved_law_is_not_put_into_equation_5() {
         let landing = Landing::rocking(&Block::uniform(2.3, 0.6).unwrap(), ImpactModel::Paper);
-        for (exponent, more) in [(1.0, 0.0), (1.5, 0.18), (2.5, 0.43)] {
+        for (exponent, more) in [(1.0, 0.0), (1.5, 0.1857), (2.5, 0.4406)] {
             let law = ContactLaw::Power { coefficient_n_mn: 3e8, exponent };
             let impact = landing.impact(140.0, &Cushion::new(law).unwrap(), 0.016, 9.81);
             let (v, m_eff) = (impact.edge_velocity_m_s, 140.0 * landing.effective_mass_ratio);
@@ -460,7 +461,7 @@ mod tests {
             let d = (0.5 * (exponent + 1.0) * m_eff * v * v / 3e8).powf(1.0 / (exponent + 1.0));
             assert!((impact.edge_acceleration_m_s2 * m_eff / (3e8 * d.powf(exponent)) - 1.0).abs() < 1e-12);
             let wrong = landing.amplification_ratio() * impact.drop_acceleration_m_s2;
-            assert!((wrong / impact.edge_acceleration_m_s2 - 1.0 - more).abs() < 6e-3, "{exponent}");
+            assert!((wrong / impact.edge_acceleration_m_s2 - 1.0 - more).abs() < 5e-5, "{exponent}");
         }
     }
 
@@ -475,7 +476,7 @@ mod tests {
         };
         let hertz = |coefficient_n_mn| ContactLaw::Power { coefficient_n_mn, exponent: 1.5 };
         assert!(warnings(ContactLaw::Linear { stiffness_n_m: 4.38e6 }).is_empty());
-        assert!(matches!(warnings(ContactLaw::Linear { stiffness_n_m: 2e5 })[..], [ValidityWarning::Bottoming { .. }]));
+        assert!(matches!(warnings(ContactLaw::Linear { stiffness_n_m: 1e5 })[..], [ValidityWarning::Bottoming { .. }]));
         assert!(warnings(hertz(1e9)).is_empty());
         assert!(matches!(warnings(hertz(2e6))[..], [ValidityWarning::HalfSpace { .. }]));
         let tangent = ContactLaw::Tangent { stiffness_n_m: 4e5, bottoming_m: 4e-3 };
