@@ -161,6 +161,51 @@ fn other_laws_are_recognised() {
     assert!((exponent - 1.5).abs() < 0.01 && (dissipation_s_m / 0.3 - 1.0).abs() < 0.03, "{found:?}");
 }
 
+fn noisy(samples: &[f64], noise_ratio: f64, seed: u64) -> Vec<f64> {
+    let peak = samples.iter().copied().fold(0.0, f64::max);
+    let mut random = ChaCha12Rng::seed_from_u64(seed);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+    samples.iter().map(|a| a + noise_ratio * peak * normal()).collect()
+}
+
+/// The force of a damped pad jumps at the first touch, and a sample may lie on the jump, just before it or just after. By the
+/// closed form, without weight: d = v₀/ω_d e^(−ζωt) sin ω_d t. Noise of 0.5 % makes 0.3 % of k here; 1.5 % is five of those.
+#[test]
+fn a_sample_may_lie_on_the_jump() {
+    let (zeta, omega) = (0.1, (STIFFNESS_N_M / MASS_KG).sqrt());
+    let damped = omega * (1.0_f64 - zeta * zeta).sqrt();
+    let accel = |t: f64| {
+        let d = fall_m_s() / damped * (-zeta * omega * t).exp() * (damped * t).sin();
+        let v =
+            fall_m_s() * (-zeta * omega * t).exp() * ((damped * t).cos() - zeta * omega / damped * (damped * t).sin());
+        if t >= 0.0 && damped * t < PI { (omega * omega * d + 2.0 * zeta * omega * v).max(0.0) } else { 0.0 }
+    };
+    let dt_s = PI / omega / 50.0;
+    let plain = DropSetup { gravity_m_s2: 0.0, ..setup(true) };
+    for phase in [0.0, 1e-6, 0.25, 0.999] {
+        let clean: Vec<f64> = (0..350).map(|i| accel((f64::from(i) - 150.0 + phase) * dt_s)).collect();
+        for seed in 0..5 {
+            let test = drop_test(&noisy(&clean, 0.005, seed), dt_s, &plain).unwrap();
+            assert_eq!(test.flags, [], "{phase} {seed}");
+            let found = test.identified.unwrap();
+            assert_eq!(found.chosen, FittedLaw::KelvinVoigt, "{phase} {seed}");
+            assert!((found.stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.015, "{phase} {seed}: {found:?}");
+        }
+    }
+}
+
+/// A pad with F = Kd² rises below the noise for a good part of the contact, which is hundreds of samples of a fast recorder.
+/// d = (3mv₀²/(2K))^⅓ = 1.0240 mm, so F/d = 1.0240e6 (gravity adds 0.06 %); four times the error of the fit itself is 2 %.
+#[test]
+fn a_long_toe_is_followed() {
+    let (clean, dt_s) = stepped(|d, _| 1e9 * d.max(0.0).powi(2), 1000.0, 2.0505e-3);
+    for seed in 0..2 {
+        let found = drop_test(&noisy(&clean, 0.01, seed), dt_s, &setup(true)).unwrap().identified.unwrap();
+        assert!((found.stiffness.fit_n_m / 1.0240e6 - 1.0).abs() < 0.02, "{seed}: {found:?}");
+        assert!((found.exponent - 2.0).abs() < 0.05, "{seed}: {}", found.exponent);
+    }
+}
+
 fn flags_of(samples: &[f64], dt_s: f64) -> Vec<Flag> {
     let test = drop_test(samples, dt_s, &setup(true)).unwrap();
     let fatal = [Flag::ZeroShift, Flag::Drift];
