@@ -244,6 +244,36 @@ fn faults_are_flagged() {
     assert_eq!(flags_of(&[0.0; 100], 1e-5), [Flag::NoPulse]);
 }
 
+/// Noise of 5 % on a fast record crosses every threshold many times on a flank. The peak alone is good to no more than its
+/// noise; the 1000 samples make 5 %/√1000 = 0.2 %, and the correlation of k with touch and zero line no more than five times that.
+#[test]
+fn noisy_flanks_are_one_pulse() {
+    for (per_contact, seed) in [(200.0, 1), (200.0, 2), (1000.0, 1), (1000.0, 2)] {
+        let (samples, dt_s) = half_sine(per_contact, 0.05, 0.3, seed, STIFFNESS_N_M);
+        let test = drop_test(&samples, dt_s, &setup(true)).unwrap();
+        assert_eq!(test.flags, [], "{per_contact} {seed}");
+        let error = test.identified.unwrap().stiffness.fit_n_m / STIFFNESS_N_M - 1.0;
+        assert!(error.abs() < if per_contact > 500.0 { 0.01 } else { 0.025 }, "{per_contact} {seed}: {error}");
+    }
+}
+
+/// A zero line that is higher after the impact ends the pulse all the same, and a record that ends on the flank is cut off.
+#[test]
+fn a_shifted_zero_line_is_no_missing_end() {
+    for (per_contact, shift) in [(50.0, 0.03), (50.0, 0.06), (200.0, 0.03), (200.0, 0.08)] {
+        let (samples, dt_s) = half_sine(per_contact, 0.005, 0.3, 3, STIFFNESS_N_M);
+        let peak = samples.iter().copied().fold(0.0, f64::max);
+        let top = (2.5 * per_contact) as usize;
+        let shifted: Vec<f64> =
+            samples.iter().enumerate().map(|(i, a)| a + if i > top { shift * peak } else { 0.0 }).collect();
+        let flags = drop_test(&shifted, dt_s, &setup(true)).unwrap().flags;
+        assert!(flags.contains(&Flag::ZeroShift) && !flags.contains(&Flag::CutOff), "{per_contact} {shift}: {flags:?}");
+        assert!(!flags.contains(&Flag::Impulse), "{per_contact} {shift}: {flags:?}");
+        let cut = drop_test(&samples[..(2.96 * per_contact) as usize], dt_s, &setup(true)).unwrap();
+        assert!(cut.flags.contains(&Flag::CutOff), "{per_contact}: {:?}", cut.flags);
+    }
+}
+
 /// A sensor that shows gravity reads 1 g while the mass is held, and nothing in the fall: the zero line is that of the fall.
 #[test]
 fn the_mass_may_have_been_held_before() {
