@@ -10,6 +10,10 @@ const THRESHOLD_SIGMA: f64 = 5.0;
 const THRESHOLD_SHARE: f64 = 0.02;
 /// The zero line is the mean over so many contact times before the contact: earlier, the mass may have been held.
 const BEFORE: usize = 20;
+/// Flanks are sought in the moving mean over this part of the pulse: single samples of a noisy flank cross a level often.
+const SMOOTH_PART: usize = 60;
+/// A zero line that another one follows is a plateau of at least so many samples.
+const LEAST_PLATEAU: usize = 20;
 /// Least number of samples before the contact: a mean and its scatter.
 const LEAST_PRE: usize = 10;
 /// A shift or a drift below this share of the peak is let pass.
@@ -70,24 +74,31 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     if highest <= 0.0 {
         return Err(Flag::NoPulse);
     }
+    let (smooth, reach) = smoothed(samples, rough_zero, highest);
+    let highest = smooth.iter().fold(0.0, |most: f64, a| most.max(a - rough_zero));
     let level = rough_zero + PULSE_SHARE * highest;
-    let Some(rise) = samples.iter().position(|&a| a > level) else { return Err(Flag::NoPulse) };
-    let width = samples[rise..].iter().take_while(|&&a| a > level).count();
+    let Some(rise) = smooth.iter().position(|&a| a > level) else { return Err(Flag::NoPulse) };
+    let width = fall(&smooth, rise, level, reach) - rise;
     // A soft cushion rises slowly: what may be contact already is not part of the zero line.
     let guard = (width / 4).max(1);
     if rise < LEAST_PRE + guard {
         return Err(Flag::NoPreTrigger);
     }
-    let rough = &samples[..rise - guard];
-    let (zero, noise) = (mean(rough), deviation(rough));
-    let end = fall(samples, rise, zero + (THRESHOLD_SIGMA * noise).max(THRESHOLD_SHARE * highest));
+    let (zero, noise) = (mean(&samples[..rise - guard]), deviation(&samples[..rise - guard]));
+    let quiet = deviation(&smooth[..rise - guard]);
+    let end = fall(&smooth, rise, zero + (THRESHOLD_SIGMA * quiet).max(THRESHOLD_SHARE * highest), reach);
     let peak = samples[rise..end].iter().fold(0.0, |most: f64, a| most.max(a - zero));
     if peak < 8.0 * noise {
         return Err(Flag::NoPulse);
     }
-    let threshold = zero + (THRESHOLD_SIGMA * noise).max(THRESHOLD_SHARE * peak);
-    let before = samples[..rise].iter().rposition(|&a| a <= threshold).unwrap_or(0);
-    let after = fall(samples, rise, threshold);
+    let threshold = zero + (THRESHOLD_SIGMA * quiet).max(THRESHOLD_SHARE * peak);
+    let before = smooth[..rise].iter().rposition(|&a| a <= threshold).unwrap_or(0);
+    let mut after = fall(&smooth, rise, threshold, reach);
+    if after >= samples.len()
+        && let Some(plateau) = plateau(&smooth, fall(&smooth, rise, zero + PULSE_SHARE * peak, reach), quiet, peak)
+    {
+        after = fall(&smooth, rise, plateau + threshold - zero, reach);
+    }
     // Again with the guard in terms of the whole contact, which a root at its beginning (Hertz) needs.
     let guard = (after - before).div_ceil(10);
     if before < LEAST_PRE + guard {
@@ -106,7 +117,7 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
         flight: None,
         flags: Vec::new(),
     };
-    let post = post_window(samples, &mut pulse, threshold);
+    let post = post_window(&smooth, &mut pulse, threshold);
     if after >= samples.len() {
         pulse.flags.push(Flag::CutOff);
     }
@@ -124,10 +135,30 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     Ok(pulse)
 }
 
-/// The first sample from `from` on that is not above `level`, and is not followed at once by one that is.
-fn fall(samples: &[f64], from: usize, level: f64) -> usize {
-    let is_down = |i: usize| samples[i] <= level && samples.get(i + 1).is_none_or(|&next| next <= level);
+/// The moving mean over a small part of the first high pulse, and how many samples it reaches to both sides. The pulse lasts
+/// from half of the largest sample down to a fifth: between the two is more than noise.
+fn smoothed(samples: &[f64], zero: f64, highest: f64) -> (Vec<f64>, usize) {
+    let rise = samples.iter().position(|&a| a > zero + 0.5 * highest).unwrap_or(0);
+    let width = samples[rise..].iter().take_while(|&&a| a > zero + PULSE_SHARE * highest).count();
+    let reach = width / SMOOTH_PART;
+    let of = |i: usize| mean(&samples[i.saturating_sub(reach)..(i + reach + 1).min(samples.len())]);
+    ((0..samples.len()).map(of).collect(), reach)
+}
+
+/// The first sample from `from` on that is not above `level`, and is not followed soon by one that is.
+fn fall(samples: &[f64], from: usize, level: f64, reach: usize) -> usize {
+    let is_down = |i: usize| samples[i..samples.len().min(i + 2 + 2 * reach)].iter().all(|&a| a <= level);
     (from..samples.len()).find(|&i| is_down(i)).unwrap_or(samples.len())
+}
+
+/// The level at which a record stays from `from` on, where it stays: a zero line that was shifted by the impact.
+fn plateau(smooth: &[f64], from: usize, quiet: f64, peak: f64) -> Option<f64> {
+    let tail = smooth.get(from..).filter(|tail| tail.len() >= LEAST_PLATEAU)?;
+    let level = median(tail);
+    let apart: Vec<f64> = tail.iter().map(|a| (a - level).abs()).collect();
+    let (first, last) = tail.split_at(tail.len() / 2);
+    let is_level = (median(first) - median(last)).abs() <= ZERO_SHIFT_GATE * peak + quiet;
+    (is_level && median(&apart) <= ZERO_SHIFT_GATE * peak + 2.0 * quiet).then_some(level)
 }
 
 /// The quiet after the pulse, up to the next bounce.

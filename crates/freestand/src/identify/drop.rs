@@ -24,7 +24,7 @@ const DECISIVE: f64 = 16.0;
 /// A zero line that is off by more than this share of the peak gives no stiffness.
 const HOPELESS_SHIFT: f64 = 0.05;
 /// Beyond this share of the peak what a law leaves is no noise.
-const POOR_RESIDUAL: f64 = 0.02;
+const POOR_RESIDUAL: f64 = 0.01;
 /// Prior of a speed that is not known.
 const UNKNOWN_SPEED: f64 = 0.5;
 /// Laws whose scores are closer than this cannot be told apart.
@@ -297,7 +297,7 @@ impl<'a> Contact<'a> {
             .flight
             .filter(|_| has_gravity)
             .map(|steps| self.setup.gravity_m_s2 * steps as f64 * self.dt_s / (2.0 * speed));
-        if best.residual_ratio > POOR_RESIDUAL.max(3.0 * self.pulse.noise_m_s2 / a) {
+        if !best.converged || best.residual_ratio > POOR_RESIDUAL.max(2.0 * self.pulse.noise_m_s2 / a) {
             test.flags.push(Flag::PoorFit);
         }
         if let ImpactVelocity::Known { speed_m_s, error_ratio } = self.setup.impact_velocity

@@ -9,6 +9,8 @@ const FLOOR_SHARE: f64 = 2e-4;
 const ROUNDS: usize = 60;
 /// Number of parameters.
 const P: usize = 7;
+/// Largest change of the first touch in one round, in contacts: a toe below the noise is a good part of a contact.
+const TOUCH_SHARE: f64 = 0.1;
 /// First touch in samples; ln v; ln k; n; ζ; Λv; zero line over peak.
 type Parameters = [f64; P];
 const TOUCH: usize = 0;
@@ -62,6 +64,8 @@ pub(super) struct Fit {
     /// Sum of squares in units of the noise.
     pub(super) chi_squared: f64,
     pub(super) degrees: f64,
+    /// Whether the search came to rest.
+    pub(super) converged: bool,
     /// Root mean square of what is left, over the peak.
     pub(super) residual_ratio: f64,
 }
@@ -124,44 +128,70 @@ impl Data<'_> {
 
     /// The best fit of a law over a few starts; `None` where none converges to a cushion.
     pub(super) fn fit(&self, law: FittedLaw) -> Option<Fit> {
-        let exponents: &[f64] = if free_of(law).contains(&EXPONENT) { &[1.0, 1.6] } else { &[1.0] };
-        let damped = matches!(law, FittedLaw::KelvinVoigt | FittedLaw::DampedPower | FittedLaw::HuntCrossley);
-        let mut best: Option<(Parameters, f64)> = None;
+        let free = free_of(law);
+        let exponents: &[f64] = if free.contains(&EXPONENT) { &[1.0, 1.6] } else { &[1.0] };
+        let mut best: Option<Descent> = None;
         let enough = 1.5 * self.accel_m_s2.len() as f64;
-        for early in [0.0, 1.0] {
+        for early in [0.0, 1.0, 0.05 * self.contact] {
             for &exponent in exponents {
-                if best.as_ref().is_some_and(|(_, least)| *least < enough) {
+                if best.as_ref().is_some_and(|found| found.cost < enough) {
                     continue;
                 }
                 let mut p = self.start(self.touch - early, exponent);
-                if damped {
-                    let which = if law == FittedLaw::HuntCrossley { DISSIPATION } else { DAMPING };
-                    p[which] = 0.1;
+                match law {
+                    FittedLaw::HuntCrossley => p[DISSIPATION] = 0.1,
+                    FittedLaw::KelvinVoigt | FittedLaw::DampedPower => p[DAMPING] = 0.1,
+                    FittedLaw::Linear | FittedLaw::Power => {}
                 }
-                let (p, cost) = self.descend(p, &free_of(law));
-                if cost.is_finite() && best.as_ref().is_none_or(|(_, least)| cost < *least) {
-                    best = Some((p, cost));
-                }
+                keep_better(&mut best, self.descend(p, &free, None));
             }
         }
-        let (p, cost) = best?;
-        self.finished(law, &p, cost)
+        self.finished(law, &self.between_samples(best?, &free))
     }
 
     /// A law with more numbers, from where one with fewer arrived.
     pub(super) fn extend(&self, law: FittedLaw, from: &Fit) -> Option<Fit> {
-        let (p, cost) = self.descend(from.parameters, &free_of(law));
-        self.finished(law, &p, cost)
+        let free = free_of(law);
+        let found = self.descend(from.parameters, &free, None);
+        self.finished(law, &self.between_samples(found, &free))
     }
 
-    /// Levenberg–Marquardt.
-    fn descend(&self, start: Parameters, free: &[usize]) -> (Parameters, f64) {
+    /// Where the force jumps at the first touch, the sum of squares jumps whenever the touch passes a sample, and a search
+    /// stops at the first such wall. Between two samples it is smooth: each gap around the touch is searched on its own.
+    fn between_samples(&self, found: Descent, free: &[usize]) -> Descent {
+        if !free.contains(&DAMPING) {
+            return found;
+        }
+        let mut best = found;
+        let mut centre = best.p[TOUCH].ceil();
+        for _ in 0..4 {
+            let mut next: Option<Descent> = None;
+            for gap in [centre - 1.0, centre, centre + 1.0] {
+                let mut p = best.p;
+                p[TOUCH] = p[TOUCH].clamp(gap - 0.999, gap);
+                p[DAMPING] = p[DAMPING].max(0.02);
+                keep_better(&mut next, self.descend(p, free, Some((gap - 0.999, gap))));
+            }
+            let Some(next) = next.filter(|next| next.cost < best.cost) else { break };
+            best = next;
+            if best.p[TOUCH].ceil() == centre {
+                break;
+            }
+            centre = best.p[TOUCH].ceil();
+        }
+        best
+    }
+
+    /// Levenberg–Marquardt, with the first touch between bounds where they are given.
+    fn descend(&self, start: Parameters, free: &[usize], bounds: Option<(f64, f64)>) -> Descent {
         let mut p = start;
         let mut r = self.residuals(&p);
         let mut cost = square(&r);
         let mut damping = 1e-3;
+        let mut converged = false;
         for _ in 0..ROUNDS {
-            let (normal, gradient) = self.normal(&p, &r, free);
+            let (mut normal, mut gradient) = self.normal(&p, &r, free);
+            hold_at_bound(&mut normal, &mut gradient, p[TOUCH], bounds);
             let mut gained = 0.0;
             while damping < 1e9 {
                 let mut damped = normal.clone();
@@ -172,7 +202,10 @@ impl Data<'_> {
                     damping *= 10.0;
                     continue;
                 };
-                let next = moved(&p, free, &step);
+                let mut next = moved(&p, free, &step, TOUCH_SHARE * self.contact);
+                if let Some((low, high)) = bounds {
+                    next[TOUCH] = next[TOUCH].clamp(low, high);
+                }
                 let left = self.residuals(&next);
                 let less = square(&left);
                 if less < cost {
@@ -184,10 +217,11 @@ impl Data<'_> {
                 damping *= 5.0;
             }
             if gained < 1e-4 + 1e-9 * cost {
+                converged = true;
                 break;
             }
         }
-        (p, cost)
+        Descent { p, cost, converged }
     }
 
     /// JᵀJ and −Jᵀr over the free parameters.
@@ -195,9 +229,8 @@ impl Data<'_> {
         let columns: Vec<Vec<f64>> = free
             .iter()
             .map(|&i| {
-                let mut q = *p;
-                q[i] += STEPS[i];
-                self.residuals(&q).iter().zip(r).map(|(a, b)| (a - b) / STEPS[i]).collect()
+                let (q, h) = beside(p, i);
+                self.residuals(&q).iter().zip(r).map(|(a, b)| (a - b) / h).collect()
             })
             .collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
@@ -205,7 +238,9 @@ impl Data<'_> {
         (normal, columns.iter().map(|a| -dot(a, r)).collect())
     }
 
-    fn finished(&self, law: FittedLaw, p: &Parameters, cost: f64) -> Option<Fit> {
+    fn finished(&self, law: FittedLaw, found: &Descent) -> Option<Fit> {
+        let Descent { p, cost, converged } = found;
+        let cost = *cost;
         let free = free_of(law);
         let r = self.residuals(p);
         let degrees = (self.accel_m_s2.len() + 2 - free.len()) as f64;
@@ -221,9 +256,8 @@ impl Data<'_> {
         let slopes: Vec<f64> = free
             .iter()
             .map(|&i| {
-                let mut q = *p;
-                q[i] += STEPS[i];
-                (secant(&q) - secant(p)) / STEPS[i]
+                let (q, h) = beside(p, i);
+                (secant(&q) - secant(p)) / h
             })
             .collect();
         let mut variance = 0.0;
@@ -249,6 +283,7 @@ impl Data<'_> {
             damping_error: of(DAMPING).or_else(|| of(DISSIPATION)),
             chi_squared: cost,
             degrees,
+            converged: *converged,
             residual_ratio: (square(samples) / samples.len() as f64).sqrt() * self.sigma() / self.peak_m_s2,
         };
         let sound = fit.secant_n_m.is_finite() && fit.secant_error_ratio.is_finite() && fit.predicted.contact_s > 0.0;
@@ -269,12 +304,52 @@ impl Fit {
     }
 }
 
+/// Where a search ended.
+#[derive(Debug, Clone)]
+struct Descent {
+    p: Parameters,
+    cost: f64,
+    converged: bool,
+}
+
+fn keep_better(best: &mut Option<Descent>, found: Descent) {
+    if found.cost.is_finite() && best.as_ref().is_none_or(|best| found.cost < best.cost) {
+        *best = Some(found);
+    }
+}
+
+/// A point beside p for the derivative by one parameter, and its distance. The first touch does not pass a sample, where the
+/// force of a damped pad jumps.
+fn beside(p: &Parameters, i: usize) -> (Parameters, f64) {
+    let mut q = *p;
+    let passes = i == TOUCH && (p[i] + STEPS[i]).ceil() != p[i].ceil();
+    let h = if passes { -STEPS[i] } else { STEPS[i] };
+    q[i] += h;
+    (q, h)
+}
+
+/// Takes the first touch (the first of the free parameters) out where it is at a bound and would leave it.
+fn hold_at_bound(normal: &mut [Vec<f64>], gradient: &mut [f64], touch: f64, bounds: Option<(f64, f64)>) {
+    let Some((low, high)) = bounds else { return };
+    let Some(down_hill) = gradient.first_mut() else { return };
+    if (touch >= high && *down_hill > 0.0) || (touch <= low && *down_hill < 0.0) {
+        *down_hill = 0.0;
+        for (i, row) in normal.iter_mut().enumerate() {
+            for (j, value) in row.iter_mut().enumerate() {
+                if (i == TOUCH) != (j == TOUCH) {
+                    *value = 0.0;
+                }
+            }
+        }
+    }
+}
+
 /// Keeps the parameters where the laws mean something.
-fn moved(p: &Parameters, free: &[usize], step: &[f64]) -> Parameters {
+fn moved(p: &Parameters, free: &[usize], step: &[f64], touch: f64) -> Parameters {
     let mut next = *p;
     for (&i, s) in free.iter().zip(step) {
         let most = match i {
-            TOUCH => 2.0,
+            TOUCH => touch.max(2.0),
             OFFSET => 0.05,
             _ => 0.3,
         };
