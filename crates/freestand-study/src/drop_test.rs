@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use freestand::G0_M_S2;
 use freestand::cushion::ContactLaw;
 use freestand::identify::{DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, drop_test};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::error::{Problem, ProblemKind};
 use crate::quantity::{Dimension, parse_positive};
@@ -77,6 +77,22 @@ pub struct StiffnessReport {
     pub energy: f64,
 }
 
+/// A stiffness that is missing has its keys all the same, each of them `null`.
+fn with_all_keys<S: Serializer>(stiffness: &Option<StiffnessReport>, serializer: S) -> Result<S::Ok, S::Error> {
+    const KEYS: [&str; 6] = [
+        "fit",
+        "peak_over_velocity",
+        "contact_time",
+        "velocity_over_compression",
+        "acceleration_over_compression",
+        "energy",
+    ];
+    match stiffness {
+        Some(stiffness) => stiffness.serialize(serializer),
+        None => serializer.collect_map(KEYS.map(|key| (key, None::<f64>))),
+    }
+}
+
 /// How good a record is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
@@ -117,6 +133,7 @@ pub struct DropReport {
     pub restitution_bounce_ratio: Option<f64>,
     pub energy_lost_ratio: Option<f64>,
     /// `None` where a flag forbids a stiffness.
+    #[serde(serialize_with = "with_all_keys")]
     pub stiffness_n_m: Option<StiffnessReport>,
     pub stiffness_ci95_n_m: Option<[f64; 2]>,
     pub law: Option<&'static str>,
