@@ -19,6 +19,8 @@ const WORTH: f64 = 12.0;
 /// What must be gained to take the pulse for one without weight. From a stated speed, pulses with weight have −3 and less at
 /// 75 g and below, pulses without it +3 and more; above, neither is told from the other, and the weight acts.
 const LIKELY: f64 = 3.0;
+/// What a cut top must take from the sum of squares: five standard deviations.
+const CLEARLY_CUT: f64 = 25.0;
 /// What must be gained for no doubt to be left: four standard deviations.
 const DECISIVE: f64 = 16.0;
 /// A zero line that is off by more than this share of the peak gives no stiffness.
@@ -297,6 +299,10 @@ impl<'a> Contact<'a> {
             .flight
             .filter(|_| has_gravity)
             .map(|steps| self.setup.gravity_m_s2 * steps as f64 * self.dt_s / (2.0 * speed));
+        if self.is_cut(&data, &best, &others) {
+            test.flags.push(Flag::Clipped);
+            return;
+        }
         if !best.converged || best.residual_ratio > POOR_RESIDUAL.max(2.0 * self.pulse.noise_m_s2 / a) {
             test.flags.push(Flag::PoorFit);
         }
@@ -324,6 +330,13 @@ impl<'a> Contact<'a> {
             residual_ratio: best.residual_ratio,
         });
         test.points = points;
+    }
+
+    /// Whether a law with its top cut is clearly better than the best without: a range that ended before the noise came to it.
+    fn is_cut(&self, data: &Data, best: &Fit, others: &[Fit]) -> bool {
+        let price = |fit: &Fit| WORTH * f64::from(numbers(fit.law));
+        let limit = best.chi_squared + price(best) - CLEARLY_CUT;
+        std::iter::once(best).chain(others).any(|fit| data.cut(fit).is_some_and(|cost| cost + price(fit) < limit))
     }
 
     /// The fit that says what the exponent is, where the chosen law has it fixed.

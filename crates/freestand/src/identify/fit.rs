@@ -8,10 +8,10 @@ const FLOOR_SHARE: f64 = 2e-4;
 /// Rounds of Levenberg–Marquardt.
 const ROUNDS: usize = 60;
 /// Number of parameters.
-const P: usize = 7;
+const P: usize = 8;
 /// Largest change of the first touch in one round, in contacts: a toe below the noise is a good part of a contact.
 const TOUCH_SHARE: f64 = 0.1;
-/// First touch in samples; ln v; ln k; n; ζ; Λv; zero line over peak.
+/// First touch in samples; ln v; ln k; n; ζ; Λv; zero line over peak; level of a cut top over peak.
 type Parameters = [f64; P];
 const TOUCH: usize = 0;
 const SPEED: usize = 1;
@@ -20,8 +20,9 @@ const EXPONENT: usize = 3;
 const DAMPING: usize = 4;
 const DISSIPATION: usize = 5;
 const OFFSET: usize = 6;
+const TOP: usize = 7;
 /// Steps of the numerical derivatives.
-const STEPS: Parameters = [1e-3, 1e-5, 1e-5, 1e-4, 1e-4, 1e-4, 1e-5];
+const STEPS: Parameters = [1e-3, 1e-5, 1e-5, 1e-4, 1e-4, 1e-4, 1e-5, 1e-4];
 
 /// The samples around a contact and what is known about it.
 #[derive(Debug, Clone)]
@@ -112,7 +113,7 @@ impl Data<'_> {
         let sigma = self.sigma();
         let left = self.accel_m_s2.iter().enumerate().map(|(i, a)| {
             let at = predicted.at((i as f64 - p[TOUCH]) * self.dt_s);
-            (a - offset - at) / sigma
+            (a - offset - at.min(p[TOP] * self.peak_m_s2)) / sigma
         });
         let priors = [
             (p[SPEED] - self.speed_m_s.ln()) / self.speed_error_ratio,
@@ -123,7 +124,7 @@ impl Data<'_> {
 
     fn start(&self, touch: f64, exponent: f64) -> Parameters {
         let omega = std::f64::consts::PI / (self.contact * self.dt_s);
-        [touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln(), exponent, 0.0, 0.0, 0.0]
+        [touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln(), exponent, 0.0, 0.0, 0.0, f64::INFINITY]
     }
 
     /// The best fit of a law over a few starts; `None` where none converges to a cushion.
@@ -154,6 +155,17 @@ impl Data<'_> {
         let free = free_of(law);
         let found = self.descend(from.parameters, &free, None);
         self.finished(law, &self.between_samples(found, &free))
+    }
+
+    /// The sum of squares where the top of the same law is cut at a level of its own; `None` where that is no better than the
+    /// noise lets it be.
+    pub(super) fn cut(&self, from: &Fit) -> Option<f64> {
+        let mut free = free_of(from.law);
+        free.push(TOP);
+        let mut p = from.parameters;
+        p[TOP] = 0.97 * from.predicted.peak_m_s2() / self.peak_m_s2;
+        let found = self.descend(p, &free, None);
+        (found.cost < 2.0 * from.degrees).then_some(found.cost)
     }
 
     /// Where the force jumps at the first touch, the sum of squares jumps whenever the touch passes a sample, and a search

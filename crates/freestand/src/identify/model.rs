@@ -88,6 +88,10 @@ impl Model {
 }
 
 impl Predicted {
+    pub(super) fn peak_m_s2(&self) -> f64 {
+        self.accel_m_s2.iter().copied().fold(0.0, f64::max)
+    }
+
     /// Force over mass at a time since the first touch; zero outside of the contact.
     pub(super) fn at(&self, time_s: f64) -> f64 {
         if time_s < 0.0 || time_s >= self.contact_s {

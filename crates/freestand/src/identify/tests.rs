@@ -331,6 +331,23 @@ fn a_shifted_zero_line_is_no_missing_end() {
     }
 }
 
+/// A top that was cut before the noise came to it has no equal samples, but no law lies on it either.
+#[test]
+fn a_clipped_top_under_noise_is_no_law() {
+    for per_contact in [50.0, 200.0] {
+        for (share, noise) in [(0.9, 0.002), (0.9, 0.005), (0.9, 0.01), (0.95, 0.005)] {
+            let (clean, dt_s) = half_sine(per_contact, 0.0, 0.3, 1, STIFFNESS_N_M);
+            let peak = clean.iter().copied().fold(0.0, f64::max);
+            let clipped: Vec<f64> = clean.iter().map(|a| a.min(share * peak)).collect();
+            for seed in 0..3 {
+                let test = drop_test(&noisy(&clipped, noise, seed), dt_s, &setup(true)).unwrap();
+                let is_told = test.flags.iter().any(|flag| matches!(flag, Flag::Clipped | Flag::PoorFit));
+                assert!(is_told, "{per_contact} {share} {noise} {seed}: {:?}", test.flags);
+            }
+        }
+    }
+}
+
 /// A sensor that shows gravity reads 1 g while the mass is held, and nothing in the fall: the zero line is that of the fall.
 #[test]
 fn the_mass_may_have_been_held_before() {
