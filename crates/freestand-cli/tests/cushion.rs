@@ -72,7 +72,9 @@ fn a_bad_file_is_flagged_or_refused() {
     let clipped = run(&["clipped.csv"]);
     assert_eq!(clipped.status.code(), Some(1));
     assert_eq!(json(&clipped)["tests"][0]["quality"]["flags"][0], "clipped");
-    assert!(json(&clipped)["tests"][0]["stiffness_n_m"].is_null() && json(&clipped)["pooled"]["ci95_n_m"].is_null());
+    assert!(
+        json(&clipped)["tests"][0]["stiffness_n_m"]["fit"].is_null() && json(&clipped)["pooled"]["ci95_n_m"].is_null()
+    );
     let mixed = run(&["good.csv", "gap.csv"]);
     assert_eq!(mixed.status.code(), Some(1));
     assert_eq!(
