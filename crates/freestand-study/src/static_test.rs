@@ -102,7 +102,7 @@ pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Vec<Proble
                 .to_owned(),
         );
     }
-    for test in tests.iter().filter(|test| test.hysteresis_ratio.is_some_and(|ratio| ratio < 0.0)) {
+    for test in tests.iter().filter(|test| test.hysteresis_ratio.is_some_and(|ratio| ratio < -1e-3)) {
         warnings.push(format!("{}: the way out lies above the way in: check signs and order of the points", test.path));
     }
     tests.iter().for_each(|test| notes(test, &mut warnings));
