@@ -1,7 +1,7 @@
 //! The block on a compliant base: a rigid body on compression-only cushions, in the plane, followed in time.
 //!
 //! m ẍ = ΣT − m ü_h, m z̈ = ΣN − m(g + ü_v), I θ̈ = Σ(r_z T − r_x N), with N by the law of a
-//! [`Cushion`](crate::cushion::Cushion) at each contact element and T by a spring that may slip. Sine and cosine are exact: rotations may be large. It is a
+//! [`Cushion`] at each contact element and T by a spring that may slip. Sine and cosine are exact: rotations may be large. It is a
 //! second opinion on Eq. (5) of [`impact`](crate::impact), which knows neither how the old pivot unloads nor how the landing edge
 //! gives way sideways.
 //!
