@@ -1,5 +1,5 @@
 //! What stands under one edge of an object, from the words of flags, studies and cushion files to a
-//! [`Cushion`](freestand::cushion::Cushion).
+//! [`Cushion`].
 //!
 //! A drop test is of one pad, the impact model asks for all that is under one edge: `pads_per_edge` joins the two, and
 //! every step from the one to the other is said in words.
