@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use freestand::G0_M_S2;
 use freestand::cushion::ContactLaw;
-use freestand::identify::{DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, drop_test};
+use freestand::identify::{DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, NORMAL_975, drop_test};
+use freestand::impact::HALF_SPACE_SHARE;
 use serde::{Serialize, Serializer};
 
 use crate::error::{Problem, ProblemKind};
@@ -21,12 +22,8 @@ pub use pool::{PooledReport, cushion_toml};
 const GOOD_SAMPLES: f64 = 49.0;
 /// A spread of the four estimates beyond this is worth a word where the pad is linear.
 const WIDE_SPREAD: f64 = 0.1;
-/// A sphere deeper than this share of the pad no longer meets a half space.
-const HALF_SPACE_SHARE: f64 = 0.25;
 /// A fitted exponent above this is that of a round impactor.
 const ROUND_EXPONENT: f64 = 1.2;
-/// 97.5 % of the normal distribution.
-const NORMAL: f64 = 1.959_963_984_540_054;
 
 /// What is known of all files; a file's own comments fill what is missing.
 #[derive(Debug, Clone, Default)]
@@ -331,7 +328,7 @@ fn report(path: String, mass_kg: f64, source: &'static str, said: &Said, test: D
             energy: f.stiffness.energy_n_m,
         }),
         stiffness_ci95_n_m: found
-            .map(|f| [-NORMAL, NORMAL].map(|side| f.stiffness.fit_n_m * (side * f.error_ratio).exp())),
+            .map(|f| [-NORMAL_975, NORMAL_975].map(|side| f.stiffness.fit_n_m * (side * f.error_ratio).exp())),
         law: found.map(|f| f.chosen.name()),
         coefficient_n_mn,
         exponent: found.map(|f| f.exponent),

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use freestand::cushion::Cushion;
 use freestand::identify::{
-    DropSetup, ImpactVelocity, VirtualDrop, VirtualDropOptions, VirtualStaticOptions, drop_test, virtual_drop,
-    virtual_static,
+    DropSetup, ImpactVelocity, NORMAL_975, VirtualDrop, VirtualDropOptions, VirtualStaticOptions, drop_test,
+    virtual_drop, virtual_static,
 };
 use freestand::{G0_M_S2, cushion::ContactLaw};
 use rayon::prelude::*;
@@ -14,8 +14,6 @@ use serde::Serialize;
 use crate::error::{Problem, ProblemKind};
 use crate::records::push_shortest;
 
-/// 97.5 % of the normal distribution.
-const NORMAL: f64 = 1.959_963_984_540_054;
 /// Standard deviation of the stated impact velocity, as in `freestand cushion drop`.
 const VELOCITY_ERROR: f64 = 0.01;
 
@@ -193,7 +191,7 @@ fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio:
         flagged: trials.iter().filter(|trial| trial.flagged).count(),
         stiffness_bias_ratio: mean(&|f| f.off.exp_m1()),
         stiffness_rms_ratio: mean(&|f| f.off.exp_m1().powi(2)).map(f64::sqrt),
-        coverage_ratio: mean(&|f| if f.off.abs() <= NORMAL * f.error { 1.0 } else { 0.0 }),
+        coverage_ratio: mean(&|f| if f.off.abs() <= NORMAL_975 * f.error { 1.0 } else { 0.0 }),
         exponent_bias: mean(&|f| f.exponent - exponent_of(cushion.law())),
         damping_bias: mean(&|f| f.damping_ratio - damping_of(contact.restitution_ratio)),
     }

@@ -351,7 +351,7 @@ pub fn stiffness_warnings(mass_kg: f64, cushion: &Cushion, pad_thickness_m: Opti
 /// Share of a pad's thickness up to which its law is taken to hold: engineering judgement, half.
 const LINEAR_SHARE: f64 = 0.5;
 /// Share of a pad's thickness up to which it is a half-space to what dents it: engineering judgement, a quarter.
-const HALF_SPACE_SHARE: f64 = 0.25;
+pub const HALF_SPACE_SHARE: f64 = 0.25;
 /// Share of its bottoming compression beyond which a tangent law is all bottoming: the tangent has grown to 6.3 there.
 const BOTTOMED_SHARE: f64 = 0.9;
 

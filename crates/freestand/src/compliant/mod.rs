@@ -122,7 +122,7 @@ pub enum Start {
 /// | standard | 1e-8 | 2e-7 | 1e-8 |
 /// | tight | 1e-11 | 2e-10 | 1e-11 |
 ///
-/// Laws with a root at the first touch (Hertz) close the energy to 1e-6 by `standard`.
+/// Laws with a root at the first touch (Hertz) close the energy to 1e-5 by `standard`, a bottoming one near its end to 1e-3.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum CompliantAccuracy {
     /// 1e-5: for surveys.

@@ -474,7 +474,10 @@ proptest! {
         let block = Block::uniform(h, t).unwrap().with_cg_offset(0.5 * offset * t).unwrap();
         let (horizontal, vertical) = (shaking(across), shaking(up));
         let motion = Base { horizontal: Some(&horizontal), vertical: Some(&vertical) };
-        let options = CompliantOptions { start, duration_s: Some(0.5), ..CompliantOptions::default() };
+        // Near its end a bottoming cushion stiffens by hundreds within a step: at `standard` 1.4e-4 was seen there.
+        let is_tangent = base.cushion.law().name() == "tangent";
+        let accuracy = if is_tangent { CompliantAccuracy::Tight } else { CompliantAccuracy::Standard };
+        let options = CompliantOptions { start, accuracy, duration_s: Some(0.5), ..CompliantOptions::default() };
         let mut pulls = false;
         let mut grip_ratio = 0.0f64;
         let done = rock_compliant_observed(&block, &base, motion, &options, |piece| {
@@ -490,12 +493,10 @@ proptest! {
             Ok(got) => got,
             Err(CompliantError::Unstable { .. }) => return Ok(()),
             // Driven against its end a bottoming cushion is as hard as one likes.
-            Err(CompliantError::StepTooSmall { .. }) if base.cushion.law().name() == "tangent" => return Ok(()),
+            Err(CompliantError::StepTooSmall { .. }) if is_tangent => return Ok(()),
             Err(error) => return Err(TestCaseError::fail(format!("{error}: {base:?} {start:?} {block:?}"))),
         };
-        // Near its end a bottoming cushion stiffens by hundreds within a step: 1.4e-4 was seen there.
-        let most = if base.cushion.law().name() == "tangent" { 1e-3 } else { 1e-4 };
-        prop_assert!(got.energy.residual_ratio < most, "{:?}", got.energy);
+        prop_assert!(got.energy.residual_ratio < 1e-4, "{:?}", got.energy);
         prop_assert!(!pulls);
         if let Some(friction) = base.friction_ratio {
             // An event is found to 1e-10 of the vibration's angle.

@@ -430,7 +430,8 @@ impl Cushion {
     ///
     /// # Errors
     /// A factor that is not positive, or that takes the numbers out of range.
-    pub fn times(&self, factor: f64) -> Result<Self, CushionError> {
+    #[cfg(test)]
+    pub(crate) fn times(&self, factor: f64) -> Result<Self, CushionError> {
         Self::new(self.law.times(factor))
     }
 

@@ -16,7 +16,7 @@ mod static_test;
 mod virtual_test;
 
 pub use drop::drop_test;
-pub use pool::{Pooled, PooledDrop, pool_drops};
+pub use pool::{NORMAL_975, Pooled, PooledDrop, pool_drops};
 pub use static_test::{StaticError, StaticOptions, StaticTest, static_test};
 pub use virtual_test::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};
 

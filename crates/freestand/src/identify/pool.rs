@@ -33,8 +33,8 @@ pub struct Pooled {
 
 /// Resamples of the bootstrap: its standard deviation is then good to 2 %.
 const RESAMPLES: u32 = 2000;
-/// 97.5 % of the normal distribution.
-const NORMAL: f64 = 1.959_963_984_540_054;
+/// 97.5 % of the normal distribution: half of a 95 % interval in standard errors.
+pub const NORMAL_975: f64 = 1.959_963_984_540_054;
 
 /// Pools drops of one pad: the mean of ln k with the weights 1/(sᵢ² + τ²), τ the scatter that the drops' own errors sᵢ do
 /// not explain. The interval is the wider of two: Student's t times the bootstrap's standard deviation over the drops,
@@ -65,7 +65,7 @@ pub fn pool_drops(drops: &[PooledDrop], seed: u64) -> Option<Pooled> {
     let total: f64 = weights.iter().sum();
     let weighted = |of: &dyn Fn(usize) -> f64| (0..count).map(|i| weights[i] * of(i)).sum::<f64>() / total;
     let mean = weighted(&|i| logs[i]);
-    let within = NORMAL * weighted(&|i| own[i] * own[i]).sqrt();
+    let within = NORMAL_975 * weighted(&|i| own[i] * own[i]).sqrt();
     let between = if count > 1 { student(count) * bootstrap_error(&logs, &weights, seed) } else { 0.0 };
     let half = within.max(between);
     let scatter = (count > 1).then(|| {
@@ -115,5 +115,5 @@ fn bootstrap_error(logs: &[f64], weights: &[f64], seed: u64) -> f64 {
 
 /// 97.5 % of Student's t.
 fn student(count: usize) -> f64 {
-    StudentsT::new(0.0, 1.0, (count - 1) as f64).map_or(NORMAL, |t| t.inverse_cdf(0.975))
+    StudentsT::new(0.0, 1.0, (count - 1) as f64).map_or(NORMAL_975, |t| t.inverse_cdf(0.975))
 }
