@@ -1,5 +1,6 @@
 use super::*;
 use crate::processing::Processing;
+use crate::records::ReadOptions;
 
 fn problems(text: &str) -> Vec<String> {
     match resolve(text, Some(Path::new("s.toml")), Path::new("")) {
