@@ -24,7 +24,7 @@ use reader::{Reader, Section, bare_number, example};
 
 pub(crate) use building::{BuildingOptions, LevelOptions};
 pub(crate) use cushion::CushionOptions;
-pub(crate) use ground::GroundOptions;
+pub(crate) use ground::{ComponentsOption, GroundOptions};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};
 pub(crate) use outputs::{HistoryOptions, OutputsOptions};
 pub(crate) use processing::ProcessingOptions;

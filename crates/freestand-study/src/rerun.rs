@@ -1,6 +1,6 @@
 //! A study's text with the ground motions that were used, so that it runs again where its outputs are.
 
-use toml_edit::{Array, DocumentMut, Item, Table, value};
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, value};
 
 use crate::cushion::CushionWords;
 use crate::error::{Problem, ProblemKind};
@@ -36,29 +36,93 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     Ok(study.to_string())
 }
 
-/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled.
+/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled; with a step between the
+/// directions \[degrees\] where each file has two components.
 ///
 /// # Errors
 /// A text that is not TOML.
-pub fn with_motions(toml: &str, files: &[String]) -> Result<String, Problem> {
+pub fn with_motions(toml: &str, files: &[String], rotation_step_deg: Option<f64>) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let mut motions: Array = files.iter().collect();
-    for motion in motions.iter_mut() {
-        motion.decor_mut().set_prefix("\n    ");
-    }
-    motions.set_trailing("\n");
-    motions.set_trailing_comma(true);
     let mut ground = Table::new();
-    ground.insert("motions", value(motions));
+    ground.insert("motions", value(one_a_line(files)));
     if let Some(mut key) = ground.key_mut("motions") {
         key.leaf_decor_mut().set_prefix("# As the run used them: component chosen, scaled, in m/s2.\n");
     }
+    two_components(&mut ground, rotation_step_deg);
+    replace_ground(&mut study, ground);
+    Ok(study.to_string())
+}
+
+/// The motions of one level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LevelFiles {
+    /// Its name.
+    pub name: String,
+    /// Its height as a share of the building's, where it is known.
+    pub level_ratio: Option<f64>,
+    /// Its files.
+    pub motions: Vec<String>,
+}
+
+/// The text with the motions of floors from files, which are in m/s² and scaled, as in [`with_motions`].
+///
+/// # Errors
+/// A text that is not TOML, or without `[building]`.
+pub fn with_floor_motions(
+    toml: &str,
+    levels: &[LevelFiles],
+    rotation_step_deg: Option<f64>,
+) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let mut ground = Table::new();
+    two_components(&mut ground, rotation_step_deg);
+    replace_ground(&mut study, ground);
+    let mut entries = Array::new();
+    for level in levels {
+        let mut entry = InlineTable::new();
+        entry.insert("name", level.name.as_str().into());
+        if let Some(ratio) = level.level_ratio {
+            entry.insert("level_ratio", ratio.into());
+        }
+        entry.insert("motions", level.motions.iter().collect::<Array>().into());
+        entries.push(entry);
+    }
+    broken_lines(&mut entries);
+    let Some(building) = study.get_mut("building").and_then(Item::as_table_like_mut) else {
+        return Err(broken("building is no table"));
+    };
+    building.insert("levels", value(entries));
+    Ok(study.to_string())
+}
+
+fn two_components(ground: &mut Table, rotation_step_deg: Option<f64>) {
+    if let Some(step_deg) = rotation_step_deg {
+        ground.insert("components", value("both"));
+        ground.insert("rotation_step", value(format!("{step_deg} deg")));
+    }
+}
+
+fn one_a_line(files: &[String]) -> Array {
+    let mut list: Array = files.iter().collect();
+    broken_lines(&mut list);
+    list
+}
+
+fn broken_lines(list: &mut Array) {
+    for entry in list.iter_mut() {
+        entry.decor_mut().set_prefix("\n    ");
+    }
+    list.set_trailing("\n");
+    list.set_trailing_comma(true);
+}
+
+/// Puts `ground` in the place of the table of that name.
+fn replace_ground(study: &mut DocumentMut, mut ground: Table) {
     if let Some(old) = study.get("ground").and_then(Item::as_table) {
         *ground.decor_mut() = old.decor().clone();
         ground.set_position(old.position());
     }
     study.insert("ground", Item::Table(ground));
-    Ok(study.to_string())
 }
 
 /// The text with the words of a cushion file in place of its name, so that it does not need the file.
@@ -114,7 +178,7 @@ mod tests {
         assert!(with_seed("", u64::MAX).is_err());
         let ground = "[ground]\n# As the run used them: component chosen, scaled, in m/s2.\nmotions = [\n    \"motions/a.csv\",\n]\n";
         let study = "# mine\n[ground]\nmotions = [\"/x/a\"]\nscale = 2.0\n# hers\n[objects]\nmass = \"1 kg\" # 1\n";
-        let text = with_motions(study, &["motions/a.csv".to_owned()]).unwrap();
+        let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
         assert_eq!(text, format!("# mine\n{ground}# hers\n[objects]\nmass = \"1 kg\" # 1\n"));
         // Other spellings of a table, and none.
         for study in [
@@ -123,7 +187,7 @@ mod tests {
             "ground.seed = 3\nobjects.mass_kg = 1\n",
             "[objects]\n",
         ] {
-            let text = with_motions(study, &["motions/a.csv".to_owned()]).unwrap();
+            let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
             let (options, problems) = crate::options::parse(&text, None);
             assert_eq!(problems, [], "{text}");
             assert!(

@@ -6,6 +6,7 @@ mod ground;
 mod objects;
 mod outputs;
 mod processing;
+mod recorded;
 
 use std::fs::File;
 use std::io::Read;
@@ -18,6 +19,7 @@ use crate::recorded::MotionFiles;
 use crate::study::{Ground, RecordedMotion, Study};
 
 pub use ground::minimum_governs_warning;
+use recorded::has_measured_floors;
 
 /// Most synthetic motions of a study.
 pub const MAX_MOTIONS: u64 = 1000;
@@ -35,6 +37,8 @@ pub struct Overrides {
     pub seed: Option<u64>,
     /// Files in place of the study's ground motions, which are then not looked at.
     pub motions: Option<MotionFiles>,
+    /// Step between the directions in which objects are tried, for motions with two components \[degrees\].
+    pub rotation_step_deg: Option<f64>,
 }
 
 /// The built-in study as TOML, with comments: what `--dump-study` prints.
@@ -96,7 +100,7 @@ fn read_text(path: &Path) -> Result<String, StudyError> {
 /// ```
 /// use freestand_study::resolve::resolve;
 /// let study = resolve("[building]\nstoreys = 12\n", None, "".as_ref())?;
-/// assert_eq!(study.building.storeys, 12);
+/// assert_eq!(study.building.map(|building| building.storeys), Some(12));
 /// assert_eq!(study.objects.mass_kg, 150.0); // not said: as in the built-in study
 /// let error = resolve("[building]\nstoreys = -1\nstory_height = \"3 m\"\n", None, "".as_ref()).unwrap_err();
 /// assert_eq!(error.problems.len(), 2);
@@ -120,16 +124,24 @@ pub fn resolve_with(
     let is_complete = problems.is_empty();
     let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete };
     let Options { ground, building, objects, outputs } = options;
-    let ground = resolver.ground(&ground, overrides);
-    let building_input = resolver.building(&building);
-    let levels = resolver.levels(&building);
+    let levels = resolver.levels(&building, &ground);
+    let (ground_input, building_input) = if has_measured_floors(&building) {
+        resolver.check_measured(&ground, &building, &levels, overrides);
+        (Some(Ground::OnFloors), Some(None))
+    } else {
+        (resolver.ground(&ground, overrides), resolver.building(&building).map(Some))
+    };
+    let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
+    let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
     let objects = resolver.objects(&objects);
-    let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), ground.as_ref());
-    match (ground, building_input, objects) {
+    let names = ground_input.as_ref().map(|input| input.names(&levels));
+    let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
+    match (ground_input, building_input, objects) {
         (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => Ok(Study {
             source: source.map(Path::to_path_buf),
             toml: text.to_owned(),
             ground,
+            directions_deg,
             building,
             levels,
             objects,
@@ -205,13 +217,9 @@ impl Resolver<'_> {
 
 /// The paths of the files that a study's motions were read from, those of StationXML and of targets of scaling among them.
 pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
-    match &study.ground {
-        Ground::Synthetic(_) => Vec::new(),
-        Ground::Recorded(motions) => {
-            let others = motions.iter().flat_map(RecordedMotion::other_inputs).map(|file| &file.path);
-            motions.iter().map(|motion| &motion.path).chain(others).cloned().collect()
-        }
-    }
+    let recorded: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
+    let others = recorded.iter().flat_map(|motion| motion.other_inputs()).map(|file| &file.path);
+    recorded.iter().map(|motion| &motion.path).chain(others).cloned().collect()
 }
 
 #[cfg(test)]

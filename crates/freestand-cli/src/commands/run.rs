@@ -7,6 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use freestand_study::output::OutputFolder;
 use freestand_study::outputs::{expected_names, write_outputs};
+use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
 use freestand_study::run::{Step, run as run_study};
@@ -18,7 +19,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, significant, table};
-use crate::reading::ReadArgs;
+use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
 use crate::values::Values;
 
@@ -32,7 +33,9 @@ Examples:
     freestand run --dump-study > study.toml
     freestand run study.toml --out results
   The built-in study under a record of your own:
-    freestand run --motion record.AT2 --out results")]
+    freestand run --motion record.AT2 --out results
+  Both horizontal components, objects tried in every direction:
+    freestand run --motion record.V2 --components both --rotation-step \"10 deg\" --out results")]
 pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
@@ -42,6 +45,8 @@ pub(crate) struct RunArgs {
     motion: Vec<PathBuf>,
     #[command(flatten)]
     read: ReadArgs,
+    #[command(flatten)]
+    second: SecondArgs,
     /// Print the built-in study as TOML, ready to edit
     #[arg(long, conflicts_with_all = ["study", "motion"])]
     dump_study: bool,
@@ -53,6 +58,12 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
             let keys = keys.replace('-', "_");
             format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
         })?;
+        if args.second.names_records() {
+            return Err(Failure::usage(
+                "--components and --across need records",
+                "name them with --motion, or write components or across beside motions in the study's [ground]",
+            ));
+        }
     }
     if args.dump_study {
         return dump_study(global, printer);
@@ -67,9 +78,13 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     }
     let start = Instant::now();
     let mut values = Values::default();
-    let motions = (!args.motion.is_empty()).then(|| args.read.files(&args.motion, &mut values));
+    let motions = (!args.motion.is_empty()).then(|| MotionFiles {
+        second: args.second.second(args.motion.len(), &mut values),
+        ..args.read.files(&args.motion, &mut values)
+    });
+    let rotation_step_deg = args.second.rotation_step_deg(&mut values);
     values.finish()?;
-    let overrides = Overrides { seed: global.seed, motions };
+    let overrides = Overrides { seed: global.seed, motions, rotation_step_deg };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
@@ -104,7 +119,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     }
     printer.result(freestand_study::summary::SCHEMA, &body, &result.warnings, || {
         let files = written.files.iter().filter(|name| !name.contains('/')).count();
-        text(&levels, result.ground.len(), start.elapsed().as_secs_f64())
+        text(&levels, result.motions.len(), start.elapsed().as_secs_f64())
             + &format!("{files} files and motions/ in {}\n", out.display())
     })?;
     let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));

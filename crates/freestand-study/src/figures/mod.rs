@@ -95,7 +95,7 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     if !result.levels.is_empty() {
         kinds.extend([FigureKind::Urs, FigureKind::Srs, FigureKind::Overturning]);
     }
-    if !result.ground.is_empty() {
+    if !result.motions.is_empty() {
         kinds.push(FigureKind::FloorSpectra);
     }
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {

@@ -24,6 +24,8 @@ pub(crate) struct LevelOptions {
     pub(crate) line: usize,
     pub(crate) name: Option<Written<String>>,
     pub(crate) level_ratio: Option<Written<f64>>,
+    pub(crate) motions: Option<Written<Vec<Written<String>>>>,
+    pub(crate) across: Option<Written<Vec<Written<String>>>>,
 }
 
 pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOptions {
@@ -55,13 +57,15 @@ fn levels(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<LevelO
                     line,
                     name: entry.string(reader, "name"),
                     level_ratio: entry.ratio(reader, "level_ratio"),
+                    motions: entry.strings(reader, "motions"),
+                    across: entry.strings(reader, "across"),
                 };
                 entry.finish(reader);
                 levels.push(level);
             }
             value => {
                 let level_ratio = reader.ratio_value("levels", value, line);
-                levels.push(LevelOptions { line, name: None, level_ratio });
+                levels.push(LevelOptions { line, name: None, level_ratio, motions: None, across: None });
             }
         }
     }

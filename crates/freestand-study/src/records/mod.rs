@@ -52,7 +52,7 @@ pub(crate) use found::check_step;
 pub(crate) use lines::load;
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};
-pub use write::{write_at2, write_csv};
+pub use write::{write_at2, write_csv, write_pair_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::input::InputFile;

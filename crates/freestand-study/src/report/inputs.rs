@@ -5,7 +5,7 @@ use freestand::synthesis;
 
 use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
-use crate::study::{Ground, RecordedMotion, Study, SyntheticGround};
+use crate::study::{BuildingInput, Ground, RecordedMotion, Study, SyntheticGround};
 use crate::summary::{accuracy_words, restitution_words};
 use crate::words::{fixed, number, percent};
 
@@ -16,10 +16,21 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     let mut html = heading("Ground motions");
     match &study.ground {
         Ground::Synthetic(synthetic) => html.push_str(&synthetic_ground(synthetic, result)),
-        Ground::Recorded(records) => html.push_str(&recorded_ground(records, result)),
+        Ground::Recorded(records) => {
+            html.push_str(&recorded_motions("Recorded motions, as they are used", &records.iter().collect::<Vec<_>>()));
+        }
+        Ground::OnFloors => html.push_str(&paragraph("None: the motions of the floors are given.")),
     }
-    html.push_str(&heading("Building"));
-    html.push_str(&building(study, result));
+    if let Some(input) = &study.building {
+        html.push_str(&heading("Building"));
+        html.push_str(&building(study, input, result));
+    } else {
+        html.push_str(&heading("Floor motions"));
+        for level in &study.levels {
+            let caption = format!("Given motions of the level {}, as they are used", level.name);
+            html.push_str(&recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>()));
+        }
+    }
     html.push_str(&heading("Objects"));
     html.push_str(&objects(study));
     html
@@ -86,7 +97,7 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
     html
 }
 
-fn recorded_ground(records: &[RecordedMotion], result: &StudyResult) -> String {
+fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
     let headings = vec![vec![
         words("Motion"),
         words("File"),
@@ -112,16 +123,16 @@ fn recorded_ground(records: &[RecordedMotion], result: &StudyResult) -> String {
             ]
         })
         .collect();
-    let mut html = table("Recorded motions, as they are used", &headings, &rows);
+    let mut html = table(caption, &headings, &rows);
     html.push_str(&processing(records));
-    if result.ground.len() < 7 {
+    if records.len() < 7 {
         html.push_str(&paragraph("The fractiles of so few motions are coarse."));
     }
     html
 }
 
 /// What was done to each motion, where anything was.
-fn processing(records: &[RecordedMotion]) -> String {
+fn processing(records: &[&RecordedMotion]) -> String {
     let rows: Vec<_> = records
         .iter()
         .filter(|record| !record.processing.is_empty())
@@ -133,8 +144,7 @@ fn processing(records: &[RecordedMotion]) -> String {
     table("What was done to them, in this order", &[vec![words("Motion"), words("Processing")]], &rows)
 }
 
-fn building(study: &Study, result: &StudyResult) -> String {
-    let building = &study.building;
+fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> String {
     let beam = &building.beam;
     let height_m = building.storeys as f64 * building.storey_height_m;
     let mut html = properties(
@@ -159,12 +169,8 @@ fn building(study: &Study, result: &StudyResult) -> String {
                     .levels
                     .iter()
                     .map(|l| {
-                        format!(
-                            "{} at {} m (z/H = {})",
-                            l.name,
-                            number(l.level_ratio * height_m, 4),
-                            number(l.level_ratio, 3)
-                        )
+                        let ratio = l.level_ratio.unwrap_or(1.0);
+                        format!("{} at {} m (z/H = {})", l.name, number(ratio * height_m, 4), number(ratio, 3))
                     })
                     .collect::<Vec<_>>()
                     .join("; "),

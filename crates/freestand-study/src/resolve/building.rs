@@ -6,7 +6,7 @@ use freestand::building::{Building, MAX_MODES};
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 
 use super::{MAX_LEVELS, MAX_STOREYS, Resolver, or};
-use crate::options::{BuildingOptions, LevelOptions, Written};
+use crate::options::{BuildingOptions, GroundOptions, LevelOptions, Written};
 use crate::quantity::{Dimension, format_si, shorten};
 use crate::study::{BuildingInput, Level};
 
@@ -64,12 +64,11 @@ impl Resolver<'_> {
         }
     }
 
-    pub(super) fn levels(&mut self, written: &BuildingOptions) -> Vec<Level> {
+    pub(super) fn levels(&mut self, written: &BuildingOptions, ground: &GroundOptions) -> Vec<Level> {
         let Some(Written { value: entries, line }) = &written.levels else {
-            return vec![
-                Level { name: "mid-height".to_owned(), level_ratio: 0.5 },
-                Level { name: "roof".to_owned(), level_ratio: 1.0 },
-            ];
+            let level =
+                |name: &str, ratio| Level { name: name.to_owned(), level_ratio: Some(ratio), motions: Vec::new() };
+            return vec![level("mid-height", 0.5), level("roof", 1.0)];
         };
         if entries.is_empty() || entries.len() > MAX_LEVELS {
             self.note(
@@ -81,7 +80,7 @@ impl Resolver<'_> {
         let mut names = HashSet::new();
         let mut levels = Vec::new();
         for entry in entries {
-            if let Some(level) = self.level(entry) {
+            if let Some(level) = self.level(entry, ground) {
                 if !names.insert(level.name.to_lowercase()) {
                     self.note(
                         Some(entry.line),
@@ -95,9 +94,10 @@ impl Resolver<'_> {
         levels
     }
 
-    fn level(&mut self, entry: &LevelOptions) -> Option<Level> {
+    fn level(&mut self, entry: &LevelOptions, ground: &GroundOptions) -> Option<Level> {
         self.require(&entry.level_ratio, |x| (0.0..=1.0).contains(&x), "level_ratio", "from 0 (ground) to 1 (roof)");
-        let Some(ratio) = &entry.level_ratio else {
+        let ratio = entry.level_ratio.as_ref().map(|ratio| ratio.value);
+        if ratio.is_none() && entry.motions.is_none() {
             // A bare entry that is no number was noted when it was read.
             if entry.name.is_some() {
                 self.note(
@@ -107,12 +107,17 @@ impl Resolver<'_> {
                 );
             }
             return None;
-        };
-        let name = match &entry.name {
-            Some(name) => name.value.clone(),
-            None if ratio.value == 0.0 => "ground".to_owned(),
-            None if ratio.value == 1.0 => "roof".to_owned(),
-            None => format!("level-{}", ratio.value),
+        }
+        let name = match (&entry.name, ratio) {
+            (Some(name), _) => name.value.clone(),
+            (None, Some(0.0)) => "ground".to_owned(),
+            (None, Some(1.0)) => "roof".to_owned(),
+            (None, Some(ratio)) => format!("level-{ratio}"),
+            (None, None) => {
+                let hint = "write { name = \"floor 12\", motions = [\"floor-12.csv\"] }";
+                self.note(Some(entry.line), "the level has no name", hint);
+                return None;
+            }
         };
         if !is_file_name(&name) {
             self.note(
@@ -121,8 +126,25 @@ impl Resolver<'_> {
                 "use letters, digits, spaces and - _ . only, and no \".csv\" at the end",
             );
         }
-        Some(Level { name, level_ratio: ratio.value })
+        let motions = match &entry.motions {
+            Some(motions) => self.motions(ground, motions, &entry.across)?,
+            None => Vec::new(),
+        };
+        Some(Level { name, level_ratio: ratio, motions })
     }
+}
+
+/// The keys of `[building]` that describe the building itself, with their lines.
+pub(super) fn model_keys(written: &BuildingOptions) -> [(&'static str, Option<usize>); 7] {
+    [
+        ("storeys", written.storeys.as_ref().map(|w| w.line)),
+        ("storey_height", written.storey_height_m.as_ref().map(|w| w.line)),
+        ("frame", written.frame.as_ref().map(|w| w.line)),
+        ("period", written.period_s.as_ref().map(|w| w.line)),
+        ("damping", written.damping.as_ref().map(|w| w.line)),
+        ("shear_flexure", written.shear_flexure.as_ref().map(|w| w.line)),
+        ("modes", written.modes.as_ref().map(|w| w.line)),
+    ]
 }
 
 /// Whether a name can be that of a folder on every system, and never that of a motion's file beside it.

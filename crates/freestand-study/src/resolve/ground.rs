@@ -4,92 +4,32 @@ use freestand::code_spectrum::{
     CodeSpectrum, Edition, SiteClass, hazard_factor, hazard_factor_places, minimum_kpz, probability_factor,
 };
 
+use super::recorded::reading_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::options::{GroundOptions, Written, nearest};
 use crate::quantity::{Dimension, shorten};
-use crate::recorded::{MotionFiles, read_recorded};
-use crate::records::ReadOptions;
 use crate::study::{Ground, SyntheticGround};
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
         if let Some(files) = &overrides.motions {
-            return self.recorded(files, None);
+            return self.read(files, None).map(Ground::Recorded);
         }
         let Some(motions) = &written.motions else {
-            for (key, line) in [
-                ("unit", written.unit.as_ref().map(|w| w.line)),
-                ("dt", written.dt_s.as_ref().map(|w| w.line)),
-                ("component", written.component.as_ref().map(|w| w.line)),
-                ("station_xml", written.station_xml.as_ref().map(|w| w.line)),
-                ("scale", written.scale.as_ref().map(|w| w.line)),
-                ("processing", written.processing.as_ref().map(|w| w.line)),
-            ] {
+            for (key, line) in reading_keys(written) {
                 if line.is_some() {
                     self.note(line, format!("{key} goes with motions"), "name the files: motions = [\"record.AT2\"]");
                 }
             }
             return self.synthetic(written, overrides);
         };
-        self.exclusive(("code", &written.code), ("motions", &written.motions));
-        self.exclusive(("city", &written.city), ("motions", &written.motions));
-        self.exclusive(("hazard_factor", &written.hazard_factor), ("motions", &written.motions));
-        self.exclusive(("site", &written.site), ("motions", &written.motions));
-        self.exclusive(("return_period_years", &written.return_period_years), ("motions", &written.motions));
-        self.exclusive(("edition", &written.edition), ("motions", &written.motions));
-        self.exclusive(("count", &written.count), ("motions", &written.motions));
-        self.exclusive(("seed", &written.seed), ("motions", &written.motions));
-        let before = self.problems.len();
-        let unit_only = ReadOptions { unit: written.unit.clone().map(|unit| unit.value), ..ReadOptions::default() };
-        let dt_only = ReadOptions { dt_s: written.dt_s.as_ref().map(|dt| dt.value), ..ReadOptions::default() };
-        let lines = [written.unit.as_ref().map(|w| w.line), written.dt_s.as_ref().map(|w| w.line)];
-        for ((key, line), options) in ["unit", "dt"].into_iter().zip(lines).zip([&unit_only, &dt_only]) {
-            if let Err(problem) = options.check() {
-                self.note(line, format!("{key}: {}", problem.message), problem.hint.unwrap_or_default());
+        for (key, line) in synthetic_keys(written) {
+            if let Some(line) = line {
+                let message = format!("{key} and motions exclude each other");
+                self.note(Some(line.max(motions.line)), message, "keep one of them");
             }
         }
-        let processing = self.processing(written);
-        if motions.value.is_empty() {
-            self.note(Some(motions.line), "motions is empty", "name at least one file, or leave motions out");
-            return None;
-        }
-        // Files read without what was refused would only be refused for the lack of it.
-        if written.is_incomplete || self.problems.len() > before {
-            return None;
-        }
-        let files = MotionFiles {
-            paths: motions.value.iter().map(|file| self.base_dir.join(&file.value)).collect(),
-            read: ReadOptions {
-                unit: unit_only.unit,
-                uneven_dt_s: processing.resample_dt_s,
-                station_xml: written.station_xml.as_ref().map(|file| self.base_dir.join(&file.value)),
-                ..dt_only
-            },
-            component: written.component.as_ref().map(|w| w.value.clone()),
-            processing,
-        };
-        let lines: Vec<usize> = motions.value.iter().map(|file| file.line).collect();
-        self.recorded(&files, Some(&lines))
-    }
-
-    /// Reads files; a file that is missing is a fault of the study's line, one that is broken of the file's.
-    fn recorded(&mut self, files: &MotionFiles, lines: Option<&[usize]>) -> Option<Ground> {
-        let (motions, failures) = read_recorded(files);
-        let all_read = failures.is_empty();
-        for (index, mut problem) in failures {
-            if let (Some(line), Some(source), None) =
-                (lines.and_then(|lines| lines.get(index)), self.source, problem.line)
-            {
-                problem.message = format!("motions: {problem}");
-                problem.path = Some(source.to_path_buf());
-                problem.line = Some(*line);
-            }
-            self.problems.push(problem);
-        }
-        for motion in &motions {
-            self.warnings.extend(motion.notes.iter().map(|note| format!("{}: {note}", motion.motion.name)));
-        }
-        all_read.then(|| Ground::Recorded(motions.into_iter().map(|read| read.motion).collect()))
+        self.motions(written, motions, &written.across).map(Ground::Recorded)
     }
 
     fn synthetic(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -158,6 +98,20 @@ impl Resolver<'_> {
             seed: overrides.seed.unwrap_or(or(&written.seed, 1)),
         }))
     }
+}
+
+/// The keys of `[ground]` that describe synthetic motions, with their lines.
+pub(super) fn synthetic_keys(written: &GroundOptions) -> [(&'static str, Option<usize>); 8] {
+    [
+        ("code", written.code.as_ref().map(|w| w.line)),
+        ("city", written.city.as_ref().map(|w| w.line)),
+        ("hazard_factor", written.hazard_factor.as_ref().map(|w| w.line)),
+        ("site", written.site.as_ref().map(|w| w.line)),
+        ("return_period_years", written.return_period_years.as_ref().map(|w| w.line)),
+        ("edition", written.edition.as_ref().map(|w| w.line)),
+        ("count", written.count.as_ref().map(|w| w.line)),
+        ("seed", written.seed.as_ref().map(|w| w.line)),
+    ]
 }
 
 /// Says where the code's least kpZ took the place of the product.

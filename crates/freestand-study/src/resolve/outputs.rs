@@ -3,7 +3,7 @@
 use super::{Resolver, or};
 use crate::options::{HistoryOptions, OutputsOptions};
 use crate::quantity::{Dimension, format_si, shorten};
-use crate::study::{Ground, HistoryChoice, Level, Objects, Outputs};
+use crate::study::{HistoryChoice, Level, Objects, Outputs};
 
 impl Resolver<'_> {
     pub(super) fn outputs(
@@ -11,9 +11,9 @@ impl Resolver<'_> {
         written: &OutputsOptions,
         levels: &[Level],
         objects: Option<&Objects>,
-        ground: Option<&Ground>,
+        motions: Option<&[String]>,
     ) -> Outputs {
-        let history = written.history.as_ref().and_then(|history| self.history(history, levels, objects, ground));
+        let history = written.history.as_ref().and_then(|history| self.history(history, levels, objects, motions));
         Outputs { figures: or(&written.figures, true), report: or(&written.report, true), history }
     }
 
@@ -22,7 +22,7 @@ impl Resolver<'_> {
         written: &HistoryOptions,
         levels: &[Level],
         objects: Option<&Objects>,
-        ground: Option<&Ground>,
+        motions: Option<&[String]>,
     ) -> Option<HistoryChoice> {
         // What it names may be what was refused.
         if !self.is_complete {
@@ -61,16 +61,15 @@ impl Resolver<'_> {
                 }
             }
         }
-        if let (Some(motion), Some(ground)) = (&written.motion, ground) {
-            let mut names = ground.names();
-            if !names.contains(&motion.value) {
-                names.truncate(10);
-                self.note(
-                    Some(motion.line),
-                    format!("history: no motion is called \"{}\"", shorten(&motion.value)),
-                    format!("motions: {}", names.join(", ")),
-                );
-            }
+        if let (Some(motion), Some(names)) = (&written.motion, motions)
+            && !names.contains(&motion.value)
+        {
+            let names = &names[..names.len().min(10)];
+            self.note(
+                Some(motion.line),
+                format!("history: no motion is called \"{}\"", shorten(&motion.value)),
+                format!("motions: {}", names.join(", ")),
+            );
         }
         Some(HistoryChoice {
             level: named?.name.clone(),
