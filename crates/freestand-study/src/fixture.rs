@@ -124,6 +124,7 @@ pub(crate) fn result(study: &Study) -> StudyResult {
         modes: beam.modes().to_vec(),
         levels,
         history: Some(history),
+        sensitivity: None,
         warnings: vec!["12 objects of 130 need more friction than 0.5 under some motion: they may slide".into()],
     }
 }
