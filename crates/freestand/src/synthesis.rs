@@ -176,9 +176,9 @@ pub struct MatchedMotion {
 ///
 /// # Example
 /// ```
-/// use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
+/// use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 /// use freestand::synthesis::{SynthesisOptions, synthesize};
-/// let code = CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500)?;
+/// let code = As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500)?;
 /// let matched = synthesize(|period_s| code.sa_g(period_s), 1, 0, &SynthesisOptions::default())?;
 /// assert!(matched.misfit.rms_ratio < 0.05);
 /// assert!(matched.misfit.pga_g > matched.misfit.target_zpa_g); // the trap of the De shape
@@ -478,12 +478,12 @@ fn transform_length(samples: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::code_spectrum::{CodeSpectrum, Edition, SiteClass};
+    use crate::code_spectrum::{As1170_4, Edition, SiteClass};
     use crate::measures::cumulative_trapezoid;
     use crate::oscillator::response_spectrum;
 
     fn melbourne_de(period_s: f64) -> f64 {
-        CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap().sa_g(period_s)
+        As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap().sa_g(period_s)
     }
 
     fn motion(index: u64) -> MatchedMotion {
@@ -563,7 +563,7 @@ mod tests {
     #[test]
     fn a_record_is_matched_with_its_own_step() {
         // The motion of rock, every second sample, brought to the spectrum of deep soil.
-        let rock = CodeSpectrum::new(Edition::default(), SiteClass::Be, 0.08, 500).unwrap();
+        let rock = As1170_4::new(Edition::default(), SiteClass::Be, 0.08, 500).unwrap();
         let rock = synthesize(|t| rock.sa_g(t), 1, 0, &SynthesisOptions::default()).unwrap().motion;
         let record = Motion::new(0.01, rock.accel_m_s2().iter().copied().step_by(2).collect()).unwrap();
         let unmatched = match_motion(&record, melbourne_de, 0).unwrap();
