@@ -52,9 +52,13 @@ pub(crate) fn study() -> Study {
         directions_deg: vec![0.0],
         building: Some(BuildingInput {
             storeys: 30,
-            storey_height_m: 3.0,
-            beam: Building::new(2.74, 0.05, 5.0, 5).unwrap(),
+            height_m: 90.0,
+            storey_height_m: Some(3.0),
+            across: None,
+            along: Building::beam(2.74, 0.05, 5.0, 5).unwrap(),
             period_note: "AS 1170.4, concrete moment frame of 90 m".into(),
+            across_note: None,
+            tables: Vec::new(),
         }),
         levels: vec![
             Level { name: "mid-height".into(), level_ratio: Some(0.5), motions: Vec::new() },
@@ -108,7 +112,7 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
 pub(crate) fn result(study: &Study) -> StudyResult {
     let ground: Vec<GroundMotion> = (0..10).map(|i| ground_motion(i, study)).collect();
     let ratios: Vec<f64> = study.levels.iter().map(|l| l.level_ratio.unwrap()).collect();
-    let beam = &study.building.as_ref().unwrap().beam;
+    let beam = &study.building.as_ref().unwrap().along;
     let floors: Vec<Vec<Motion>> =
         ground.iter().map(|g| floor_motions(&g.motion.along, beam, &ratios).unwrap()).collect();
     let levels: Vec<LevelResult> = study

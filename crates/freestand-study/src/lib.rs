@@ -1,5 +1,6 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
+pub mod building;
 pub mod compliant;
 pub mod cushion;
 pub mod cushion_curve;

@@ -22,7 +22,7 @@ use objects::objects;
 use outputs::outputs;
 use reader::{Reader, Section, bare_number, example};
 
-pub(crate) use building::{BuildingOptions, LevelOptions};
+pub(crate) use building::{AxisOptions, BuildingOptions, LevelOptions};
 pub(crate) use cushion::CushionOptions;
 pub(crate) use ground::{ComponentsOption, GroundOptions};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};

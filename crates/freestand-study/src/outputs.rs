@@ -10,7 +10,7 @@ use crate::figures::figures;
 use crate::output::{OutputFolder, document};
 use crate::records::{write_csv, write_pair_csv};
 use crate::report::{provenance, report};
-use crate::rerun::{LevelFiles, with_cushion, with_floor_motions, with_motions, with_seed};
+use crate::rerun::{LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed};
 use crate::result::{HorizontalMotion, LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
@@ -39,6 +39,7 @@ pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
         }
         names.extend(study.levels.iter().map(|level| floor_name(&motion, &level.name)));
     }
+    names.extend(building_tables(study).into_iter().map(|(_, _, name, _)| name));
     names
 }
 
@@ -75,12 +76,27 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
 
 type File = (String, Vec<u8>);
 
+/// The building's tables in the output folder: of the second axis, key, name, text. An axis across that only inherits the
+/// table of the first names none of its own.
+fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
+    let tables: Vec<_> = study.building.iter().flat_map(|building| &building.tables).collect();
+    let first = tables.iter().find(|(across, _)| !across).map(|(_, table)| &table.file);
+    let own = tables.iter().filter(|(across, table)| !across || first != Some(&table.file));
+    own.map(|(across, table)| {
+        let name = if *across { "building/across.csv" } else { "building/along.csv" };
+        (*across, table.key, name.to_owned(), table.text.as_slice())
+    })
+    .collect()
+}
+
 /// The study, as it gives the same result from the output folder.
 fn rerun_toml(study: &Study) -> Result<String, Problem> {
     let toml = match &study.objects.cushion_file {
         Some((_, words)) => with_cushion(&study.toml, words)?,
         None => study.toml.clone(),
     };
+    let tables: Vec<_> = building_tables(study).into_iter().map(|(across, key, name, _)| (across, key, name)).collect();
+    let toml = if tables.is_empty() { toml } else { with_building_tables(&toml, &tables)? };
     let names = study.ground.names(&study.levels);
     match &study.ground {
         Ground::Synthetic(synthetic) => with_seed(&toml, synthetic.seed),
@@ -130,6 +146,7 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
     if let Some(sensitivity) = &result.sensitivity {
         files.push(("vary.csv".to_owned(), records_csv(&sensitivity.rows)?));
     }
+    files.extend(building_tables(study).into_iter().map(|(_, _, name, text)| (name, text.to_vec())));
     let motions: Vec<Vec<File>> = result
         .motions
         .par_iter()

@@ -177,6 +177,27 @@ pub fn with_cushion(toml: &str, words: &CushionWords) -> Result<String, Problem>
     Ok(study.to_string())
 }
 
+/// The text with the building's tables in other files: `(of the second axis, key, file)`.
+///
+/// # Errors
+/// A text that is not TOML, or without the keys.
+pub fn with_building_tables(toml: &str, tables: &[(bool, &str, String)]) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    for (across, key, file) in tables {
+        let mut axis = study.get_mut("building");
+        if *across {
+            axis = axis.and_then(|building| building.get_mut("across"));
+        }
+        let Some(old) = axis.and_then(|axis| axis.get_mut(key)).and_then(Item::as_value_mut) else {
+            return Err(broken(format!("it has no {key}")));
+        };
+        let decor = old.decor().clone();
+        *old = file.as_str().into();
+        *old.decor_mut() = decor;
+    }
+    Ok(study.to_string())
+}
+
 fn parse(toml: &str) -> Result<DocumentMut, Problem> {
     toml.parse().map_err(|error: toml_edit::TomlError| broken(error.message()))
 }
@@ -201,6 +222,18 @@ mod tests {
         let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = 2\nseries_stiffness = \
                         \"4380 N/mm, 9000 N/mm\"\n";
         assert_eq!(text, expected);
+    }
+
+    #[test]
+    fn tables_of_buildings_get_their_new_places() {
+        let study =
+            "[building]\nstorey_table = \"/x/a.csv\" # ours\nacross = { mode_table = \"b.csv\", damping = 0.02 }\n";
+        let tables = [(false, "storey_table", "building/along.csv".into()), (true, "mode_table", "c.csv".into())];
+        let expected = study.replace("/x/a.csv", "building/along.csv").replace("b.csv", "c.csv");
+        assert_eq!(with_building_tables(study, &tables).unwrap(), expected);
+        let study = "[building.across]\nmode_table = \"b.csv\"\n";
+        assert_eq!(with_building_tables(study, &tables[1..]).unwrap(), study.replace("b.csv", "c.csv"));
+        assert!(with_building_tables(study, &tables).is_err());
     }
 
     #[test]

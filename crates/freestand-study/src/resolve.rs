@@ -1,5 +1,6 @@
 //! The study as meant: defaults filled in, everything checked, files loaded; all problems at once.
 
+mod axis;
 mod building;
 mod cushion;
 mod ground;
@@ -215,11 +216,13 @@ impl Resolver<'_> {
     }
 }
 
-/// The paths of the files that a study's motions were read from, those of StationXML and of targets of scaling among them.
+/// The paths of the files that a study's motions were read from, those of StationXML and of targets of scaling among them,
+/// and of its building's tables.
 pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
     let recorded: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
     let others = recorded.iter().flat_map(|motion| motion.other_inputs()).map(|file| &file.path);
-    recorded.iter().map(|motion| &motion.path).chain(others).cloned().collect()
+    let tables = study.building.iter().flat_map(|building| &building.tables).map(|(_, table)| &table.file.path);
+    recorded.iter().map(|motion| &motion.path).chain(others).chain(tables).cloned().collect()
 }
 
 #[cfg(test)]

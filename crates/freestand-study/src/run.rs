@@ -97,7 +97,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, StudyError>
         warnings.push(format!("the rocking history that was asked for cannot be drawn: {error}"));
         None
     });
-    let modes = study.building.as_ref().map_or_else(Vec::new, |building| building.beam.modes().to_vec());
+    let modes = study.building.as_ref().map_or_else(Vec::new, |building| building.along.modes().to_vec());
     Ok(StudyResult { motions: names, ground, modes, levels, history, sensitivity: None, warnings })
 }
 

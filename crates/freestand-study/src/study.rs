@@ -131,17 +131,32 @@ impl RecordedMotion {
     }
 }
 
-/// The building, as the shear-flexure beam takes it.
+/// The building and its modes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BuildingInput {
     /// Number of storeys.
     pub storeys: usize,
-    /// Height of one storey \[m\].
-    pub storey_height_m: f64,
-    /// The beam: period, damping, α₀, modes.
-    pub beam: freestand::building::Building,
+    /// Height of the roof \[m\].
+    pub height_m: f64,
+    /// Height of one storey \[m\]; `None` where a table says each.
+    pub storey_height_m: Option<f64>,
+    /// Its modes along the first horizontal axis.
+    pub along: freestand::building::Building,
+    /// Its modes along the second; `None`: as along the first.
+    pub across: Option<freestand::building::Building>,
     /// How the period came about, in words for the report.
     pub period_note: String,
+    /// The same of the second axis, where it has its own.
+    pub across_note: Option<String>,
+    /// The tables that it was read from, and whether that of the second axis.
+    pub tables: Vec<(bool, crate::building::BuildingTable)>,
+}
+
+impl BuildingInput {
+    /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
+    pub fn tail_s(&self) -> f64 {
+        self.across.as_ref().map_or(0.0, freestand::building::Building::tail_s).max(self.along.tail_s())
+    }
 }
 
 /// A floor.

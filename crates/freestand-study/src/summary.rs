@@ -4,12 +4,14 @@ use freestand::rocking::Outcome;
 use freestand::synthesis;
 use serde_json::{Value, json};
 
+use crate::building::model_words;
 use crate::cushion::cushion_words;
 use crate::input::{InputFile, sha256_hex};
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::ranked_quantile;
 use crate::study::{BuildingInput, Ground, Level, RecordedMotion, Study};
 use freestand::G0_M_S2;
+use freestand::building::Building;
 use freestand::rocking::{Accuracy, Restitution};
 
 /// Name and version of the document.
@@ -182,19 +184,35 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
 }
 
 fn building_inputs(building: &BuildingInput) -> Value {
-    json!({
+    let axis = |axis: &Building, note: Option<&str>| {
+        json!({
+            "model": model_words(axis),
+            "period_s": axis.period_s(),
+            "period_from": note,
+            "damping_ratio": axis.damping_ratio(),
+            "shear_flexure_ratio": axis.shear_flexure_ratio(),
+            "modes": axis.modes().iter().map(|mode| json!({
+                "period_s": mode.period_s(),
+                "damping_ratio": mode.damping_ratio(),
+                "participation_ratio": mode.participation_ratio(),
+                "effective_mass_ratio": mode.effective_mass_ratio(),
+            })).collect::<Vec<_>>(),
+        })
+    };
+    let mut inputs = json!({
         "storeys": building.storeys,
         "storey_height_m": building.storey_height_m,
-        "period_s": building.beam.period_s(),
-        "period_from": building.period_note,
-        "damping_ratio": building.beam.damping_ratio(),
-        "shear_flexure_ratio": building.beam.shear_flexure_ratio(),
-        "modes": building.beam.modes().iter().map(|mode| json!({
-            "period_s": mode.period_s(),
-            "participation_ratio": mode.participation_ratio(),
-            "effective_mass_ratio": mode.effective_mass_ratio(),
-        })).collect::<Vec<_>>(),
-    })
+        "height_m": building.height_m,
+    });
+    if let (Some(inputs), Value::Object(along)) =
+        (inputs.as_object_mut(), axis(&building.along, Some(&building.period_note)))
+    {
+        inputs.extend(along);
+        let across = building.across.as_ref().map(|across| axis(across, building.across_note.as_deref()));
+        inputs.insert("across".to_owned(), across.unwrap_or_default());
+        inputs.insert("tables".to_owned(), building.tables.iter().map(|(_, table)| input_file(&table.file)).collect());
+    }
+    inputs
 }
 
 fn ground_inputs(ground: &Ground) -> Value {

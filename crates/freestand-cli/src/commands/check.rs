@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_study::building::{damping_words, model_words};
 use freestand_study::cushion::cushion_words;
 use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
@@ -53,8 +54,8 @@ struct BuildingReport {
     storeys: usize,
     building_height_m: f64,
     period_s: f64,
-    damping_ratio: f64,
-    shear_flexure_ratio: f64,
+    damping_ratio: Option<f64>,
+    shear_flexure_ratio: Option<f64>,
     modes: usize,
 }
 
@@ -153,11 +154,11 @@ fn motion_report(one: &RecordedMotion) -> MotionReport {
 fn building_report(building: &BuildingInput) -> BuildingReport {
     BuildingReport {
         storeys: building.storeys,
-        building_height_m: building.storeys as f64 * building.storey_height_m,
-        period_s: building.beam.period_s(),
-        damping_ratio: building.beam.damping_ratio(),
-        shear_flexure_ratio: building.beam.shear_flexure_ratio(),
-        modes: building.beam.modes().len(),
+        building_height_m: building.height_m,
+        period_s: building.along.period_s(),
+        damping_ratio: building.along.damping_ratio(),
+        shear_flexure_ratio: building.along.shear_flexure_ratio(),
+        modes: building.along.modes().len(),
     }
 }
 
@@ -184,13 +185,8 @@ fn text(study: &Study, report: &CheckReport) -> String {
         rows.push(("building", format!("{} storeys, {} high", building.storeys, length(building.building_height_m))));
         rows.push(("period", format!("{} s: {}", significant(building.period_s, 4), input.period_note)));
         rows.push((
-            "beam",
-            format!(
-                "damping {} %, shear-flexure {}, {} modes",
-                significant(100.0 * building.damping_ratio, 3),
-                building.shear_flexure_ratio,
-                building.modes
-            ),
+            "building",
+            format!("{}, damping {}, {} modes", model_words(&input.along), damping_words(&input.along), building.modes),
         ));
     }
     if report.directions_deg.len() > 1 {

@@ -1,8 +1,10 @@
 //! What went in, with units.
 
 use freestand::G0_M_S2;
+use freestand::building::Model;
 use freestand::synthesis;
 
+use crate::building::{damping_words, model_words};
 use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study, SyntheticGround};
@@ -145,24 +147,27 @@ fn processing(records: &[&RecordedMotion]) -> String {
 }
 
 fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> String {
-    let beam = &building.beam;
-    let height_m = building.storeys as f64 * building.storey_height_m;
+    let beam = &building.along;
+    let height_m = building.height_m;
+    let storeys = match building.storey_height_m {
+        Some(storey_m) => {
+            format!("{} of {} m, {} m in all", building.storeys, number(storey_m, 4), number(height_m, 5))
+        }
+        None => format!("{}, {} m in all", building.storeys, number(height_m, 5)),
+    };
+    let across = building.across.as_ref().map_or_else(String::new, |across| {
+        let note = building.across_note.as_deref().unwrap_or_default();
+        let (model, period) = (model_words(across), number(across.period_s(), 4));
+        format!("{model}; T₁ = {period} s: {note}; damping {}", damping_words(across))
+    });
     let mut html = properties(
         "",
         &[
-            ("Model", "uniform shear-flexure beam (Miranda and Taghavi 2005), linear".to_owned()),
-            (
-                "Storeys",
-                format!(
-                    "{} of {} m, {} m in all",
-                    building.storeys,
-                    number(building.storey_height_m, 4),
-                    number(height_m, 5)
-                ),
-            ),
+            ("Model", format!("{}, linear", model_words(beam))),
+            ("Storeys", storeys),
             ("Fundamental period T₁", format!("{} s: {}", number(beam.period_s(), 4), building.period_note)),
-            ("Damping, every mode", percent(beam.damping_ratio(), 1)),
-            ("α₀ = H√(GA/EI)", number(beam.shear_flexure_ratio(), 4)),
+            ("Damping", damping_words(beam)),
+            ("Second axis", across),
             (
                 "Levels",
                 study
@@ -184,23 +189,28 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
         figure("Effective mass"),
         figure("Sum"),
     ]];
-    let mut sum = 0.0;
+    let mut sum = Some(0.0);
     let rows: Vec<_> = result
         .modes
         .iter()
         .enumerate()
         .map(|(i, mode)| {
-            sum += mode.effective_mass_ratio();
+            sum = sum.zip(mode.effective_mass_ratio()).map(|(sum, mass)| sum + mass);
+            let share = |ratio: Option<f64>| ratio.map_or_else(|| "–".to_owned(), |ratio| percent(ratio, 1));
             vec![
                 figure((i + 1).to_string()),
                 figure(fixed(mode.period_s(), 3)),
                 figure(fixed(mode.participation_ratio(), 3)),
-                figure(percent(mode.effective_mass_ratio(), 1)),
-                figure(percent(sum, 1)),
+                figure(share(mode.effective_mass_ratio())),
+                figure(share(sum)),
             ]
         })
         .collect();
-    html.push_str(&table("Modes (shapes are 1 at the roof)", &headings, &rows));
+    let title = match beam.model() {
+        Model::Table { .. } => "Modes (shapes as in the table)",
+        Model::Beam { .. } | Model::Shear { .. } => "Modes (shapes are 1 at the roof)",
+    };
+    html.push_str(&table(title, &headings, &rows));
     html
 }
 

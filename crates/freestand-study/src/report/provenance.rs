@@ -38,6 +38,9 @@ pub fn provenance(study: &Study) -> Provenance {
             inputs.push(input);
         }
     }
+    for (_, table) in study.building.iter().flat_map(|building| &building.tables) {
+        inputs.push((name(&table.file.path).unwrap_or_default(), table.file.sha256.clone()));
+    }
     Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         study_sha256: sha256_hex(study.toml.as_bytes()),

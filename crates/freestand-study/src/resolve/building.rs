@@ -1,69 +1,13 @@
-//! `[building]` as meant.
+//! The levels of `[building]` as meant.
 
 use std::collections::HashSet;
 
-use freestand::building::{Building, MAX_MODES};
-use freestand::code_spectrum::{FrameKind, fundamental_period_s};
-
-use super::{MAX_LEVELS, MAX_STOREYS, Resolver, or};
+use super::{MAX_LEVELS, Resolver};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions, Written};
-use crate::quantity::{Dimension, format_si, shorten};
-use crate::study::{BuildingInput, Level};
+use crate::quantity::shorten;
+use crate::study::Level;
 
 impl Resolver<'_> {
-    pub(super) fn building(&mut self, written: &BuildingOptions) -> Option<BuildingInput> {
-        self.require(&written.storeys, |n| (1..=MAX_STOREYS).contains(&n), "storeys", "a whole number from 1 to 500");
-        self.positive(&written.storey_height_m, "storey_height", Dimension::Length);
-        self.positive(&written.period_s, "period", Dimension::Time);
-        self.require(&written.damping, |zeta| (0.0..1.0).contains(&zeta), "damping", "a ratio from 0 to below 1");
-        self.require(&written.shear_flexure, |a| a >= 0.0 && a.is_finite(), "shear_flexure", "0 or more");
-        self.require(&written.modes, |n| (1..=MAX_MODES as u64).contains(&n), "modes", "a whole number from 1 to 50");
-        self.exclusive(("period", &written.period_s), ("frame", &written.frame));
-        let frame = match &written.frame {
-            None => Some(FrameKind::Other),
-            Some(Written { value, line }) => {
-                let found = FrameKind::parse(value);
-                if found.is_none() {
-                    let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
-                    self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
-                }
-                found
-            }
-        };
-        let storeys = usize::try_from(or(&written.storeys, 30)).unwrap_or(usize::MAX);
-        let storey_height_m = or(&written.storey_height_m, 3.2);
-        let height_m = storeys as f64 * storey_height_m;
-        let (period_s, period_note) = match &written.period_s {
-            Some(period) => (period.value, "as given".to_owned()),
-            None => {
-                let kind = frame?;
-                let name = kind.name();
-                let period_s = fundamental_period_s(kind, height_m).ok()?;
-                let kt = kind.period_factor();
-                (
-                    period_s,
-                    format!(
-                        "AS 1170.4, 1.25 kt h^0.75 with kt = {kt} (frame \"{name}\") and h = {}",
-                        format_si(height_m, Dimension::Length)
-                    ),
-                )
-            }
-        };
-        let modes = usize::try_from(or(&written.modes, 10)).unwrap_or(usize::MAX);
-        let before = self.problems.len();
-        match Building::new(period_s, or(&written.damping, 0.05), or(&written.shear_flexure, 5.0), modes) {
-            Ok(beam) => Some(BuildingInput { storeys, storey_height_m, beam, period_note }),
-            Err(error) => {
-                // What was refused above is refused here again; only what is new is worth a line.
-                if before == 0 {
-                    let line = written.period_s.as_ref().map(|w| w.line);
-                    self.note(line, error.to_string(), "check the table [building]");
-                }
-                None
-            }
-        }
-    }
-
     pub(super) fn levels(&mut self, written: &BuildingOptions, ground: &GroundOptions) -> Vec<Level> {
         let Some(Written { value: entries, line }) = &written.levels else {
             let level =
@@ -135,7 +79,7 @@ impl Resolver<'_> {
 }
 
 /// The keys of `[building]` that describe the building itself, with their lines.
-pub(super) fn model_keys(written: &BuildingOptions) -> [(&'static str, Option<usize>); 7] {
+pub(super) fn model_keys(written: &BuildingOptions) -> [(&'static str, Option<usize>); 11] {
     [
         ("storeys", written.storeys.as_ref().map(|w| w.line)),
         ("storey_height", written.storey_height_m.as_ref().map(|w| w.line)),
@@ -144,6 +88,10 @@ pub(super) fn model_keys(written: &BuildingOptions) -> [(&'static str, Option<us
         ("damping", written.damping.as_ref().map(|w| w.line)),
         ("shear_flexure", written.shear_flexure.as_ref().map(|w| w.line)),
         ("modes", written.modes.as_ref().map(|w| w.line)),
+        ("storey_table", written.storey_table.as_ref().map(|w| w.line)),
+        ("mode_table", written.mode_table.as_ref().map(|w| w.line)),
+        ("rayleigh_modes", written.rayleigh_modes.as_ref().map(|w| w.line)),
+        ("across", written.across.as_ref().map(|w| w.line)),
     ]
 }
 

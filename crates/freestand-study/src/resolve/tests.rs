@@ -22,7 +22,7 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
     assert_eq!(nothing, dumped);
     assert_eq!(dumped.objects.blocks.len(), 130);
     assert_eq!(dumped.warnings, [] as [String; 0]);
-    assert!((dumped.building.unwrap().beam.period_s() - 1.9166).abs() < 1e-3);
+    assert!((dumped.building.unwrap().along.period_s() - 1.9166).abs() < 1e-3);
     // Height by height, thickness by thickness within each.
     assert_eq!((dumped.objects.blocks[1].height_m(), dumped.objects.blocks[1].thickness_m()), (0.5, 0.3));
 }

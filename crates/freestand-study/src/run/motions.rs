@@ -102,12 +102,14 @@ fn floors_under(
 ) -> Result<Vec<HorizontalMotion>, StudyError> {
     let what = || format!("the floor motion under {}", ground.name);
     let axis = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, StudyError> {
-        let motion = motion.with_zero_tail(building.beam.tail_s()).map_err(failed(what()))?;
+        let motion = motion.with_zero_tail(building.tail_s()).map_err(failed(what()))?;
         floor_motions(&motion, axis, ratios).map_err(failed(what()))
     };
-    let along = axis(&ground.motion.along, &building.beam)?;
+    let along = axis(&ground.motion.along, &building.along)?;
     let across = match &ground.motion.across {
-        Some(motion) => axis(motion, &building.beam)?.into_iter().map(Some).collect(),
+        Some(motion) => {
+            axis(motion, building.across.as_ref().unwrap_or(&building.along))?.into_iter().map(Some).collect()
+        }
         None => vec![None; along.len()],
     };
     Ok(along.into_iter().zip(across).map(|(along, across)| HorizontalMotion { along, across }).collect())

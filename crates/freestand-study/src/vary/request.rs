@@ -146,7 +146,13 @@ fn inapplicable(study: &Study, key: &Key) -> Option<&'static str> {
         ("ground", "scale") if is_synthetic => Some("synthetic motions follow their target"),
         ("ground", "scale") => None,
         ("ground", _) if !is_synthetic => Some("the motions are read from files"),
-        ("building", _) if study.building.is_none() => Some("the motions of the floors are given"),
+        ("building", name) => match &study.building {
+            None => Some("the motions of the floors are given"),
+            Some(input) if input.along.shear_flexure_ratio().is_none() && name != "damping" => {
+                Some("the building comes from a table")
+            }
+            Some(_) => None,
+        },
         _ => None,
     }
 }
@@ -156,17 +162,18 @@ fn usual_values(study: &Study, name: &str) -> Vec<String> {
     match (name, &study.building, &study.ground) {
         ("damping", Some(building), _) => {
             let percents = [2.0, 3.0, 5.0, 7.0, 10.0];
-            let own = 100.0 * building.beam.damping_ratio();
-            percents.into_iter().filter(|p| (p - own).abs() > 1e-9).map(|p| format!("{p} %")).collect()
+            let own = building.along.damping_ratio();
+            let differs = |percent: &f64| own.is_none_or(|own| (percent - 100.0 * own).abs() > 1e-9);
+            percents.into_iter().filter(differs).map(|p| format!("{p} %")).collect()
         }
         ("period", Some(building), _) => {
-            let period_s = building.beam.period_s();
+            let period_s = building.along.period_s();
             [0.7, 0.85, 1.2, 1.5, 2.0].iter().map(|factor| format!("{} s", number(factor * period_s, 4))).collect()
         }
         ("shear_flexure", Some(building), _) => {
-            let own = building.beam.shear_flexure_ratio();
+            let own = building.along.shear_flexure_ratio();
             let usual = [0.0, 2.0, 5.0, 10.0, 20.0, 30.0];
-            usual.into_iter().filter(|a| (a - own).abs() > 1e-9).map(|a| a.to_string()).collect()
+            usual.into_iter().filter(|a| own.is_none_or(|own| (a - own).abs() > 1e-9)).map(|a| a.to_string()).collect()
         }
         ("seed", _, Ground::Synthetic(synthetic)) => {
             (1..=4).filter_map(|i| synthetic.seed.checked_add(i)).map(|seed| seed.to_string()).collect()
