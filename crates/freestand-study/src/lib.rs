@@ -36,6 +36,7 @@ pub mod streamed;
 pub mod study;
 pub mod summary;
 pub mod tables;
+pub mod target;
 pub mod validate;
 pub mod vary;
 pub mod virtual_laboratory;
