@@ -6,7 +6,7 @@ use crate::words::number;
 
 use super::legend::{Entry, Sign};
 use super::page::{Page, Panel};
-use super::style::{Axis, DARK, axes, curve_style, hollow, line, markers, plain, plain_ticks};
+use super::style::{Axis, DARK, axes, curve_style, line, markers, plain, plain_ticks};
 
 const PANEL_PX: f64 = 330.0;
 
@@ -78,7 +78,7 @@ fn spectrum_panel(picture: &CodePicture<'_>) -> Panel {
     }
     let drawn: Vec<(f64, f64)> = picture.corners.iter().copied().filter(|(t, _)| (from..=to).contains(t)).collect();
     if !drawn.is_empty() {
-        plots.extend(hollow(&drawn, DARK, MarkerShape::Circle, 3.6));
+        plots.push(markers(&drawn, DARK, MarkerShape::Circle, 3.6));
     }
     let x = Axis { from, to, step: None, label: "Period (s)".into() };
     let y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");

@@ -31,7 +31,9 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     };
     let target = target.and_then(|code| {
         let periods = &ground.first()?.periods_s;
-        let points: Vec<_> = periods.iter().filter(|&&t| t > 0.0).map(|&t| (t, code.sa_g(t))).collect();
+        let points = periods.iter().filter(|&&t| t > 0.0).map(|&t| (t, code.sa_g(t)));
+        // A table may end before the last period of the picture.
+        let points: Vec<_> = points.filter(|point| point.1.is_finite()).collect();
         Some(points)
     });
     let modes: Vec<f64> = result.modes.iter().take(MARKED_MODES).map(freestand::building::Mode::period_s).collect();
