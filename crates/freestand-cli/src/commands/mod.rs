@@ -41,7 +41,7 @@ pub(crate) enum Command {
     Spectrum(Box<spectrum::SpectrumArgs>),
     Motion(motion::MotionArgs),
     Cushion(cushion::CushionArgs),
-    Floor(floor::FloorArgs),
+    Floor(Box<floor::FloorArgs>),
     Validate(validate::ValidateArgs),
 }
 
