@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use freestand::block::Block;
 use freestand::building::{Building, floor_motions};
-use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
+use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
@@ -44,7 +44,7 @@ pub(crate) fn study() -> Study {
         source: None,
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
-            spectrum: CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap(),
+            spectrum: As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap(),
             city: Some("Melbourne".into()),
             count: 10,
             seed: 1,
@@ -128,6 +128,7 @@ pub(crate) fn result(study: &Study) -> StudyResult {
         modes: beam.modes().to_vec(),
         levels,
         history: Some(history),
+        sensitivity: None,
         warnings: vec!["12 objects of 130 need more friction than 0.5 under some motion: they may slide".into()],
     }
 }

@@ -38,6 +38,7 @@ pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod validate;
+pub mod vary;
 pub mod virtual_laboratory;
 pub mod words;
 

@@ -14,7 +14,7 @@ use crate::rerun::{LevelFiles, with_building_tables, with_cushion, with_floor_mo
 use crate::result::{HorizontalMotion, LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
-use crate::tables::{srs_csv, statistics_csv, urs_csv};
+use crate::tables::{records_csv, srs_csv, statistics_csv, urs_csv};
 
 /// What was written.
 #[derive(Debug, Clone)]
@@ -27,10 +27,11 @@ pub struct Written {
     pub body: Value,
 }
 
-/// The names of the files that a run of `study` will write, but for the figures: these depend on the result.
-pub fn expected_names(study: &Study) -> Vec<String> {
+/// The names of the files that a run of `study` will write, varied or not, but for the figures: these depend on the result.
+pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
     let mut names: Vec<String> =
         ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
+    names.extend(is_varied.then(|| "vary.csv".to_owned()));
     names.extend(study.outputs.report.then(|| "report.html".to_owned()));
     for motion in study.ground.names(&study.levels) {
         if !matches!(study.ground, Ground::OnFloors) {
@@ -142,6 +143,9 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         ("srs.csv".to_owned(), srs_csv(study, result)?),
         ("statistics.csv".to_owned(), statistics_csv(study, result)?),
     ];
+    if let Some(sensitivity) = &result.sensitivity {
+        files.push(("vary.csv".to_owned(), records_csv(&sensitivity.rows)?));
+    }
     files.extend(building_tables(study).into_iter().map(|(_, _, name, text)| (name, text.to_vec())));
     let motions: Vec<Vec<File>> = result
         .motions

@@ -36,6 +36,39 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     Ok(study.to_string())
 }
 
+/// The text with another value of a key; `in_place_of` are keys that go, since they say the same in another way.
+///
+/// # Errors
+/// A text that is not TOML, or where the table is none.
+///
+/// # Example
+/// ```
+/// use freestand_study::rerun::with_value;
+/// let text = with_value("[building]\nframe = \"other\"\n", "building", "period", "2.5 s", &["frame"])?;
+/// assert_eq!(text, "[building]\nperiod = \"2.5 s\"\n");
+/// # Ok::<(), freestand_study::Problem>(())
+/// ```
+pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &[&str]) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let entry = study.entry(table).or_insert_with(toml_edit::table);
+    let Some(keys) = entry.as_table_like_mut() else { return Err(broken(format!("{table} is no table"))) };
+    let same_or_other = |name: &str| {
+        // `damping_percent` and the like state the unit in the key.
+        name == key || name.strip_prefix(key).is_some_and(|unit| unit.starts_with('_'))
+    };
+    let old: Vec<String> = keys.iter().map(|(name, _)| name.to_owned()).filter(|name| same_or_other(name)).collect();
+    for name in old.iter().map(String::as_str).chain(in_place_of.iter().copied()) {
+        keys.remove(name);
+    }
+    let item = match (text.parse::<i64>(), text.parse::<f64>()) {
+        (Ok(whole), _) => value(whole),
+        (_, Ok(number)) if number.is_finite() => value(number),
+        _ => value(text),
+    };
+    keys.insert(key, item);
+    Ok(study.to_string())
+}
+
 /// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled; with a step between the
 /// directions \[degrees\] where each file has two components.
 ///

@@ -9,6 +9,7 @@ use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
 
 use crate::study::Level;
+use crate::vary::Sensitivity;
 
 /// Everything that the outputs are written from.
 #[derive(Debug, Clone)]
@@ -23,6 +24,8 @@ pub struct StudyResult {
     pub levels: Vec<LevelResult>,
     /// The history that is drawn, if any object uplifted.
     pub history: Option<ExampleHistory>,
+    /// What the result owes to the assumptions, where that was asked for.
+    pub sensitivity: Option<Sensitivity>,
     /// What the reader must know: assumptions, doubts, validity.
     pub warnings: Vec<String>,
 }

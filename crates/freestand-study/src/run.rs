@@ -98,7 +98,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, StudyError>
         None
     });
     let modes = study.building.as_ref().map_or_else(Vec::new, |building| building.along.modes().to_vec());
-    Ok(StudyResult { motions: names, ground, modes, levels, history, warnings })
+    Ok(StudyResult { motions: names, ground, modes, levels, history, sensitivity: None, warnings })
 }
 
 fn options(study: &Study) -> RockingOptions {

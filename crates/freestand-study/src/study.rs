@@ -80,7 +80,7 @@ pub fn synthetic_name(index: usize) -> String {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SyntheticGround {
     /// The target.
-    pub spectrum: freestand::code_spectrum::CodeSpectrum,
+    pub spectrum: freestand::code_spectrum::As1170_4,
     /// The city whose hazard factor was taken, for the report.
     pub city: Option<String>,
     /// How many motions.

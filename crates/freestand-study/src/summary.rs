@@ -139,6 +139,10 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
     let objects = &study.objects;
     json!({
         "levels": levels,
+        "vary": result.sensitivity.as_ref().map(|sensitivity| json!({
+            "rows": sensitivity.rows,
+            "left_out": sensitivity.left_out,
+        })),
         "definitions": {
             "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
             "overturned_share": "share of all object × motion histories that could be followed",

@@ -39,7 +39,7 @@ pub(crate) enum Command {
     ShockSpectrum(Box<shock_spectrum::ShockSpectrumArgs>),
     Rock(Box<rock::RockArgs>),
     Spectrum(Box<spectrum::SpectrumArgs>),
-    Motion(motion::MotionArgs),
+    Motion(Box<motion::MotionArgs>),
     Cushion(cushion::CushionArgs),
     Floor(Box<floor::FloorArgs>),
     Validate(validate::ValidateArgs),

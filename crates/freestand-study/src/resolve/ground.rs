@@ -1,7 +1,7 @@
 //! `[ground]` as meant.
 
 use freestand::code_spectrum::{
-    CodeSpectrum, Edition, SiteClass, hazard_factor, hazard_factor_places, minimum_kpz, probability_factor,
+    As1170_4, Edition, SiteClass, hazard_factor, hazard_factor_places, minimum_kpz, probability_factor,
 };
 
 use super::recorded::reading_keys;
@@ -87,7 +87,7 @@ impl Resolver<'_> {
             self.note(written.return_period_years.as_ref().map(|w| w.line), error.to_string(), TABLES);
         }
         self.positive(&written.hazard_factor, "hazard_factor", Dimension::Ratio);
-        let spectrum = CodeSpectrum::new(Edition::default(), site?, hazard?, years).ok()?;
+        let spectrum = As1170_4::new(Edition::default(), site?, hazard?, years).ok()?;
         self.warnings.extend(minimum_governs_warning(&spectrum));
         // Beyond, the count was refused above; its names are still listed.
         let count = usize::try_from(or(&written.count, 10).min(MAX_MOTIONS)).unwrap_or_default();
@@ -115,7 +115,7 @@ pub(super) fn synthetic_keys(written: &GroundOptions) -> [(&'static str, Option<
 }
 
 /// Says where the code's least kpZ took the place of the product.
-pub fn minimum_governs_warning(spectrum: &CodeSpectrum) -> Option<String> {
+pub fn minimum_governs_warning(spectrum: &As1170_4) -> Option<String> {
     let least = minimum_kpz(spectrum.return_period_years()).filter(|_| spectrum.minimum_governs())?;
     Some(format!(
         "the code's minimum kpZ of {least} for {} years governs: Z = {} alone would give less",

@@ -1,0 +1,200 @@
+//! Passes in the frequency domain that bring a motion to a target spectrum.
+
+use super::frame::Frame;
+use super::transform::Transform;
+use super::wavelet::Kernel;
+use super::{
+    DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MatchedMotion, Misfit, SHORTEST_PERIOD_S, SynthesisError,
+};
+use crate::G0_M_S2;
+use crate::measures::measures;
+use crate::motion::Motion;
+use crate::oscillator::OscillatorBank;
+use std::f64::consts::TAU;
+
+/// Each pass multiplies amplitudes below this by f/f₀ \[Hz\]. Without it the passes feed what lies below the longest
+/// period, where no oscillator looks: the displacement grows threefold and the fit is no better.
+const LOW_CUT_HZ: f64 = 0.15;
+/// Corner of the first shaping's roll-off \[Hz\], a little above the shortest period; the passes do the rest.
+const HIGH_CORNER_HZ: f64 = 25.0;
+/// A pass is better than the best so far if its rms is less by this share. Passes that have settled differ by rounding,
+/// and which of them is the best must not depend on the machine.
+const BETTER_BY_RATIO: f64 = 1e-6;
+
+/// How a ratio of spectra becomes a gain of Fourier amplitudes.
+pub(super) enum Gain {
+    /// The ratio at T = 1/f, with the low cut.
+    AtPeriod,
+    /// Wavelets scaled by the ratio at their period.
+    Wavelets(Kernel),
+}
+
+/// Everything that one target and one length of motion need, pass after pass.
+pub(super) struct Matcher {
+    dt_s: f64,
+    frame: Frame,
+    periods_s: Vec<f64>,
+    target_m_s2: Vec<f64>,
+    target_zpa_g: f64,
+    bank: OscillatorBank,
+    transform: Transform,
+    gain: Gain,
+    sd_m: Vec<f64>,
+    unused: Vec<f64>,
+}
+
+impl Matcher {
+    pub(super) fn new(
+        target_sa_g: &impl Fn(f64) -> f64,
+        dt_s: f64,
+        frame: Frame,
+        gain: Gain,
+    ) -> Result<Self, SynthesisError> {
+        let target = |period_s: f64| match target_sa_g(period_s) {
+            sa_g if sa_g > 0.0 && sa_g.is_finite() => Ok(sa_g),
+            sa_g => Err(SynthesisError::Target { period_s, sa_g }),
+        };
+        let periods_s = matched_periods_s();
+        let target_m_s2 = periods_s.iter().map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2)).collect::<Result<_, _>>()?;
+        Ok(Self {
+            dt_s,
+            target_zpa_g: target(0.0)?,
+            bank: OscillatorBank::new(&periods_s, DAMPING_RATIO, dt_s)?,
+            periods_s,
+            target_m_s2,
+            transform: Transform::new(frame.taper.len()),
+            frame,
+            gain,
+            sd_m: Vec::new(),
+            unused: Vec::new(),
+        })
+    }
+
+    /// First shape of white noise: Fourier amplitudes like the target's pseudo-velocity Sa/ω, cut outside its periods.
+    pub(super) fn shape_noise(&mut self, accel: &mut [f64]) {
+        let ln_target: Vec<f64> = self.target_m_s2.iter().map(|sa| sa.ln()).collect();
+        self.filter(accel, |frequency_hz| {
+            let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
+            let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
+            Place::of(frequency_hz).interpolate(&ln_target).exp() / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
+                * low
+                * high
+        });
+    }
+
+    pub(super) fn run(&mut self, mut accel: Vec<f64>, passes: usize) -> Result<MatchedMotion, SynthesisError> {
+        for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
+            *a *= taper;
+        }
+        self.frame.remove_drift(&mut accel);
+        // One factor first, so that pass 0 is the start at its best scale.
+        let mean = self.ln_ratios(&accel).iter().sum::<f64>() / MATCHED_PERIODS as f64;
+        if !mean.is_finite() {
+            return Err(SynthesisError::NoContent);
+        }
+        accel.iter_mut().for_each(|a| *a *= (-mean).exp());
+        let (mut best, mut best_rms, mut best_pass, mut best_ln) = (Vec::new(), f64::INFINITY, 0, Vec::new());
+        for pass in 0..=passes {
+            let ln_ratios = self.ln_ratios(&accel);
+            let rms = rms_misfit(&ln_ratios);
+            if rms < best_rms * (1.0 - BETTER_BY_RATIO) {
+                best.clone_from(&accel);
+                (best_rms, best_pass) = (rms, pass);
+                best_ln.clone_from(&ln_ratios);
+            }
+            if pass < passes {
+                self.pass(&mut accel, &ln_ratios);
+            }
+        }
+        let motion = Motion::new(self.dt_s, best)?;
+        let misfit = self.described(&motion, &best_ln);
+        Ok(MatchedMotion { motion, misfit, pass: best_pass })
+    }
+
+    fn pass(&mut self, accel: &mut [f64], ln_ratios: &[f64]) {
+        let gains = match &self.gain {
+            Gain::AtPeriod => None,
+            Gain::Wavelets(kernel) => Some(kernel.gains(ln_ratios)),
+        };
+        self.filter(accel, |frequency_hz| match &gains {
+            None => (-Place::of(frequency_hz).interpolate(ln_ratios)).exp() * (frequency_hz / LOW_CUT_HZ).min(1.0),
+            Some(gains) => gains.at(frequency_hz),
+        });
+    }
+
+    /// The misfit of a motion as it is.
+    pub(super) fn misfit(&mut self, motion: &Motion) -> Misfit {
+        let ln_ratios = self.ln_ratios(motion.accel_m_s2());
+        self.described(motion, &ln_ratios)
+    }
+
+    fn described(&self, motion: &Motion, ln_ratios: &[f64]) -> Misfit {
+        let (mut worst_ratio, mut worst_period_s) = (0.0_f64, self.periods_s[0]);
+        for (ln_ratio, &period_s) in ln_ratios.iter().zip(&self.periods_s) {
+            if ln_ratio.exp_m1().abs() > worst_ratio.abs() {
+                (worst_ratio, worst_period_s) = (ln_ratio.exp_m1(), period_s);
+            }
+        }
+        let measures = measures(motion);
+        Misfit {
+            rms_ratio: rms_misfit(ln_ratios),
+            worst_ratio,
+            worst_period_s,
+            pga_g: measures.pga_m_s2 / G0_M_S2,
+            target_zpa_g: self.target_zpa_g,
+            d5_95_s: measures.d5_95_s,
+            pgv_m_s: measures.pgv_m_s,
+        }
+    }
+
+    /// ln(PSA/target) at the matched periods.
+    fn ln_ratios(&mut self, accel: &[f64]) -> Vec<f64> {
+        self.bank.peaks::<false>(accel, &mut self.sd_m, &mut self.unused);
+        let psa = self.sd_m.iter().zip(&self.periods_s).map(|(sd, t)| sd * (TAU / t) * (TAU / t));
+        psa.zip(&self.target_m_s2).map(|(psa, target)| (psa / target).ln()).collect()
+    }
+
+    /// Multiplies the Fourier amplitudes by `gain(frequency)`, drops the mean, tapers the ends and removes the drift.
+    fn filter(&mut self, accel: &mut [f64], gain: impl Fn(f64) -> f64) {
+        self.transform.forward(accel);
+        let step_hz = self.transform.step_hz(self.dt_s);
+        self.transform.multiply(|k| gain(k as f64 * step_hz));
+        self.transform.inverse(accel);
+        for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
+            *a *= taper;
+        }
+        self.frame.remove_drift(accel);
+    }
+}
+
+/// Where a frequency lies among the matched periods: between `index` and the next, `fraction` of the way; the ends go on
+/// as constants.
+#[derive(Clone, Copy)]
+struct Place {
+    index: usize,
+    fraction: f64,
+}
+
+impl Place {
+    fn of(frequency_hz: f64) -> Self {
+        let last = (MATCHED_PERIODS - 1) as f64;
+        let along = -(frequency_hz * SHORTEST_PERIOD_S).ln() / (LONGEST_PERIOD_S / SHORTEST_PERIOD_S).ln() * last;
+        let along = along.clamp(0.0, last);
+        let index = (along as usize).min(MATCHED_PERIODS - 2);
+        Self { index, fraction: along - index as f64 }
+    }
+
+    fn interpolate(self, values: &[f64]) -> f64 {
+        values[self.index] + (values[self.index + 1] - values[self.index]) * self.fraction
+    }
+}
+
+/// The periods that are matched, rising \[s\].
+pub fn matched_periods_s() -> Vec<f64> {
+    let span: f64 = LONGEST_PERIOD_S / SHORTEST_PERIOD_S;
+    (0..MATCHED_PERIODS).map(|i| SHORTEST_PERIOD_S * span.powf(i as f64 / (MATCHED_PERIODS - 1) as f64)).collect()
+}
+
+fn rms_misfit(ln_ratios: &[f64]) -> f64 {
+    (ln_ratios.iter().map(|ln_ratio| ln_ratio.exp_m1().powi(2)).sum::<f64>() / ln_ratios.len() as f64).sqrt()
+}

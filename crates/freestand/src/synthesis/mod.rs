@@ -1,0 +1,398 @@
+//! Ground motions that are compatible with a target spectrum: shaped noise, or a record, filtered until it fits.
+//!
+//! Each pass computes the 5 %-damped spectrum exactly, multiplies the Fourier amplitudes at f = 1/T by target/spectrum
+//! (phases stay), tapers the ends, removes the drift and looks again; the best pass is kept. What [`Misfit`] says is
+//! said of the very motion that is returned, after tapers and baseline.
+//!
+//! The passes start from noise, [`synthesize`], or from a record: [`match_motion`] filters at the period itself and
+//! fits best, [`match_by_wavelets`] scales wavelets and keeps more of the record. [`Simulator`] makes motions from a
+//! magnitude and a distance instead, by the seismology of a [`PointSource`].
+//!
+//! # Accuracy
+//! The same seed and index give the same motion to the bit on one machine. On another, whose sines and logarithms differ
+//! in the last digit, they give it to some 1e-14 of its peak: errors of 1e-15 in the noise, the window, the step and every
+//! gain grow to 2e-14 in thirty passes. The best pass is chosen with a margin, so that passes that have settled do not
+//! compete by rounding.
+//!
+//! AS 1170.4, kpZ = 0.08, seed 1, motions 0 to 9, [`SynthesisOptions::default`]; means over the ten but for the worst
+//! period, which is the largest of all:
+//!
+//! | class | rms misfit | worst period | target ZPA | PGA | PGV | PGD | D5–95 |
+//! |---|---|---|---|---|---|---|---|
+//! | Ae | 3.3 % | 15 % | 0.064 g | 0.081 g | 0.046 m/s | 29 mm | 9.8 s |
+//! | Be | 3.3 % | 15 % | 0.080 g | 0.101 g | 0.058 m/s | 36 mm | 9.8 s |
+//! | Ce | 3.3 % | 14 % | 0.104 g | 0.132 g | 0.081 m/s | 53 mm | 10.1 s |
+//! | De | 3.3 % | 15 % | 0.088 g | 0.144 g | 0.122 m/s | 78 mm | 11.1 s |
+//! | Ee | 3.4 % | 15 % | 0.088 g | 0.151 g | 0.165 m/s | 118 mm | 11.4 s |
+//!
+//! Single motions of class De lie at 2.6 to 4.0 % and have a PGA of 0.126 to 0.184 g. Seeds 100 to 109 give 3.5 % on
+//! average in every class, 16 % at worst; the window and the low cut were chosen on seed 1 alone. Damped Gauss–Newton
+//! steps on the amplitudes after half of the passes, tried without the low cut, got 2.4 %, but at three times the cost
+//! and with longer shaking and larger displacement: not taken.
+//!
+//! # Limitation
+//! The code's shapes ask for more than a broad-band motion can give: class De has plateau/ZPA = 3.35, and a motion that
+//! fills its plateau and its constant-velocity range has a PGA well above the ZPA, whatever the seed, the number of
+//! passes or the step. Matching below 0.05 s does not cure this and spoils the rest. So both [`Misfit::pga_g`] and
+//! [`Misfit::target_zpa_g`] are given: state both. For rocking, PGV and 0.3–3 s count for more than PGA.
+
+mod frame;
+mod matching;
+mod noise;
+mod point_source;
+mod simulation;
+mod site_amplification;
+mod transform;
+mod wavelet;
+
+pub use matching::matched_periods_s;
+pub use noise::Window;
+pub use point_source::{Corners, HighCut, PathDuration, PointSource, Preset, Quality, SourceSpectrum, SpreadingPiece};
+pub use simulation::{SimulationOptions, Simulator};
+pub use site_amplification::{ProfileError, ShearWaveProfile, VelocityPiece, density_kg_m3};
+
+use crate::measures::husid;
+use crate::motion::{Motion, MotionError};
+use crate::oscillator::OscillatorError;
+use frame::Frame;
+use matching::{Gain, Matcher};
+use noise::noise;
+use thiserror::Error;
+
+/// What makes the random numbers, for outputs: counter-based, so that motion i does not depend on how many are made.
+pub const GENERATOR: &str = "ChaCha12Rng (rand_chacha 0.10), seed_from_u64(seed), stream = motion index; \
+                             StandardNormal (rand_distr 0.6)";
+
+/// Shortest period that is matched \[s\].
+pub const SHORTEST_PERIOD_S: f64 = 0.05;
+/// Longest period that is matched \[s\].
+pub const LONGEST_PERIOD_S: f64 = 5.0;
+/// Number of periods that are matched, equally spaced in log T: 60 a decade, about one for each 5 %-damped bandwidth.
+pub const MATCHED_PERIODS: usize = 121;
+/// Damping ratio of the target and of the spectra.
+pub const DAMPING_RATIO: f64 = 0.05;
+
+/// Cosine tapers of the noise \[s\]: the window starts from zero by itself, so the start can be short.
+const TAPER_START_S: f64 = 0.5;
+const TAPER_END_S: f64 = 4.0;
+/// Cosine tapers of a record, as a share of its length.
+const RECORD_TAPER_RATIO: f64 = 0.02;
+/// Samples beyond which a request is refused: at 0.005 s an hour and a half.
+const MAX_SAMPLES: f64 = 1048576.0;
+/// Rounds of scaling half-cycles to a peak.
+const PGA_ROUNDS: usize = 100;
+/// How near the peak must come.
+const PGA_TOLERANCE_RATIO: f64 = 1e-3;
+
+/// Why no motion was made.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SynthesisError {
+    /// The target is not a positive finite acceleration.
+    #[error("the target spectrum must be positive and finite, not {sa_g} g at T = {period_s} s")]
+    Target {
+        /// Where the target was asked.
+        period_s: f64,
+        /// What it gave \[g\].
+        sa_g: f64,
+    },
+    /// An option is out of its range.
+    #[error("{name} must be {requirement}, not {value}")]
+    Option {
+        /// Field of [`SynthesisOptions`].
+        name: &'static str,
+        /// The range.
+        requirement: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
+    /// The motion to be matched is shorter than the longest period of the spectrum.
+    #[error("a motion of {duration_s} s is too short to be matched up to {LONGEST_PERIOD_S} s")]
+    TooShort {
+        /// Its duration.
+        duration_s: f64,
+    },
+    /// The motion to be matched has no content to scale at some period.
+    #[error("the motion has nothing to scale")]
+    NoContent,
+    /// The oscillators of the spectrum cannot be made.
+    #[error(transparent)]
+    Oscillator(#[from] OscillatorError),
+    /// The result is not a motion.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+}
+
+/// How a synthetic motion is laid out in time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SynthesisOptions {
+    /// Time step \[s\]; at most a fifth of the shortest period, 0.01 s.
+    pub dt_s: f64,
+    /// Zeros before the shaking \[s\].
+    pub lead_in_s: f64,
+    /// Length of the shaking with its tapers \[s\].
+    pub shaking_s: f64,
+    /// Zeros after the shaking \[s\].
+    pub tail_s: f64,
+    /// Duration T_d of the window `e^(−2.4 t/T_d) − e^(−7.2 t/T_d)` that shapes the noise \[s\].
+    pub envelope_s: f64,
+    /// Passes of the matching.
+    pub passes: usize,
+}
+
+impl Default for SynthesisOptions {
+    /// 0.005 s, 1 s of quiet, 40 s of shaking, 4 s of quiet, T_d = 10 s (D5–95 about 11 s after matching), 30 passes.
+    fn default() -> Self {
+        Self { dt_s: 0.005, lead_in_s: 1.0, shaking_s: 40.0, tail_s: 4.0, envelope_s: 10.0, passes: 30 }
+    }
+}
+
+/// How well a motion fits its target, over [`MATCHED_PERIODS`] periods, and what it is like.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Misfit {
+    /// Root mean square of PSA/target − 1.
+    pub rms_ratio: f64,
+    /// PSA/target − 1 where it is largest in size, with its sign.
+    pub worst_ratio: f64,
+    /// Period of the worst misfit \[s\].
+    pub worst_period_s: f64,
+    /// Peak ground acceleration of the motion \[g\].
+    pub pga_g: f64,
+    /// Target at T = 0 \[g\]; a match of the spectrum does not reach it, see the module's limitation.
+    pub target_zpa_g: f64,
+    /// Significant duration \[s\].
+    pub d5_95_s: f64,
+    /// Peak ground velocity \[m/s\].
+    pub pgv_m_s: f64,
+}
+
+/// A motion and how well it fits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MatchedMotion {
+    /// The motion; starts and ends with zero acceleration, and ends with zero velocity and displacement.
+    pub motion: Motion,
+    /// Its misfit.
+    pub misfit: Misfit,
+    /// The pass it comes from, counted from 0 (the scaled start).
+    pub pass: usize,
+}
+
+/// Synthetic motion number `index` of `seed`, matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping).
+///
+/// Gaussian noise under the window `w(t) = e^(−0.4·6t/T_d) − e^(−1.2·6t/T_d)`, shaped like the target's pseudo-velocity
+/// and then matched. The same seed and index give the same motion, however many are made and on however many threads.
+///
+/// # Reference
+/// Lam, Wilson and Hutchinson (2000), "Generation of synthetic earthquake accelerograms using seismological modelling:
+/// a review", for the window; Gasparini and Vanmarcke (1976), SIMQKE, for noise matched to a response spectrum by
+/// passes in the frequency domain.
+///
+/// # Accuracy
+/// See the [module](self).
+///
+/// # Errors
+/// A target that is not positive and finite, options out of range.
+///
+/// # Example
+/// ```
+/// use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
+/// use freestand::synthesis::{SynthesisOptions, synthesize};
+/// let code = As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500)?;
+/// let matched = synthesize(|period_s| code.sa_g(period_s), 1, 0, &SynthesisOptions::default())?;
+/// assert!(matched.misfit.rms_ratio < 0.05);
+/// assert!(matched.misfit.pga_g > matched.misfit.target_zpa_g); // the trap of the De shape
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn synthesize(
+    target_sa_g: impl Fn(f64) -> f64,
+    seed: u64,
+    index: u64,
+    options: &SynthesisOptions,
+) -> Result<MatchedMotion, SynthesisError> {
+    from_noise(target_sa_g, noise(seed, index), options)
+}
+
+fn from_noise(
+    target_sa_g: impl Fn(f64) -> f64,
+    mut noise: impl FnMut() -> f64,
+    options: &SynthesisOptions,
+) -> Result<MatchedMotion, SynthesisError> {
+    check_options(options)?;
+    let samples = |time_s: f64| (time_s / options.dt_s).round() as usize;
+    let (start, shaking, tail) = (samples(options.lead_in_s), samples(options.shaking_s), samples(options.tail_s));
+    let end = start + shaking;
+    let mut accel = vec![0.0; end + tail + 1];
+    for (k, a) in accel[start..=end].iter_mut().enumerate() {
+        *a = noise() * Window::Lam.at(k as f64 * options.dt_s / options.envelope_s);
+    }
+    let frame = Frame::new(accel.len(), start, end, samples(TAPER_START_S), samples(TAPER_END_S));
+    let mut matcher = Matcher::new(&target_sa_g, options.dt_s, frame, Gain::AtPeriod)?;
+    matcher.shape_noise(&mut accel);
+    matcher.run(accel, options.passes)
+}
+
+/// The record `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping); its phases stay.
+///
+/// The first and last 2 % are tapered; the length and the time step stay.
+///
+/// # Limitation
+/// With a time step above 0.01 s peaks between samples are missed at the shortest periods.
+///
+/// # Errors
+/// A target that is not positive and finite, a record shorter than [`LONGEST_PERIOD_S`] or without content.
+pub fn match_motion(
+    seed: &Motion,
+    target_sa_g: impl Fn(f64) -> f64,
+    passes: usize,
+) -> Result<MatchedMotion, SynthesisError> {
+    match_record(seed, &target_sa_g, passes, Gain::AtPeriod)
+}
+
+/// The record `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping) by scaling its wavelets;
+/// phases stay, and so does what lies outside the matched periods, but for one common factor.
+///
+/// Each pass splits the motion by the continuous wavelet transform into details, one for each period, and multiplies
+/// each by target/spectrum at its period; the best pass is kept. Ends, length, time step and drift as for
+/// [`match_motion`].
+///
+/// # Reference
+/// Suarez and Montejo (2005), "Generation of artificial earthquakes via the wavelet transform", for the wavelet
+/// e^(−ζω|t|) sin ωt with ω = π, ζ = 0.05; Montejo (2021), "Response spectral matching of horizontal ground motion
+/// components to an orientation-independent spectrum (RotDnn)", for the passes.
+///
+/// # Accuracy
+/// A scaled detail is a filter without phase; its gain is computed as such, from a table of 1921 frequencies, so that a
+/// pass costs two Fourier transforms instead of two for each period.
+///
+/// # Errors
+/// As for [`match_motion`].
+pub fn match_by_wavelets(
+    seed: &Motion,
+    target_sa_g: impl Fn(f64) -> f64,
+    passes: usize,
+) -> Result<MatchedMotion, SynthesisError> {
+    match_record(seed, &target_sa_g, passes, Gain::Wavelets(wavelet::Kernel::new()))
+}
+
+fn match_record(
+    seed: &Motion,
+    target_sa_g: &impl Fn(f64) -> f64,
+    passes: usize,
+    gain: Gain,
+) -> Result<MatchedMotion, SynthesisError> {
+    let duration_s = seed.duration_s();
+    let n = seed.accel_m_s2().len();
+    // Sixteen samples: enough to taper and to take out two drifts.
+    if duration_s < LONGEST_PERIOD_S || n < 16 {
+        return Err(SynthesisError::TooShort { duration_s });
+    }
+    let taper = ((n as f64 * RECORD_TAPER_RATIO) as usize).max(1);
+    let frame = Frame::new(n, 0, n - 1, taper, taper);
+    let mut matcher = Matcher::new(target_sa_g, seed.dt_s(), frame, gain)?;
+    matcher.run(seed.accel_m_s2().to_vec(), passes)
+}
+
+/// How well a motion fits the target PSA `target_sa_g` as it is.
+///
+/// # Errors
+/// A target that is not positive and finite.
+pub fn misfit(motion: &Motion, target_sa_g: impl Fn(f64) -> f64) -> Result<Misfit, SynthesisError> {
+    let n = motion.accel_m_s2().len();
+    Ok(Matcher::new(&target_sa_g, motion.dt_s(), Frame::new(n, 0, n - 1, 1, 1), Gain::AtPeriod)?.misfit(motion))
+}
+
+/// The motion with its peak acceleration brought to `pga_g`: every half-cycle that exceeds it is scaled down to it; where
+/// none does, the largest is scaled up. The drift is removed after each round, until the peak is met to a thousandth.
+///
+/// What this costs is in the misfit: the spectrum at short periods rests on the half-cycles that are cut.
+///
+/// # Reference
+/// Montejo's REQPY scales the half-cycle with the peak; here all that exceed it.
+///
+/// # Errors
+/// A peak that is not positive and finite, or that is not met in 100 rounds; a target that is not positive and finite.
+pub fn with_pga(
+    motion: &Motion,
+    target_sa_g: impl Fn(f64) -> f64,
+    pga_g: f64,
+) -> Result<MatchedMotion, SynthesisError> {
+    if !(pga_g > 0.0 && pga_g.is_finite()) {
+        return Err(SynthesisError::Option { name: "pga_g", requirement: "positive and finite", value: pga_g });
+    }
+    let peak_m_s2 = pga_g * crate::G0_M_S2;
+    let mut accel = motion.accel_m_s2().to_vec();
+    let start = accel.iter().position(|&a| a != 0.0).ok_or(SynthesisError::NoContent)?.saturating_sub(1);
+    let end = accel.iter().rposition(|&a| a != 0.0).map_or(0, |k| (k + 1).min(accel.len() - 1));
+    let frame = Frame::new(accel.len(), start, end, 1, 1);
+    for round in 1..=PGA_ROUNDS {
+        scale_half_cycles(&mut accel, peak_m_s2);
+        frame.remove_drift(&mut accel);
+        let peak = accel.iter().fold(0.0_f64, |peak, a| peak.max(a.abs()));
+        if (peak / peak_m_s2 - 1.0).abs() < PGA_TOLERANCE_RATIO {
+            let motion = Motion::new(motion.dt_s(), accel)?;
+            let misfit = misfit(&motion, target_sa_g)?;
+            return Ok(MatchedMotion { motion, misfit, pass: round });
+        }
+    }
+    Err(SynthesisError::Option { name: "pga_g", requirement: "a peak that the motion can be brought to", value: pga_g })
+}
+
+/// Scales the half-cycles that exceed `peak` down to it, or the largest up to it where none does.
+fn scale_half_cycles(accel: &mut [f64], peak: f64) {
+    let largest = accel.iter().fold(0.0_f64, |largest, a| largest.max(a.abs()));
+    let raise = (largest < peak).then_some(largest);
+    for half in accel.chunk_by_mut(|a, b| a.is_sign_negative() == b.is_sign_negative()) {
+        let own = half.iter().fold(0.0_f64, |own, a| own.max(a.abs()));
+        if own > peak || raise == Some(own) {
+            half.iter_mut().for_each(|a| *a *= peak / own);
+        }
+    }
+}
+
+/// What two motions of the same length and step have in common: how much of a record is left in its match.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resemblance {
+    /// Correlation of the accelerations, from −1 to 1.
+    pub correlation_ratio: f64,
+    /// Largest difference of the shares of energy that have passed at one time (Husid curves).
+    pub husid_difference_ratio: f64,
+}
+
+impl Resemblance {
+    /// Of two motions, sample by sample; what one has more is compared with nothing.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand::{motion::Motion, synthesis::Resemblance};
+    /// let motion = Motion::new(0.01, vec![0.0, 1.0, -2.0, 0.0])?;
+    /// let doubled = Resemblance::between(&motion, &motion.scaled(2.0)?);
+    /// assert!((doubled.correlation_ratio - 1.0).abs() < 1e-15 && doubled.husid_difference_ratio == 0.0);
+    /// # Ok::<(), freestand::motion::MotionError>(())
+    /// ```
+    pub fn between(one: &Motion, other: &Motion) -> Self {
+        let product =
+            |a: &Motion, b: &Motion| -> f64 { a.accel_m_s2().iter().zip(b.accel_m_s2()).map(|(a, b)| a * b).sum() };
+        let size = (product(one, one) * product(other, other)).sqrt();
+        let differences = husid(one).into_iter().zip(husid(other)).map(|(a, b)| (a - b).abs());
+        Self {
+            correlation_ratio: if size > 0.0 { product(one, other) / size } else { 0.0 },
+            husid_difference_ratio: differences.fold(0.0, f64::max),
+        }
+    }
+}
+
+fn check_options(options: &SynthesisOptions) -> Result<(), SynthesisError> {
+    let check = |fine: bool, name, requirement, value: f64| {
+        if fine && value.is_finite() { Ok(()) } else { Err(SynthesisError::Option { name, requirement, value }) }
+    };
+    let SynthesisOptions { dt_s, lead_in_s, shaking_s, tail_s, envelope_s, .. } = *options;
+    check(dt_s > 0.0 && dt_s <= 0.01, "dt_s", "positive and at most 0.01 s", dt_s)?;
+    check(lead_in_s >= 0.0, "lead_in_s", "at least 0 s", lead_in_s)?;
+    check(shaking_s >= 2.0 * LONGEST_PERIOD_S, "shaking_s", "at least 10 s, twice the longest period", shaking_s)?;
+    check(tail_s >= 0.0, "tail_s", "at least 0 s", tail_s)?;
+    check(envelope_s >= 1.0, "envelope_s", "at least 1 s", envelope_s)?;
+    let samples = (lead_in_s + shaking_s + tail_s) / dt_s;
+    check(samples <= MAX_SAMPLES, "the number of samples", "at most 1048576", samples)
+}
+
+#[cfg(test)]
+mod tests;

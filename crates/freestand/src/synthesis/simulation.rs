@@ -1,0 +1,262 @@
+//! Motions of a point source: noise under a window, with the Fourier amplitudes of the source.
+
+use super::frame::Frame;
+use super::noise::noise;
+use super::point_source::PointSource;
+use super::transform::Transform;
+use super::{MAX_SAMPLES, SynthesisError};
+use crate::motion::Motion;
+
+/// The window has fallen to 7e-5 (Lam) or 2e-4 of its order of size at this multiple of T_d.
+const WINDOW_DURATIONS: f64 = 4.0;
+/// Poles of the acausal low cut, which falls with f⁴.
+const LOW_CUT_ORDER: f64 = 2.0;
+/// Zeros on both ends, in multiples of order/corner (Boore 2005).
+const PAD_RATIO: f64 = 1.5;
+/// Share of the pads that is tapered, at their outer ends.
+const PAD_TAPER_RATIO: f64 = 0.25;
+/// Amplifications are computed at so many frequencies a decade and lie on straight lines between them (log–log).
+const AMPLIFICATIONS_A_DECADE: f64 = 100.0;
+
+/// How a simulated motion is laid out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SimulationOptions {
+    /// Time step \[s\]; at most 0.01 s.
+    pub dt_s: f64,
+    /// Corner of the low cut 1/(1 + (f_c/f)⁴) \[Hz\]; its pads, 1.5·2/f_c on both ends, stay.
+    pub low_cut_hz: f64,
+}
+
+impl Default for SimulationOptions {
+    /// 0.005 s, 0.05 Hz: pads of 60 s, and 0.4 % less at 0.2 Hz.
+    fn default() -> Self {
+        Self { dt_s: 0.005, low_cut_hz: 0.05 }
+    }
+}
+
+/// Makes motions of one point source: what they share is computed once.
+#[derive(Debug, Clone)]
+pub struct Simulator {
+    options: SimulationOptions,
+    window: Vec<f64>,
+    pad: usize,
+    samples: usize,
+    /// Target amplitudes of the bins \[m/s\].
+    amplitudes_m_s: Vec<f64>,
+    step_hz: f64,
+}
+
+impl Simulator {
+    /// For `source` on a site whose Fourier amplitudes are `site_ratio` (period \[s\] to ratio) times those of rock; 1 for
+    /// rock.
+    ///
+    /// # Errors
+    /// Parameters out of range, a site ratio that is not positive and finite.
+    pub fn new(
+        source: &PointSource,
+        site_ratio: impl Fn(f64) -> f64,
+        options: &SimulationOptions,
+    ) -> Result<Self, SynthesisError> {
+        source.check()?;
+        let SimulationOptions { dt_s, low_cut_hz } = *options;
+        let check = |fine: bool, name, requirement, value: f64| {
+            if fine && value.is_finite() { Ok(()) } else { Err(SynthesisError::Option { name, requirement, value }) }
+        };
+        check(dt_s > 0.0 && dt_s <= 0.01, "dt_s", "positive and at most 0.01 s", dt_s)?;
+        check((0.01..=0.2).contains(&low_cut_hz), "low_cut_hz", "from 0.01 to 0.2 Hz", low_cut_hz)?;
+        let pad_s = PAD_RATIO * LOW_CUT_ORDER / low_cut_hz;
+        let samples = (2.0 * pad_s + WINDOW_DURATIONS * source.duration_s()) / dt_s;
+        check(samples <= MAX_SAMPLES, "the number of samples", "at most 1048576", samples)?;
+        let shaking = (WINDOW_DURATIONS * source.duration_s() / dt_s).ceil() as usize;
+        let pad = (pad_s / dt_s).round() as usize;
+        let window = (0..shaking).map(|k| source.window.at(k as f64 * dt_s / source.duration_s())).collect();
+        let samples = shaking + 2 * pad;
+        let transform = Transform::new(samples);
+        let step_hz = transform.step_hz(dt_s);
+        let frequencies_hz: Vec<f64> = (1..=transform.length() / 2).map(|k| k as f64 * step_hz).collect();
+        let amplifications = amplifications(source, &frequencies_hz);
+        let mut amplitudes_m_s = vec![0.0];
+        for (&frequency_hz, amplification) in frequencies_hz.iter().zip(amplifications) {
+            let period_s = 1.0 / frequency_hz;
+            let site = site_ratio(period_s);
+            check(site > 0.0, "site_ratio", "positive and finite at all periods", site)?;
+            let low_cut = 1.0 / (1.0 + (low_cut_hz / frequency_hz).powf(2.0 * LOW_CUT_ORDER));
+            amplitudes_m_s.push(source.unamplified_m_s(frequency_hz) * amplification * site * low_cut);
+        }
+        Ok(Self { options: *options, window, pad, samples, amplitudes_m_s, step_hz })
+    }
+
+    /// Zeros before and after the shaking \[s\], in which the low cut rings.
+    pub fn pad_s(&self) -> f64 {
+        self.pad as f64 * self.options.dt_s
+    }
+
+    /// The target amplitude at a frequency with everything in it: amplification, site and low cut \[m/s\]; straight lines
+    /// between the bins, `None` beyond half the sampling rate.
+    pub fn amplitude_m_s(&self, frequency_hz: f64) -> Option<f64> {
+        let along = frequency_hz / self.step_hz;
+        let index = along.floor() as usize;
+        let (low, high) = (self.amplitudes_m_s.get(index)?, self.amplitudes_m_s.get(index + 1)?);
+        Some(low + (high - low) * (along - index as f64))
+    }
+
+    /// Motion number `index` of `seed`: the same for however many are made and on however many threads.
+    ///
+    /// White noise under the window, its Fourier amplitudes divided by their rms and multiplied by the target: first the
+    /// window and then the filter, since the other order distorts long periods. Drift is taken out at the end.
+    ///
+    /// # Reference
+    /// Boore (2003); pads and low cut Boore (2005), "On pads and filters", BSSA 95.
+    ///
+    /// # Accuracy
+    /// The mean square of the amplitudes of many motions is the target's square.
+    ///
+    /// # Errors
+    /// None that the options allow.
+    pub fn motion(&self, seed: u64, index: u64) -> Result<Motion, SynthesisError> {
+        let mut transform = Transform::new(self.samples);
+        let mut accel = vec![0.0; self.samples];
+        let mut noise = noise(seed, index);
+        for (a, window) in accel[self.pad..].iter_mut().zip(&self.window) {
+            *a = window * noise();
+        }
+        transform.forward(&accel);
+        let energy: f64 = transform.bins.iter().map(|bin| bin.norm_sqr()).sum();
+        let rms = (energy / transform.length() as f64).sqrt();
+        transform.multiply(|k| self.amplitudes_m_s[k] / rms / self.options.dt_s);
+        transform.inverse(&mut accel);
+        let taper = ((self.pad as f64 * PAD_TAPER_RATIO) as usize).max(1);
+        let frame = Frame::new(self.samples, 0, self.samples - 1, taper, taper);
+        for (a, taper) in accel.iter_mut().zip(&frame.taper) {
+            *a *= taper;
+        }
+        frame.remove_drift(&mut accel);
+        Ok(Motion::new(self.options.dt_s, accel)?)
+    }
+}
+
+/// Amplification at rising frequencies, by straight lines in a log–log table.
+fn amplifications(source: &PointSource, frequencies_hz: &[f64]) -> Vec<f64> {
+    let (Some(first), Some(last)) = (frequencies_hz.first(), frequencies_hz.last()) else { return Vec::new() };
+    if source.profile.is_none() {
+        return vec![1.0; frequencies_hz.len()];
+    }
+    let steps = ((last / first).log10() * AMPLIFICATIONS_A_DECADE).ceil().max(1.0);
+    let ln_step = (last / first).ln() / steps;
+    let table: Vec<f64> =
+        (0..=steps as usize).map(|i| source.amplification_ratio(first * (i as f64 * ln_step).exp()).ln()).collect();
+    let at = |frequency_hz: &f64| {
+        let along = ((frequency_hz / first).ln() / ln_step).clamp(0.0, steps);
+        let index = (along as usize).min(table.len() - 2);
+        (table[index] + (table[index + 1] - table[index]) * (along - index as f64)).exp()
+    };
+    frequencies_hz.iter().map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::measures::cumulative_trapezoid;
+    use crate::synthesis::Preset;
+
+    #[test]
+    fn the_mean_amplitude_of_a_hundred_motions_is_the_target() {
+        let source = Preset::Victoria.source(6.0, 30e3);
+        let options = SimulationOptions { dt_s: 0.01, ..SimulationOptions::default() };
+        let simulator = Simulator::new(&source, |_| 1.0, &options).unwrap();
+        let motions: Vec<Motion> = (0..100).map(|index| simulator.motion(1, index).unwrap()).collect();
+        // Bands of a third of an octave to a whole one; in each the energy of a motion over that of the target.
+        for (from_hz, to_hz) in [(0.1, 0.2), (0.4, 0.5), (0.9, 1.1), (1.8, 2.2), (4.5, 5.5), (9.0, 11.0), (18.0, 22.0)]
+        {
+            let ratios: Vec<f64> = motions.iter().map(|motion| band_ratio(&source, motion, from_hz, to_hz)).collect();
+            let mean = ratios.iter().sum::<f64>() / 100.0;
+            let variance = ratios.iter().map(|r| (r - mean).powi(2)).sum::<f64>() / 99.0;
+            // Seven bands within 2.7 standard errors: 95 % of all seeds.
+            assert!(
+                (mean - 1.0).abs() < 2.7 * (variance / 100.0).sqrt(),
+                "{from_hz} Hz: {mean} ± {}",
+                (variance / 100.0).sqrt()
+            );
+            // The statement has power: the standard error is below 6 %, 12 % of a band with hardly any independent bins.
+            assert!((variance / 100.0).sqrt() < 0.12);
+        }
+    }
+
+    /// Mean of |X(f)|²/A(f)² over a band, X by its definition, a sum over the samples.
+    fn band_ratio(source: &PointSource, motion: &Motion, from_hz: f64, to_hz: f64) -> f64 {
+        let dt_s = motion.dt_s();
+        let frequencies = (0..8).map(|i| from_hz + (to_hz - from_hz) * (f64::from(i) + 0.5) / 8.0);
+        let ratio = |frequency_hz: f64| {
+            let (mut re, mut im) = (0.0, 0.0);
+            for (k, a) in motion.accel_m_s2().iter().enumerate() {
+                let (sin, cos) = (std::f64::consts::TAU * frequency_hz * k as f64 * dt_s).sin_cos();
+                re += a * cos;
+                im += a * sin;
+            }
+            let low_cut = 1.0 / (1.0 + (0.05 / frequency_hz).powi(4));
+            (re * re + im * im) * dt_s * dt_s / (source.fourier_amplitude_m_s(frequency_hz) * low_cut).powi(2)
+        };
+        frequencies.map(ratio).sum::<f64>() / 8.0
+    }
+
+    #[test]
+    fn a_simulated_motion_is_its_seed_and_index_and_ends_at_rest() {
+        for (preset, magnitude, distance_m) in [
+            (Preset::Victoria, 5.5, 15e3),
+            (Preset::IntraplateHardRock, 6.0, 100e3),
+            (Preset::SouthEastAustralia, 7.0, 80e3),
+        ] {
+            let simulator =
+                Simulator::new(&preset.source(magnitude, distance_m), |_| 1.0, &SimulationOptions::default()).unwrap();
+            let motion = simulator.motion(3, 4).unwrap();
+            assert_eq!(motion, simulator.motion(3, 4).unwrap());
+            assert!(motion != simulator.motion(3, 5).unwrap() && motion != simulator.motion(4, 4).unwrap());
+            let accel = motion.accel_m_s2();
+            let velocity = cumulative_trapezoid(motion.dt_s(), accel);
+            let displacement = cumulative_trapezoid(motion.dt_s(), &velocity);
+            let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
+            let (n, last) = (accel.len() as f64, accel.len() - 1);
+            assert_eq!((accel[0], accel[last]), (0.0, 0.0));
+            // n additions of numbers up to the peak, ε each, and the length times the velocity's error.
+            assert!(velocity[last].abs() < n * f64::EPSILON * peak(&velocity));
+            let length_s = motion.duration_s();
+            assert!(displacement[last].abs() < length_s * n * f64::EPSILON * (peak(&velocity) + peak(&displacement)));
+            // What the tapers and the baseline take is below the thousandth of the peak in the pads' outer quarter.
+            let quiet = (0.25 * simulator.pad_s() / motion.dt_s()) as usize;
+            assert!(
+                peak(&accel[..quiet]) < 1e-3 * motion.peak_m_s2(),
+                "{}",
+                peak(&accel[..quiet]) / motion.peak_m_s2()
+            );
+        }
+    }
+
+    #[test]
+    fn a_site_multiplies_the_amplitudes_at_the_period() {
+        let source = Preset::Victoria.source(6.0, 30e3);
+        let options = SimulationOptions::default();
+        let rock = Simulator::new(&source, |_| 1.0, &options).unwrap();
+        let soil = Simulator::new(&source, |period_s| 1.0 + period_s.min(1.0), &options).unwrap();
+        // At 2 Hz, T = 0.5 s: 1.5. Straight lines between bins 0.006 Hz apart leave (0.006/2)² of it.
+        let ratio = soil.amplitude_m_s(2.0).unwrap() / rock.amplitude_m_s(2.0).unwrap();
+        assert!((ratio - 1.5).abs() < 1e-5, "{ratio}");
+        // The table of the amplification is good to 1e-4 of it.
+        let expected = source.fourier_amplitude_m_s(2.0) / (1.0 + 0.025_f64.powi(4));
+        assert!((rock.amplitude_m_s(2.0).unwrap() / expected - 1.0).abs() < 2e-4);
+        assert_eq!(rock.amplitude_m_s(101.0), None);
+    }
+
+    #[test]
+    fn options_out_of_range_are_named() {
+        let source = Preset::Victoria.source(6.0, 30e3);
+        let name = |options: SimulationOptions, site: f64| match Simulator::new(&source, |_| site, &options) {
+            Err(SynthesisError::Option { name, .. }) => name,
+            other => panic!("{other:?}"),
+        };
+        let fine = SimulationOptions::default();
+        assert_eq!(name(SimulationOptions { dt_s: 0.02, ..fine }, 1.0), "dt_s");
+        assert_eq!(name(SimulationOptions { low_cut_hz: 0.0, ..fine }, 1.0), "low_cut_hz");
+        assert_eq!(name(SimulationOptions { dt_s: 1e-5, ..fine }, 1.0), "the number of samples");
+        assert_eq!(name(fine, f64::NAN), "site_ratio");
+    }
+}
