@@ -3,6 +3,7 @@
 //! Curves of the paper's Fig. 7 (uplift and shock against height), the share of motions that overturn, floor spectra,
 //! one rocking history, recorded motions, and the response spectrum of a motion. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
 
+mod code_spectrum;
 mod compliant;
 mod floor_profile;
 mod floor_response;
@@ -30,6 +31,7 @@ use crate::inspect::DampedSpectrum;
 use crate::result::StudyResult;
 use crate::study::{Ground, RecordedMotion, Study};
 
+pub use code_spectrum::CodePicture;
 pub use compliant::Trace;
 pub use floor_profile::ProfilePicture;
 
@@ -184,6 +186,14 @@ pub fn response_spectrum_figure(
     spectra: &[&DampedSpectrum],
 ) -> Result<Figure, FigureError> {
     page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
+}
+
+/// Draws the spectrum of a code, and what it gives parts up the height of a building.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn code_spectrum_figure(picture: &CodePicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(code_spectrum::code_spectrum(picture))
 }
 
 /// Draws the loops of drop tests: force and acceleration against compression.
