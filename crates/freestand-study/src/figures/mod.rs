@@ -5,6 +5,8 @@
 
 mod code_spectrum;
 mod compliant;
+mod floor_profile;
+mod floor_response;
 mod floor_spectra;
 mod history;
 mod laboratory;
@@ -31,6 +33,7 @@ use crate::study::{Ground, RecordedMotion, Study};
 
 pub use code_spectrum::CodePicture;
 pub use compliant::Trace;
+pub use floor_profile::ProfilePicture;
 
 /// A figure in both of its forms.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +61,8 @@ pub enum FigureKind {
     Overturning,
     /// Acceleration spectra of the ground and the floors.
     FloorSpectra,
+    /// Peak floor accelerations up the height.
+    FloorProfile,
     /// One rocking history.
     History,
     /// A recorded ground motion, counted from 0.
@@ -77,6 +82,7 @@ impl FigureKind {
             Self::Srs => "srs".to_owned(),
             Self::Overturning => "overturning".to_owned(),
             Self::FloorSpectra => "floor_spectra".to_owned(),
+            Self::FloorProfile => "floor_profile".to_owned(),
             Self::History => "history".to_owned(),
             Self::Record(index) => format!("record_{:02}", index + 1),
             Self::Vary => "vary".to_owned(),
@@ -104,6 +110,9 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     if !result.motions.is_empty() {
         kinds.push(FigureKind::FloorSpectra);
     }
+    if result.profile.is_some() {
+        kinds.push(FigureKind::FloorProfile);
+    }
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {
         kinds.push(FigureKind::History);
     }
@@ -130,6 +139,8 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
             figure: kind.name(),
             reason: "no object uplifted, so there is no history".into(),
         })?,
+        FigureKind::FloorProfile => study_profile(study, result)
+            .ok_or_else(|| FigureError { figure: kind.name(), reason: "the motions of the floors are given".into() })?,
         FigureKind::Vary => {
             let levels: Vec<String> = study.levels.iter().map(|level| level.name.clone()).collect();
             let sensitivity = result
@@ -147,6 +158,21 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
         },
     };
     page::draw(page)
+}
+
+fn study_profile(study: &Study, result: &StudyResult) -> Option<page::Page> {
+    let profile = result.profile.as_ref()?;
+    let code: Vec<(f64, f64)> =
+        profile.code_g.iter().flatten().zip(&profile.levels_ratio).map(|(&g, &level)| (level, g)).collect();
+    let picture = ProfilePicture {
+        title: "Peak floor accelerations",
+        levels_ratio: &profile.levels_ratio,
+        height_m: study.building.as_ref().map(|building| building.height_m),
+        pfa_g: &profile.pfa_g,
+        pga_g: &[],
+        code: profile.code_clause.filter(|_| !code.is_empty()).map(|clause| (clause, &code[..])),
+    };
+    Some(floor_profile::floor_profile(&FigureKind::FloorProfile.name(), &picture))
 }
 
 fn study_record(index: usize, record: &RecordedMotion) -> page::Page {
@@ -215,6 +241,26 @@ pub fn static_figure(report: &crate::static_test::StaticsReport) -> Result<Figur
 /// What the plot library says when it cannot draw.
 pub fn trace_figure(trace: &Trace<'_>) -> Result<Figure, FigureError> {
     page::draw(compliant::trace(trace))
+}
+
+/// Draws peak floor accelerations up the height of a building.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn floor_profile_figure(picture: &ProfilePicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(floor_profile::floor_profile("profile", picture))
+}
+
+/// Draws response spectra of floors, the median over so many `motions`.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn floor_response_figure(
+    report: &crate::floor::SpectraReport,
+    height_m: f64,
+    motions: usize,
+) -> Result<Figure, FigureError> {
+    page::draw(floor_response::floor_response(report, height_m, motions))
 }
 
 /// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
