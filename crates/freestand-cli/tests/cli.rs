@@ -339,6 +339,30 @@ fn code_spectrum() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
+#[test]
+fn spectra_of_other_codes_and_what_is_wrong_with_them() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("short.csv"), "T [s],PSA [g]\n0.1,0.3\n2,0.05\n").unwrap();
+    let spectrum = |more: &[&str]| freestand_in(folder.path(), &[&["motion", "code-spectrum"], more].concat());
+    let periods = ["--periods", "0 s, 0.3 s, 2 s"];
+    let europe = ["--code", "ec8", "--spectrum-type", "1", "--site", "B", "--ground-acceleration", "0.2g"];
+    let all = [
+        spectrum(&[&europe[..], &periods, &["--parts"]].concat()),
+        spectrum(&[&["--code", "asce7", "--sds", "1g", "--sd1", "0.6g", "--long-period", "8s"], &periods[..]].concat()),
+        spectrum(&[&["--code", "nzs1170.5", "--site", "C", "--hazard-factor", "0.4", "--json"], &periods[..]].concat()),
+        spectrum(&[&["--edition", "2024"], &periods[..]].concat()),
+        spectrum(&["--spectrum", "short.csv", "--periods", "0.1 s, 2 s, 2.1 s"]),
+        spectrum(&["--spectrum", "short.csv", "--parts"]),
+        spectrum(&["--parts"]),
+        spectrum(&["--code", "ec8", "--city", "Oslo", "--ground-acceleration", "0.1"]),
+        spectrum(&["--code", "nzs1170.5", "--site", "De", "--hazard-factor", "-1", "--fault-distance", "3"]),
+        spectrum(&["--code", "as1170.5"]),
+        freestand_in(folder.path(), &["motion", "synth", "--spectrum", "short.csv"]),
+        freestand_in(folder.path(), &["motion", "synth", "--spectrum", "gone.csv"]),
+    ];
+    insta::assert_snapshot!(all.join("\n\n"));
+}
+
 /// Every flag of a code has its place in `--out`: the spectrum with its corners, as numbers and as a picture.
 #[test]
 fn a_code_spectrum_is_written_with_its_corners() {
