@@ -8,6 +8,7 @@ mod floor_spectra;
 mod history;
 mod laboratory;
 mod legend;
+mod matched;
 mod page;
 mod record;
 mod response;
@@ -28,6 +29,7 @@ use crate::result::StudyResult;
 use crate::study::{Ground, RecordedMotion, Study};
 
 pub use compliant::Trace;
+pub use matched::MatchedPicture;
 
 /// A figure in both of its forms.
 #[derive(Debug, Clone, PartialEq)]
@@ -166,6 +168,14 @@ pub fn response_spectrum_figure(
     spectra: &[&DampedSpectrum],
 ) -> Result<Figure, FigureError> {
     page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
+}
+
+/// Draws the spectra of motions against their target.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(matched::matched(picture))
 }
 
 /// Draws the loops of drop tests: force and acceleration against compression.
