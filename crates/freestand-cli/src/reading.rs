@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use freestand_study::processing::parse_target_source;
 use freestand_study::quantity::Dimension;
-use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
+use freestand_study::recorded::{MotionFiles, ReadMotion, Second, read_recorded};
 use freestand_study::records::ReadOptions;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::processing::ProcessArgs;
 use crate::values::Values;
 
@@ -36,6 +36,59 @@ pub(crate) struct ReadArgs {
     pub(crate) scale: Option<String>,
     #[command(flatten)]
     pub(crate) process: ProcessArgs,
+}
+
+/// The second horizontal component of records, and the directions in which objects are tried.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "Two horizontal components")]
+pub(crate) struct SecondArgs {
+    /// Take two horizontal components of each file: "both", or two by name or number, such as "1, 2"
+    #[arg(long, value_name = "both|NAME, NAME", conflicts_with = "component")]
+    pub(crate) components: Option<String>,
+    /// Files with the second component, one for each of the first
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "components")]
+    pub(crate) across: Vec<PathBuf>,
+    /// Step between the directions in which objects are tried, 0 to 180 degrees [default: 15 deg]
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub(crate) rotation_step: Option<String>,
+}
+
+impl SecondArgs {
+    /// Whether any of the flags that need records was given.
+    pub(crate) fn names_records(&self) -> bool {
+        self.components.is_some() || !self.across.is_empty()
+    }
+
+    /// Where the second component is, for `first` files; what is wrong goes into `values`.
+    pub(crate) fn second(&self, first: usize, values: &mut Values) -> Second {
+        if !self.across.is_empty() {
+            if self.across.len() != first {
+                let message = format!("--across: {} files for {first} first components", self.across.len());
+                values.push(problem(message, "name one for each, in the same order"));
+            }
+            return Second::Files(self.across.clone());
+        }
+        let Some(text) = self.components.as_deref() else { return Second::None };
+        if text.trim().eq_ignore_ascii_case("both") {
+            return Second::SameFile(None);
+        }
+        match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
+            [one, two] if !one.is_empty() && !two.is_empty() => {
+                Second::SameFile(Some((one.to_owned(), two.to_owned())))
+            }
+            _ => {
+                let message = format!("--components: two are expected, not \"{text}\"");
+                values.push(problem(message, "write both, or \"1, 2\", or \"N-S, E-W\""));
+                Second::None
+            }
+        }
+    }
+
+    /// The step between directions \[degrees\].
+    pub(crate) fn rotation_step_deg(&self, values: &mut Values) -> Option<f64> {
+        let step_rad = values.positive("--rotation-step", self.rotation_step.as_deref(), Dimension::Angle)?;
+        Some(freestand_study::processing::azimuth_deg(step_rad))
+    }
 }
 
 /// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the command's own.
@@ -97,6 +150,7 @@ impl ReadArgs {
                 is_shock: false,
             },
             component: self.component.clone(),
+            second: Second::None,
             processing,
         }
     }

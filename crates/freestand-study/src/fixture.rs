@@ -6,10 +6,10 @@ use std::path::PathBuf;
 
 use freestand::block::Block;
 use freestand::building::{Building, floor_motions};
-use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
+use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
-use freestand::oscillator::{ResponseSpectrum, response_spectrum};
+use freestand::oscillator::response_spectrum;
 use freestand::rocking::Outcome;
 use freestand::rocking::{Accuracy, Restitution, RockingSummary, SideExtremes, StopReason};
 use freestand::spectra::UpliftCell;
@@ -18,7 +18,9 @@ use freestand::{G0_M_S2, impact::Landing};
 
 use crate::cushion::{CushionWords, EdgeCushion};
 use crate::input::InputFile;
-use crate::result::{ExampleHistory, GroundMotion, LevelResult, ObjectResponse, StudyResult};
+use crate::result::{
+    ExampleHistory, GroundMotion, HorizontalMotion, LevelResult, ObjectResponse, PseudoSpectrum, StudyResult,
+};
 use crate::statistics::object_statistics;
 use crate::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
@@ -42,20 +44,25 @@ pub(crate) fn study() -> Study {
         source: None,
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
-            spectrum: CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap(),
+            spectrum: As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap(),
             city: Some("Melbourne".into()),
             count: 10,
             seed: 1,
         }),
-        building: BuildingInput {
+        directions_deg: vec![0.0],
+        building: Some(BuildingInput {
             storeys: 30,
-            storey_height_m: 3.0,
-            beam: Building::new(2.74, 0.05, 5.0, 5).unwrap(),
+            height_m: 90.0,
+            storey_height_m: Some(3.0),
+            across: None,
+            along: Building::beam(2.74, 0.05, 5.0, 5).unwrap(),
             period_note: "AS 1170.4, concrete moment frame of 90 m".into(),
-        },
+            across_note: None,
+            tables: Vec::new(),
+        }),
         levels: vec![
-            Level { name: "mid-height".into(), level_ratio: 0.5 },
-            Level { name: "roof".into(), level_ratio: 1.0 },
+            Level { name: "mid-height".into(), level_ratio: Some(0.5), motions: Vec::new() },
+            Level { name: "roof".into(), level_ratio: Some(1.0), motions: Vec::new() },
         ],
         objects: Objects {
             heights_m,
@@ -89,7 +96,8 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
         station_xml: vec![InputFile { path: "stations/<c>.xml".into(), sha256: "ef".repeat(32) }],
         scale_target: Some(InputFile { path: "targets/<b>.csv".into(), sha256: "cd".repeat(32) }),
         processing: vec!["multiplied by 1.25".to_owned()],
-        motion: g.motion.clone(),
+        motion: g.motion.along.clone(),
+        across: None,
     });
     study.ground = Ground::Recorded(motions.collect());
     study.source = Some(PathBuf::from("studies/<my> & study.toml"));
@@ -103,9 +111,10 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
 /// What came out of it.
 pub(crate) fn result(study: &Study) -> StudyResult {
     let ground: Vec<GroundMotion> = (0..10).map(|i| ground_motion(i, study)).collect();
-    let ratios: Vec<f64> = study.levels.iter().map(|l| l.level_ratio).collect();
+    let ratios: Vec<f64> = study.levels.iter().map(|l| l.level_ratio.unwrap()).collect();
+    let beam = &study.building.as_ref().unwrap().along;
     let floors: Vec<Vec<Motion>> =
-        ground.iter().map(|g| floor_motions(&g.motion, &study.building.beam, &ratios).unwrap()).collect();
+        ground.iter().map(|g| floor_motions(&g.motion.along, beam, &ratios).unwrap()).collect();
     let levels: Vec<LevelResult> = study
         .levels
         .iter()
@@ -114,10 +123,12 @@ pub(crate) fn result(study: &Study) -> StudyResult {
         .collect();
     let history = history(&levels[levels.len() - 1], "synthetic-01");
     StudyResult {
+        motions: ground.iter().map(|g| g.name.clone()).collect(),
         ground,
-        modes: study.building.beam.modes().to_vec(),
+        modes: beam.modes().to_vec(),
         levels,
         history: Some(history),
+        sensitivity: None,
         warnings: vec!["12 objects of 130 need more friction than 0.5 under some motion: they may slide".into()],
     }
 }
@@ -149,12 +160,17 @@ fn ground_motion(index: u32, study: &Study) -> GroundMotion {
         pgv_m_s: 0.17,
     };
     let misfit = matches!(study.ground, Ground::Synthetic(_)).then_some(misfit);
-    GroundMotion { name: crate::study::synthetic_name(index as usize), motion, spectrum, misfit }
+    GroundMotion { name: crate::study::synthetic_name(index as usize), motion: one(motion), spectrum, misfit }
 }
 
-fn spectrum(motion: &Motion) -> ResponseSpectrum {
+fn one(along: Motion) -> HorizontalMotion {
+    HorizontalMotion { along, across: None }
+}
+
+fn spectrum(motion: &Motion) -> PseudoSpectrum {
     let periods: Vec<f64> = (0..81).map(|i| 0.05 * 10f64.powf(f64::from(i) / 40.0)).collect();
-    response_spectrum(motion, 0.05, &periods).unwrap()
+    let psa_m_s2 = response_spectrum(motion, 0.05, &periods).unwrap().psa_m_s2;
+    PseudoSpectrum { periods_s: periods, psa_m_s2 }
 }
 
 fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResult {
@@ -163,12 +179,12 @@ fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResul
         .enumerate()
         .map(|(m, floor)| {
             let one = |(i, block): (usize, &Block)| {
-                if m == 3 && i == 64 && level.level_ratio == 1.0 {
+                if m == 3 && i == 64 && level.level_ratio == Some(1.0) {
                     return ObjectResponse::Failed("the floor falls away: g + ü_v ≤ 0".into());
                 }
                 let uplift = rocked(block, floor.peak_m_s2() / G0_M_S2, m);
                 let shock = uplift.shock(MASS_KG, &spring().cushion, ImpactModel::Paper, G0_M_S2);
-                ObjectResponse::Done { uplift, shock }
+                ObjectResponse::Done { uplift, shock, direction_deg: None }
             };
             study.objects.blocks.iter().enumerate().map(one).collect()
         })
@@ -176,6 +192,7 @@ fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResul
     let objects = study.objects.blocks.len();
     let statistics = (0..objects).map(|i| object_statistics(responses.iter().map(|row| &row[i]))).collect();
     let spectra = floors.iter().map(spectrum).collect();
+    let floors = floors.into_iter().map(one).collect();
     LevelResult { level: level.clone(), floors, spectra, responses, statistics }
 }
 
@@ -212,7 +229,7 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
 }
 
 fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
-    let floor = &level.floors[0];
+    let floor = &level.floors[0].along;
     let slenderness_angle_rad = 0.3f64.atan2(1.5);
     let time_s: Vec<f64> = (0..floor.accel_m_s2().len()).map(|i| i as f64 * floor.dt_s()).collect();
     let swing = |t: f64| {
@@ -230,6 +247,7 @@ fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
     ExampleHistory {
         level: level.level.name.clone(),
         motion: motion.into(),
+        direction_deg: None,
         height_m: 1.5,
         thickness_m: 0.3,
         slenderness_angle_rad,

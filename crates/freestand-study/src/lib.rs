@@ -1,5 +1,6 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
+pub mod building;
 pub mod compliant;
 pub mod cushion;
 pub mod cushion_curve;
@@ -37,6 +38,7 @@ pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod validate;
+pub mod vary;
 pub mod virtual_laboratory;
 pub mod words;
 

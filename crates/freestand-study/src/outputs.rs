@@ -8,13 +8,13 @@ use serde_json::Value;
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::figures::figures;
 use crate::output::{OutputFolder, document};
-use crate::records::write_csv;
+use crate::records::{write_csv, write_pair_csv};
 use crate::report::{provenance, report};
-use crate::rerun::{with_cushion, with_motions, with_seed};
-use crate::result::StudyResult;
-use crate::study::{Ground, Study};
+use crate::rerun::{LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed};
+use crate::result::{HorizontalMotion, LevelResult, StudyResult};
+use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
-use crate::tables::{srs_csv, statistics_csv, urs_csv};
+use crate::tables::{records_csv, srs_csv, statistics_csv, urs_csv};
 
 /// What was written.
 #[derive(Debug, Clone)]
@@ -27,15 +27,19 @@ pub struct Written {
     pub body: Value,
 }
 
-/// The names of the files that a run of `study` will write, but for the figures: these depend on the result.
-pub fn expected_names(study: &Study) -> Vec<String> {
+/// The names of the files that a run of `study` will write, varied or not, but for the figures: these depend on the result.
+pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
     let mut names: Vec<String> =
         ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
+    names.extend(is_varied.then(|| "vary.csv".to_owned()));
     names.extend(study.outputs.report.then(|| "report.html".to_owned()));
-    for motion in study.ground.names() {
-        names.push(ground_name(&motion));
+    for motion in study.ground.names(&study.levels) {
+        if !matches!(study.ground, Ground::OnFloors) {
+            names.push(ground_name(&motion));
+        }
         names.extend(study.levels.iter().map(|level| floor_name(&motion, &level.name)));
     }
+    names.extend(building_tables(study).into_iter().map(|(_, _, name, _)| name));
     names
 }
 
@@ -72,18 +76,62 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
 
 type File = (String, Vec<u8>);
 
+/// The building's tables in the output folder: of the second axis, key, name, text. An axis across that only inherits the
+/// table of the first names none of its own.
+fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
+    let tables: Vec<_> = study.building.iter().flat_map(|building| &building.tables).collect();
+    let first = tables.iter().find(|(across, _)| !across).map(|(_, table)| &table.file);
+    let own = tables.iter().filter(|(across, table)| !across || first != Some(&table.file));
+    own.map(|(across, table)| {
+        let name = if *across { "building/across.csv" } else { "building/along.csv" };
+        (*across, table.key, name.to_owned(), table.text.as_slice())
+    })
+    .collect()
+}
+
 /// The study, as it gives the same result from the output folder.
 fn rerun_toml(study: &Study) -> Result<String, Problem> {
     let toml = match &study.objects.cushion_file {
         Some((_, words)) => with_cushion(&study.toml, words)?,
         None => study.toml.clone(),
     };
+    let tables: Vec<_> = building_tables(study).into_iter().map(|(across, key, name, _)| (across, key, name)).collect();
+    let toml = if tables.is_empty() { toml } else { with_building_tables(&toml, &tables)? };
+    let names = study.ground.names(&study.levels);
     match &study.ground {
         Ground::Synthetic(synthetic) => with_seed(&toml, synthetic.seed),
         Ground::Recorded(_) => {
-            let files: Vec<String> = study.ground.names().iter().map(|name| ground_name(name)).collect();
-            with_motions(&toml, &files)
+            let files: Vec<String> = names.iter().map(|name| ground_name(name)).collect();
+            let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));
+            with_motions(&toml, &files, step_deg)
         }
+        Ground::OnFloors => {
+            let files = |level: &Level| names.iter().map(|name| floor_name(name, &level.name)).collect();
+            let levels: Vec<LevelFiles> = study
+                .levels
+                .iter()
+                .map(|level| LevelFiles {
+                    name: level.name.clone(),
+                    level_ratio: level.level_ratio,
+                    motions: files(level),
+                })
+                .collect();
+            let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));
+            with_floor_motions(&toml, &levels, step_deg)
+        }
+    }
+}
+
+/// The step between the directions: half a turn has one at least.
+fn rotation_step_deg(study: &Study) -> f64 {
+    study.directions_deg.get(1).copied().unwrap_or(90.0)
+}
+
+/// A motion as a file: one component, or two beside each other.
+fn motion_csv(motion: &HorizontalMotion) -> String {
+    match &motion.across {
+        None => write_csv(&motion.along),
+        Some(across) => write_pair_csv(&motion.along, across),
     }
 }
 
@@ -95,16 +143,21 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         ("srs.csv".to_owned(), srs_csv(study, result)?),
         ("statistics.csv".to_owned(), statistics_csv(study, result)?),
     ];
-    let motions: Vec<Vec<File>> = (0..result.ground.len())
-        .into_par_iter()
-        .map(|i| {
-            let name = &result.ground[i].name;
-            let floors = result
-                .levels
-                .iter()
-                .map(|level| (floor_name(name, &level.level.name), write_csv(&level.floors[i]).into_bytes()));
-            let ground = (ground_name(name), write_csv(&result.ground[i].motion).into_bytes());
-            std::iter::once(ground).chain(floors).collect()
+    if let Some(sensitivity) = &result.sensitivity {
+        files.push(("vary.csv".to_owned(), records_csv(&sensitivity.rows)?));
+    }
+    files.extend(building_tables(study).into_iter().map(|(_, _, name, text)| (name, text.to_vec())));
+    let motions: Vec<Vec<File>> = result
+        .motions
+        .par_iter()
+        .enumerate()
+        .map(|(i, name)| {
+            let floor = |level: &LevelResult| {
+                let floor = level.floors.get(i)?;
+                Some((floor_name(name, &level.level.name), motion_csv(floor).into_bytes()))
+            };
+            let ground = result.ground.get(i).map(|g| (ground_name(name), motion_csv(&g.motion).into_bytes()));
+            ground.into_iter().chain(result.levels.iter().filter_map(floor)).collect()
         })
         .collect();
     files.extend(motions.into_iter().flatten());

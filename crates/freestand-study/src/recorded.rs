@@ -3,11 +3,15 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-use crate::error::Problem;
-use crate::input::sha256_hex;
-use crate::processing::{Processing, Scale, process_file};
-use crate::records::{MotionFile, ReadOptions, load, parse_motions};
-use crate::study::RecordedMotion;
+use freestand::motion::Motion;
+use freestand::signal::rotate::Pair;
+
+use crate::error::{Problem, ProblemKind};
+use crate::input::{InputFile, sha256_hex};
+use crate::processing::{Processed, Processing, Scale, not_perpendicular, pair_of_one, process_file, process_pair};
+use crate::quantity::shorten;
+use crate::records::{Component, Direction, MotionFile, ReadOptions, load, parse_motions};
+use crate::study::{RecordedMotion, SecondComponent};
 use crate::words::number;
 
 /// Files whose motions are used.
@@ -19,8 +23,22 @@ pub struct MotionFiles {
     pub read: ReadOptions,
     /// Which component of each; `None`: each has only one.
     pub component: Option<String>,
+    /// Where the second horizontal component comes from.
+    pub second: Second,
     /// What is done to the samples.
     pub processing: Processing,
+}
+
+/// Where the second horizontal component of each motion is.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub enum Second {
+    /// There is none: objects are tried in one direction.
+    #[default]
+    None,
+    /// In the same file; the names or numbers of both, or `None` for the only two that can be meant.
+    SameFile(Option<(String, String)>),
+    /// In these files, one for each of the first.
+    Files(Vec<PathBuf>),
 }
 
 /// A motion, and what its reader noted.
@@ -54,7 +72,7 @@ pub fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Probl
     let (mut motions, mut failures) = (Vec::new(), Vec::new());
     let mut names = HashSet::new();
     for (index, path) in files.paths.iter().enumerate() {
-        match read_one(path, files) {
+        match read_one(index, path, files) {
             Ok(mut read) => {
                 read.motion.name = unique(&read.motion.name, &mut names);
                 motions.push(read);
@@ -65,13 +83,37 @@ pub fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Probl
     (motions, failures)
 }
 
-fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>> {
-    let one = |problem: Problem| vec![problem];
-    let bytes = load(path).map_err(one)?;
-    let sha256 = sha256_hex(&bytes);
-    let file = parse_motions(bytes, path, &files.read).map_err(|error| error.problems)?;
-    let (processed, chosen) = process_file(&file, files.component.as_deref(), &files.processing)
-        .map_err(|problem| one(problem.in_file(path)))?;
+fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>> {
+    let (file, sha256) = read_file(path, files)?;
+    let in_file = |problem: Problem| vec![if problem.path.is_some() { problem } else { problem.in_file(path) }];
+    let (processed, chosen, across) = match &files.second {
+        Second::None => {
+            let (processed, chosen) =
+                process_file(&file, files.component.as_deref(), &files.processing).map_err(in_file)?;
+            (processed, chosen, None)
+        }
+        Second::SameFile(called) => {
+            let called = called.as_ref().map(|(first, second)| (first.as_str(), second.as_str()));
+            let (first, second) = pair_of_one(&file, called).map_err(in_file)?;
+            let (processed, across) = both(first, second, (&first.name, &second.name), files).map_err(in_file)?;
+            (processed, chosen_words(first, second), Some(SecondComponent { file: None, motion: across }))
+        }
+        Second::Files(paths) => {
+            let Some(second_path) = paths.get(index) else {
+                let problem = Problem::new(ProblemKind::Value, "has no file with its second component");
+                return Err(in_file(problem.hint("name one for each motion, in their order")));
+            };
+            let (second_file, second_sha256) = read_file(second_path, files)?;
+            let component = files.component.as_deref();
+            let first = file.select(component).map_err(in_file)?;
+            let second = second_file.select(component).map_err(|problem| vec![problem.in_file(second_path)])?;
+            let names = (name_of(path), name_of(second_path));
+            let (processed, across) = both(first, second, (&names.0, &names.1), files).map_err(in_file)?;
+            let input = InputFile { path: second_path.clone(), sha256: second_sha256 };
+            let words = format!(", with {} across", names.1);
+            (processed, words, Some(SecondComponent { file: Some(input), motion: across }))
+        }
+    };
     let scale_target = match &files.processing.scale {
         Scale::Spectrum(target) => target.file.clone(),
         _ => None,
@@ -86,6 +128,7 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
         scale_target,
         processing: processed.steps,
         motion: processed.motion,
+        across,
     };
     let start_note = start_note(&file);
     // Two components that were turned to an azimuth are of one file; the unit of the first stands for both.
@@ -93,6 +136,43 @@ fn read_one(path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>
     let unit = chosen.map_or("m/s2", |component| component.unit);
     let notes = file.notes.into_iter().chain(processed.notes).collect();
     Ok(ReadMotion { motion, notes, start_note, unit })
+}
+
+fn read_file(path: &Path, files: &MotionFiles) -> Result<(MotionFile, String), Vec<Problem>> {
+    let bytes = load(path).map_err(|problem| vec![problem])?;
+    let sha256 = sha256_hex(&bytes);
+    let file = parse_motions(bytes, path, &files.read).map_err(|error| error.problems)?;
+    Ok((file, sha256))
+}
+
+/// Both components processed; what was done to the second stands behind what was done to the first.
+fn both(
+    first: &Component,
+    second: &Component,
+    names: (&str, &str),
+    files: &MotionFiles,
+) -> Result<(Processed, Motion), Problem> {
+    if let Some(up) = [first, second].into_iter().find(|one| one.direction == Some(Direction::Up)) {
+        return Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))
+            .hint("name two horizontal components"));
+    }
+    if files.processing.azimuth_deg.is_some() {
+        return Err(Problem::new(ProblemKind::Value, "two components are tried in all directions, not turned to one")
+            .hint("leave the azimuth out, or the second component"));
+    }
+    let (mut one, two) = process_pair((first, second), names, &files.processing)?;
+    Pair::new(&one.motion, &two.motion).map_err(|error| {
+        Problem::new(ProblemKind::Value, error.to_string())
+            .hint("resample one of them to the step of the other first: freestand motion convert")
+    })?;
+    one.steps.extend(two.steps.into_iter().map(|step| format!("{}: {step}", names.1)));
+    one.notes.extend(two.notes);
+    one.notes.extend(not_perpendicular(first, second));
+    Ok((one, two.motion))
+}
+
+fn chosen_words(first: &Component, second: &Component) -> String {
+    format!(", components {} and {}", first.name, second.name)
 }
 
 /// The file's name without its extension, with what is unsafe in a file name replaced by `-`.
@@ -135,6 +215,7 @@ mod tests {
             paths: vec![path.clone()],
             read: ReadOptions::default(),
             component: None,
+            second: Second::None,
             processing: Processing::default(),
         };
         let (sender, receiver) = std::sync::mpsc::channel();

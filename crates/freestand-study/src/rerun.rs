@@ -1,6 +1,6 @@
 //! A study's text with the ground motions that were used, so that it runs again where its outputs are.
 
-use toml_edit::{Array, DocumentMut, Item, Table, value};
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, value};
 
 use crate::cushion::CushionWords;
 use crate::error::{Problem, ProblemKind};
@@ -36,29 +36,126 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     Ok(study.to_string())
 }
 
-/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled.
+/// The text with another value of a key; `in_place_of` are keys that go, since they say the same in another way.
+///
+/// # Errors
+/// A text that is not TOML, or where the table is none.
+///
+/// # Example
+/// ```
+/// use freestand_study::rerun::with_value;
+/// let text = with_value("[building]\nframe = \"other\"\n", "building", "period", "2.5 s", &["frame"])?;
+/// assert_eq!(text, "[building]\nperiod = \"2.5 s\"\n");
+/// # Ok::<(), freestand_study::Problem>(())
+/// ```
+pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &[&str]) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let entry = study.entry(table).or_insert_with(toml_edit::table);
+    let Some(keys) = entry.as_table_like_mut() else { return Err(broken(format!("{table} is no table"))) };
+    let same_or_other = |name: &str| {
+        // `damping_percent` and the like state the unit in the key.
+        name == key || name.strip_prefix(key).is_some_and(|unit| unit.starts_with('_'))
+    };
+    let old: Vec<String> = keys.iter().map(|(name, _)| name.to_owned()).filter(|name| same_or_other(name)).collect();
+    for name in old.iter().map(String::as_str).chain(in_place_of.iter().copied()) {
+        keys.remove(name);
+    }
+    let item = match (text.parse::<i64>(), text.parse::<f64>()) {
+        (Ok(whole), _) => value(whole),
+        (_, Ok(number)) if number.is_finite() => value(number),
+        _ => value(text),
+    };
+    keys.insert(key, item);
+    Ok(study.to_string())
+}
+
+/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled; with a step between the
+/// directions \[degrees\] where each file has two components.
 ///
 /// # Errors
 /// A text that is not TOML.
-pub fn with_motions(toml: &str, files: &[String]) -> Result<String, Problem> {
+pub fn with_motions(toml: &str, files: &[String], rotation_step_deg: Option<f64>) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let mut motions: Array = files.iter().collect();
-    for motion in motions.iter_mut() {
-        motion.decor_mut().set_prefix("\n    ");
-    }
-    motions.set_trailing("\n");
-    motions.set_trailing_comma(true);
     let mut ground = Table::new();
-    ground.insert("motions", value(motions));
+    ground.insert("motions", value(one_a_line(files)));
     if let Some(mut key) = ground.key_mut("motions") {
         key.leaf_decor_mut().set_prefix("# As the run used them: component chosen, scaled, in m/s2.\n");
     }
+    two_components(&mut ground, rotation_step_deg);
+    replace_ground(&mut study, ground);
+    Ok(study.to_string())
+}
+
+/// The motions of one level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LevelFiles {
+    /// Its name.
+    pub name: String,
+    /// Its height as a share of the building's, where it is known.
+    pub level_ratio: Option<f64>,
+    /// Its files.
+    pub motions: Vec<String>,
+}
+
+/// The text with the motions of floors from files, which are in m/s² and scaled, as in [`with_motions`].
+///
+/// # Errors
+/// A text that is not TOML, or without `[building]`.
+pub fn with_floor_motions(
+    toml: &str,
+    levels: &[LevelFiles],
+    rotation_step_deg: Option<f64>,
+) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let mut ground = Table::new();
+    two_components(&mut ground, rotation_step_deg);
+    replace_ground(&mut study, ground);
+    let mut entries = Array::new();
+    for level in levels {
+        let mut entry = InlineTable::new();
+        entry.insert("name", level.name.as_str().into());
+        if let Some(ratio) = level.level_ratio {
+            entry.insert("level_ratio", ratio.into());
+        }
+        entry.insert("motions", level.motions.iter().collect::<Array>().into());
+        entries.push(entry);
+    }
+    broken_lines(&mut entries);
+    let Some(building) = study.get_mut("building").and_then(Item::as_table_like_mut) else {
+        return Err(broken("building is no table"));
+    };
+    building.insert("levels", value(entries));
+    Ok(study.to_string())
+}
+
+fn two_components(ground: &mut Table, rotation_step_deg: Option<f64>) {
+    if let Some(step_deg) = rotation_step_deg {
+        ground.insert("components", value("both"));
+        ground.insert("rotation_step", value(format!("{step_deg} deg")));
+    }
+}
+
+fn one_a_line(files: &[String]) -> Array {
+    let mut list: Array = files.iter().collect();
+    broken_lines(&mut list);
+    list
+}
+
+fn broken_lines(list: &mut Array) {
+    for entry in list.iter_mut() {
+        entry.decor_mut().set_prefix("\n    ");
+    }
+    list.set_trailing("\n");
+    list.set_trailing_comma(true);
+}
+
+/// Puts `ground` in the place of the table of that name.
+fn replace_ground(study: &mut DocumentMut, mut ground: Table) {
     if let Some(old) = study.get("ground").and_then(Item::as_table) {
         *ground.decor_mut() = old.decor().clone();
         ground.set_position(old.position());
     }
     study.insert("ground", Item::Table(ground));
-    Ok(study.to_string())
 }
 
 /// The text with the words of a cushion file in place of its name, so that it does not need the file.
@@ -76,6 +173,27 @@ pub fn with_cushion(toml: &str, words: &CushionWords) -> Result<String, Problem>
             Ok(count) if *key == "pads_per_edge" => objects.insert(key, value(count)),
             _ => objects.insert(key, value(text.as_str())),
         };
+    }
+    Ok(study.to_string())
+}
+
+/// The text with the building's tables in other files: `(of the second axis, key, file)`.
+///
+/// # Errors
+/// A text that is not TOML, or without the keys.
+pub fn with_building_tables(toml: &str, tables: &[(bool, &str, String)]) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    for (across, key, file) in tables {
+        let mut axis = study.get_mut("building");
+        if *across {
+            axis = axis.and_then(|building| building.get_mut("across"));
+        }
+        let Some(old) = axis.and_then(|axis| axis.get_mut(key)).and_then(Item::as_value_mut) else {
+            return Err(broken(format!("it has no {key}")));
+        };
+        let decor = old.decor().clone();
+        *old = file.as_str().into();
+        *old.decor_mut() = decor;
     }
     Ok(study.to_string())
 }
@@ -107,6 +225,18 @@ mod tests {
     }
 
     #[test]
+    fn tables_of_buildings_get_their_new_places() {
+        let study =
+            "[building]\nstorey_table = \"/x/a.csv\" # ours\nacross = { mode_table = \"b.csv\", damping = 0.02 }\n";
+        let tables = [(false, "storey_table", "building/along.csv".into()), (true, "mode_table", "c.csv".into())];
+        let expected = study.replace("/x/a.csv", "building/along.csv").replace("b.csv", "c.csv");
+        assert_eq!(with_building_tables(study, &tables).unwrap(), expected);
+        let study = "[building.across]\nmode_table = \"b.csv\"\n";
+        assert_eq!(with_building_tables(study, &tables[1..]).unwrap(), study.replace("b.csv", "c.csv"));
+        assert!(with_building_tables(study, &tables).is_err());
+    }
+
+    #[test]
     fn only_the_ground_changes() {
         assert_eq!(with_seed(builtin_toml(), 1).unwrap(), builtin_toml());
         assert_eq!(with_seed(builtin_toml(), 7).unwrap(), builtin_toml().replace("\nseed = 1\n", "\nseed = 7\n"));
@@ -114,7 +244,7 @@ mod tests {
         assert!(with_seed("", u64::MAX).is_err());
         let ground = "[ground]\n# As the run used them: component chosen, scaled, in m/s2.\nmotions = [\n    \"motions/a.csv\",\n]\n";
         let study = "# mine\n[ground]\nmotions = [\"/x/a\"]\nscale = 2.0\n# hers\n[objects]\nmass = \"1 kg\" # 1\n";
-        let text = with_motions(study, &["motions/a.csv".to_owned()]).unwrap();
+        let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
         assert_eq!(text, format!("# mine\n{ground}# hers\n[objects]\nmass = \"1 kg\" # 1\n"));
         // Other spellings of a table, and none.
         for study in [
@@ -123,7 +253,7 @@ mod tests {
             "ground.seed = 3\nobjects.mass_kg = 1\n",
             "[objects]\n",
         ] {
-            let text = with_motions(study, &["motions/a.csv".to_owned()]).unwrap();
+            let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
             let (options, problems) = crate::options::parse(&text, None);
             assert_eq!(problems, [], "{text}");
             assert!(

@@ -1,18 +1,22 @@
 //! What a study gave: one row for each object and motion, and the statistics over all motions.
 
+use std::borrow::Cow;
+
 use freestand::building::Mode;
 use freestand::motion::Motion;
-use freestand::oscillator::ResponseSpectrum;
 use freestand::rocking::Outcome;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
 
 use crate::study::Level;
+use crate::vary::Sensitivity;
 
 /// Everything that the outputs are written from.
 #[derive(Debug, Clone)]
 pub struct StudyResult {
-    /// The ground motions, in the order of the study.
+    /// The names of the motions, in the order of the study.
+    pub motions: Vec<String>,
+    /// The ground motions, in the same order; none where the motions of the floors are given.
     pub ground: Vec<GroundMotion>,
     /// The building's modes, by falling period.
     pub modes: Vec<Mode>,
@@ -20,6 +24,8 @@ pub struct StudyResult {
     pub levels: Vec<LevelResult>,
     /// The history that is drawn, if any object uplifted.
     pub history: Option<ExampleHistory>,
+    /// What the result owes to the assumptions, where that was asked for.
+    pub sensitivity: Option<Sensitivity>,
     /// What the reader must know: assumptions, doubts, validity.
     pub warnings: Vec<String>,
 }
@@ -30,11 +36,58 @@ pub struct GroundMotion {
     /// Its name in the outputs.
     pub name: String,
     /// Its samples.
-    pub motion: Motion,
+    pub motion: HorizontalMotion,
     /// Its 5 % spectrum.
-    pub spectrum: ResponseSpectrum,
+    pub spectrum: PseudoSpectrum,
     /// How well it meets its target, for synthetic motions.
     pub misfit: Option<Misfit>,
+}
+
+/// A motion in the plane of the floor: one component, or two at right angles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HorizontalMotion {
+    /// The first component, or the only one.
+    pub along: Motion,
+    /// The second, of the same length and time step.
+    pub across: Option<Motion>,
+}
+
+impl HorizontalMotion {
+    /// The component in a direction counted from the first one towards the second \[degrees\]:
+    /// `a₁ cos θ + a₂ sin θ`. Without a second component, the first whatever the direction.
+    pub fn in_direction(&self, direction_deg: f64) -> Cow<'_, Motion> {
+        let Some(across) = &self.across else { return Cow::Borrowed(&self.along) };
+        if direction_deg == 0.0 {
+            return Cow::Borrowed(&self.along);
+        }
+        if direction_deg == 90.0 {
+            return Cow::Borrowed(across);
+        }
+        let (sin, cos) = direction_deg.to_radians().sin_cos();
+        let samples = self.along.accel_m_s2().iter().zip(across.accel_m_s2()).map(|(a, b)| a * cos + b * sin);
+        // A turned vector is no longer than the vector, so the samples stay finite unless they are at the end of f64.
+        Motion::new(self.along.dt_s(), samples.collect()).map_or(Cow::Borrowed(&self.along), Cow::Owned)
+    }
+
+    /// Largest acceleration at the samples; of two components, in whatever direction it is \[m/s²\].
+    pub fn peak_m_s2(&self) -> f64 {
+        match &self.across {
+            None => self.along.peak_m_s2(),
+            Some(across) => {
+                let both = self.along.accel_m_s2().iter().zip(across.accel_m_s2());
+                both.map(|(a, b)| a.hypot(*b)).fold(0.0, f64::max)
+            }
+        }
+    }
+}
+
+/// Pseudo-accelerations over periods; of two components, the largest over all horizontal directions (RotD100).
+#[derive(Debug, Clone, PartialEq)]
+pub struct PseudoSpectrum {
+    /// Undamped periods \[s\].
+    pub periods_s: Vec<f64>,
+    /// Pseudo-accelerations \[m/s²\].
+    pub psa_m_s2: Vec<f64>,
 }
 
 /// What happened on one floor.
@@ -43,9 +96,9 @@ pub struct LevelResult {
     /// The floor.
     pub level: Level,
     /// Floor motions, in the order of the ground motions.
-    pub floors: Vec<Motion>,
-    /// Their spectra at the study's damping.
-    pub spectra: Vec<ResponseSpectrum>,
+    pub floors: Vec<HorizontalMotion>,
+    /// Their spectra, at 5 % damping.
+    pub spectra: Vec<PseudoSpectrum>,
     /// `responses[motion][object]`, objects in the order of [`crate::study::Objects::blocks`].
     pub responses: Vec<Vec<ObjectResponse>>,
     /// One for each object, in the same order; `None` where no motion could be followed.
@@ -61,6 +114,8 @@ pub enum ObjectResponse {
         uplift: UpliftCell,
         /// Shock.
         shock: ShockCell,
+        /// The direction that governs \[degrees from the first component\]; `None` where motions have one component.
+        direction_deg: Option<f64>,
     },
     /// It could not be followed; why.
     Failed(String),
@@ -111,6 +166,8 @@ pub struct ExampleHistory {
     pub level: String,
     /// Name of the motion.
     pub motion: String,
+    /// The direction in which it rocks \[degrees from the first component\]; `None` with one component.
+    pub direction_deg: Option<f64>,
     /// Height \[m\].
     pub height_m: f64,
     /// Thickness \[m\].

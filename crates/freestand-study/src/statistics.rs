@@ -30,7 +30,7 @@ fn quantiles(mut values: Vec<f64>) -> [Ranked; 3] {
 pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>) -> Option<ObjectStatistics> {
     let done: Vec<_> = responses
         .filter_map(|response| match response {
-            ObjectResponse::Done { uplift, shock } => Some((uplift, shock)),
+            ObjectResponse::Done { uplift, shock, .. } => Some((uplift, shock)),
             ObjectResponse::Failed(_) => None,
         })
         .collect();

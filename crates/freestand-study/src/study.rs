@@ -18,8 +18,11 @@ pub struct Study {
     pub toml: String,
     /// The motions at the base of the building.
     pub ground: Ground,
-    /// The building that they pass through.
-    pub building: BuildingInput,
+    /// Horizontal directions in which every object is tried, counted from the first component \[degrees\]: `[0]` unless
+    /// the motions have two.
+    pub directions_deg: Vec<f64>,
+    /// The building that they pass through; `None` where the motions of the floors are given.
+    pub building: Option<BuildingInput>,
     /// The floors that are looked at, in the order given.
     pub levels: Vec<Level>,
     /// The objects that stand on them.
@@ -37,15 +40,34 @@ pub enum Ground {
     Synthetic(SyntheticGround),
     /// Read from files.
     Recorded(Vec<RecordedMotion>),
+    /// Not known: the motions of the floors are given, with the levels.
+    OnFloors,
 }
 
 impl Ground {
-    /// The names of the motions in the outputs.
-    pub fn names(&self) -> Vec<String> {
+    /// The names of the motions in the outputs; `levels` are those of the study.
+    pub fn names(&self, levels: &[Level]) -> Vec<String> {
+        let names = |motions: &[RecordedMotion]| motions.iter().map(|motion| motion.name.clone()).collect();
         match self {
             Self::Synthetic(synthetic) => (0..synthetic.count).map(synthetic_name).collect(),
-            Self::Recorded(motions) => motions.iter().map(|motion| motion.name.clone()).collect(),
+            Self::Recorded(motions) => names(motions),
+            // Every level has as many, and those in one place belong together.
+            Self::OnFloors => levels.first().map_or_else(Vec::new, |level| names(&level.motions)),
         }
+    }
+
+    /// Every motion that was read from a file: those of the ground, then those of the floors, level by level.
+    pub fn recorded<'a>(&'a self, levels: &'a [Level]) -> impl Iterator<Item = &'a RecordedMotion> {
+        let ground = match self {
+            Self::Recorded(motions) => motions.as_slice(),
+            Self::Synthetic(_) | Self::OnFloors => &[],
+        };
+        ground.iter().chain(levels.iter().flat_map(|level| &level.motions))
+    }
+
+    /// Whether the motions have two horizontal components.
+    pub fn has_two_components(&self, levels: &[Level]) -> bool {
+        self.recorded(levels).any(|motion| motion.across.is_some())
     }
 }
 
@@ -58,7 +80,7 @@ pub fn synthetic_name(index: usize) -> String {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SyntheticGround {
     /// The target.
-    pub spectrum: freestand::code_spectrum::CodeSpectrum,
+    pub spectrum: freestand::code_spectrum::As1170_4,
     /// The city whose hazard factor was taken, for the report.
     pub city: Option<String>,
     /// How many motions.
@@ -88,26 +110,53 @@ pub struct RecordedMotion {
     pub processing: Vec<String>,
     /// The samples, as used.
     pub motion: Motion,
+    /// The second horizontal component, at right angles to the first, where there is one.
+    pub across: Option<SecondComponent>,
+}
+
+/// The second horizontal component of a recorded motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SecondComponent {
+    /// The file, where it is not that of the first component.
+    pub file: Option<InputFile>,
+    /// The samples, as used.
+    pub motion: Motion,
 }
 
 impl RecordedMotion {
     /// The files that were read beside its own.
     pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
-        self.station_xml.iter().chain(&self.scale_target)
+        let second = self.across.as_ref().and_then(|second| second.file.as_ref());
+        self.station_xml.iter().chain(&self.scale_target).chain(second)
     }
 }
 
-/// The building, as the shear-flexure beam takes it.
+/// The building and its modes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BuildingInput {
     /// Number of storeys.
     pub storeys: usize,
-    /// Height of one storey \[m\].
-    pub storey_height_m: f64,
-    /// The beam: period, damping, α₀, modes.
-    pub beam: freestand::building::Building,
+    /// Height of the roof \[m\].
+    pub height_m: f64,
+    /// Height of one storey \[m\]; `None` where a table says each.
+    pub storey_height_m: Option<f64>,
+    /// Its modes along the first horizontal axis.
+    pub along: freestand::building::Building,
+    /// Its modes along the second; `None`: as along the first.
+    pub across: Option<freestand::building::Building>,
     /// How the period came about, in words for the report.
     pub period_note: String,
+    /// The same of the second axis, where it has its own.
+    pub across_note: Option<String>,
+    /// The tables that it was read from, and whether that of the second axis.
+    pub tables: Vec<(bool, crate::building::BuildingTable)>,
+}
+
+impl BuildingInput {
+    /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
+    pub fn tail_s(&self) -> f64 {
+        self.across.as_ref().map_or(0.0, freestand::building::Building::tail_s).max(self.along.tail_s())
+    }
 }
 
 /// A floor.
@@ -115,8 +164,11 @@ pub struct BuildingInput {
 pub struct Level {
     /// Its name in the outputs, e.g. `roof`.
     pub name: String,
-    /// Height above the ground as a share of the building's: 0 ground, 1 roof.
-    pub level_ratio: f64,
+    /// Height above the ground as a share of the building's: 0 ground, 1 roof. `None` where its motions are given and
+    /// its height is not.
+    pub level_ratio: Option<f64>,
+    /// Its motions, where they are given rather than computed.
+    pub motions: Vec<RecordedMotion>,
 }
 
 /// The grid of objects.

@@ -4,12 +4,14 @@ use freestand::rocking::Outcome;
 use freestand::synthesis;
 use serde_json::{Value, json};
 
+use crate::building::model_words;
 use crate::cushion::cushion_words;
 use crate::input::{InputFile, sha256_hex};
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::ranked_quantile;
-use crate::study::{Ground, Study};
+use crate::study::{BuildingInput, Ground, Level, RecordedMotion, Study};
 use freestand::G0_M_S2;
+use freestand::building::Building;
 use freestand::rocking::{Accuracy, Restitution};
 
 /// Name and version of the document.
@@ -20,8 +22,8 @@ pub const SCHEMA: &str = "freestand.run/1";
 pub struct LevelSummary {
     /// Name of the level.
     pub level: String,
-    /// Height as a share of the building's.
-    pub level_ratio: f64,
+    /// Height as a share of the building's, where it is known.
+    pub level_ratio: Option<f64>,
     /// Median over the motions of the peak floor acceleration \[g\].
     pub pfa_g_median: f64,
     /// Histories on this level: objects × motions.
@@ -118,8 +120,9 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
         .map(|ground| {
             json!({
                 "motion": ground.name,
-                "dt_s": ground.motion.dt_s(),
-                "npts": ground.motion.accel_m_s2().len(),
+                "dt_s": ground.motion.along.dt_s(),
+                "npts": ground.motion.along.accel_m_s2().len(),
+                "components": if ground.motion.across.is_some() { 2 } else { 1 },
                 "pga_g": ground.motion.peak_m_s2() / G0_M_S2,
                 "misfit": ground.misfit.as_ref().map(|m| json!({
                     "rms_ratio": m.rms_ratio,
@@ -136,6 +139,10 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
     let objects = &study.objects;
     json!({
         "levels": levels,
+        "vary": result.sensitivity.as_ref().map(|sensitivity| json!({
+            "rows": sensitivity.rows,
+            "left_out": sensitivity.left_out,
+        })),
         "definitions": {
             "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
             "overturned_share": "share of all object × motion histories that could be followed",
@@ -147,20 +154,10 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
             "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
             "study_sha256": sha256_hex(study.toml.as_bytes()),
             "ground": ground_inputs(&study.ground),
+            "floor_motions": floor_inputs(study),
             "motions": motions,
-            "building": {
-                "storeys": study.building.storeys,
-                "storey_height_m": study.building.storey_height_m,
-                "period_s": study.building.beam.period_s(),
-                "period_from": study.building.period_note,
-                "damping_ratio": study.building.beam.damping_ratio(),
-                "shear_flexure_ratio": study.building.beam.shear_flexure_ratio(),
-                "modes": result.modes.iter().map(|mode| json!({
-                    "period_s": mode.period_s(),
-                    "participation_ratio": mode.participation_ratio(),
-                    "effective_mass_ratio": mode.effective_mass_ratio(),
-                })).collect::<Vec<_>>(),
-            },
+            "directions_deg": study.directions_deg,
+            "building": study.building.as_ref().map(building_inputs),
             "objects": {
                 "heights_m": objects.heights_m,
                 "thicknesses_m": objects.thicknesses_m,
@@ -179,11 +176,43 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
         },
         "seeds": match &study.ground {
             Ground::Synthetic(synthetic) => json!({"ground": synthetic.seed, "generator": synthesis::GENERATOR}),
-            Ground::Recorded(_) => Value::Null,
+            Ground::Recorded(_) | Ground::OnFloors => Value::Null,
         },
         "versions": {"freestand": env!("CARGO_PKG_VERSION")},
         "files": files,
     })
+}
+
+fn building_inputs(building: &BuildingInput) -> Value {
+    let axis = |axis: &Building, note: Option<&str>| {
+        json!({
+            "model": model_words(axis),
+            "period_s": axis.period_s(),
+            "period_from": note,
+            "damping_ratio": axis.damping_ratio(),
+            "shear_flexure_ratio": axis.shear_flexure_ratio(),
+            "modes": axis.modes().iter().map(|mode| json!({
+                "period_s": mode.period_s(),
+                "damping_ratio": mode.damping_ratio(),
+                "participation_ratio": mode.participation_ratio(),
+                "effective_mass_ratio": mode.effective_mass_ratio(),
+            })).collect::<Vec<_>>(),
+        })
+    };
+    let mut inputs = json!({
+        "storeys": building.storeys,
+        "storey_height_m": building.storey_height_m,
+        "height_m": building.height_m,
+    });
+    if let (Some(inputs), Value::Object(along)) =
+        (inputs.as_object_mut(), axis(&building.along, Some(&building.period_note)))
+    {
+        inputs.extend(along);
+        let across = building.across.as_ref().map(|across| axis(across, building.across_note.as_deref()));
+        inputs.insert("across".to_owned(), across.unwrap_or_default());
+        inputs.insert("tables".to_owned(), building.tables.iter().map(|(_, table)| input_file(&table.file)).collect());
+    }
+    inputs
 }
 
 fn ground_inputs(ground: &Ground) -> Value {
@@ -199,22 +228,33 @@ fn ground_inputs(ground: &Ground) -> Value {
             "count": synthetic.count,
             "seed": synthetic.seed,
         }),
-        Ground::Recorded(records) => records
-            .iter()
-            .map(|record| {
-                json!({
-                    "motion": record.name,
-                    "path": record.path.display().to_string(),
-                    "sha256": record.sha256,
-                    "description": record.description,
-                    "scale_ratio": record.scale_ratio,
-                    "station_xml": record.station_xml.iter().map(input_file).collect::<Vec<_>>(),
-                    "scale_target": record.scale_target.as_ref().map(input_file),
-                    "processing": record.processing,
-                })
-            })
-            .collect(),
+        Ground::Recorded(records) => records.iter().map(recorded_input).collect(),
+        Ground::OnFloors => Value::Null,
     }
+}
+
+/// Where the motions of floors are given: the files of each level.
+fn floor_inputs(study: &Study) -> Value {
+    if !matches!(study.ground, Ground::OnFloors) {
+        return Value::Null;
+    }
+    let level = |level: &Level| json!({"level": level.name, "motions": level.motions.iter().map(recorded_input).collect::<Vec<_>>()});
+    study.levels.iter().map(level).collect()
+}
+
+fn recorded_input(record: &RecordedMotion) -> Value {
+    let across = record.across.as_ref().map(|second| second.file.as_ref().map(input_file));
+    json!({
+        "motion": record.name,
+        "path": record.path.display().to_string(),
+        "sha256": record.sha256,
+        "description": record.description,
+        "across": across,
+        "scale_ratio": record.scale_ratio,
+        "station_xml": record.station_xml.iter().map(input_file).collect::<Vec<_>>(),
+        "scale_target": record.scale_target.as_ref().map(input_file),
+        "processing": record.processing,
+    })
 }
 
 fn input_file(file: &InputFile) -> Value {

@@ -189,19 +189,19 @@ fn by_object(
         "ceiling_g",
     ];
     header.extend_from_slice(extra);
-    header.push("reason");
-    let rows = result.ground.iter().enumerate().flat_map(|(motion, ground)| {
+    header.extend(["direction_deg", "reason"]);
+    let rows = result.motions.iter().enumerate().flat_map(|(motion, name)| {
         let cells = &cells;
         result.levels.iter().flat_map(move |level| {
             study.objects.blocks.iter().zip(&level.responses[motion]).map(move |(block, response)| {
                 let mut row = vec![
-                    ground.name.clone(),
+                    name.clone(),
                     level.level.name.clone(),
                     shortest(block.height_m()),
                     shortest(block.thickness_m()),
                 ];
                 match response {
-                    ObjectResponse::Done { uplift, shock } => row.extend([
+                    ObjectResponse::Done { uplift, shock, .. } => row.extend([
                         uplift.rocking.outcome.name().to_owned(),
                         shortest(uplift.rocking.uplift_m),
                         shortest(uplift.rocking.cg_rise_m),
@@ -214,9 +214,9 @@ fn by_object(
                     }
                 }
                 row.extend(cells(response));
-                row.push(match response {
-                    ObjectResponse::Done { .. } => String::new(),
-                    ObjectResponse::Failed(reason) => reason.clone(),
+                row.extend(match response {
+                    ObjectResponse::Done { direction_deg, .. } => [optional(*direction_deg), String::new()],
+                    ObjectResponse::Failed(reason) => [String::new(), reason.clone()],
                 });
                 row
             })
@@ -225,7 +225,8 @@ fn by_object(
     csv(&header, rows)
 }
 
-/// `urs.csv`: the uplift response spectra, one row for each motion, level and object.
+/// `urs.csv`: the uplift response spectra, one row for each motion, level and object; of motions with two components, in
+/// the direction that governs.
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
@@ -318,7 +319,7 @@ mod tests {
         let study = crate::fixture::study();
         let mut result = crate::fixture::result(&study);
         for response in result.levels.iter_mut().flat_map(|level| level.responses.iter_mut().flatten()) {
-            if let ObjectResponse::Done { uplift, shock } = response {
+            if let ObjectResponse::Done { uplift, shock, .. } = response {
                 uplift.rocking.uplift_m = 1e-300;
                 uplift.rocking.cg_rise_m = 1e-300;
                 uplift.rocking.peak_rotation_rad = 1e-300;

@@ -6,7 +6,7 @@ mod shock;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::Building;
-use freestand::code_spectrum::{CodeSpectrum, Edition, FrameKind, SiteClass, fundamental_period_s};
+use freestand::code_spectrum::{As1170_4, Edition, FrameKind, SiteClass, fundamental_period_s};
 use freestand::compliant::{CompliantBase, CompliantOptions, Start, rock_compliant};
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
@@ -291,7 +291,7 @@ fn shock_response_checks() -> Vec<Check> {
 
 fn code_spectrum_checks() -> Result<Vec<Check>, Problem> {
     const CODE: &str = "AS 1170.4-2007, Table 6.4 formulas: kpZ Ch(T), Melbourne, site De, 500 years";
-    let spectrum = CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500).map_err(defect)?;
+    let spectrum = As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).map_err(defect)?;
     let mut checks: Vec<Check> = [(0.0, 0.088), (0.3, 0.2944), (1.0, 0.1584), (1.5, 0.1056), (2.0, 0.0594)]
         .into_iter()
         .map(|(t, sa)| check(format!("code spectrum, Sa({t} s) [g]"), spectrum.sa_g(t), sa, 1e-12, CODE))
@@ -320,7 +320,7 @@ fn building_checks() -> Result<Vec<Check>, Problem> {
         (30.0, [0.329_98, 0.194_15], [1.2784, -0.4395]),
         (650.0, [0.333_33, 0.199_99], [1.2733, -0.4244]),
     ] {
-        let beam = Building::new(1.0, 0.05, alpha, 3).map_err(defect)?;
+        let beam = Building::beam(1.0, 0.05, alpha, 3).map_err(defect)?;
         let modes = beam.modes();
         // Half a unit of the last digit of the table.
         for (i, (mode, expected)) in modes.iter().skip(1).zip(ratios).enumerate() {

@@ -254,12 +254,40 @@ fn floors_under_el_centro() {
     let Some(shared) = shared() else { return };
     let file = read(&shared.join("records/elCentro.AT2"), None, None);
     let ground = file.components[0].motion.with_zero_tail(20.0).unwrap();
-    let building = freestand::building::Building::new(2.0, 0.05, 5.0, 6).unwrap();
+    let building = freestand::building::Building::beam(2.0, 0.05, 5.0, 6).unwrap();
     let levels = [0.0, 0.25, 0.5, 1.0];
     let floors = freestand::building::floor_motions(&ground, &building, &levels).unwrap();
     assert_eq!(floors[0], ground);
     for (floor, expected) in floors[1..].iter().zip([0.43358, 0.47211, 0.74002]) {
         // Five decimals are known.
         assert!((floor.peak_m_s2() / freestand::G0_M_S2 - expected).abs() < 5.1e-6);
+    }
+}
+
+/// Ten equal storeys under El Centro, against the matrices integrated in time by `validation/building/mdof.py`: floors 1
+/// and 5, half-way to floor 6, and the roof.
+#[test]
+fn a_shear_building_under_el_centro() {
+    use freestand::building::{Building, Damping, Storey, floor_peaks};
+    let Some(shared) = shared() else { return };
+    let file = read(&shared.join("records/elCentro.AT2"), None, None);
+    let ground = file.components[0].motion.with_zero_tail(20.0).unwrap();
+    let stiffness_n_m = (std::f64::consts::PI / (std::f64::consts::PI / 42.0).sin()).powi(2);
+    let storeys = [Storey { mass_kg: 1.0, stiffness_n_m, height_m: 3.0 }; 10];
+    let uniform = Damping::Uniform(0.05);
+    let rayleigh = Damping::Rayleigh { damping_ratio: 0.05, modes: [1, 3] };
+    for (damping, modes, expected) in [
+        (&uniform, 10, [0.345_313, 0.477_988, 0.472_055, 0.724_285]),
+        (&rayleigh, 10, [0.345_821, 0.463_904, 0.464_624, 0.726_023]),
+        (&uniform, 3, [0.325_481, 0.468_446, 0.472_962, 0.695_534]),
+    ] {
+        let building = Building::shear(&storeys, damping, modes).unwrap();
+        assert!((building.period_s() - 1.0).abs() < 1e-13);
+        let peaks = floor_peaks(&ground, &building, &[0.1, 0.5, 0.55, 1.0]).unwrap();
+        for (peak, expected) in peaks.iter().zip(expected) {
+            // Six decimals are printed; the script's steps are good to 1e-7.
+            let pfa_g = peak.accel_m_s2 / freestand::G0_M_S2;
+            assert!((pfa_g - expected).abs() < 7e-7, "{damping:?}, {modes} modes: {pfa_g} and {expected}");
+        }
     }
 }

@@ -48,7 +48,13 @@ fn records() -> Option<(PathBuf, Vec<(Value, ReadOptions)>)> {
 }
 
 fn files(path: PathBuf, read: ReadOptions, component: Option<String>) -> MotionFiles {
-    MotionFiles { paths: vec![path], read, component, processing: Processing::default() }
+    MotionFiles {
+        paths: vec![path],
+        read,
+        component,
+        second: freestand_study::recorded::Second::None,
+        processing: Processing::default(),
+    }
 }
 
 #[track_caller]

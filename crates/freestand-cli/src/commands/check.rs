@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_study::building::{damping_words, model_words};
 use freestand_study::cushion::cushion_words;
 use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
-use freestand_study::study::{Ground, Study};
+use freestand_study::study::{BuildingInput, Ground, RecordedMotion, Study};
 use serde::Serialize;
 
 use super::Done;
@@ -33,12 +34,9 @@ struct CheckReport {
     path: Option<String>,
     ground: String,
     motions: Vec<MotionReport>,
-    storeys: usize,
-    building_height_m: f64,
-    period_s: f64,
-    damping_ratio: f64,
-    shear_flexure_ratio: f64,
-    modes: usize,
+    directions_deg: Vec<f64>,
+    #[serde(flatten)]
+    building: Option<BuildingReport>,
     levels: Vec<LevelReport>,
     heights_m: Vec<f64>,
     thicknesses_m: Vec<f64>,
@@ -50,6 +48,17 @@ struct CheckReport {
     tolerance_g: Option<f64>,
 }
 
+/// The building, where the motions of the floors are computed.
+#[derive(Debug, Serialize)]
+struct BuildingReport {
+    storeys: usize,
+    building_height_m: f64,
+    period_s: f64,
+    damping_ratio: Option<f64>,
+    shear_flexure_ratio: Option<f64>,
+    modes: usize,
+}
+
 #[derive(Debug, Serialize)]
 struct MotionReport {
     name: String,
@@ -58,17 +67,18 @@ struct MotionReport {
     sha256: String,
     dt_s: f64,
     npts: usize,
+    components: usize,
     pga_g: f64,
 }
 
 #[derive(Debug, Serialize)]
 struct LevelReport {
     name: String,
-    level_ratio: f64,
+    level_ratio: Option<f64>,
 }
 
 pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let overrides = Overrides { seed: global.seed, motions: None };
+    let overrides = Overrides { seed: global.seed, ..Overrides::default() };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
@@ -81,7 +91,7 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
 }
 
 fn report(study: &Study) -> CheckReport {
-    let (building, objects) = (&study.building, &study.objects);
+    let objects = &study.objects;
     let (ground, motions) = match &study.ground {
         Ground::Synthetic(synthetic) => {
             let spectrum = &synthetic.spectrum;
@@ -99,28 +109,19 @@ fn report(study: &Study) -> CheckReport {
             (text, Vec::new())
         }
         Ground::Recorded(recorded) => {
-            let motions = recorded.iter().map(|one| MotionReport {
-                name: one.name.clone(),
-                path: path_text(&one.path),
-                description: one.description.clone(),
-                sha256: one.sha256.clone(),
-                dt_s: one.motion.dt_s(),
-                npts: one.motion.accel_m_s2().len(),
-                pga_g: one.motion.peak_m_s2() / freestand::G0_M_S2,
-            });
-            (format!("{} recorded motions", recorded.len()), motions.collect())
+            (format!("{} recorded motions", recorded.len()), recorded.iter().map(motion_report).collect())
+        }
+        Ground::OnFloors => {
+            let motions: Vec<MotionReport> = study.ground.recorded(&study.levels).map(motion_report).collect();
+            (format!("none: {} motions of floors are given", motions.len()), motions)
         }
     };
     CheckReport {
         path: study.source.as_deref().map(path_text),
         ground,
         motions,
-        storeys: building.storeys,
-        building_height_m: building.storeys as f64 * building.storey_height_m,
-        period_s: building.beam.period_s(),
-        damping_ratio: building.beam.damping_ratio(),
-        shear_flexure_ratio: building.beam.shear_flexure_ratio(),
-        modes: building.beam.modes().len(),
+        directions_deg: study.directions_deg.clone(),
+        building: study.building.as_ref().map(building_report),
         levels: study
             .levels
             .iter()
@@ -137,6 +138,30 @@ fn report(study: &Study) -> CheckReport {
     }
 }
 
+fn motion_report(one: &RecordedMotion) -> MotionReport {
+    MotionReport {
+        name: one.name.clone(),
+        path: path_text(&one.path),
+        description: one.description.clone(),
+        sha256: one.sha256.clone(),
+        dt_s: one.motion.dt_s(),
+        npts: one.motion.accel_m_s2().len(),
+        components: if one.across.is_some() { 2 } else { 1 },
+        pga_g: one.motion.peak_m_s2() / freestand::G0_M_S2,
+    }
+}
+
+fn building_report(building: &BuildingInput) -> BuildingReport {
+    BuildingReport {
+        storeys: building.storeys,
+        building_height_m: building.height_m,
+        period_s: building.along.period_s(),
+        damping_ratio: building.along.damping_ratio(),
+        shear_flexure_ratio: building.along.shear_flexure_ratio(),
+        modes: building.along.modes().len(),
+    }
+}
+
 fn text(study: &Study, report: &CheckReport) -> String {
     let length = |value: f64| format_si(value, Dimension::Length);
     let range = |values: &[f64]| match (values.first(), values.last()) {
@@ -146,24 +171,27 @@ fn text(study: &Study, report: &CheckReport) -> String {
         (Some(&only), _) => length(only),
         _ => "-".to_owned(),
     };
-    let levels: Vec<String> =
-        report.levels.iter().map(|level| format!("{} (x = {})", level.name, level.level_ratio)).collect();
+    let levels: Vec<String> = report
+        .levels
+        .iter()
+        .map(|level| level.name.clone() + &level.level_ratio.map_or_else(String::new, |x| format!(" (x = {x})")))
+        .collect();
     let source = study.source.as_deref().map_or_else(|| "built-in".to_owned(), |path: &Path| path_text(path));
     let mut rows = vec![("study", format!("{source}: valid")), ("ground", report.ground.clone())];
     for one in &report.motions {
         rows.push(("", format!("{}: {}, PGA {} g", one.name, one.description, significant(one.pga_g, 4))));
     }
-    rows.push(("building", format!("{} storeys, {} high", report.storeys, length(report.building_height_m))));
-    rows.push(("period", format!("{} s: {}", significant(report.period_s, 4), study.building.period_note)));
-    rows.push((
-        "beam",
-        format!(
-            "damping {} %, shear-flexure {}, {} modes",
-            significant(100.0 * report.damping_ratio, 3),
-            report.shear_flexure_ratio,
-            report.modes
-        ),
-    ));
+    if let (Some(building), Some(input)) = (&report.building, &study.building) {
+        rows.push(("building", format!("{} storeys, {} high", building.storeys, length(building.building_height_m))));
+        rows.push(("period", format!("{} s: {}", significant(building.period_s, 4), input.period_note)));
+        rows.push((
+            "building",
+            format!("{}, damping {}, {} modes", model_words(&input.along), damping_words(&input.along), building.modes),
+        ));
+    }
+    if report.directions_deg.len() > 1 {
+        rows.push(("directions", format!("{} over half a circle, the worst counts", report.directions_deg.len())));
+    }
     rows.push(("levels", levels.join(", ")));
     rows.push(("heights", range(&report.heights_m)));
     rows.push(("thicknesses", range(&report.thicknesses_m)));

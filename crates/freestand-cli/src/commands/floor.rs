@@ -72,8 +72,8 @@ struct FloorReport {
     motion: String,
     processing: Vec<String>,
     building_height_m: f64,
-    damping_ratio: f64,
-    shear_flexure_ratio: f64,
+    damping_ratio: Option<f64>,
+    shear_flexure_ratio: Option<f64>,
     pga_g: f64,
     modes: Vec<ModeReport>,
     levels: Vec<LevelReport>,
@@ -83,7 +83,7 @@ struct FloorReport {
 struct ModeReport {
     period_s: f64,
     participation_ratio: f64,
-    effective_mass_ratio: f64,
+    effective_mass_ratio: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -124,7 +124,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         None => fundamental_period_s(args.frame.unwrap_or(FrameKind::Other), building_height_m)
             .map_err(|error| wrong(error.to_string()))?,
     };
-    let beam = Building::new(period_s, damping.unwrap_or(0.05), shear_flexure.unwrap_or(5.0), args.modes)
+    let beam = Building::beam(period_s, damping.unwrap_or(0.05), shear_flexure.unwrap_or(5.0), args.modes)
         .map_err(|error| wrong(error.to_string()))?;
     let read = args.read.read_one(&args.motion)?;
     let ground = &with_tail(&read.motion.motion, tail_s)?;
@@ -209,7 +209,7 @@ fn text(report: &FloorReport) -> String {
                 (i + 1).to_string(),
                 significant(mode.period_s, 4),
                 significant(mode.participation_ratio, 4),
-                significant(mode.effective_mass_ratio, 4),
+                mode.effective_mass_ratio.map_or_else(|| "-".to_owned(), |ratio| significant(ratio, 4)),
             ]
         })
         .collect();

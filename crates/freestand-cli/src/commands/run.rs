@@ -2,15 +2,18 @@
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::sync::Mutex;
 use std::time::Instant;
 
-use clap::Args;
+use clap::{ArgAction, Args};
 use freestand_study::output::OutputFolder;
 use freestand_study::outputs::{expected_names, write_outputs};
+use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
+use freestand_study::vary::{Sensitivity, VariedLevel, Wish, parse_wish, usual_wishes, vary};
 use serde_json::Value;
 
 use super::Done;
@@ -18,7 +21,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, significant, table};
-use crate::reading::ReadArgs;
+use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
 use crate::values::Values;
 
@@ -32,7 +35,12 @@ Examples:
     freestand run --dump-study > study.toml
     freestand run study.toml --out results
   The built-in study under a record of your own:
-    freestand run --motion record.AT2 --out results")]
+    freestand run --motion record.AT2 --out results
+  What the result owes to each assumption, or to those named:
+    freestand run --vary
+    freestand run study.toml --vary \"damping = 2 %, 10 %\" --vary site
+  Both horizontal components, objects tried in every direction:
+    freestand run --motion record.V2 --components both --rotation-step \"10 deg\" --out results")]
 pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
@@ -42,8 +50,14 @@ pub(crate) struct RunArgs {
     motion: Vec<PathBuf>,
     #[command(flatten)]
     read: ReadArgs,
+    #[command(flatten)]
+    second: SecondArgs,
+    /// Run the study again with one value changed at a time: damping, period, shear_flexure, seed and site over their usual
+    /// values, or those that are named, such as "damping = 2 %, 10 %"
+    #[arg(long, value_name = "KEY[= VALUE, …]", num_args = 0.., action = ArgAction::Append, allow_hyphen_values = false)]
+    vary: Option<Vec<String>>,
     /// Print the built-in study as TOML, ready to edit
-    #[arg(long, conflicts_with_all = ["study", "motion"])]
+    #[arg(long, conflicts_with_all = ["study", "motion", "vary"])]
     dump_study: bool,
 }
 
@@ -53,6 +67,12 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
             let keys = keys.replace('-', "_");
             format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
         })?;
+        if args.second.names_records() {
+            return Err(Failure::usage(
+                "--components and --across need records",
+                "name them with --motion, or write components or across beside motions in the study's [ground]",
+            ));
+        }
     }
     if args.dump_study {
         return dump_study(global, printer);
@@ -67,9 +87,14 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     }
     let start = Instant::now();
     let mut values = Values::default();
-    let motions = (!args.motion.is_empty()).then(|| args.read.files(&args.motion, &mut values));
+    let motions = (!args.motion.is_empty()).then(|| MotionFiles {
+        second: args.second.second(args.motion.len(), &mut values),
+        ..args.read.files(&args.motion, &mut values)
+    });
+    let rotation_step_deg = args.second.rotation_step_deg(&mut values);
+    let wishes = args.vary.as_ref().map(|texts| wishes(texts, &mut values));
     values.finish()?;
-    let overrides = Overrides { seed: global.seed, motions };
+    let overrides = Overrides { seed: global.seed, motions, rotation_step_deg };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
@@ -78,14 +103,27 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = Stop::listen();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?;
-    folder.check(&expected_names(&study))?;
+    folder.check(&expected_names(&study, wishes.is_some()))?;
 
     let bar = printer.progress_bar(false);
-    let result = run_study(&study, &|step: Step| {
+    let variation = Mutex::new(String::new());
+    let progress = |step: Step| {
         bar.set_length(step.total as u64);
         bar.set_position(step.done as u64);
-        bar.set_message(step.stage);
+        let variation = variation.lock().map_or_else(|_| String::new(), |words| words.clone());
+        bar.set_message(if variation.is_empty() { step.stage.to_owned() } else { variation });
         if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let tell = |index: usize, count: usize, words: &str| {
+        if let Ok(mut variation) = variation.lock() {
+            *variation = format!("variation {} of {count}: {words}", index + 1);
+        }
+    };
+    let result = run_study(&study, &progress).and_then(|mut result| {
+        if let Some(wishes) = &wishes {
+            result.sensitivity = Some(vary(&study, &result, wishes, &overrides, &tell, &progress)?);
+        }
+        Ok(result)
     });
     if stop.wanted() {
         bar.finish_and_clear();
@@ -104,11 +142,56 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     }
     printer.result(freestand_study::summary::SCHEMA, &body, &result.warnings, || {
         let files = written.files.iter().filter(|name| !name.contains('/')).count();
-        text(&levels, result.ground.len(), start.elapsed().as_secs_f64())
+        text(&levels, result.motions.len(), start.elapsed().as_secs_f64())
+            + &result.sensitivity.as_ref().map_or_else(String::new, sensitivity_text)
             + &format!("{files} files and motions/ in {}\n", out.display())
     })?;
+    let varied = result.sensitivity.iter().flat_map(|sensitivity| &sensitivity.rows);
+    let failed = failed + varied.filter(|row| row.reason.is_some()).count();
     let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
     Ok(Done { criterion_met: failed == 0 && !exceeded })
+}
+
+/// What is to be varied: what is named, or the usual.
+fn wishes(texts: &[String], values: &mut Values) -> Vec<Wish> {
+    if texts.is_empty() {
+        return usual_wishes();
+    }
+    texts.iter().filter_map(|text| values.keep("--vary", parse_wish(text))).collect()
+}
+
+/// The variations of the highest level; vary.csv has all.
+fn sensitivity_text(sensitivity: &Sensitivity) -> String {
+    let height = |row: &VariedLevel| row.level_ratio.unwrap_or(-1.0);
+    let Some(highest) = sensitivity.rows.iter().max_by(|a, b| height(a).total_cmp(&height(b))) else {
+        return String::new();
+    };
+    let rows: Vec<Vec<String>> = sensitivity
+        .rows
+        .iter()
+        .filter(|row| row.level == highest.level)
+        .map(|row| {
+            let changed = match &row.reason {
+                _ if row.value.is_empty() => "as it is".to_owned(),
+                None => format!("{} = {}", row.parameter, row.value),
+                Some(reason) => format!("{} = {}: {reason}", row.parameter, row.value),
+            };
+            vec![
+                changed,
+                optional(row.pfa_g_median, 3, ""),
+                row.overturned_share.map_or_else(|| "-".to_owned(), |share| format!("{:.1} %", 100.0 * share)),
+                optional(row.edge_acceleration_g_median, 3, ""),
+                optional(row.edge_acceleration_ratio, 3, ""),
+            ]
+        })
+        .collect();
+    let headings = ["changed", "median PFA g", "overturned", "largest median shock g", "shock ratio"];
+    let mut text = format!("\n{}, one value changed at a time:\n{}", highest.level, table(&headings, &rows));
+    for reason in &sensitivity.left_out {
+        text.push_str(reason);
+        text.push('\n');
+    }
+    text
 }
 
 /// The built-in study as a text, with the seed of `--seed`.

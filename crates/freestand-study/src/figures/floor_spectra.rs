@@ -1,12 +1,11 @@
 //! Acceleration spectra of the ground and of each floor.
 
-use freestand::oscillator::ResponseSpectrum;
 use kuva::plot::BandPlot;
 use kuva::render::annotations::ReferenceLine;
 use kuva::render::layout::TickFormat;
 use kuva::render::plots::Plot;
 
-use crate::result::StudyResult;
+use crate::result::{PseudoSpectrum, StudyResult};
 use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::{Ground, Study};
 
@@ -24,10 +23,10 @@ const TARGET_DASH: &str = "8 6";
 
 /// Spectra of the ground, with the target where there is one, and of each level.
 pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
-    let ground: Vec<&ResponseSpectrum> = result.ground.iter().map(|g| &g.spectrum).collect();
+    let ground: Vec<&PseudoSpectrum> = result.ground.iter().map(|g| &g.spectrum).collect();
     let target = match &study.ground {
         Ground::Synthetic(synthetic) => Some(&synthetic.spectrum),
-        Ground::Recorded(_) => None,
+        Ground::Recorded(_) | Ground::OnFloors => None,
     };
     let target = target.and_then(|code| {
         let periods = &ground.first()?.periods_s;
@@ -35,15 +34,18 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
         Some(points)
     });
     let modes: Vec<f64> = result.modes.iter().take(MARKED_MODES).map(freestand::building::Mode::period_s).collect();
-    let mut panels = vec![panel("ground", &ground, target.as_deref(), &[])];
+    let mut panels = Vec::new();
+    if !ground.is_empty() {
+        panels.push(panel("ground", &ground, target.as_deref(), &[]));
+    }
     for level in &result.levels {
         let spectra: Vec<_> = level.spectra.iter().collect();
-        let modes: &[f64] = if level.level.level_ratio > 0.0 { &modes } else { &[] };
+        let modes: &[f64] = if level.level.level_ratio != Some(0.0) { &modes } else { &[] };
         panels.push(panel(&level.level.name, &spectra, None, modes));
     }
     let columns = columns(panels.len());
     let mut legend = Vec::new();
-    let n = ground.len();
+    let n = result.motions.len();
     if n > MOST_LINES {
         legend.push(Entry { sign: Sign::Band, words: "16–84 % of motions".into() });
     } else if n > 1 {
@@ -59,12 +61,19 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     }
     Page {
         name: FigureKind::FloorSpectra.name(),
-        title: "Acceleration spectra of the ground and the floors".into(),
-        caption:
-            "Pseudo-spectral acceleration at 5 % damping against period, the ground and each floor on a scale of its \
-                  own. T₁, T₂, T₃ are the building’s periods. Free-standing objects have no period of their own: the \
-                  spectra show what the building does to the motion, they do not give the rocking."
-                .into(),
+        title: if ground.is_empty() {
+            "Acceleration spectra of the floors"
+        } else {
+            "Acceleration spectra of the ground and the floors"
+        }
+        .into(),
+        caption: format!(
+            "Pseudo-spectral acceleration at 5 % damping against period{}, each panel on a scale of its own. {}Free-standing \
+             objects have no period of their own: the spectra show what the building does to the motion, they do not give \
+             the rocking.",
+            if study.directions_deg.len() > 1 { ", the largest over all horizontal directions (RotD100)" } else { "" },
+            if modes.is_empty() { "" } else { "T₁, T₂, T₃ are the building’s periods. " },
+        ),
         row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],
         panels,
         columns,
@@ -72,7 +81,7 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     }
 }
 
-fn panel(name: &str, spectra: &[&ResponseSpectrum], target: Option<&[(f64, f64)]>, modes: &[f64]) -> Panel {
+fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>, modes: &[f64]) -> Panel {
     let curves: Vec<Vec<(f64, f64)>> = spectra.iter().map(|s| points(s)).collect();
     let [low, median, high] = quantiles(&curves);
     let mut plots: Vec<Plot> = Vec::new();
@@ -117,7 +126,7 @@ fn decades() -> TickFormat {
     }))
 }
 
-fn points(spectrum: &ResponseSpectrum) -> Vec<(f64, f64)> {
+fn points(spectrum: &PseudoSpectrum) -> Vec<(f64, f64)> {
     let pairs = spectrum.periods_s.iter().zip(&spectrum.psa_m_s2);
     pairs.filter(|&(&t, a)| t > 0.0 && a.is_finite()).map(|(&t, &a)| (t, in_g(a))).collect()
 }

@@ -16,6 +16,7 @@ mod response_spectrum;
 mod shock_spectrum;
 mod style;
 mod time;
+mod vary;
 
 use rayon::prelude::*;
 use thiserror::Error;
@@ -61,6 +62,8 @@ pub enum FigureKind {
     History,
     /// A recorded ground motion, counted from 0.
     Record(usize),
+    /// What the result owes to each assumption.
+    Vary,
 }
 
 /// Recorded ground motions that a study draws; with more of them, the first.
@@ -76,6 +79,7 @@ impl FigureKind {
             Self::FloorSpectra => "floor_spectra".to_owned(),
             Self::History => "history".to_owned(),
             Self::Record(index) => format!("record_{:02}", index + 1),
+            Self::Vary => "vary".to_owned(),
         }
     }
 }
@@ -97,7 +101,7 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     if !result.levels.is_empty() {
         kinds.extend([FigureKind::Urs, FigureKind::Srs, FigureKind::Overturning]);
     }
-    if !result.ground.is_empty() {
+    if !result.motions.is_empty() {
         kinds.push(FigureKind::FloorSpectra);
     }
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {
@@ -105,6 +109,9 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     }
     if let Ground::Recorded(records) = &study.ground {
         kinds.extend((0..records.len().min(MOST_RECORDS)).map(FigureKind::Record));
+    }
+    if result.sensitivity.as_ref().is_some_and(|sensitivity| sensitivity.rows.len() > result.levels.len()) {
+        kinds.push(FigureKind::Vary);
     }
     kinds
 }
@@ -123,6 +130,14 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
             figure: kind.name(),
             reason: "no object uplifted, so there is no history".into(),
         })?,
+        FigureKind::Vary => {
+            let levels: Vec<String> = study.levels.iter().map(|level| level.name.clone()).collect();
+            let sensitivity = result
+                .sensitivity
+                .as_ref()
+                .ok_or_else(|| FigureError { figure: kind.name(), reason: "nothing was varied".into() })?;
+            vary::vary(sensitivity, &levels)
+        }
         FigureKind::Record(index) => match &study.ground {
             Ground::Recorded(records) if index < records.len() => study_record(index, &records[index]),
             _ => {

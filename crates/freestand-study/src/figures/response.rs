@@ -119,7 +119,7 @@ const OVERTURNED_WORDS: &str = "Where the median falls among the overturned the 
      a row for each thickness with its sign at the left; nothing is extrapolated.";
 
 fn median_words(result: &StudyResult) -> String {
-    match result.ground.len() {
+    match result.motions.len() {
         1 => "one motion, one curve for each thickness".into(),
         n => format!(
             "the median over {n} motions, one curve for each thickness, with the band from 16 to 84 % as far as both \
@@ -162,7 +162,7 @@ fn spectra(
         legend.push(Entry { sign, words: "uplift ceiling".into() });
     }
     legend.push(Entry { sign: Sign::Cross, words: "median overturned".into() });
-    let title = match result.ground.len() {
+    let title = match result.motions.len() {
         1 => title.to_owned(),
         n => format!("{title}: median of {n} motions"),
     };
@@ -177,7 +177,7 @@ fn grid(panels: usize, height_px: f64) -> (usize, Vec<f64>) {
 }
 
 fn with_bands(study: &Study, result: &StudyResult) -> bool {
-    result.ground.len() > 1 && thicknesses(study).len() <= MOST_BANDS
+    result.motions.len() > 1 && thicknesses(study).len() <= MOST_BANDS
 }
 
 fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: &str) -> Panel {

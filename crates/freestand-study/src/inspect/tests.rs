@@ -21,7 +21,13 @@ fn request(folder: &Path, files: &[(&str, &str)]) -> InfoRequest {
         })
         .collect();
     InfoRequest {
-        files: MotionFiles { paths, read: ReadOptions::default(), component: None, processing: Processing::default() },
+        files: MotionFiles {
+            paths,
+            read: ReadOptions::default(),
+            component: None,
+            second: crate::recorded::Second::None,
+            processing: Processing::default(),
+        },
         block: None,
         keep_motions: false,
     }
@@ -126,6 +132,7 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
         scale_target: None,
         processing: Vec::new(),
         motion: Motion::new(dt_s, accel).unwrap(),
+        across: None,
     };
     ReadMotion { motion, notes: Vec::new(), start_note: None, unit: "m/s2" }
 }

@@ -13,7 +13,13 @@ fn request(folder: &std::path::Path, files: &[(&str, &str)]) -> PairFiles {
         path
     });
     let (read, processing) = (ReadOptions::default(), Processing::default());
-    let files = MotionFiles { paths: written.collect(), read, component: None, processing };
+    let files = MotionFiles {
+        paths: written.collect(),
+        read,
+        component: None,
+        second: crate::recorded::Second::None,
+        processing,
+    };
     PairFiles { files, components: None }
 }
 

@@ -3,6 +3,8 @@
 mod at2;
 mod bhrc;
 mod binary;
+mod building;
+mod cells;
 mod columns;
 mod cosmos;
 mod csmip;
@@ -45,6 +47,7 @@ mod usc;
 mod volumes;
 mod write;
 
+pub(crate) use building::{load_table, read_modes, read_storeys};
 pub(crate) use cushion_curve::load_curve;
 pub(crate) use damage_points::{DamageRow, load_damage_points};
 pub use direction::Direction;
@@ -52,7 +55,7 @@ pub(crate) use found::check_step;
 pub(crate) use lines::load;
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};
-pub use write::{write_at2, write_csv};
+pub use write::{write_at2, write_csv, write_pair_csv};
 
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::input::InputFile;

@@ -24,6 +24,30 @@ pub fn write_csv(motion: &Motion) -> String {
     out
 }
 
+/// Two components of one length and step: `time_s,along_m_s2,across_m_s2`, numbers as in [`write_csv`].
+///
+/// # Example
+/// ```
+/// use freestand::motion::Motion;
+/// let (along, across) = (Motion::new(0.5, vec![0.0, -2.5])?, Motion::new(0.5, vec![1.0, 0.0])?);
+/// let text = freestand_study::records::write_pair_csv(&along, &across);
+/// assert_eq!(text, "time_s,along_m_s2,across_m_s2\n0,0,1\n0.5,-2.5,0\n");
+/// # Ok::<(), freestand::motion::MotionError>(())
+/// ```
+pub fn write_pair_csv(along: &Motion, across: &Motion) -> String {
+    let mut out = String::with_capacity(48 * (along.accel_m_s2().len() + 1));
+    out.push_str("time_s,along_m_s2,across_m_s2\n");
+    for (i, (first, second)) in along.accel_m_s2().iter().zip(across.accel_m_s2()).enumerate() {
+        push_shortest(&mut out, i as f64 * along.dt_s());
+        out.push(',');
+        push_shortest(&mut out, *first);
+        out.push(',');
+        push_shortest(&mut out, *second);
+        out.push('\n');
+    }
+    out
+}
+
 /// PEER AT2 in g: four header lines, five values a line.
 ///
 /// # Limitation

@@ -1,11 +1,13 @@
 //! What went in, with units.
 
 use freestand::G0_M_S2;
+use freestand::building::Model;
 use freestand::synthesis;
 
+use crate::building::{damping_words, model_words};
 use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
-use crate::study::{Ground, RecordedMotion, Study, SyntheticGround};
+use crate::study::{BuildingInput, Ground, RecordedMotion, Study, SyntheticGround};
 use crate::summary::{accuracy_words, restitution_words};
 use crate::words::{fixed, number, percent};
 
@@ -16,10 +18,21 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     let mut html = heading("Ground motions");
     match &study.ground {
         Ground::Synthetic(synthetic) => html.push_str(&synthetic_ground(synthetic, result)),
-        Ground::Recorded(records) => html.push_str(&recorded_ground(records, result)),
+        Ground::Recorded(records) => {
+            html.push_str(&recorded_motions("Recorded motions, as they are used", &records.iter().collect::<Vec<_>>()));
+        }
+        Ground::OnFloors => html.push_str(&paragraph("None: the motions of the floors are given.")),
     }
-    html.push_str(&heading("Building"));
-    html.push_str(&building(study, result));
+    if let Some(input) = &study.building {
+        html.push_str(&heading("Building"));
+        html.push_str(&building(study, input, result));
+    } else {
+        html.push_str(&heading("Floor motions"));
+        for level in &study.levels {
+            let caption = format!("Given motions of the level {}, as they are used", level.name);
+            html.push_str(&recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>()));
+        }
+    }
     html.push_str(&heading("Objects"));
     html.push_str(&objects(study));
     html
@@ -86,7 +99,7 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
     html
 }
 
-fn recorded_ground(records: &[RecordedMotion], result: &StudyResult) -> String {
+fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
     let headings = vec![vec![
         words("Motion"),
         words("File"),
@@ -112,16 +125,16 @@ fn recorded_ground(records: &[RecordedMotion], result: &StudyResult) -> String {
             ]
         })
         .collect();
-    let mut html = table("Recorded motions, as they are used", &headings, &rows);
+    let mut html = table(caption, &headings, &rows);
     html.push_str(&processing(records));
-    if result.ground.len() < 7 {
+    if records.len() < 7 {
         html.push_str(&paragraph("The fractiles of so few motions are coarse."));
     }
     html
 }
 
 /// What was done to each motion, where anything was.
-fn processing(records: &[RecordedMotion]) -> String {
+fn processing(records: &[&RecordedMotion]) -> String {
     let rows: Vec<_> = records
         .iter()
         .filter(|record| !record.processing.is_empty())
@@ -133,38 +146,36 @@ fn processing(records: &[RecordedMotion]) -> String {
     table("What was done to them, in this order", &[vec![words("Motion"), words("Processing")]], &rows)
 }
 
-fn building(study: &Study, result: &StudyResult) -> String {
-    let building = &study.building;
-    let beam = &building.beam;
-    let height_m = building.storeys as f64 * building.storey_height_m;
+fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> String {
+    let beam = &building.along;
+    let height_m = building.height_m;
+    let storeys = match building.storey_height_m {
+        Some(storey_m) => {
+            format!("{} of {} m, {} m in all", building.storeys, number(storey_m, 4), number(height_m, 5))
+        }
+        None => format!("{}, {} m in all", building.storeys, number(height_m, 5)),
+    };
+    let across = building.across.as_ref().map_or_else(String::new, |across| {
+        let note = building.across_note.as_deref().unwrap_or_default();
+        let (model, period) = (model_words(across), number(across.period_s(), 4));
+        format!("{model}; T₁ = {period} s: {note}; damping {}", damping_words(across))
+    });
     let mut html = properties(
         "",
         &[
-            ("Model", "uniform shear-flexure beam (Miranda and Taghavi 2005), linear".to_owned()),
-            (
-                "Storeys",
-                format!(
-                    "{} of {} m, {} m in all",
-                    building.storeys,
-                    number(building.storey_height_m, 4),
-                    number(height_m, 5)
-                ),
-            ),
+            ("Model", format!("{}, linear", model_words(beam))),
+            ("Storeys", storeys),
             ("Fundamental period T₁", format!("{} s: {}", number(beam.period_s(), 4), building.period_note)),
-            ("Damping, every mode", percent(beam.damping_ratio(), 1)),
-            ("α₀ = H√(GA/EI)", number(beam.shear_flexure_ratio(), 4)),
+            ("Damping", damping_words(beam)),
+            ("Second axis", across),
             (
                 "Levels",
                 study
                     .levels
                     .iter()
                     .map(|l| {
-                        format!(
-                            "{} at {} m (z/H = {})",
-                            l.name,
-                            number(l.level_ratio * height_m, 4),
-                            number(l.level_ratio, 3)
-                        )
+                        let ratio = l.level_ratio.unwrap_or(1.0);
+                        format!("{} at {} m (z/H = {})", l.name, number(ratio * height_m, 4), number(ratio, 3))
                     })
                     .collect::<Vec<_>>()
                     .join("; "),
@@ -178,23 +189,28 @@ fn building(study: &Study, result: &StudyResult) -> String {
         figure("Effective mass"),
         figure("Sum"),
     ]];
-    let mut sum = 0.0;
+    let mut sum = Some(0.0);
     let rows: Vec<_> = result
         .modes
         .iter()
         .enumerate()
         .map(|(i, mode)| {
-            sum += mode.effective_mass_ratio();
+            sum = sum.zip(mode.effective_mass_ratio()).map(|(sum, mass)| sum + mass);
+            let share = |ratio: Option<f64>| ratio.map_or_else(|| "–".to_owned(), |ratio| percent(ratio, 1));
             vec![
                 figure((i + 1).to_string()),
                 figure(fixed(mode.period_s(), 3)),
                 figure(fixed(mode.participation_ratio(), 3)),
-                figure(percent(mode.effective_mass_ratio(), 1)),
-                figure(percent(sum, 1)),
+                figure(share(mode.effective_mass_ratio())),
+                figure(share(sum)),
             ]
         })
         .collect();
-    html.push_str(&table("Modes (shapes are 1 at the roof)", &headings, &rows));
+    let title = match beam.model() {
+        Model::Table { .. } => "Modes (shapes as in the table)",
+        Model::Beam { .. } | Model::Shear { .. } => "Modes (shapes are 1 at the roof)",
+    };
+    html.push_str(&table(title, &headings, &rows));
     html
 }
 

@@ -6,6 +6,7 @@ mod overview;
 mod provenance;
 mod reading;
 mod results;
+mod sensitivity;
 
 use std::fmt::Write;
 
@@ -22,6 +23,7 @@ pub use provenance::{Provenance, provenance};
 pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenance: &Provenance) -> String {
     let sections = [
         ("results", "Results", results::results(study, result, figures)),
+        ("sensitivity", "What the result owes to its assumptions", sensitivity::sensitivity(result)),
         ("paper", "Beside the paper", reading::beside_the_paper(study, result)),
         ("inputs", "Inputs", inputs::inputs(study, result)),
         ("assumptions", "Assumptions", reading::assumptions(study)),
@@ -29,6 +31,7 @@ pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenanc
         ("errata", "Corrections to the paper", reading::errata()),
         ("provenance", "Provenance", provenance::provenance_section(study, provenance)),
     ];
+    let sections = sections.into_iter().filter(|(_, _, content)| !content.is_empty()).collect::<Vec<_>>();
     let mut document = String::from(
         "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" />\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n",

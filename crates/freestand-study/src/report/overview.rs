@@ -24,6 +24,10 @@ pub(super) fn title(study: &Study) -> String {
             format!("Free-standing objects under the motion {}", records[0].name)
         }
         Ground::Recorded(records) => format!("Free-standing objects under {} recorded motions", records.len()),
+        Ground::OnFloors => match &study.levels[..] {
+            [level] => format!("Free-standing objects on a floor whose motion is given: {}", level.name),
+            levels => format!("Free-standing objects on {} floors whose motions are given", levels.len()),
+        },
     }
 }
 
@@ -64,26 +68,32 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
     let objects = &study.objects;
     let histories: usize = levels.iter().map(|level| level.histories).sum();
     let failed: usize = levels.iter().map(|level| level.failed).sum();
-    let kind = match (&study.ground, result.ground.len()) {
+    let kind = match (&study.ground, result.motions.len()) {
         (Ground::Synthetic(_), 1) => "one synthetic ground motion".to_owned(),
         (Ground::Synthetic(_), n) => format!("{n} synthetic ground motions"),
         (Ground::Recorded(_), 1) => "one recorded ground motion".to_owned(),
         (Ground::Recorded(_), n) => format!("{n} recorded ground motions"),
+        (Ground::OnFloors, 1) => "one given floor motion".to_owned(),
+        (Ground::OnFloors, n) => format!("{n} given floor motions each"),
     };
     let failed = match failed {
         0 => "all of them could be followed to their end".to_owned(),
         n => format!("{n} of them failed and are left out of the statistics"),
     };
     format!(
-        "{} objects ({} heights × {} thicknesses, {} kg, {} under an edge) stood on {} of a {}-storey building under \
-         {kind}: {histories} rocking histories, {failed}.",
+        "{} objects ({} heights × {} thicknesses, {} kg, {} under an edge) stood on {}{} under {kind}{}: {histories} \
+         rocking histories, {failed}.",
         objects.blocks.len(),
         objects.heights_m.len(),
         objects.thicknesses_m.len(),
         number(objects.mass_kg, 6),
         cushion_words(&objects.cushion.cushion),
         if levels.len() == 1 { "one floor".to_owned() } else { format!("{} floors", levels.len()) },
-        study.building.storeys,
+        study.building.as_ref().map_or_else(String::new, |b| format!(" of a {}-storey building", b.storeys)),
+        match study.directions_deg.len() {
+            1 => String::new(),
+            n => format!(", each in {n} directions of which the worst counts"),
+        },
     )
 }
 
@@ -137,7 +147,7 @@ fn first_table(levels: &[LevelSummary]) -> String {
         .map(|level| {
             vec![
                 words(&level.level),
-                figure(number(level.level_ratio, 3)),
+                figure(level.level_ratio.map_or_else(|| "–".to_owned(), |ratio| number(ratio, 3))),
                 figure(fixed(level.pfa_g_median, 3)),
                 figure(level.histories.to_string()),
                 figure(level.failed.to_string()),

@@ -23,24 +23,24 @@ pub struct Provenance {
 
 /// The provenance of a study that this version runs.
 pub fn provenance(study: &Study) -> Provenance {
-    let (inputs, seed, generator) = match &study.ground {
-        Ground::Synthetic(synthetic) => {
-            (Vec::new(), Some(synthetic.seed), Some(freestand::synthesis::GENERATOR.to_owned()))
-        }
-        Ground::Recorded(records) => {
-            let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
-            let mut inputs: Vec<(String, String)> =
-                records.iter().map(|r| (name(&r.path).unwrap_or_else(|| r.name.clone()), r.sha256.clone())).collect();
-            for file in records.iter().flat_map(RecordedMotion::other_inputs) {
-                let input = (name(&file.path).unwrap_or_default(), file.sha256.clone());
-                // All records have one target, and those of a station one StationXML.
-                if !inputs.contains(&input) {
-                    inputs.push(input);
-                }
-            }
-            (inputs, None, None)
-        }
+    let (seed, generator) = match &study.ground {
+        Ground::Synthetic(synthetic) => (Some(synthetic.seed), Some(freestand::synthesis::GENERATOR.to_owned())),
+        Ground::Recorded(_) | Ground::OnFloors => (None, None),
     };
+    let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
+    let records: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
+    let mut inputs: Vec<(String, String)> =
+        records.iter().map(|r| (name(&r.path).unwrap_or_else(|| r.name.clone()), r.sha256.clone())).collect();
+    for file in records.iter().flat_map(|record| record.other_inputs()) {
+        let input = (name(&file.path).unwrap_or_default(), file.sha256.clone());
+        // All records have one target, and those of a station one StationXML.
+        if !inputs.contains(&input) {
+            inputs.push(input);
+        }
+    }
+    for (_, table) in study.building.iter().flat_map(|building| &building.tables) {
+        inputs.push((name(&table.file.path).unwrap_or_default(), table.file.sha256.clone()));
+    }
     Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         study_sha256: sha256_hex(study.toml.as_bytes()),

@@ -16,7 +16,9 @@ pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
          Earthquake”, Section V and Fig. 7: objects of 150 kg on 4380 N/mm in a generic 30-storey building, in a synthetic \
          500-year Melbourne earthquake on site class D.",
     );
-    let at = |wanted: f64| result.levels.iter().find(|level| (level.level.level_ratio - wanted).abs() < 0.02);
+    let at = |wanted: f64| {
+        result.levels.iter().find(|level| level.level.level_ratio.is_some_and(|ratio| (ratio - wanted).abs() < 0.02))
+    };
     let rows: Vec<Vec<Cell>> = [
         ("Edge shock at mid-height", "about 3.5 g", shock_words(at(0.5))),
         ("Edge shock at the roof", "up to 5 g", shock_words(at(1.0))),
@@ -46,10 +48,10 @@ fn is_the_papers_case(study: &Study) -> bool {
                 && s.spectrum.return_period_years() == 500
                 && (s.spectrum.kpz_g() - 0.08).abs() < 1e-9
         }
-        Ground::Recorded(_) => false,
+        Ground::Recorded(_) | Ground::OnFloors => false,
     };
     ground
-        && study.building.storeys == 30
+        && study.building.as_ref().is_some_and(|building| building.storeys == 30)
         && (study.objects.mass_kg - 150.0).abs() < 1e-6
         && study.objects.cushion.cushion.linear_stiffness_n_m().is_some_and(|k| (k - 4.38e6).abs() < 1.0)
 }
@@ -87,12 +89,21 @@ fn overturned_words(level: Option<&LevelResult>) -> String {
 /// What was assumed.
 pub(super) fn assumptions(study: &Study) -> String {
     let mut items = vec![
-        "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis, in the plane \
-         of the motion; look at an item about both of its axes.",
+        if study.directions_deg.len() > 1 {
+            "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis. The motion \
+             is turned through half a circle and the direction that is worst for the object counts, as if it stood that way; \
+             look at an item about both of its axes."
+        } else {
+            "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis, in the plane \
+             of the motion; look at an item about both of its axes."
+        },
         "It does not slide, bounce or twist, and meets no wall or neighbour. Warnings say where the friction would not do.",
         "The floor is rigid for the motion; the cushion enters the shock only, as a linear spring without damping.",
         "Only the horizontal motion acts; there is no vertical component.",
-        "The building is linear and elastic, uniform over its height, and does not feel the objects.",
+        match study.building {
+            Some(_) => "The building is linear and elastic, uniform over its height, and does not feel the objects.",
+            None => "The motions of the floors are taken as given.",
+        },
         "An impact takes no time; the share of the angular velocity that is left is the restitution r of the inputs, and the \
          landing ratio of the impact model is always that of Eq. (6).",
         "After the motion zeros follow until every object rests or has fallen.",

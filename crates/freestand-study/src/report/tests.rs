@@ -202,8 +202,12 @@ fn the_smallest_study_has_a_report_too() {
 #[test]
 fn many_levels_and_thicknesses_and_a_fall_are_drawn() {
     let mut study = fixture::study();
-    study.levels.insert(0, crate::study::Level { name: "ground floor".into(), level_ratio: 0.0 });
-    study.levels.insert(1, crate::study::Level { name: "quarter".into(), level_ratio: 0.25 });
+    study
+        .levels
+        .insert(0, crate::study::Level { name: "ground floor".into(), level_ratio: Some(0.0), motions: Vec::new() });
+    study
+        .levels
+        .insert(1, crate::study::Level { name: "quarter".into(), level_ratio: Some(0.25), motions: Vec::new() });
     study.objects.heights_m = vec![1.0, 1.25, 3.0];
     study.objects.thicknesses_m = (0..10).map(|i| 0.1 + 0.05 * f64::from(i)).collect();
     study.objects.blocks.clear();

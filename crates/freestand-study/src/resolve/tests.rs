@@ -1,5 +1,6 @@
 use super::*;
 use crate::processing::Processing;
+use crate::records::ReadOptions;
 
 fn problems(text: &str) -> Vec<String> {
     match resolve(text, Some(Path::new("s.toml")), Path::new("")) {
@@ -21,7 +22,7 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
     assert_eq!(nothing, dumped);
     assert_eq!(dumped.objects.blocks.len(), 130);
     assert_eq!(dumped.warnings, [] as [String; 0]);
-    assert!((dumped.building.beam.period_s() - 1.9166).abs() < 1e-3);
+    assert!((dumped.building.unwrap().along.period_s() - 1.9166).abs() < 1e-3);
     // Height by height, thickness by thickness within each.
     assert_eq!((dumped.objects.blocks[1].height_m(), dumped.objects.blocks[1].thickness_m()), (0.5, 0.3));
 }
@@ -131,9 +132,10 @@ fn recorded_motions_are_named_and_fingerprinted() {
         paths: vec![folder.path().join("quake one.csv")],
         read: ReadOptions::default(),
         component: None,
+        second: crate::recorded::Second::None,
         processing: Processing::default(),
     };
-    let study = builtin(&Overrides { seed: Some(7), motions: Some(files) }).unwrap();
+    let study = builtin(&Overrides { seed: Some(7), motions: Some(files), rotation_step_deg: None }).unwrap();
     assert!(matches!(study.ground, Ground::Recorded(motions) if motions.len() == 1));
 }
 
@@ -244,7 +246,7 @@ fn files_are_not_read_without_what_was_refused() {
 
 #[test]
 fn a_seed_of_the_command_line_wins() {
-    let study = builtin(&Overrides { seed: Some(7), motions: None }).unwrap();
+    let study = builtin(&Overrides { seed: Some(7), ..Overrides::default() }).unwrap();
     assert!(matches!(study.ground, Ground::Synthetic(ground) if ground.seed == 7));
 }
 

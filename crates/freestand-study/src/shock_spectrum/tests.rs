@@ -26,6 +26,7 @@ fn read(path: std::path::PathBuf) -> Vec<ReadMotion> {
         paths: vec![path],
         read: ReadOptions { is_shock: true, ..ReadOptions::default() },
         component: None,
+        second: crate::recorded::Second::None,
         processing: Processing::default(),
     };
     let (motions, failures) = read_recorded(&files);

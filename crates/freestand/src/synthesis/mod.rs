@@ -196,9 +196,9 @@ pub struct MatchedMotion {
 ///
 /// # Example
 /// ```
-/// use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass};
+/// use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 /// use freestand::synthesis::{SynthesisOptions, synthesize};
-/// let code = CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500)?;
+/// let code = As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500)?;
 /// let matched = synthesize(|period_s| code.sa_g(period_s), 1, 0, &SynthesisOptions::default())?;
 /// assert!(matched.misfit.rms_ratio < 0.05);
 /// assert!(matched.misfit.pga_g > matched.misfit.target_zpa_g); // the trap of the De shape

@@ -1,11 +1,11 @@
 use super::*;
 use crate::G0_M_S2;
-use crate::code_spectrum::{CodeSpectrum, Edition, SiteClass};
+use crate::code_spectrum::{As1170_4, Edition, SiteClass};
 use crate::measures::cumulative_trapezoid;
 use crate::oscillator::response_spectrum;
 
 fn melbourne_de(period_s: f64) -> f64 {
-    CodeSpectrum::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap().sa_g(period_s)
+    As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap().sa_g(period_s)
 }
 
 fn motion(index: u64) -> MatchedMotion {
@@ -78,7 +78,7 @@ fn a_motion_is_its_seed_and_index() {
 #[test]
 fn a_record_is_matched_with_its_own_step() {
     // The motion of rock, every second sample, brought to the spectrum of deep soil.
-    let rock = CodeSpectrum::new(Edition::default(), SiteClass::Be, 0.08, 500).unwrap();
+    let rock = As1170_4::new(Edition::default(), SiteClass::Be, 0.08, 500).unwrap();
     let rock = synthesize(|t| rock.sa_g(t), 1, 0, &SynthesisOptions::default()).unwrap().motion;
     let record = Motion::new(0.01, rock.accel_m_s2().iter().copied().step_by(2).collect()).unwrap();
     let unmatched = match_motion(&record, melbourne_de, 0).unwrap();

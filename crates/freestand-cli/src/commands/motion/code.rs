@@ -1,7 +1,7 @@
 //! `freestand motion code-spectrum`, and the arguments that call for a code's spectrum.
 
 use clap::{Args, ValueEnum};
-use freestand::code_spectrum::{CodeSpectrum, Edition, SiteClass, hazard_factor};
+use freestand::code_spectrum::{As1170_4, Edition, SiteClass, hazard_factor};
 use freestand_study::quantity::Dimension;
 use freestand_study::resolve::minimum_governs_warning;
 use freestand_study::tables::columns_csv;
@@ -49,7 +49,7 @@ enum CodeName {
 
 impl CodeArgs {
     /// The spectrum, and what must be said about it.
-    pub(crate) fn spectrum(&self) -> Result<(CodeSpectrum, Vec<String>), Failure> {
+    pub(crate) fn spectrum(&self) -> Result<(As1170_4, Vec<String>), Failure> {
         let CodeName::As1170_4 = self.code;
         let mut values = Values::default();
         let given = values.positive("--hazard-factor", self.hazard_factor.as_deref(), Dimension::Ratio);
@@ -63,7 +63,7 @@ impl CodeArgs {
             Problem::new(ProblemKind::Value, format!("{flag}: {error}")).hint("see the tables of AS 1170.4")
         };
         let site = SiteClass::parse(&self.site).map_err(|error| wrong("--site", error))?;
-        let spectrum = CodeSpectrum::new(Edition::default(), site, z, self.return_period)
+        let spectrum = As1170_4::new(Edition::default(), site, z, self.return_period)
             .map_err(|error| wrong("--return-period", error))?;
         Ok((spectrum, minimum_governs_warning(&spectrum).into_iter().collect()))
     }
@@ -80,8 +80,8 @@ pub(crate) struct CodeReport {
     minimum_kpz_governs: bool,
 }
 
-impl From<&CodeSpectrum> for CodeReport {
-    fn from(spectrum: &CodeSpectrum) -> Self {
+impl From<&As1170_4> for CodeReport {
+    fn from(spectrum: &As1170_4) -> Self {
         Self {
             code: spectrum.edition().name(),
             site: spectrum.site().name(),

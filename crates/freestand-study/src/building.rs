@@ -1,0 +1,255 @@
+//! Buildings: from periods or the tables of files to their modes, and back into words.
+
+use std::path::{Path, PathBuf};
+
+use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoubt, Model};
+
+use crate::error::{Problem, ProblemKind};
+use crate::input::InputFile;
+use crate::records::{load_table, read_modes, read_storeys};
+use crate::words::{number, percent};
+
+/// Modes that are kept where nobody says how many.
+pub const DEFAULT_MODES: usize = 10;
+
+/// What the modes of one axis come from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AxisModel {
+    /// A uniform shear-flexure beam.
+    Beam {
+        /// Fundamental period \[s\].
+        period_s: f64,
+        /// `α₀ = H √(GA/EI)`.
+        shear_flexure_ratio: f64,
+    },
+    /// A file with a row a storey: height, mass, stiffness.
+    StoreyTable(PathBuf),
+    /// A file with a row a mode: period, participation, the shape at the floors.
+    ModeTable(PathBuf),
+}
+
+/// One horizontal axis of a building, as it is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AxisRequest {
+    /// What its modes come from.
+    pub model: AxisModel,
+    /// Damping, where a table does not say it of a mode.
+    pub damping: Damping,
+    /// How many modes; `None`: [`DEFAULT_MODES`], or all that there are.
+    pub modes: Option<usize>,
+}
+
+/// One horizontal axis of a building.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Its modes.
+    pub building: Building,
+    /// Height of the roof \[m\], where a table says it.
+    pub height_m: Option<f64>,
+    /// The table.
+    pub table: Option<BuildingTable>,
+    /// What seems wrong with it.
+    pub warnings: Vec<String>,
+}
+
+/// A table that a building was read from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BuildingTable {
+    /// The key of a study that names it: `storey_table` or `mode_table`.
+    pub key: &'static str,
+    /// The file.
+    pub file: InputFile,
+    /// What stands in it.
+    pub text: Vec<u8>,
+}
+
+/// Makes the modes of an axis, reading its table.
+///
+/// # Errors
+/// A file that cannot be read or is no such table, with its line; values that make no building.
+pub fn axis(request: &AxisRequest) -> Result<Axis, Problem> {
+    match &request.model {
+        AxisModel::Beam { period_s, shear_flexure_ratio } => {
+            let modes = request.modes.unwrap_or(DEFAULT_MODES);
+            let building = Building::beam(*period_s, 0.0, *shear_flexure_ratio, modes)
+                .and_then(|building| building.with_damping(&request.damping))
+                .map_err(|error| refused(&error))?;
+            Ok(Axis { building, height_m: None, table: None, warnings: Vec::new() })
+        }
+        AxisModel::StoreyTable(path) => storeys(path, request).map_err(|problem| problem.in_file(path)),
+        AxisModel::ModeTable(path) => modes(path, request).map_err(|problem| problem.in_file(path)),
+    }
+}
+
+fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
+    let text = load_table(path)?;
+    let table = read_storeys(&text)?;
+    let modes = request.modes.unwrap_or_else(|| table.storeys.len().clamp(1, DEFAULT_MODES));
+    let building = Building::shear(&table.storeys, &request.damping, modes).map_err(|error| match error {
+        BuildingError::Storey { storey, .. } => at_row(refused(&error), &table.lines, storey),
+        _ => refused(&error),
+    })?;
+    let height_m = table.storeys.iter().map(|storey| storey.height_m).sum();
+    Ok(Axis {
+        building,
+        height_m: Some(height_m),
+        table: Some(BuildingTable { key: "storey_table", file: InputFile::new(path, &text), text }),
+        warnings: Vec::new(),
+    })
+}
+
+fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
+    let text = load_table(path)?;
+    let table = read_modes(&text)?;
+    let roof_m = table.heights_m.last().copied().unwrap_or(1.0);
+    let levels_ratio: Vec<f64> = table.heights_m.iter().map(|height_m| height_m / roof_m).collect();
+    let building =
+        Building::from_modes(&levels_ratio, &table.modes, &request.damping).map_err(|error| match error {
+            BuildingError::ModeValue { mode, .. } => at_row(refused(&error), &table.lines, mode),
+            BuildingError::ModeDamping { mode, .. } if table.modes.iter().any(|m| m.damping_ratio.is_some()) => {
+                at_row(refused(&error), &table.lines, mode)
+            }
+            _ => refused(&error),
+        })?;
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let warnings = building.doubts().into_iter().map(|doubt| format!("{name}: {}", doubt_words(doubt))).collect();
+    Ok(Axis {
+        building,
+        height_m: Some(roof_m),
+        table: Some(BuildingTable { key: "mode_table", file: InputFile::new(path, &text), text }),
+        warnings,
+    })
+}
+
+fn at_row(problem: Problem, lines: &[usize], row: usize) -> Problem {
+    match row.checked_sub(1).and_then(|index| lines.get(index)) {
+        Some(&line) => problem.at_line(line),
+        None => problem,
+    }
+}
+
+fn refused(error: &BuildingError) -> Problem {
+    let hint = match error {
+        BuildingError::Period { .. } => "check the units of mass and stiffness",
+        BuildingError::RayleighModes { .. } => "name two modes with rayleigh_modes, such as 1 and 3",
+        BuildingError::ModeDamping { .. } => {
+            "a ratio in percent needs the heading \"damping [%]\"; Rayleigh damping grows with the frequency: keep fewer \
+             modes, or name a higher one as the second"
+        }
+        BuildingError::ModeValue { what: "effective mass", .. } => {
+            "shares in percent need the heading \"effective mass [%]\""
+        }
+        BuildingError::Storeys { .. } => "put storeys together, or use the modes of your own model",
+        BuildingError::Modes { .. } => "a building has no more modes than storeys; few of them move the floors",
+        _ => "correct the value",
+    };
+    Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
+}
+
+fn doubt_words(doubt: ModalDoubt) -> String {
+    match doubt {
+        ModalDoubt::EffectiveMass { sum_ratio } if sum_ratio > 1.0 => format!(
+            "the modes carry {} of the mass, more than there is: are they all of one direction?",
+            percent(sum_ratio, 1)
+        ),
+        ModalDoubt::EffectiveMass { sum_ratio } => format!(
+            "the modes carry {} of the mass, codes ask for 90 %: export more modes; what is missing follows the ground",
+            percent(sum_ratio, 1)
+        ),
+        ModalDoubt::RoofShare { sum_ratio } => format!(
+            "participation times shape adds up to {} at the roof, 1 is expected: take both from one export, in the same \
+             units and direction",
+            number(sum_ratio, 4)
+        ),
+    }
+}
+
+/// What kind of building it is, for people.
+pub fn model_words(building: &Building) -> String {
+    match building.model() {
+        Model::Beam { shear_flexure_ratio } => format!(
+            "uniform shear-flexure beam (Miranda and Taghavi 2005), α₀ = H√(GA/EI) = {}",
+            number(shear_flexure_ratio, 4)
+        ),
+        Model::Shear { storeys } => format!("shear building of {storeys} storeys by their masses and stiffnesses"),
+        Model::Table { floors } => format!("modes of a table with {floors} floors"),
+    }
+}
+
+/// One ratio, or that of the first mode and the last.
+pub fn damping_words(building: &Building) -> String {
+    match (building.damping_ratio(), building.modes()) {
+        (Some(ratio), _) => format!("{} in every mode", percent(ratio, 1)),
+        (None, [first, .., last]) => format!(
+            "{} in the first mode to {} in the last",
+            percent(first.damping_ratio(), 1),
+            percent(last.damping_ratio(), 1)
+        ),
+        (None, _) => "–".to_owned(),
+    }
+}
+
+/// Most modes that may be asked for where the model does not say.
+pub(crate) const MOST_MODES: u64 = MAX_MODES as u64;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn request(model: AxisModel) -> AxisRequest {
+        AxisRequest { model, damping: Damping::Uniform(0.05), modes: None }
+    }
+
+    fn file(text: &str) -> (tempfile::TempDir, PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("tower.csv");
+        std::fs::write(&path, text).unwrap();
+        (folder, path)
+    }
+
+    /// Two equal storeys: ω₁ = 2√(k/m) sin 18°.
+    #[test]
+    fn a_table_of_storeys_becomes_a_building() {
+        let (_folder, path) = file("height [m],mass [t],stiffness [kN/mm]\n3,100,100\n3,100,100\n");
+        let axis = axis(&request(AxisModel::StoreyTable(path))).unwrap();
+        let omega = 2.0 * 1000.0f64.sqrt() * 0.1f64.mul_add(std::f64::consts::PI, 0.0).sin();
+        assert!((std::f64::consts::TAU / axis.building.period_s() / omega - 1.0).abs() < 1e-14);
+        assert_eq!((axis.height_m, axis.building.modes().len()), (Some(6.0), 2));
+        assert_eq!(axis.table.map(|table| table.key), Some("storey_table"));
+    }
+
+    #[test]
+    fn errors_name_the_row() {
+        let cases = [
+            (
+                "height [m],mass [t],stiffness [kN/mm]\n# base\n3,100,100\n3,0,100\n",
+                true,
+                "tower.csv:4: the mass of storey 2",
+            ),
+            (
+                "period [s],participation,effective mass,3 m\n1,1,78,1\n",
+                false,
+                "tower.csv:2: the effective mass of mode 1",
+            ),
+            (
+                "period [s],participation,damping,3 m\n1,1,0.05,1\n0.5,1,5,1\n",
+                false,
+                "tower.csv:3: the damping ratio of mode 2",
+            ),
+        ];
+        for (text, storeys, said) in cases {
+            let (_folder, path) = file(text);
+            let model = if storeys { AxisModel::StoreyTable(path) } else { AxisModel::ModeTable(path) };
+            let problem = axis(&request(model)).unwrap_err();
+            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{problem}");
+        }
+    }
+
+    #[test]
+    fn doubtful_modes_are_said() {
+        let (_folder, path) = file("period [s],participation,effective mass [%],3 m\n1,1300,78,1\n");
+        let axis = axis(&request(AxisModel::ModeTable(path))).unwrap();
+        let [mass, roof] = axis.warnings.as_slice() else { panic!("{:?}", axis.warnings) };
+        assert!(mass.contains("tower.csv: the modes carry 78.0 % of the mass") && roof.contains("adds up to 1300 at"));
+    }
+}

@@ -1,0 +1,107 @@
+//! What each assumption does to the shock and to the share that overturns, level by level.
+
+use std::sync::Arc;
+
+use kuva::render::annotations::ReferenceLine;
+use kuva::render::layout::TickFormat;
+use kuva::render::plots::Plot;
+
+use crate::vary::{Sensitivity, VariedLevel};
+
+use super::FigureKind;
+use super::legend::{Entry, Sign};
+use super::page::{Page, Panel};
+use super::style::{Axis, DARK, LABELS_PX, TITLE_PX, axes, curve_style, line, markers, plain};
+
+/// Height of one row \[px\].
+const ROW_PX: f64 = 19.0;
+const DOT_PX: f64 = 4.5;
+
+/// A quantity of a row, and how it is written.
+type Quantity = (fn(&VariedLevel) -> Option<f64>, &'static str);
+
+const QUANTITIES: [Quantity; 2] = [
+    (|row| row.edge_acceleration_g_median, "Largest median shock (g)"),
+    (|row| row.overturned_share.map(|share| 100.0 * share), "Histories that overturn (%)"),
+];
+
+/// Two panels a level; in each a row for every variation, from the value of the study as it is to that of the variation.
+pub(super) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
+    let mut panels = Vec::new();
+    let mut most_rows = 0;
+    for level in levels {
+        let rows: Vec<&VariedLevel> = sensitivity.rows.iter().filter(|row| row.level == *level).collect();
+        most_rows = most_rows.max(rows.len().saturating_sub(1));
+        panels.extend(QUANTITIES.map(|quantity| panel(level, &rows, quantity)));
+    }
+    let style = curve_style(0);
+    let legend = vec![
+        Entry { sign: Sign::Curve(style), words: "with the value at the left".into() },
+        Entry {
+            sign: Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 4") },
+            words: "the study as it is".into(),
+        },
+    ];
+    Page {
+        name: FigureKind::Vary.name(),
+        title: "What the result owes to each assumption".into(),
+        caption: "One value of the study is changed at a time, the rest stays. The largest median shock is the largest over \
+                  the objects of the median over the motions, where that is a number; where it falls an object may have \
+                  begun to overturn, so read both panels together. A row without a dot has no number there; vary.csv \
+                  says why."
+            .into(),
+        row_heights_px: vec![TITLE_PX + LABELS_PX + ROW_PX * most_rows as f64; levels.len()],
+        panels,
+        columns: 2,
+        legend,
+    }
+}
+
+fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Panel {
+    let base = rows.first().and_then(|row| quantity(row));
+    let variations = rows.get(1..).unwrap_or(&[]);
+    let values: Vec<Option<f64>> = variations.iter().map(|row| quantity(row)).collect();
+    let count = variations.len();
+    // The first variation at the top.
+    let height = |index: usize| (count - index) as f64;
+    let mut plots: Vec<Plot> = Vec::new();
+    for (index, value) in values.iter().enumerate() {
+        let Some(value) = *value else { continue };
+        // One colour and marker for each key, so that its values stand together.
+        let key = variations[..index].windows(2).filter(|pair| pair[0].parameter != pair[1].parameter).count()
+            + usize::from(index > 0 && variations[index].parameter != variations[index - 1].parameter);
+        let style = curve_style(key);
+        if let Some(base) = base {
+            plots.push(line(&[(base, height(index)), (value, height(index))], style.colour, 1.4, None));
+        }
+        plots.push(markers(&[(value, height(index))], style.colour, style.marker, DOT_PX));
+    }
+    let largest = values.iter().flatten().chain(base.iter()).copied().fold(0.0, f64::max);
+    if plots.is_empty() {
+        plots.push(line(&[], DARK, 1.0, None));
+    }
+    let y = Axis { from: 0.4, to: count as f64 + 0.6, step: Some(1.0), label: String::new() };
+    let mut layout = axes(Axis::from_zero(1.02 * largest, label), y).with_title(plain(level));
+    let names: Vec<String> = variations.iter().map(|row| plain(&row_name(row))).collect();
+    layout.y_tick_format = TickFormat::Custom(Arc::new(move |at| {
+        let index = count as f64 - at;
+        let is_row = (index - index.round()).abs() < 1e-6 && index > -0.5;
+        is_row.then(|| names.get(index.round() as usize).cloned()).flatten().unwrap_or_default()
+    }));
+    if let Some(base) = base {
+        let mark = ReferenceLine::vertical(base).with_color(DARK).with_stroke_width(1.2).with_dasharray("5 4");
+        layout = layout.with_reference_line(mark);
+    }
+    Panel { plots, layout }
+}
+
+/// Short words: the axis has little room.
+fn row_name(row: &VariedLevel) -> String {
+    let key = match row.parameter.as_str() {
+        "shear_flexure" => "α₀",
+        "return_period_years" => "years",
+        "hazard_factor" => "Z",
+        other => other,
+    };
+    format!("{key} {}", row.value)
+}

@@ -1,0 +1,84 @@
+//! The keys of `[ground]`.
+
+use toml::de::DeValue;
+
+use super::processing::{ProcessingOptions, processing};
+use super::{Reader, Section, Written, bare_number};
+use crate::quantity::Dimension;
+
+/// `[ground]`, as written. A `None` is a key that is missing or that was refused.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct GroundOptions {
+    pub(crate) line: Option<usize>,
+    pub(crate) code: Option<Written<String>>,
+    pub(crate) edition: Option<Written<u64>>,
+    pub(crate) city: Option<Written<String>>,
+    pub(crate) hazard_factor: Option<Written<f64>>,
+    pub(crate) site: Option<Written<String>>,
+    pub(crate) return_period_years: Option<Written<u64>>,
+    pub(crate) count: Option<Written<u64>>,
+    pub(crate) seed: Option<Written<u64>>,
+    pub(crate) motions: Option<Written<Vec<Written<String>>>>,
+    pub(crate) unit: Option<Written<String>>,
+    pub(crate) dt_s: Option<Written<f64>>,
+    pub(crate) component: Option<Written<String>>,
+    pub(crate) across: Option<Written<Vec<Written<String>>>>,
+    pub(crate) components: Option<Written<ComponentsOption>>,
+    pub(crate) rotation_step_rad: Option<Written<f64>>,
+    pub(crate) station_xml: Option<Written<String>>,
+    pub(crate) scale: Option<Written<f64>>,
+    pub(crate) processing: Option<ProcessingOptions>,
+    /// Some key was refused: files cannot be read as they were meant to be.
+    pub(crate) is_incomplete: bool,
+}
+
+pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOptions {
+    GroundOptions {
+        line: Some(table.line),
+        code: table.string(reader, "code"),
+        edition: table.count(reader, "edition"),
+        city: table.string(reader, "city"),
+        hazard_factor: table.ratio(reader, "hazard_factor"),
+        site: table.string(reader, "site"),
+        return_period_years: table.count(reader, "return_period_years"),
+        count: table.count(reader, "count"),
+        seed: table.count(reader, "seed"),
+        motions: table.strings(reader, "motions"),
+        unit: table.string(reader, "unit"),
+        dt_s: table.quantity(reader, "dt", Dimension::Time),
+        component: table.name_or_number(reader, "component"),
+        across: table.strings(reader, "across"),
+        components: components(reader, table),
+        rotation_step_rad: table.quantity(reader, "rotation_step", Dimension::Angle),
+        station_xml: table.string(reader, "station_xml"),
+        scale: table.ratio(reader, "scale"),
+        processing: processing(reader, table),
+        is_incomplete: false,
+    }
+}
+
+/// `components`: both of a file, or two by name or number.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum ComponentsOption {
+    Both,
+    Named(String, String),
+}
+
+fn components(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<Written<ComponentsOption>> {
+    let (value, line) = table.take(reader, "components")?;
+    if value.as_str().is_some_and(|word| word.eq_ignore_ascii_case("both")) {
+        return Some(Written { value: ComponentsOption::Both, line });
+    }
+    let names: Vec<String> = value.as_array().map_or_else(Vec::new, |items| {
+        let name = |item: &DeValue| item.as_str().map(str::to_owned).or_else(|| bare_number(item));
+        items.iter().filter_map(|item| name(item.get_ref())).collect()
+    });
+    match <[String; 2]>::try_from(names) {
+        Ok([first, second]) => Some(Written { value: ComponentsOption::Named(first, second), line }),
+        Err(_) => {
+            let hint = "write components = \"both\", or components = [\"N-S\", \"E-W\"]";
+            reader.wrong_type(line, "components", "\"both\" or two names", value, hint);
+            None
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! The keys of `[outputs]`.
+
+use super::{Reader, Section, Written};
+use crate::quantity::Dimension;
+
+/// `[outputs]`, as written.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct OutputsOptions {
+    pub(crate) figures: Option<Written<bool>>,
+    pub(crate) report: Option<Written<bool>>,
+    pub(crate) history: Option<HistoryOptions>,
+}
+
+/// `history` of `[outputs]`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct HistoryOptions {
+    pub(crate) line: usize,
+    pub(crate) level: Option<Written<String>>,
+    pub(crate) motion: Option<Written<String>>,
+    pub(crate) height_m: Option<Written<f64>>,
+    pub(crate) thickness_m: Option<Written<f64>>,
+}
+
+pub(super) fn outputs(reader: &mut Reader, table: &mut Section) -> OutputsOptions {
+    OutputsOptions {
+        figures: table.boolean(reader, "figures"),
+        report: table.boolean(reader, "report"),
+        history: table.table(reader, "history").map(|mut entry| {
+            let history = HistoryOptions {
+                line: entry.line,
+                level: entry.string(reader, "level"),
+                motion: entry.string(reader, "motion"),
+                height_m: entry.quantity(reader, "height", Dimension::Length),
+                thickness_m: entry.quantity(reader, "thickness", Dimension::Length),
+            };
+            entry.finish(reader);
+            history
+        }),
+    }
+}

@@ -1,0 +1,55 @@
+//! What one changed value does to the result, where that was asked for.
+
+use crate::result::StudyResult;
+use crate::vary::VariedLevel;
+use crate::words::{fixed, percent};
+
+use super::html::{Cell, figure, list, paragraph, table, words};
+
+/// A table for each level; empty where nothing was varied.
+pub(super) fn sensitivity(result: &StudyResult) -> String {
+    let Some(sensitivity) = &result.sensitivity else { return String::new() };
+    let mut html = paragraph(
+        "One value of the study is changed at a time, the rest stays. Ratio: the geometric mean of an object’s median shock \
+         over that of the study as it is, over the objects whose median rocks in both; the largest median is of one object, \
+         and it falls when that object begins to overturn.",
+    );
+    let headings = vec![vec![
+        words("Changed"),
+        figure("median PFA (g)"),
+        figure("overturned"),
+        figure("median overturned"),
+        figure("largest median shock (g)"),
+        figure("largest shock (g)"),
+        figure("ratio"),
+        figure("of objects"),
+        words(""),
+    ]];
+    for level in &result.levels {
+        let name = &level.level.name;
+        let rows: Vec<Vec<Cell>> = sensitivity.rows.iter().filter(|row| row.level == *name).map(row).collect();
+        html.push_str(&table(&format!("Level {name}"), &headings, &rows));
+    }
+    if !sensitivity.left_out.is_empty() {
+        html.push_str(&list(&sensitivity.left_out));
+    }
+    html
+}
+
+fn row(row: &VariedLevel) -> Vec<Cell> {
+    let dash = || "–".to_owned();
+    let value = |value: Option<f64>, digits| figure(value.map_or_else(dash, |v| fixed(v, digits)));
+    let changed =
+        if row.value.is_empty() { "as it is".to_owned() } else { format!("{} = {}", row.parameter, row.value) };
+    vec![
+        words(&changed),
+        value(row.pfa_g_median, 3),
+        figure(row.overturned_share.map_or_else(dash, |share| percent(share, 1))),
+        figure(row.overturned_objects.map_or_else(dash, |n| n.to_string())),
+        value(row.edge_acceleration_g_median, 2),
+        value(row.edge_acceleration_g_max, 2),
+        value(row.edge_acceleration_ratio, 2),
+        figure(row.compared_objects.map_or_else(dash, |n| n.to_string())),
+        words(row.reason.as_deref().unwrap_or("")),
+    ]
+}

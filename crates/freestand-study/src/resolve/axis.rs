@@ -1,0 +1,179 @@
+//! The building of `[building]` along each horizontal axis, as meant.
+
+use freestand::building::Damping;
+use freestand::code_spectrum::{FrameKind, fundamental_period_s};
+
+use super::{MAX_STOREYS, Resolver, or};
+use crate::building::{Axis, AxisModel, AxisRequest, MOST_MODES, axis};
+use crate::error::Problem;
+use crate::options::{AxisOptions, BuildingOptions, Written};
+use crate::quantity::{Dimension, format_si, shorten};
+use crate::study::BuildingInput;
+
+/// The height that both axes share, and where it is from.
+#[derive(Debug, Clone, Copy)]
+struct Stated {
+    storeys: usize,
+    storey_height_m: f64,
+}
+
+impl Resolver<'_> {
+    pub(super) fn building(&mut self, written: &BuildingOptions) -> Option<BuildingInput> {
+        self.require(&written.storeys, |n| (1..=MAX_STOREYS).contains(&n), "storeys", "a whole number from 1 to 500");
+        self.positive(&written.storey_height_m, "storey_height", Dimension::Length);
+        let before = self.problems.len();
+        let along = written.along();
+        for (key, table) in [("storey_table", &along.storey_table), ("mode_table", &along.mode_table)] {
+            self.exclusive((key, table), ("storeys", &written.storeys));
+            self.exclusive((key, table), ("storey_height", &written.storey_height_m));
+        }
+        let mut stated = Stated {
+            storeys: usize::try_from(or(&written.storeys, 30)).unwrap_or(usize::MAX),
+            storey_height_m: or(&written.storey_height_m, 3.2),
+        };
+        let (first, period_note) = self.axis(&along, stated, before)?;
+        let uniform = first.height_m.is_none();
+        if let Some(height_m) = first.height_m {
+            let floors = first.building.floors_ratio().len();
+            stated = Stated { storeys: floors, storey_height_m: height_m / floors as f64 };
+        }
+        let height_m = stated.storeys as f64 * stated.storey_height_m;
+        let second = match &written.across {
+            None => None,
+            Some(across) => Some(self.axis(&inherited(&across.value, &along), stated, before)?),
+        };
+        if let (Some((Axis { height_m: Some(other_m), .. }, _)), Some(across)) = (&second, &written.across)
+            && (other_m - height_m).abs() > 1e-3 * height_m
+        {
+            let (here, there) = (format_si(height_m, Dimension::Length), format_si(*other_m, Dimension::Length));
+            let message = format!("the building is {there} high across and {here} along");
+            self.note(Some(across.line), message, "levels are shares of one height: check both tables");
+            return None;
+        }
+        let (second, across_note) = second.unzip();
+        let mut tables = Vec::from_iter(first.table.clone().map(|table| (false, table)));
+        tables.extend(second.as_ref().and_then(|axis| axis.table.clone()).map(|table| (true, table)));
+        self.warnings.extend(first.warnings);
+        self.warnings.extend(second.iter().flat_map(|axis| axis.warnings.clone()));
+        Some(BuildingInput {
+            storeys: stated.storeys,
+            height_m,
+            storey_height_m: uniform.then_some(stated.storey_height_m),
+            along: first.building,
+            across: second.map(|axis| axis.building),
+            period_note,
+            across_note,
+            tables,
+        })
+    }
+
+    /// One axis, and where its period is from. `before`: how many problems there were before the building.
+    fn axis(&mut self, written: &AxisOptions, stated: Stated, before: usize) -> Option<(Axis, String)> {
+        self.positive(&written.period_s, "period", Dimension::Time);
+        self.require(&written.damping, |zeta| (0.0..1.0).contains(&zeta), "damping", "a ratio from 0 to below 1");
+        self.require(&written.shear_flexure, |a| a >= 0.0 && a.is_finite(), "shear_flexure", "0 or more");
+        self.require(&written.modes, |n| (1..=MOST_MODES).contains(&n), "modes", "a whole number from 1 to 50");
+        self.exclusive(("period", &written.period_s), ("frame", &written.frame));
+        self.exclusive(("storey_table", &written.storey_table), ("mode_table", &written.mode_table));
+        self.exclusive(("modes", &written.modes), ("mode_table", &written.mode_table));
+        for (key, table) in [("storey_table", &written.storey_table), ("mode_table", &written.mode_table)] {
+            self.exclusive((key, table), ("period", &written.period_s));
+            self.exclusive((key, table), ("frame", &written.frame));
+            self.exclusive((key, table), ("shear_flexure", &written.shear_flexure));
+        }
+        let table = written.storey_table.as_ref().or(written.mode_table.as_ref());
+        let (model, note) = match (&written.storey_table, &written.mode_table) {
+            (Some(name), _) => {
+                (AxisModel::StoreyTable(self.base_dir.join(&name.value)), "from the storeys of the table".to_owned())
+            }
+            (None, Some(name)) => (AxisModel::ModeTable(self.base_dir.join(&name.value)), "from the table".to_owned()),
+            (None, None) => {
+                let (period_s, note) = self.period(written, stated.storeys as f64 * stated.storey_height_m)?;
+                (AxisModel::Beam { period_s, shear_flexure_ratio: or(&written.shear_flexure, 5.0) }, note)
+            }
+        };
+        let damping_ratio = or(&written.damping, 0.05);
+        let damping = match &written.rayleigh_modes {
+            None => Damping::Uniform(damping_ratio),
+            Some(modes) => {
+                let modes = modes.value.map(|mode| usize::try_from(mode).unwrap_or(usize::MAX));
+                Damping::Rayleigh { damping_ratio, modes }
+            }
+        };
+        let modes = written.modes.as_ref().map(|modes| usize::try_from(modes.value).unwrap_or(usize::MAX));
+        if self.problems.len() > before {
+            // What was refused above would be refused again.
+            return None;
+        }
+        match axis(&AxisRequest { model, damping, modes }) {
+            Ok(axis) => Some((axis, note)),
+            Err(problem) => {
+                self.axis_problem(problem, table, written);
+                None
+            }
+        }
+    }
+
+    /// A fault with a line of the table stands there; any other is the fault of the study's line.
+    fn axis_problem(&mut self, problem: Problem, table: Option<&Written<String>>, written: &AxisOptions) {
+        if problem.line.is_some() {
+            self.problems.push(problem);
+            return;
+        }
+        let hint = problem.hint.clone().unwrap_or_default();
+        match table {
+            Some(table) => {
+                let message = format!("\"{}\": {}", shorten(&table.value), problem.message);
+                self.note(Some(table.line), message, hint);
+            }
+            None => {
+                let line = written.rayleigh_modes.as_ref().map(|w| w.line);
+                let line = line.or(written.period_s.as_ref().map(|w| w.line));
+                self.note(line, problem.message, format!("check the table [building]: {hint}"));
+            }
+        }
+    }
+
+    /// The fundamental period, and where it is from.
+    fn period(&mut self, written: &AxisOptions, height_m: f64) -> Option<(f64, String)> {
+        if let Some(period) = &written.period_s {
+            return Some((period.value, "as given".to_owned()));
+        }
+        let kind = match &written.frame {
+            None => FrameKind::Other,
+            Some(Written { value, line }) => match FrameKind::parse(value) {
+                Some(kind) => kind,
+                None => {
+                    let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
+                    self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
+                    return None;
+                }
+            },
+        };
+        let period_s = fundamental_period_s(kind, height_m).ok()?;
+        let (kt, name, height) = (kind.period_factor(), kind.name(), format_si(height_m, Dimension::Length));
+        Some((period_s, format!("AS 1170.4, 1.25 kt h^0.75 with kt = {kt} (frame \"{name}\") and h = {height}")))
+    }
+}
+
+/// What `across` does not say is as along; but another kind of model takes nothing but the damping from there.
+fn inherited(across: &AxisOptions, along: &AxisOptions) -> AxisOptions {
+    let has_table = across.storey_table.is_some() || across.mode_table.is_some();
+    let has_period = across.period_s.is_some() || across.frame.is_some();
+    let is_beam = !has_table && (has_period || across.shear_flexure.is_some());
+    let along_has_table = along.storey_table.is_some() || along.mode_table.is_some();
+    let mut axis = across.clone();
+    axis.damping = axis.damping.or_else(|| along.damping.clone());
+    axis.rayleigh_modes = axis.rayleigh_modes.or_else(|| along.rayleigh_modes.clone());
+    if !(has_table || along_has_table && is_beam) {
+        axis.storey_table = along.storey_table.clone();
+        axis.mode_table = along.mode_table.clone();
+        axis.shear_flexure = axis.shear_flexure.or_else(|| along.shear_flexure.clone());
+        axis.modes = axis.modes.or_else(|| along.modes.clone());
+        if !has_period {
+            axis.period_s = along.period_s.clone();
+            axis.frame = along.frame.clone();
+        }
+    }
+    axis
+}

@@ -1,0 +1,139 @@
+//! `[objects]` as meant.
+
+use freestand::block::Block;
+use freestand::impact::{ValidityWarning, stiffness_warnings};
+use freestand::rocking::{Accuracy, Restitution};
+
+use super::{MAX_OBJECTS, Resolver, or};
+use crate::options::{ObjectsOptions, RestitutionOption, Written};
+use crate::quantity::{Dimension, format_si, shorten};
+use crate::study::Objects;
+
+impl Resolver<'_> {
+    pub(super) fn objects(&mut self, written: &ObjectsOptions) -> Option<Objects> {
+        for (key, grid) in [("heights", &written.heights_m), ("thicknesses", &written.thicknesses_m)] {
+            if let Some(Written { value, line }) = grid {
+                if value.is_empty() {
+                    self.note(Some(*line), format!("{key} is empty"), "give at least one length");
+                } else if let Some(wrong) = value.iter().find(|&&length| !(length > 0.0 && length.is_finite())) {
+                    self.note(Some(*line), format!("{key} must be positive, not {wrong} m"), "give lengths above 0");
+                }
+            }
+        }
+        self.positive(&written.mass_kg, "mass", Dimension::Mass);
+        let mass_kg = or(&written.mass_kg, 150.0);
+        let cushion = self.cushion(&written.cushion, mass_kg);
+        self.positive(&written.tolerance_m_s2, "tolerance", Dimension::Acceleration);
+        self.positive(&written.friction, "friction", Dimension::Ratio);
+        self.exclusive(("restitution", &written.restitution), ("restitution_factor", &written.restitution_factor));
+        let heights_m = or(&written.heights_m, linear(0.5, 3.0, 26));
+        let thicknesses_m = or(&written.thicknesses_m, vec![0.2, 0.3, 0.4, 0.5, 0.6]);
+        if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
+            let line = written.heights_m.as_ref().or(written.thicknesses_m.as_ref()).map(|w| w.line);
+            self.note(
+                line,
+                format!("the grid has more than {MAX_OBJECTS} objects"),
+                "take fewer heights or thicknesses",
+            );
+            return None;
+        }
+        let accuracy = self.accuracy(written);
+        let blocks: Vec<Block> = heights_m
+            .iter()
+            .flat_map(|&height_m| thicknesses_m.iter().filter_map(move |&t| Block::uniform(height_m, t).ok()))
+            .collect();
+        let restitution = self.restitution(written, &blocks);
+        if blocks.len() != heights_m.len() * thicknesses_m.len() {
+            return None;
+        }
+        let (cushion, cushion_file) = cushion?;
+        let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
+        self.warnings.extend(soft.iter().map(ToString::to_string));
+        self.warnings.extend(squat_warning(&blocks));
+        Some(Objects {
+            heights_m,
+            thicknesses_m,
+            blocks,
+            mass_kg,
+            cushion,
+            cushion_file,
+            restitution: restitution?,
+            accuracy: accuracy?,
+            tolerance_m_s2: written.tolerance_m_s2.as_ref().map(|w| w.value),
+            friction: written.friction.as_ref().map(|w| w.value),
+        })
+    }
+
+    fn accuracy(&mut self, written: &ObjectsOptions) -> Option<Accuracy> {
+        let Some(Written { value, line }) = &written.accuracy else { return Some(Accuracy::Standard) };
+        match value.to_lowercase().as_str() {
+            "fast" => Some(Accuracy::Fast),
+            "standard" => Some(Accuracy::Standard),
+            "tight" => Some(Accuracy::Tight),
+            _ => {
+                self.note(
+                    Some(*line),
+                    format!("accuracy \"{}\" is not known", shorten(value)),
+                    "fast, standard or tight",
+                );
+                None
+            }
+        }
+    }
+
+    fn restitution(&mut self, written: &ObjectsOptions, blocks: &[Block]) -> Option<Restitution> {
+        if let Some(Written { value: factor, line }) = &written.restitution_factor {
+            let largest = blocks.iter().map(Block::landing_ratio).fold(0.0, f64::max) * factor;
+            if !(*factor > 0.0 && factor.is_finite()) {
+                self.note(
+                    Some(*line),
+                    format!("restitution_factor must be positive, not {factor}"),
+                    "0.95 on concrete, 0.67 on rubber were measured",
+                );
+                return None;
+            }
+            if largest > 1.0 {
+                self.note(
+                    Some(*line),
+                    format!("restitution_factor = {factor} makes the restitution of an object {largest:.4}: it would gain energy"),
+                    "the product with Housner's ratio must not exceed 1",
+                );
+                return None;
+            }
+            return Some(Restitution::Factor(*factor));
+        }
+        match &written.restitution {
+            None | Some(Written { value: RestitutionOption::Housner, .. }) => Some(Restitution::Housner),
+            Some(Written { value: RestitutionOption::Value(r), .. }) if *r > 0.0 && *r <= 1.0 => {
+                Some(Restitution::Value(*r))
+            }
+            Some(Written { value: RestitutionOption::Value(r), line }) => {
+                self.note(
+                    Some(*line),
+                    format!("restitution must be in (0, 1], not {r}"),
+                    "\"housner\", or a value in (0, 1]",
+                );
+                None
+            }
+        }
+    }
+}
+
+/// From `from` to `to`, both included, as [`crate::quantity::parse_grid`] makes them.
+fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
+    crate::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
+}
+
+fn squat_warning(blocks: &[Block]) -> Option<String> {
+    let squat: Vec<&Block> = blocks.iter().filter(|block| block.landing_ratio() < 0.0).collect();
+    let first = squat.first()?;
+    let size = |length_m| format_si(length_m, Dimension::Length);
+    Some(format!(
+        "{} of {} objects are squat, the first {} high and {} thick: {}",
+        squat.len(),
+        blocks.len(),
+        size(first.height_m()),
+        size(first.thickness_m()),
+        ValidityWarning::Squat { landing_ratio: first.landing_ratio() }
+    ))
+}

@@ -1,0 +1,81 @@
+//! `[outputs]` as meant.
+
+use super::{Resolver, or};
+use crate::options::{HistoryOptions, OutputsOptions};
+use crate::quantity::{Dimension, format_si, shorten};
+use crate::study::{HistoryChoice, Level, Objects, Outputs};
+
+impl Resolver<'_> {
+    pub(super) fn outputs(
+        &mut self,
+        written: &OutputsOptions,
+        levels: &[Level],
+        objects: Option<&Objects>,
+        motions: Option<&[String]>,
+    ) -> Outputs {
+        let history = written.history.as_ref().and_then(|history| self.history(history, levels, objects, motions));
+        Outputs { figures: or(&written.figures, true), report: or(&written.report, true), history }
+    }
+
+    fn history(
+        &mut self,
+        written: &HistoryOptions,
+        levels: &[Level],
+        objects: Option<&Objects>,
+        motions: Option<&[String]>,
+    ) -> Option<HistoryChoice> {
+        // What it names may be what was refused.
+        if !self.is_complete {
+            return None;
+        }
+        let (Some(level), Some(height), Some(thickness)) = (&written.level, &written.height_m, &written.thickness_m)
+        else {
+            let hint = "write history = { level = \"roof\", height = \"1.5 m\", thickness = \"300 mm\" }";
+            self.note(Some(written.line), "history needs level, height and thickness", hint);
+            return None;
+        };
+        let named = levels.iter().find(|one| one.name.eq_ignore_ascii_case(&level.value));
+        if named.is_none() {
+            let names: Vec<&str> = levels.iter().map(|level| level.name.as_str()).collect();
+            self.note(
+                Some(level.line),
+                format!("history: no level is called \"{}\"", shorten(&level.value)),
+                format!("levels: {}", names.join(", ")),
+            );
+        }
+        self.positive(&written.height_m, "history.height", Dimension::Length);
+        self.positive(&written.thickness_m, "history.thickness", Dimension::Length);
+        if let Some(objects) = objects {
+            for (key, value, grid) in
+                [("height", height, &objects.heights_m), ("thickness", thickness, &objects.thicknesses_m)]
+            {
+                // Grid points are interpolated, so 1.5 m of the grid may differ from "1.5 m" by rounding.
+                if !grid.iter().any(|point| (point - value.value).abs() <= 1e-9 * value.value.abs()) {
+                    let message =
+                        format!("history: the grid has no {key} of {}", format_si(value.value, Dimension::Length));
+                    self.note(
+                        Some(value.line),
+                        message,
+                        format!("add it to {key}{}", if key == "height" { "s" } else { "es" }),
+                    );
+                }
+            }
+        }
+        if let (Some(motion), Some(names)) = (&written.motion, motions)
+            && !names.contains(&motion.value)
+        {
+            let names = &names[..names.len().min(10)];
+            self.note(
+                Some(motion.line),
+                format!("history: no motion is called \"{}\"", shorten(&motion.value)),
+                format!("motions: {}", names.join(", ")),
+            );
+        }
+        Some(HistoryChoice {
+            level: named?.name.clone(),
+            motion: written.motion.as_ref().map(|motion| motion.value.clone()),
+            height_m: height.value,
+            thickness_m: thickness.value,
+        })
+    }
+}

@@ -1,0 +1,116 @@
+//! The motions of the ground and of the floors.
+
+use freestand::building::{Building, floor_motions};
+use freestand::motion::Motion;
+use freestand::oscillator::response_spectrum;
+use freestand::signal::rotate::{Pair, directional_spectrum};
+use freestand::synthesis::{SynthesisOptions, synthesize};
+use rayon::prelude::*;
+
+use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
+use crate::error::{Problem, ProblemKind, StudyError};
+use crate::result::{GroundMotion, HorizontalMotion, PseudoSpectrum};
+use crate::study::{BuildingInput, Ground, RecordedMotion, Study, synthetic_name};
+
+/// Asks before each motion whether to `go_on`: a thousand of them take minutes.
+pub(super) fn ground_motions(
+    ground: &Ground,
+    go_on: impl Fn() -> Result<(), StudyError> + Sync,
+) -> Result<Vec<GroundMotion>, StudyError> {
+    let finish = |name: String, motion: HorizontalMotion, misfit| -> Result<GroundMotion, StudyError> {
+        let spectrum = spectrum_of(&motion)?;
+        Ok(GroundMotion { name, motion, spectrum, misfit })
+    };
+    match ground {
+        Ground::Synthetic(synthetic) => (0..synthetic.count)
+            .into_par_iter()
+            .map(|i| {
+                go_on()?;
+                let options = SynthesisOptions::default();
+                let matched = synthesize(|t| synthetic.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
+                    .map_err(failed("a synthetic motion"))?;
+                let motion = HorizontalMotion { along: matched.motion, across: None };
+                finish(synthetic_name(i), motion, Some(matched.misfit))
+            })
+            .collect(),
+        Ground::Recorded(records) => {
+            records.par_iter().map(|record| finish(record.name.clone(), as_used(record), None)).collect()
+        }
+        Ground::OnFloors => Ok(Vec::new()),
+    }
+}
+
+fn as_used(record: &RecordedMotion) -> HorizontalMotion {
+    let across = record.across.as_ref().map(|second| second.motion.clone());
+    HorizontalMotion { along: record.motion.clone(), across }
+}
+
+/// The 5 % spectrum that is shown.
+pub(super) fn spectrum_of(motion: &HorizontalMotion) -> Result<PseudoSpectrum, StudyError> {
+    let periods_s = spectrum_periods_s();
+    let wrong = "a response spectrum";
+    let psa_m_s2 = match &motion.across {
+        None => response_spectrum(&motion.along, SPECTRUM_DAMPING_RATIO, &periods_s).map_err(failed(wrong))?.psa_m_s2,
+        Some(across) => {
+            let pair = Pair::new(&motion.along, across).map_err(failed(wrong))?;
+            let spectrum = directional_spectrum(&pair, SPECTRUM_DAMPING_RATIO, &periods_s, &[100.0]);
+            spectrum.map_err(failed(wrong))?.rotd_m_s2.swap_remove(0)
+        }
+    };
+    Ok(PseudoSpectrum { periods_s, psa_m_s2 })
+}
+
+fn failed<E: std::fmt::Display>(what: impl std::fmt::Display) -> impl Fn(E) -> StudyError {
+    move |error| Problem::new(ProblemKind::Computation, format!("{what} cannot be computed: {error}")).into()
+}
+
+/// Floor motions, `[level][motion]`: those that are given, or those of the building, with its ring-down behind the
+/// ground motion.
+pub(super) fn floors(
+    study: &Study,
+    ground: &[GroundMotion],
+    go_on: impl Fn() -> Result<(), StudyError> + Sync,
+) -> Result<Vec<Vec<HorizontalMotion>>, StudyError> {
+    let Some(building) = &study.building else {
+        return Ok(study.levels.iter().map(|level| level.motions.iter().map(as_used).collect()).collect());
+    };
+    let ratios: Vec<f64> = study.levels.iter().map(|level| level.level_ratio.unwrap_or(1.0)).collect();
+    let by_motion: Vec<Vec<HorizontalMotion>> = ground
+        .par_iter()
+        .map(|g| {
+            go_on()?;
+            floors_under(g, building, &ratios)
+        })
+        // The first error in the order of the motions, whichever thread met one first.
+        .collect::<Vec<Result<_, StudyError>>>()
+        .into_iter()
+        .collect::<Result<_, _>>()?;
+    let mut by_level = vec![Vec::with_capacity(ground.len()); ratios.len()];
+    for floors in by_motion {
+        for (level, floor) in by_level.iter_mut().zip(floors) {
+            level.push(floor);
+        }
+    }
+    Ok(by_level)
+}
+
+/// The motions of every level under one ground motion.
+fn floors_under(
+    ground: &GroundMotion,
+    building: &BuildingInput,
+    ratios: &[f64],
+) -> Result<Vec<HorizontalMotion>, StudyError> {
+    let what = || format!("the floor motion under {}", ground.name);
+    let axis = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, StudyError> {
+        let motion = motion.with_zero_tail(building.tail_s()).map_err(failed(what()))?;
+        floor_motions(&motion, axis, ratios).map_err(failed(what()))
+    };
+    let along = axis(&ground.motion.along, &building.along)?;
+    let across = match &ground.motion.across {
+        Some(motion) => {
+            axis(motion, building.across.as_ref().unwrap_or(&building.along))?.into_iter().map(Some).collect()
+        }
+        None => vec![None; along.len()],
+    };
+    Ok(along.into_iter().zip(across).map(|(along, across)| HorizontalMotion { along, across }).collect())
+}

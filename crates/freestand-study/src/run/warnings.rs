@@ -1,0 +1,85 @@
+//! What the reader of a result must know, from what came out.
+
+use freestand::G0_M_S2;
+use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings, impact_friction_needed_ratio};
+use freestand::rocking::{Outcome, RockingModel, StopReason};
+use freestand::synthesis;
+
+use crate::cushion::EdgeCushion;
+use crate::result::{GroundMotion, LevelResult, ObjectResponse};
+use crate::study::Study;
+
+/// One sentence each.
+pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult]) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let above: Vec<f64> =
+        ground.iter().filter_map(|g| g.misfit.as_ref()).map(|misfit| misfit.pga_g / misfit.target_zpa_g).collect();
+    if let Some(most) = above.iter().copied().reduce(f64::max)
+        && most > 1.1
+    {
+        warnings.push(format!(
+            "the matched motions have up to {most:.2} times the target's zero-period acceleration as PGA: their spectra are \
+             matched from {} s up, and a motion with this plateau cannot have so small a peak",
+            synthesis::SHORTEST_PERIOD_S
+        ));
+    }
+    let rows = || levels.iter().flat_map(|level| level.responses.iter().flatten());
+    let failed = rows().filter(|response| matches!(response, ObjectResponse::Failed(_))).count();
+    if failed > 0 {
+        warnings
+            .push(format!("{failed} of {} histories could not be followed: see `reason` in srs.csv", rows().count()));
+    }
+
+    let unsettled = rows()
+        .filter(|r| matches!(r, ObjectResponse::Done { uplift, .. } if uplift.rocking.stop == StopReason::EndOfMotion))
+        .count();
+    if unsettled > 0 {
+        warnings.push(format!(
+            "{unsettled} of {} histories still rocked when they were stopped behind the motion: their impacts are not all \
+             counted",
+            rows().count()
+        ));
+    }
+
+    let objects = &study.objects;
+    let friction = objects.friction.unwrap_or(ASSUMED_FRICTION);
+    let assumed = if objects.friction.is_some() { "" } else { " (assumed)" };
+    let squat = objects.blocks.iter().filter(|b| RockingModel::Rigid.uplift_threshold_ratio(b) > friction).count();
+    if squat > 0 {
+        warnings.push(format!(
+            "{squat} of {} objects have t/h above a friction of {friction}{assumed}: they slide before they uplift, which \
+             the model leaves out",
+            objects.blocks.len()
+        ));
+    }
+    let slipping = objects
+        .blocks
+        .iter()
+        .filter(|b| {
+            let r = objects.restitution.ratios(b).map_or(0.0, |ratios| ratios[0]);
+            impact_friction_needed_ratio(b, r) > friction
+        })
+        .count();
+    if slipping > 0 {
+        warnings.push(format!(
+            "{slipping} of {} objects need more friction than {friction}{assumed} in an impact: their landing edge may slip",
+            objects.blocks.len()
+        ));
+    }
+    let EdgeCushion { cushion, pad_thickness_m, .. } = &objects.cushion;
+    let worst = rows()
+        .filter_map(|response| match response {
+            ObjectResponse::Done { uplift, .. } if uplift.rocking.outcome == Outcome::Rocked => {
+                let landing = Landing::rocking(&uplift.block, ImpactModel::Paper);
+                Some(landing.impact(objects.mass_kg, cushion, uplift.rocking.cg_rise_m, G0_M_S2))
+            }
+            _ => None,
+        })
+        .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
+    if let Some(impact) = worst {
+        warnings.extend(
+            compression_warnings(impact.compression_m, cushion, *pad_thickness_m).iter().map(ToString::to_string),
+        );
+    }
+    warnings
+}

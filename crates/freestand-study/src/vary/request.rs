@@ -1,0 +1,187 @@
+//! Which values are tried.
+
+use freestand::code_spectrum::SiteClass;
+
+use crate::error::{Problem, ProblemKind};
+use crate::options::nearest;
+use crate::quantity::shorten;
+use crate::study::{Ground, Study};
+use crate::words::number;
+
+/// A key to vary, and the values to try; none: the usual ones.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wish {
+    key: &'static Key,
+    values: Vec<String>,
+}
+
+/// A key of a study that can be varied.
+#[derive(Debug, PartialEq)]
+struct Key {
+    table: &'static str,
+    name: &'static str,
+    /// Keys that say the same in another way, and go when this one is written.
+    in_place_of: &'static [&'static str],
+}
+
+const fn key(table: &'static str, name: &'static str, in_place_of: &'static [&'static str]) -> Key {
+    Key { table, name, in_place_of }
+}
+
+static KEYS: [Key; 16] = [
+    key("building", "damping", &[]),
+    key("building", "period", &["frame"]),
+    key("building", "shear_flexure", &[]),
+    key("building", "modes", &[]),
+    key("building", "storeys", &[]),
+    key("ground", "seed", &[]),
+    key("ground", "site", &[]),
+    key("ground", "return_period_years", &[]),
+    key("ground", "hazard_factor", &["city"]),
+    key("ground", "city", &["hazard_factor"]),
+    key("ground", "scale", &[]),
+    key("objects", "mass", &[]),
+    key("objects", "stiffness", &["cushion", "law", "pad_stiffness", "pads_per_edge", "series_stiffness"]),
+    key("objects", "restitution", &["restitution_factor"]),
+    key("objects", "restitution_factor", &["restitution"]),
+    key("objects", "accuracy", &[]),
+];
+
+/// The keys that are varied where none is named.
+const USUAL: [&str; 5] = ["damping", "period", "shear_flexure", "seed", "site"];
+
+/// One value in place of the study's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation {
+    /// Table of the study.
+    pub table: &'static str,
+    /// Key in it.
+    pub key: &'static str,
+    /// The value, as a study writes it.
+    pub value: String,
+    /// Keys that go.
+    pub in_place_of: &'static [&'static str],
+}
+
+impl Variation {
+    /// `damping = 2 %`.
+    pub fn words(&self) -> String {
+        format!("{} = {}", self.key, self.value)
+    }
+}
+
+/// Damping, period, shear-flexure ratio, seed and site class, each over its usual values.
+pub fn usual_wishes() -> Vec<Wish> {
+    USUAL.iter().filter_map(|name| find(name)).map(|key| Wish { key, values: Vec::new() }).collect()
+}
+
+fn find(name: &str) -> Option<&'static Key> {
+    KEYS.iter().find(|key| key.name == name)
+}
+
+/// A wish as a user writes it: `damping`, or `damping = 2 %, 10 %`.
+///
+/// # Errors
+/// A key that cannot be varied, an empty list of values.
+///
+/// # Example
+/// ```
+/// use freestand_study::vary::parse_wish;
+/// assert!(parse_wish("shear-flexure = 0, 20").is_ok());
+/// assert!(parse_wish("colour").is_err());
+/// ```
+pub fn parse_wish(text: &str) -> Result<Wish, Problem> {
+    let (name, values) = text.split_once('=').map_or((text, None), |(name, values)| (name, Some(values)));
+    let name = name.trim().to_lowercase().replace(['-', ' '], "_");
+    // Those who write the table's name before it mean the same key.
+    let bare = name.rsplit('.').next().unwrap_or(&name);
+    let Some(key) = find(bare) else {
+        let names = KEYS.each_ref().map(|key| key.name);
+        let hint = match nearest(bare, &names) {
+            Some(near) => format!("did you mean {near}?"),
+            None => format!("these can be varied: {}", names.join(", ")),
+        };
+        let message = format!("\"{}\" cannot be varied", shorten(text));
+        return Err(Problem::new(ProblemKind::Value, message).hint(hint));
+    };
+    let values: Vec<String> = match values {
+        None => Vec::new(),
+        Some(list) => list.split(',').map(|value| value.trim().to_owned()).collect(),
+    };
+    if values.iter().any(String::is_empty) {
+        let message = format!("\"{}\" has an empty value", shorten(text));
+        return Err(Problem::new(ProblemKind::Value, message).hint("write \"damping = 2 %, 10 %\""));
+    }
+    Ok(Wish { key, values })
+}
+
+/// The variations that are wished, and what does not apply to this study.
+pub fn variations(study: &Study, wishes: &[Wish]) -> (Vec<Variation>, Vec<String>) {
+    let (mut variations, mut left_out) = (Vec::new(), Vec::new());
+    for Wish { key, values } in wishes {
+        if let Some(reason) = inapplicable(study, key) {
+            left_out.push(format!("{} is not varied: {reason}", key.name));
+            continue;
+        }
+        let values = if values.is_empty() { usual_values(study, key.name) } else { values.clone() };
+        if values.is_empty() {
+            left_out.push(format!(
+                "{} is not varied: it has no usual values here; name them, as in \"{} = …\"",
+                key.name, key.name
+            ));
+        }
+        variations.extend(values.into_iter().map(|value| Variation {
+            table: key.table,
+            key: key.name,
+            value,
+            in_place_of: key.in_place_of,
+        }));
+    }
+    (variations, left_out)
+}
+
+fn inapplicable(study: &Study, key: &Key) -> Option<&'static str> {
+    let is_synthetic = matches!(study.ground, Ground::Synthetic(_));
+    match (key.table, key.name) {
+        ("ground", "scale") if is_synthetic => Some("synthetic motions follow their target"),
+        ("ground", "scale") => None,
+        ("ground", _) if !is_synthetic => Some("the motions are read from files"),
+        ("building", name) => match &study.building {
+            None => Some("the motions of the floors are given"),
+            Some(input) if input.along.shear_flexure_ratio().is_none() && name != "damping" => {
+                Some("the building comes from a table")
+            }
+            Some(_) => None,
+        },
+        _ => None,
+    }
+}
+
+/// Values around those of the study, without its own.
+fn usual_values(study: &Study, name: &str) -> Vec<String> {
+    match (name, &study.building, &study.ground) {
+        ("damping", Some(building), _) => {
+            let percents = [2.0, 3.0, 5.0, 7.0, 10.0];
+            let own = building.along.damping_ratio();
+            let differs = |percent: &f64| own.is_none_or(|own| (percent - 100.0 * own).abs() > 1e-9);
+            percents.into_iter().filter(differs).map(|p| format!("{p} %")).collect()
+        }
+        ("period", Some(building), _) => {
+            let period_s = building.along.period_s();
+            [0.7, 0.85, 1.2, 1.5, 2.0].iter().map(|factor| format!("{} s", number(factor * period_s, 4))).collect()
+        }
+        ("shear_flexure", Some(building), _) => {
+            let own = building.along.shear_flexure_ratio();
+            let usual = [0.0, 2.0, 5.0, 10.0, 20.0, 30.0];
+            usual.into_iter().filter(|a| own.is_none_or(|own| (a - own).abs() > 1e-9)).map(|a| a.to_string()).collect()
+        }
+        ("seed", _, Ground::Synthetic(synthetic)) => {
+            (1..=4).filter_map(|i| synthetic.seed.checked_add(i)).map(|seed| seed.to_string()).collect()
+        }
+        ("site", _, Ground::Synthetic(synthetic)) => {
+            let own = synthetic.spectrum.site();
+            SiteClass::ALL.into_iter().filter(|class| *class != own).map(|class| class.name().to_owned()).collect()
+        }
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,365 @@
+//! How the floors of a building move.
+
+use super::{Building, BuildingError};
+use crate::motion::Motion;
+use crate::oscillator::{OscillatorState, OscillatorStep, step_of_period};
+
+/// Motion of one floor; see [`floor_motions`].
+///
+/// # Errors
+/// A level outside 0 to 1; samples that overflow.
+///
+/// # Example
+/// The ground floor moves as the ground:
+/// ```
+/// use freestand::{building::{Building, floor_motion}, motion::Motion};
+/// let ground = Motion::new(0.02, vec![0.3, -1.0, 0.7])?;
+/// let building = Building::beam(1.92, 0.05, 5.0, 10)?;
+/// assert_eq!(floor_motion(&ground, &building, 0.0)?, ground);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn floor_motion(ground: &Motion, building: &Building, level_ratio: f64) -> Result<Motion, BuildingError> {
+    check_level(level_ratio)?;
+    let accel_m_s2 = floor_accelerations(ground, building, &[level_ratio])?.swap_remove(0);
+    Ok(Motion::new(ground.dt_s(), accel_m_s2)?)
+}
+
+/// Absolute acceleration of several floors of a building at rest at t = 0, in the order of `levels_ratio`.
+///
+/// `a(x, t) = Σ Γ_iφ_i(x) A_i(t) + [1 − Σ Γ_iφ_i(x)] a_g(t)`, A_i the absolute acceleration of a modal oscillator. The
+/// bracket is the quasi-static share of the modes left out: without it the floors near the ground would not move.
+/// At x = 0 the ground motion itself comes back, bit for bit.
+///
+/// # Reference
+/// Chopra, Dynamics of Structures, modal analysis with static correction; oscillators by Nigam and Jennings (1969).
+///
+/// # Accuracy
+/// Exact in time for the modes kept. With 6 modes of a building of T₁ = 2 s the peaks of the 1940 El Centro record are
+/// within 0.4 % of those of many modes from mid-height up.
+///
+/// # Limitation
+/// As long as the ground motion: append [`Building::tail_s`] of zeros first so that the floors ring down.
+///
+/// # Errors
+/// A level outside 0 to 1; samples that overflow.
+pub fn floor_motions(ground: &Motion, building: &Building, levels_ratio: &[f64]) -> Result<Vec<Motion>, BuildingError> {
+    levels_ratio.iter().try_for_each(|&level_ratio| check_level(level_ratio))?;
+    let floors = floor_accelerations(ground, building, levels_ratio)?;
+    floors.into_iter().map(|accel_m_s2| Ok(Motion::new(ground.dt_s(), accel_m_s2)?)).collect()
+}
+
+fn check_level(level_ratio: f64) -> Result<(), BuildingError> {
+    if (0.0..=1.0).contains(&level_ratio) { Ok(()) } else { Err(BuildingError::Level { level_ratio }) }
+}
+
+fn floor_accelerations(
+    ground: &Motion,
+    building: &Building,
+    levels_ratio: &[f64],
+) -> Result<Vec<Vec<f64>>, BuildingError> {
+    let levels: Vec<Shares> = levels_ratio.iter().map(|&level| Shares::new(building, level)).collect();
+    let accel = ground.accel_m_s2();
+    let mut floors: Vec<Vec<f64>> =
+        levels.iter().map(|level| accel.iter().map(|a| level.residual * a).collect()).collect();
+    follow(ground, building, |from, histories| {
+        for (floor, level) in floors.iter_mut().zip(&levels) {
+            let Some(samples) = floor.get_mut(from..) else { continue };
+            for (share, history) in level.modes.iter().zip(histories) {
+                add(samples, *share, &history.absolute_m_s2);
+            }
+        }
+    })?;
+    Ok(floors)
+}
+
+/// Peaks of one level, at the samples.
+///
+/// **Units**: m/s², m/s, m. Velocity, displacement and drift are relative to the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloorPeaks {
+    /// The level as a share of the height.
+    pub level_ratio: f64,
+    /// Largest absolute acceleration \[m/s²\].
+    pub accel_m_s2: f64,
+    /// Largest velocity relative to the ground \[m/s\].
+    pub velocity_m_s: f64,
+    /// Largest displacement relative to the ground \[m\].
+    pub displacement_m: f64,
+    /// Largest displacement relative to the level before it in the list, of the first relative to the ground \[m\].
+    pub drift_m: f64,
+}
+
+/// Peaks of many levels in one pass, without keeping their histories.
+///
+/// Accelerations as of [`floor_motions`], to the bit; displacement `u(x, t) = Σ Γ_iφ_i(x) u_i(t)` and its velocity. The
+/// modes left out have no part in these: they follow the ground at once.
+///
+/// # Errors
+/// A level outside 0 to 1; peaks that overflow.
+///
+/// # Example
+/// A rigid block on a spring under a sudden 1 m/s² moves 2a/ω² = 2·0.0253 m in half a period:
+/// ```
+/// use freestand::{building::{Building, Damping, Storey, floor_peaks}, motion::Motion};
+/// let omega2 = (std::f64::consts::TAU).powi(2);
+/// let storey = Storey { mass_kg: 1.0, stiffness_n_m: omega2, height_m: 3.0 };
+/// let building = Building::shear(&[storey], &Damping::Uniform(0.0), 1)?;
+/// let peaks = floor_peaks(&Motion::new(0.5, vec![1.0; 3])?, &building, &[1.0])?;
+/// assert!((peaks[0].displacement_m - 2.0 / omega2).abs() < 1e-15);
+/// assert!((peaks[0].accel_m_s2 - 2.0).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn floor_peaks(
+    ground: &Motion,
+    building: &Building,
+    levels_ratio: &[f64],
+) -> Result<Vec<FloorPeaks>, BuildingError> {
+    levels_ratio.iter().try_for_each(|&level_ratio| check_level(level_ratio))?;
+    let levels: Vec<Shares> = levels_ratio.iter().map(|&level| Shares::new(building, level)).collect();
+    let mut peaks: Vec<FloorPeaks> = levels_ratio
+        .iter()
+        .map(|&level_ratio| FloorPeaks {
+            level_ratio,
+            accel_m_s2: 0.0,
+            velocity_m_s: 0.0,
+            displacement_m: 0.0,
+            drift_m: 0.0,
+        })
+        .collect();
+    let accel = ground.accel_m_s2();
+    let mut floor = Floor::default();
+    follow(ground, building, |from, histories| {
+        floor.displacement.clear();
+        for (peak, level) in peaks.iter_mut().zip(&levels) {
+            floor.move_to(level, accel.get(from..).unwrap_or_default(), histories);
+            raise(&mut peak.accel_m_s2, floor.absolute.iter().copied());
+            raise(&mut peak.velocity_m_s, floor.velocity.iter().copied());
+            raise(&mut peak.displacement_m, floor.displacement.iter().copied());
+            let below = floor.below.iter().copied().chain(std::iter::repeat(0.0));
+            raise(&mut peak.drift_m, floor.displacement.iter().zip(below).map(|(here, below)| here - below));
+        }
+    })?;
+    let all = |peak: &FloorPeaks| [peak.accel_m_s2, peak.velocity_m_s, peak.displacement_m, peak.drift_m];
+    match peaks.iter().flat_map(all).find(|peak| !peak.is_finite()) {
+        Some(value) => Err(crate::motion::MotionError::NotFinite { index: 0, value }.into()),
+        None => Ok(peaks),
+    }
+}
+
+/// What the modes, and the ground itself, move a level by.
+struct Shares {
+    residual: f64,
+    /// Empty at the ground, which moves as it is.
+    modes: Vec<f64>,
+}
+
+impl Shares {
+    fn new(building: &Building, level_ratio: f64) -> Self {
+        let modes: Vec<f64> = building.modes.iter().map(|mode| mode.share_ratio(level_ratio)).collect();
+        let residual = 1.0 - modes.iter().sum::<f64>();
+        Self { residual, modes: if level_ratio > 0.0 { modes } else { Vec::new() } }
+    }
+}
+
+/// One level in one block of time.
+#[derive(Default)]
+struct Floor {
+    absolute: Vec<f64>,
+    velocity: Vec<f64>,
+    displacement: Vec<f64>,
+    below: Vec<f64>,
+}
+
+impl Floor {
+    fn move_to(&mut self, level: &Shares, ground: &[f64], histories: &[History]) {
+        let samples = histories.first().map_or(0, |history| history.absolute_m_s2.len());
+        std::mem::swap(&mut self.below, &mut self.displacement);
+        self.absolute.clear();
+        self.absolute.extend(ground.iter().take(samples).map(|a| level.residual * a));
+        for values in [&mut self.velocity, &mut self.displacement] {
+            values.clear();
+            values.resize(samples, 0.0);
+        }
+        for (share, history) in level.modes.iter().zip(histories) {
+            add(&mut self.absolute, *share, &history.absolute_m_s2);
+            add(&mut self.velocity, *share, &history.velocity_m_s);
+            add(&mut self.displacement, *share, &history.displacement_m);
+        }
+    }
+}
+
+/// NaN stays, so that an overflow is seen.
+fn raise(peak: &mut f64, values: impl Iterator<Item = f64>) {
+    for value in values {
+        let size = value.abs();
+        if size > *peak || size.is_nan() {
+            *peak = size;
+        }
+    }
+}
+
+fn add(samples: &mut [f64], share: f64, history: &[f64]) {
+    for (sample, value) in samples.iter_mut().zip(history) {
+        *sample += share * value;
+    }
+}
+
+/// One mode's oscillator in one block of time.
+struct History {
+    step: OscillatorStep,
+    state: OscillatorState,
+    absolute_m_s2: Vec<f64>,
+    velocity_m_s: Vec<f64>,
+    displacement_m: Vec<f64>,
+}
+
+/// Samples of a block: ten modes of it, three histories each, stay in the fastest memory while every floor adds them up.
+const BLOCK: usize = 256;
+
+/// Follows every mode's oscillator once, block by block; `each` is told the first sample of the block.
+fn follow(ground: &Motion, building: &Building, mut each: impl FnMut(usize, &[History])) -> Result<(), BuildingError> {
+    let mut histories = building
+        .modes
+        .iter()
+        .map(|mode| {
+            // The building and the motion were validated, so only a period too short for its ω² is left.
+            let step = step_of_period(mode.period_s, mode.damping_ratio, ground.dt_s())
+                .map_err(|_| BuildingError::Period { period_s: mode.period_s })?;
+            let new = || Vec::with_capacity(BLOCK);
+            let state = OscillatorState::default();
+            Ok(History { step, state, absolute_m_s2: new(), velocity_m_s: new(), displacement_m: new() })
+        })
+        .collect::<Result<Vec<_>, BuildingError>>()?;
+    let accel = ground.accel_m_s2();
+    for from in (0..accel.len()).step_by(BLOCK) {
+        let to = accel.len().min(from + BLOCK);
+        for history in &mut histories {
+            history.advance(&accel[from.saturating_sub(1)..to], from == 0);
+        }
+        each(from, &histories);
+    }
+    Ok(())
+}
+
+impl History {
+    /// The block whose samples are `accel_m_s2`, behind the last of the block before; the very first sample is at rest.
+    fn advance(&mut self, accel_m_s2: &[f64], at_rest: bool) {
+        self.absolute_m_s2.clear();
+        self.velocity_m_s.clear();
+        self.displacement_m.clear();
+        if at_rest {
+            self.absolute_m_s2.push(0.0);
+            self.velocity_m_s.push(0.0);
+            self.displacement_m.push(0.0);
+        }
+        for pair in accel_m_s2.windows(2) {
+            self.state = self.step.advance(self.state, pair[0], pair[1]);
+            self.absolute_m_s2.push(self.step.absolute_acceleration_m_s2(self.state));
+            self.velocity_m_s.push(self.state.velocity_m_s);
+            self.displacement_m.push(self.state.displacement_m);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oscillator::absolute_acceleration_history_m_s2;
+
+    fn shaking() -> Motion {
+        Motion::new(0.01, (0..500).map(|k| (0.07 * k as f64).sin() * 2.0 + (0.9 * k as f64).cos()).collect()).unwrap()
+    }
+
+    #[test]
+    fn the_ground_floor_is_the_ground_bit_for_bit() {
+        let mut accel = shaking().accel_m_s2().to_vec();
+        accel[7] = -0.0;
+        let ground = Motion::new(0.01, accel).unwrap();
+        let building = Building::beam(2.0, 0.02, 5.0, 7).unwrap();
+        let floor = floor_motion(&ground, &building, 0.0).unwrap();
+        for (a, b) in floor.accel_m_s2().iter().zip(ground.accel_m_s2()) {
+            assert_eq!(a.to_bits(), b.to_bits());
+        }
+    }
+
+    #[test]
+    fn levels_together_are_levels_one_by_one() {
+        let building = Building::beam(2.0, 0.02, 5.0, 7).unwrap();
+        let levels_ratio = [1.0, 0.0, 0.5, 0.1];
+        let together = floor_motions(&shaking(), &building, &levels_ratio).unwrap();
+        for (motion, level_ratio) in together.iter().zip(levels_ratio) {
+            assert_eq!(*motion, floor_motion(&shaking(), &building, level_ratio).unwrap());
+        }
+    }
+
+    #[test]
+    fn a_floor_of_a_rigid_building_moves_as_the_ground() {
+        // T₁ = dt/1000: a mode lags the ground by 2ζT/(2π dt) ≤ 9.6e-5 of the change between samples, which is at most
+        // 0.87 + 0.14 m/s² here; its own vibration is gone within a step. The shares of the modes add to below 1.2. The
+        // first sample is apart: there the oscillators stand at rest.
+        let building = Building::beam(1e-5, 0.3, 5.0, 5).unwrap();
+        let floor = floor_motion(&shaking(), &building, 0.7).unwrap();
+        for (a, b) in floor.accel_m_s2().iter().zip(shaking().accel_m_s2()).skip(1) {
+            assert!((a - b).abs() < 1.2e-4, "{a} {b}");
+        }
+    }
+
+    /// The formula as it stands, level by level over whole histories; more samples than a block and not a multiple.
+    #[test]
+    fn blocks_change_no_bit() {
+        let samples = 2 * BLOCK + 77;
+        let ground = Motion::new(0.01, (0..samples).map(|k| (0.3 * k as f64).sin()).collect()).unwrap();
+        let building = Building::beam(0.7, 0.02, 5.0, 4).unwrap();
+        let level = 0.6;
+        let residual = 1.0 - building.modes().iter().map(|mode| mode.share_ratio(level)).sum::<f64>();
+        let mut expected: Vec<f64> = ground.accel_m_s2().iter().map(|a| residual * a).collect();
+        for mode in building.modes() {
+            let history = absolute_acceleration_history_m_s2(&ground, mode.period_s(), 0.02).unwrap();
+            for (sample, absolute) in expected.iter_mut().zip(history) {
+                *sample += mode.share_ratio(level) * absolute;
+            }
+        }
+        assert_eq!(floor_motion(&ground, &building, level).unwrap().accel_m_s2(), expected);
+    }
+
+    #[test]
+    fn peaks_are_those_of_the_motions() {
+        let ground = shaking().with_zero_tail(4.0).unwrap();
+        let building = Building::beam(1.3, 0.02, 5.0, 7).unwrap();
+        let levels_ratio = [0.0, 0.2, 0.5, 1.0];
+        let floors = floor_motions(&ground, &building, &levels_ratio).unwrap();
+        let peaks = floor_peaks(&ground, &building, &levels_ratio).unwrap();
+        for (floor, peak) in floors.iter().zip(&peaks) {
+            assert_eq!(floor.peak_m_s2(), peak.accel_m_s2);
+        }
+        let still = peaks[0];
+        assert_eq!([still.velocity_m_s, still.displacement_m, still.drift_m], [0.0; 3]);
+        assert_eq!(peaks[1].drift_m, peaks[1].displacement_m);
+        // A drift is at most the displacements of both ends together, and at least their difference.
+        for pair in peaks.windows(2) {
+            let (low, high) = (pair[0].displacement_m, pair[1].displacement_m);
+            assert!(pair[1].drift_m <= low + high && pair[1].drift_m >= (high - low) * (1.0 - 1e-12));
+        }
+    }
+
+    /// One mode alone: velocity and displacement are the shares of its oscillator's spectrum.
+    #[test]
+    fn one_mode_moves_as_its_oscillator() {
+        let building = Building::beam(0.8, 0.03, 5.0, 1).unwrap();
+        let peaks = floor_peaks(&shaking(), &building, &[0.5, 1.0]).unwrap();
+        let sd = crate::oscillator::response_spectrum(&shaking(), 0.03, &[0.8]).unwrap().sd_m[0];
+        for peak in peaks {
+            let share = building.modes()[0].share_ratio(peak.level_ratio);
+            assert!((peak.displacement_m / (share * sd) - 1.0).abs() < 1e-13, "two roundings of each sample");
+        }
+    }
+
+    #[test]
+    fn levels_outside_the_building_are_refused() {
+        let fine = Building::beam(1.0, 0.05, 5.0, 3).unwrap();
+        for level_ratio in [-0.1, 1.1, f64::NAN] {
+            assert!(matches!(floor_motion(&shaking(), &fine, level_ratio), Err(BuildingError::Level { .. })));
+            assert!(matches!(floor_peaks(&shaking(), &fine, &[level_ratio]), Err(BuildingError::Level { .. })));
+        }
+    }
+}

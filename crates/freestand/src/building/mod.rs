@@ -1,0 +1,346 @@
+//! Linear buildings on their modes, and the motion of their floors.
+//!
+//! A [`Building`] holds modes of any origin: a uniform beam in closed form ([`Building::beam`]), a shear building from
+//! storey masses and stiffnesses ([`Building::shear`]), or the modes of the user's own model ([`Building::from_modes`]).
+//! Heights are fractions of the total, x = 0 the ground and 1 the roof.
+
+mod beam;
+mod damping;
+mod floors;
+mod storeys;
+mod table;
+
+pub use beam::BeamShape;
+pub use damping::{Damping, Rayleigh};
+pub use floors::{FloorPeaks, floor_motion, floor_motions, floor_peaks};
+pub use storeys::{MAX_STOREYS, Storey};
+pub use table::{ModalDoubt, TableMode};
+
+use crate::motion::MotionError;
+use thiserror::Error;
+
+/// Free vibration to leave after a motion, in fundamental periods: 5 % damping has decayed by e^(−π) ≈ 1/23 after ten.
+pub const TAIL_PERIODS: f64 = 10.0;
+
+/// Most modes of a beam or of a table: the fiftieth of a beam is 1/99 of the fundamental period or less, far below a
+/// record's step. A shear building may keep all its modes.
+pub const MAX_MODES: usize = 50;
+
+/// Longest fundamental period of a [`Building`] \[s\]: ten times that of the tallest tower.
+pub const MAX_PERIOD_S: f64 = 100.0;
+
+/// What is wrong with a storey.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StoreyQuantity {
+    /// Its mass.
+    Mass,
+    /// Its lateral stiffness.
+    Stiffness,
+    /// Its height.
+    Height,
+}
+
+impl std::fmt::Display for StoreyQuantity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Mass => "mass",
+            Self::Stiffness => "stiffness",
+            Self::Height => "height",
+        })
+    }
+}
+
+/// Why a building or its floor motion cannot be made.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum BuildingError {
+    /// The fundamental period is not usable.
+    #[error("the fundamental period must be positive and at most {MAX_PERIOD_S} s, not {period_s} s")]
+    Period {
+        /// The period that was given, or that of the mode that is too short.
+        period_s: f64,
+    },
+    /// The damping is not below critical.
+    #[error("the damping ratio must be at least 0 and below 1, not {damping_ratio}")]
+    Damping {
+        /// The damping ratio that was given.
+        damping_ratio: f64,
+    },
+    /// A mode's own damping is not below critical.
+    #[error("the damping ratio of mode {mode} must be at least 0 and below 1, not {damping_ratio}")]
+    ModeDamping {
+        /// The mode, from 1.
+        mode: usize,
+        /// Its damping ratio, as given or as Rayleigh damping makes it.
+        damping_ratio: f64,
+    },
+    /// Not one damping ratio for each mode.
+    #[error("{ratios} damping ratios for {modes} modes")]
+    DampingCount {
+        /// Ratios that were given.
+        ratios: usize,
+        /// Modes that there are.
+        modes: usize,
+    },
+    /// The modes that carry Rayleigh damping are not two of the modes, or have one period.
+    #[error("Rayleigh damping needs two modes of different periods among the first {modes}, not {first} and {second}")]
+    RayleighModes {
+        /// The first, from 1.
+        first: usize,
+        /// The second.
+        second: usize,
+        /// Modes that there are.
+        modes: usize,
+    },
+    /// The shear-flexure ratio is negative or not finite.
+    #[error("the shear-flexure ratio must be at least 0 and finite, not {shear_flexure_ratio}")]
+    ShearFlexure {
+        /// The ratio that was given.
+        shear_flexure_ratio: f64,
+    },
+    /// No modes, or more than there may be.
+    #[error("the number of modes must be 1 to {at_most}, not {modes}")]
+    Modes {
+        /// The number that was given.
+        modes: usize,
+        /// The most that this building may have.
+        at_most: usize,
+    },
+    /// No storeys, or more than [`MAX_STOREYS`].
+    #[error("the number of storeys must be 1 to {MAX_STOREYS}, not {storeys}")]
+    Storeys {
+        /// The number that was given.
+        storeys: usize,
+    },
+    /// A storey has no mass, stiffness or height.
+    #[error("the {quantity} of storey {storey} must be positive and finite, not {value}")]
+    Storey {
+        /// The storey, from 1 at the ground.
+        storey: usize,
+        /// Which of its values.
+        quantity: StoreyQuantity,
+        /// The value that was given \[kg, N/m or m\].
+        value: f64,
+    },
+    /// The floors of a modal table do not rise from above the ground to the roof.
+    #[error("floor {floor} is at {level_ratio} of the height: floors must rise from above 0 to 1 at the last")]
+    Floor {
+        /// The floor, from 1.
+        floor: usize,
+        /// Its level.
+        level_ratio: f64,
+    },
+    /// A mode of a modal table has not one value for each floor.
+    #[error("mode {mode} has {values} values for {floors} floors")]
+    ShapeLength {
+        /// The mode, from 1.
+        mode: usize,
+        /// Values that it has.
+        values: usize,
+        /// Floors that there are.
+        floors: usize,
+    },
+    /// A value of a modal table is not usable.
+    #[error("the {what} of mode {mode} must be {expected}, not {value}")]
+    ModeValue {
+        /// The mode, from 1 in the order of the table.
+        mode: usize,
+        /// Which of its values.
+        what: &'static str,
+        /// What it must be.
+        expected: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
+    /// A level below the ground or above the roof.
+    #[error("a level is a fraction of the height, 0 to 1, not {level_ratio}")]
+    Level {
+        /// The level that was given.
+        level_ratio: f64,
+    },
+    /// The floor motion is not a motion (its samples overflow).
+    #[error("the floor motion is not finite: {0}")]
+    Motion(#[from] MotionError),
+}
+
+/// Where a building's modes come from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Model {
+    /// A uniform shear-flexure beam.
+    Beam {
+        /// `α = H √(GA/EI)`.
+        shear_flexure_ratio: f64,
+    },
+    /// Storey masses on storey springs.
+    Shear {
+        /// Number of storeys.
+        storeys: usize,
+    },
+    /// The user's own modes.
+    Table {
+        /// Number of floors in the table.
+        floors: usize,
+    },
+}
+
+/// Shape of a mode over the height; 0 at the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ModeShape {
+    /// That of a uniform beam, in closed form.
+    Beam(BeamShape),
+    /// Values at floors, linear between them.
+    Floors(FloorShape),
+}
+
+/// A mode shape by its values at floors, linear between them and 0 at the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloorShape {
+    /// Rising, above 0, the last is 1.
+    levels_ratio: Vec<f64>,
+    values_ratio: Vec<f64>,
+}
+
+impl FloorShape {
+    fn value(&self, level_ratio: f64) -> f64 {
+        let above = self.levels_ratio.partition_point(|&level| level < level_ratio);
+        let at = |index: usize| Some((*self.levels_ratio.get(index)?, *self.values_ratio.get(index)?));
+        let Some((high, top)) = at(above) else { return self.values_ratio.last().copied().unwrap_or(0.0) };
+        if high == level_ratio {
+            return top;
+        }
+        let (low, bottom) = above.checked_sub(1).and_then(at).unwrap_or((0.0, 0.0));
+        bottom + (top - bottom) * ((level_ratio - low) / (high - low))
+    }
+}
+
+/// One mode of vibration of a [`Building`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    period_s: f64,
+    damping_ratio: f64,
+    participation_ratio: f64,
+    effective_mass_ratio: Option<f64>,
+    shape: ModeShape,
+}
+
+impl Mode {
+    /// Period of the mode \[s\].
+    pub fn period_s(&self) -> f64 {
+        self.period_s
+    }
+
+    /// Damping ratio of the mode.
+    pub fn damping_ratio(&self) -> f64 {
+        self.damping_ratio
+    }
+
+    /// Dimensionless eigenvalue γ of a beam: the wave number of the shape's sine over the height.
+    pub fn eigenvalue(&self) -> Option<f64> {
+        match &self.shape {
+            ModeShape::Beam(shape) => Some(shape.eigenvalue()),
+            ModeShape::Floors(_) => None,
+        }
+    }
+
+    /// Participation factor `Γ = ∫φ dx / ∫φ² dx` (floors: `Σ m φ / Σ m φ²`) for the shape as it is normalised.
+    pub fn participation_ratio(&self) -> f64 {
+        self.participation_ratio
+    }
+
+    /// Share of the building's mass that acts in the mode, `(∫φ dx)² / ∫φ² dx`; all modes add up to 1. `None` where a
+    /// table does not say.
+    pub fn effective_mass_ratio(&self) -> Option<f64> {
+        self.effective_mass_ratio
+    }
+
+    /// The shape.
+    pub fn shape(&self) -> &ModeShape {
+        &self.shape
+    }
+
+    /// Mode shape φ at `level_ratio` of the height: exactly 0 at the ground.
+    ///
+    /// Of a beam it is 1 at the roof; of a shear building too, or, where the roof stands nearly still (below 1/1000 of
+    /// the largest value), 1 at the floor that moves most; of a table it is as given.
+    pub fn shape_ratio(&self, level_ratio: f64) -> f64 {
+        if level_ratio == 0.0 {
+            return 0.0;
+        }
+        match &self.shape {
+            ModeShape::Beam(shape) => shape.value(level_ratio),
+            ModeShape::Floors(shape) => shape.value(level_ratio),
+        }
+    }
+
+    /// `Γφ(x)`: what the mode's oscillator moves the level by. It does not depend on how the shape is normalised.
+    pub fn share_ratio(&self, level_ratio: f64) -> f64 {
+        self.participation_ratio * self.shape_ratio(level_ratio)
+    }
+}
+
+/// A linear building on its modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Building {
+    model: Model,
+    modes: Vec<Mode>,
+    floors_ratio: Vec<f64>,
+}
+
+impl Building {
+    /// Where the modes come from.
+    pub fn model(&self) -> Model {
+        self.model
+    }
+
+    /// The modes by falling period; at least one.
+    pub fn modes(&self) -> &[Mode] {
+        &self.modes
+    }
+
+    /// Fundamental period T₁ \[s\].
+    pub fn period_s(&self) -> f64 {
+        self.modes[0].period_s
+    }
+
+    /// Damping ratio of every mode; `None` where they differ.
+    pub fn damping_ratio(&self) -> Option<f64> {
+        let first = self.modes[0].damping_ratio;
+        self.modes.iter().all(|mode| mode.damping_ratio == first).then_some(first)
+    }
+
+    /// `α = H √(GA/EI)` of a beam.
+    pub fn shear_flexure_ratio(&self) -> Option<f64> {
+        match self.model {
+            Model::Beam { shear_flexure_ratio } => Some(shear_flexure_ratio),
+            Model::Shear { .. } | Model::Table { .. } => None,
+        }
+    }
+
+    /// Levels of the floors that the shapes are known at, from the lowest above the ground to the roof; empty for a beam,
+    /// whose shapes are known everywhere.
+    pub fn floors_ratio(&self) -> &[f64] {
+        &self.floors_ratio
+    }
+
+    /// Zeros to append to a ground motion so that the floors ring down, [`TAIL_PERIODS`]·T₁ \[s\]; for
+    /// [`Motion::with_zero_tail`](crate::motion::Motion::with_zero_tail).
+    pub fn tail_s(&self) -> f64 {
+        TAIL_PERIODS * self.period_s()
+    }
+
+    /// The same building with other damping.
+    ///
+    /// # Errors
+    /// See [`Damping::ratios`].
+    pub fn with_damping(mut self, damping: &Damping) -> Result<Self, BuildingError> {
+        let periods_s: Vec<f64> = self.modes.iter().map(Mode::period_s).collect();
+        let ratios = damping.ratios(&periods_s)?;
+        for (mode, ratio) in self.modes.iter_mut().zip(ratios) {
+            mode.damping_ratio = ratio;
+        }
+        Ok(self)
+    }
+}
+
+fn check_period(period_s: f64) -> Result<(), BuildingError> {
+    if period_s > 0.0 && period_s <= MAX_PERIOD_S { Ok(()) } else { Err(BuildingError::Period { period_s }) }
+}

@@ -1,0 +1,398 @@
+//! Eurocode 8, EN 1998-1:2004, with its recommended values or those of a national annex.
+
+use super::{CodeSpectrumError, positive};
+
+/// Type of spectrum, EN 1998-1, 3.2.2.2(2).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SpectrumType {
+    /// Type 1: earthquakes with surface-wave magnitudes above 5.5 contribute most to the hazard.
+    Type1,
+    /// Type 2: magnitudes of 5.5 or less, the usual one where seismicity is low.
+    Type2,
+}
+
+impl SpectrumType {
+    /// The number of the type.
+    pub fn number(self) -> u8 {
+        match self {
+            Self::Type1 => 1,
+            Self::Type2 => 2,
+        }
+    }
+}
+
+/// Ground type, EN 1998-1, Table 3.1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum GroundType {
+    /// Rock.
+    A,
+    /// Very dense sand, gravel or very stiff clay.
+    B,
+    /// Dense or medium-dense sand, gravel or stiff clay.
+    C,
+    /// Loose-to-medium soil or soft-to-firm clay.
+    D,
+    /// A surface layer of 5 to 20 m of C or D over stiff material.
+    E,
+}
+
+impl GroundType {
+    /// Every type, in the code's order.
+    pub const ALL: [Self; 5] = [Self::A, Self::B, Self::C, Self::D, Self::E];
+
+    /// The type as the code writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::A => "A",
+            Self::B => "B",
+            Self::C => "C",
+            Self::D => "D",
+            Self::E => "E",
+        }
+    }
+
+    /// The type in words.
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::A => "rock",
+            Self::B => "very dense sand or gravel, very stiff clay",
+            Self::C => "dense or medium-dense sand or gravel, stiff clay",
+            Self::D => "loose-to-medium soil, soft-to-firm clay",
+            Self::E => "a shallow layer of C or D over stiff material",
+        }
+    }
+
+    /// The type of a name in any case.
+    ///
+    /// # Errors
+    /// A name that is none of the five; S1 and S2 need a study of their own, by the code.
+    pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
+        let unknown = || CodeSpectrumError::SiteClass { name: name.to_owned(), known: "A, B, C, D, E" };
+        Self::ALL.into_iter().find(|ground| ground.name().eq_ignore_ascii_case(name.trim())).ok_or_else(unknown)
+    }
+}
+
+/// The shape of a horizontal spectrum: soil factor and corner periods.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectrumShape {
+    /// Soil factor S.
+    pub soil_factor_ratio: f64,
+    /// Where the plateau begins, TB \[s\].
+    pub tb_s: f64,
+    /// Where it ends, TC \[s\].
+    pub tc_s: f64,
+    /// Where constant displacement begins, TD \[s\].
+    pub td_s: f64,
+}
+
+impl SpectrumShape {
+    /// The recommended values; national annexes may differ.
+    ///
+    /// # Reference
+    /// EN 1998-1:2004, Tables 3.2 and 3.3.
+    pub fn recommended(spectrum_type: SpectrumType, ground: GroundType) -> Self {
+        let (soil_factor_ratio, tb_s, tc_s) = match (spectrum_type, ground) {
+            (SpectrumType::Type1, GroundType::A) => (1.0, 0.15, 0.4),
+            (SpectrumType::Type1, GroundType::B) => (1.2, 0.15, 0.5),
+            (SpectrumType::Type1, GroundType::C) => (1.15, 0.20, 0.6),
+            (SpectrumType::Type1, GroundType::D) => (1.35, 0.20, 0.8),
+            (SpectrumType::Type1, GroundType::E) => (1.4, 0.15, 0.5),
+            (SpectrumType::Type2, GroundType::A) => (1.0, 0.05, 0.25),
+            (SpectrumType::Type2, GroundType::B) => (1.35, 0.05, 0.25),
+            (SpectrumType::Type2, GroundType::C) => (1.5, 0.10, 0.25),
+            (SpectrumType::Type2, GroundType::D) => (1.8, 0.10, 0.30),
+            (SpectrumType::Type2, GroundType::E) => (1.6, 0.05, 0.25),
+        };
+        let td_s = match spectrum_type {
+            SpectrumType::Type1 => 2.0,
+            SpectrumType::Type2 => 1.2,
+        };
+        Self { soil_factor_ratio, tb_s, tc_s, td_s }
+    }
+}
+
+/// Corner periods TB, TC, TD of the vertical spectrum, EN 1998-1, Table 3.4 \[s\].
+const VERTICAL_CORNERS_S: [f64; 3] = [0.05, 0.15, 1.0];
+
+/// Damping correction factor η = √(10/(5 + ξ)) ≥ 0.55 with ξ in per cent; 1 at 5 %.
+///
+/// # Reference
+/// EN 1998-1:2004, Eq. (3.6).
+///
+/// # Errors
+/// A damping ratio that is not from 0 to below 1.
+///
+/// # Example
+/// 20 %: √(10/25) = 0.632.
+/// ```
+/// let eta = freestand::code_spectrum::damping_correction_ratio(0.20)?;
+/// assert!((eta - 0.4f64.sqrt()).abs() < 1e-15);
+/// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
+/// ```
+pub fn damping_correction_ratio(damping_ratio: f64) -> Result<f64, CodeSpectrumError> {
+    if !(0.0..1.0).contains(&damping_ratio) {
+        let requirement = "from 0 to below 1";
+        return Err(CodeSpectrumError::Parameter { name: "the damping ratio ξ", requirement, value: damping_ratio });
+    }
+    Ok((0.1 / (0.05 + damping_ratio)).sqrt().max(0.55))
+}
+
+/// An elastic spectrum of Eurocode 8.
+///
+/// `Se(T) = a_g S [1 + (T/TB)(2.5η − 1)]` to TB, `2.5η a_g S` to TC, `2.5η a_g S TC/T` to TD, `2.5η a_g S TC TD/T²` beyond.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eurocode8 {
+    spectrum_type: SpectrumType,
+    ground: Option<GroundType>,
+    reference_acceleration_g: f64,
+    importance_factor_ratio: f64,
+    shape: SpectrumShape,
+    is_recommended: bool,
+}
+
+impl Eurocode8 {
+    /// The spectrum with the recommended shape of a ground type: a_g = γ_I a_gR.
+    ///
+    /// # Reference
+    /// EN 1998-1:2004, 3.2.2.2, Eqs. (3.2)–(3.5), Tables 3.2 and 3.3.
+    ///
+    /// # Limitation
+    /// The code's formulas end at 4 s; beyond, its Annex A lets the displacement fall. Here it stays constant.
+    ///
+    /// # Errors
+    /// An acceleration or an importance factor that is not positive and finite.
+    ///
+    /// # Example
+    /// Type 1, ground B, 0.2 g: the plateau is 2.5 · 0.2 g · 1.2 = 0.6 g, at 1 s half of it (TC = 0.5 s).
+    /// ```
+    /// use freestand::code_spectrum::{Eurocode8, GroundType, SpectrumType};
+    /// let code = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0)?;
+    /// assert!((code.sa_g(0.3) - 0.6).abs() < 1e-15);
+    /// assert!((code.sa_g(1.0) - 0.3).abs() < 1e-15);
+    /// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
+    /// ```
+    pub fn new(
+        spectrum_type: SpectrumType,
+        ground: GroundType,
+        reference_acceleration_g: f64,
+        importance_factor_ratio: f64,
+    ) -> Result<Self, CodeSpectrumError> {
+        Ok(Self {
+            spectrum_type,
+            ground: Some(ground),
+            reference_acceleration_g: positive("the ground acceleration a_gR", reference_acceleration_g)?,
+            importance_factor_ratio: positive("the importance factor γ_I", importance_factor_ratio)?,
+            shape: SpectrumShape::recommended(spectrum_type, ground),
+            is_recommended: true,
+        })
+    }
+
+    /// The same code with the shape of a national annex or of a site study; the type is kept for the vertical spectrum, the
+    /// ground type for the name.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; a soil factor that is not positive, corner periods that are not 0 < TB ≤ TC ≤ TD.
+    pub fn with_shape(
+        spectrum_type: SpectrumType,
+        ground: Option<GroundType>,
+        reference_acceleration_g: f64,
+        importance_factor_ratio: f64,
+        shape: SpectrumShape,
+    ) -> Result<Self, CodeSpectrumError> {
+        let base = Self::new(spectrum_type, GroundType::A, reference_acceleration_g, importance_factor_ratio)?;
+        positive("the soil factor S", shape.soil_factor_ratio)?;
+        positive("TB", shape.tb_s)?;
+        for (name, value, least) in [("TC", shape.tc_s, shape.tb_s), ("TD", shape.td_s, shape.tc_s)] {
+            if !(value >= least && value.is_finite()) {
+                let requirement = "finite and no less than the corner before it";
+                return Err(CodeSpectrumError::Parameter { name, requirement, value });
+            }
+        }
+        let is_recommended = ground.is_some_and(|ground| shape == SpectrumShape::recommended(spectrum_type, ground));
+        Ok(Self { ground, shape, is_recommended, ..base })
+    }
+
+    /// Type 1 or 2.
+    pub fn spectrum_type(&self) -> SpectrumType {
+        self.spectrum_type
+    }
+
+    /// Ground type, where one was given.
+    pub fn ground(&self) -> Option<GroundType> {
+        self.ground
+    }
+
+    /// Reference ground acceleration on rock, a_gR \[g\].
+    pub fn reference_acceleration_g(&self) -> f64 {
+        self.reference_acceleration_g
+    }
+
+    /// Importance factor γ_I.
+    pub fn importance_factor_ratio(&self) -> f64 {
+        self.importance_factor_ratio
+    }
+
+    /// Design ground acceleration on rock, a_g = γ_I a_gR \[g\].
+    pub fn ground_acceleration_g(&self) -> f64 {
+        self.importance_factor_ratio * self.reference_acceleration_g
+    }
+
+    /// Soil factor and corner periods.
+    pub fn shape(&self) -> SpectrumShape {
+        self.shape
+    }
+
+    /// Whether the shape is the one that EN 1998-1 recommends.
+    pub fn is_recommended(&self) -> bool {
+        self.is_recommended
+    }
+
+    /// TB, TC and TD \[s\].
+    pub fn corner_periods_s(&self) -> [f64; 3] {
+        [self.shape.tb_s, self.shape.tc_s, self.shape.td_s]
+    }
+
+    /// The plateau at 5 % damping, 2.5 a_g S \[g\].
+    pub fn plateau_g(&self) -> f64 {
+        2.5 * self.zero_period_g()
+    }
+
+    /// The value at T = 0, a_g S \[g\].
+    pub fn zero_period_g(&self) -> f64 {
+        self.ground_acceleration_g() * self.shape.soil_factor_ratio
+    }
+
+    /// Horizontal spectral acceleration, 5 % damping \[g\]; NaN for a negative period.
+    pub fn sa_g(&self, period_s: f64) -> f64 {
+        self.zero_period_g() * shape_ratio(self.corner_periods_s(), 2.5, period_s)
+    }
+
+    /// Horizontal spectral acceleration at another damping \[g\]: 2.5 becomes 2.5η. NaN for a negative period.
+    ///
+    /// # Errors
+    /// As [`damping_correction_ratio`].
+    pub fn damped_sa_g(&self, period_s: f64, damping_ratio: f64) -> Result<f64, CodeSpectrumError> {
+        let eta = damping_correction_ratio(damping_ratio)?;
+        Ok(self.zero_period_g() * shape_ratio(self.corner_periods_s(), 2.5 * eta, period_s))
+    }
+
+    /// Vertical spectral acceleration, 5 % damping \[g\]: a_vg = 0.90 a_g (type 1) or 0.45 a_g (type 2), 3.0 for 2.5, no soil
+    /// factor. NaN for a negative period.
+    ///
+    /// # Reference
+    /// EN 1998-1:2004, 3.2.2.3, Eqs. (3.8)–(3.11), Table 3.4.
+    pub fn vertical_sa_g(&self, period_s: f64) -> f64 {
+        let ratio = match self.spectrum_type {
+            SpectrumType::Type1 => 0.90,
+            SpectrumType::Type2 => 0.45,
+        };
+        ratio * self.ground_acceleration_g() * shape_ratio(VERTICAL_CORNERS_S, 3.0, period_s)
+    }
+}
+
+/// 1 at T = 0, `amplification` on the plateau.
+fn shape_ratio([tb_s, tc_s, td_s]: [f64; 3], amplification: f64, period_s: f64) -> f64 {
+    match period_s {
+        t if (0.0..tb_s).contains(&t) => 1.0 + (amplification - 1.0) * t / tb_s,
+        t if t >= tb_s && t <= tc_s => amplification,
+        t if t > tc_s && t <= td_s => amplification * tc_s / t,
+        t if t > td_s => amplification * tc_s * td_s / (t * t),
+        _ => f64::NAN,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sa/(a_g S) at T = 0, TB/2, TB, TC, 2 TC or TD, TD, 2 TD by hand from Eqs. (3.2)–(3.5): 1, (1 + 2.5)/2 = 1.75, 2.5,
+    /// 2.5, 2.5 TC/T, 2.5 TC/TD, a quarter of that.
+    #[test]
+    fn every_type_and_ground_at_its_corners() {
+        let tables = [
+            // EN 1998-1:2004, Table 3.2 (type 1) and Table 3.3 (type 2): S, TB, TC, TD.
+            (SpectrumType::Type1, GroundType::A, [1.0, 0.15, 0.4, 2.0]),
+            (SpectrumType::Type1, GroundType::B, [1.2, 0.15, 0.5, 2.0]),
+            (SpectrumType::Type1, GroundType::C, [1.15, 0.20, 0.6, 2.0]),
+            (SpectrumType::Type1, GroundType::D, [1.35, 0.20, 0.8, 2.0]),
+            (SpectrumType::Type1, GroundType::E, [1.4, 0.15, 0.5, 2.0]),
+            (SpectrumType::Type2, GroundType::A, [1.0, 0.05, 0.25, 1.2]),
+            (SpectrumType::Type2, GroundType::B, [1.35, 0.05, 0.25, 1.2]),
+            (SpectrumType::Type2, GroundType::C, [1.5, 0.10, 0.25, 1.2]),
+            (SpectrumType::Type2, GroundType::D, [1.8, 0.10, 0.30, 1.2]),
+            (SpectrumType::Type2, GroundType::E, [1.6, 0.05, 0.25, 1.2]),
+        ];
+        for (spectrum_type, ground, [s, tb, tc, td]) in tables {
+            let code = Eurocode8::new(spectrum_type, ground, 0.16, 1.25).unwrap();
+            assert_eq!(code.corner_periods_s(), [tb, tc, td], "{spectrum_type:?} {ground:?}");
+            // a_g = 1.25 · 0.16 g = 0.2 g.
+            let cases = [
+                (0.0, 1.0),
+                (0.5 * tb, 1.75),
+                (tb, 2.5),
+                (0.5 * (tb + tc), 2.5),
+                (tc, 2.5),
+                (0.5 * (tc + td), 2.5 * tc / (0.5 * (tc + td))),
+                (td, 2.5 * tc / td),
+                (2.0 * td, 2.5 * tc / td / 4.0),
+            ];
+            for (period_s, ratio) in cases {
+                // A few multiplications of numbers of order one.
+                assert!(
+                    (code.sa_g(period_s) - 0.2 * s * ratio).abs() < 4e-15,
+                    "{spectrum_type:?} {ground:?} {period_s}"
+                );
+            }
+            for corner in [tb, tc, td] {
+                let (before, after) = (code.sa_g(corner.next_down()), code.sa_g(corner.next_up()));
+                // Continuous: what is left is rounding and the slope over two units of the last place.
+                assert!((after / before - 1.0).abs() < 1e-14, "{spectrum_type:?} {ground:?} {corner}");
+            }
+        }
+    }
+
+    #[test]
+    fn damping_scales_the_plateau_and_leaves_the_zero_period() {
+        let code = Eurocode8::new(SpectrumType::Type1, GroundType::C, 0.1, 1.0).unwrap();
+        // η(2 %) = √(10/7) = 1.19523, η(35 %) = √(10/40) = 0.5, at least 0.55.
+        for (damping, eta) in [(0.05, 1.0), (0.02, (10.0f64 / 7.0).sqrt()), (0.35, 0.55)] {
+            let plateau = code.damped_sa_g(0.4, damping).unwrap();
+            assert!((plateau - 0.1 * 1.15 * 2.5 * eta).abs() < 1e-15, "{damping}");
+            assert_eq!(code.damped_sa_g(0.0, damping).unwrap(), code.sa_g(0.0));
+        }
+        assert!(code.damped_sa_g(0.4, 1.0).is_err() && code.damped_sa_g(0.4, f64::NAN).is_err());
+    }
+
+    /// By hand, type 1, a_g = 0.2 g: a_vg = 0.18 g; 0.18 at 0, 0.54 from 0.05 to 0.15 s, 0.54 · 0.15/0.3 = 0.27 at 0.3 s,
+    /// 0.54 · 0.15/4 = 0.02025 at 2 s. Type 2 has half of it.
+    #[test]
+    fn the_vertical_spectrum_has_no_soil_factor() {
+        for (spectrum_type, factor) in [(SpectrumType::Type1, 1.0), (SpectrumType::Type2, 0.5)] {
+            let code = Eurocode8::new(spectrum_type, GroundType::D, 0.2, 1.0).unwrap();
+            for (period_s, sa_g) in [(0.0, 0.18), (0.05, 0.54), (0.15, 0.54), (0.3, 0.27), (2.0, 0.02025)] {
+                assert!((code.vertical_sa_g(period_s) - factor * sa_g).abs() < 1e-15, "{period_s}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_shape_of_a_national_annex() {
+        let shape = SpectrumShape { soil_factor_ratio: 1.3, tb_s: 0.1, tc_s: 0.4, td_s: 2.5 };
+        let code = Eurocode8::with_shape(SpectrumType::Type1, None, 0.24, 1.0, shape).unwrap();
+        // 2.5 · 0.24 · 1.3 = 0.78; at 5 s 0.78 · 0.4 · 2.5/25 = 0.0312.
+        assert!((code.sa_g(0.2) - 0.78).abs() < 1e-15 && (code.sa_g(5.0) - 0.0312).abs() < 1e-15);
+        assert!(!code.is_recommended() && code.ground().is_none());
+        for bad in [
+            SpectrumShape { tb_s: 0.0, ..shape },
+            SpectrumShape { tc_s: 0.05, ..shape },
+            SpectrumShape { td_s: 0.3, ..shape },
+            SpectrumShape { td_s: f64::INFINITY, ..shape },
+            SpectrumShape { soil_factor_ratio: f64::NAN, ..shape },
+        ] {
+            assert!(Eurocode8::with_shape(SpectrumType::Type1, None, 0.24, 1.0, bad).is_err(), "{bad:?}");
+        }
+        assert!(Eurocode8::new(SpectrumType::Type1, GroundType::A, 0.0, 1.0).is_err());
+        assert!(Eurocode8::new(SpectrumType::Type1, GroundType::A, 0.1, f64::INFINITY).is_err());
+        assert!(GroundType::parse("s1").is_err() && GroundType::parse(" b ") == Ok(GroundType::B));
+    }
+}

@@ -1,0 +1,254 @@
+//! Elastic design spectra of codes, 5 % damping: AS 1170.4, Eurocode 8, ASCE 7, NZS 1170.5, and a table of the user's.
+//!
+//! | code | parameters | short periods | plateau | then | long periods |
+//! |---|---|---|---|---|---|
+//! | [`As1170_4`] | Z, return period, class | kpZ (a + b T) | kpZ c | 1/T | 1/T² beyond 1.5 s |
+//! | [`Eurocode8`] | a_g, type, ground | a_g S (1 + 1.5 T/TB) | 2.5 a_g S | 1/T | 1/T² beyond TD |
+//! | [`Asce7`] | SDS, SD1, TL | SDS (0.4 + 0.6 T/T0) | SDS | 1/T | 1/T² beyond TL |
+//! | [`Nzs1170_5`] | Z, return period, class, fault | Z R (a + b T) | Z R c | T^−0.75 | 1/T, 1/T² beyond 3 s |
+//! | [`SpectrumTable`] | periods and accelerations | log-log or linear between them, refused or held outside | | | |
+//!
+//! [`parts`] has the acceleration that each code gives a rigid part on a floor.
+//!
+//! # Example
+//! ```
+//! use freestand::code_spectrum::{As1170_4, CodeSpectrum, Edition, SiteClass};
+//! let code = CodeSpectrum::from(As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500)?);
+//! assert!((code.sa_g(1.0) - 0.1584).abs() < 1e-15);
+//! assert_eq!(code.name(), "AS 1170.4-2007 (Amdt 1, 2)");
+//! # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
+//! ```
+
+mod as1170_4;
+mod asce7;
+mod eurocode8;
+mod frame_period;
+mod nzs1170_5;
+pub mod parts;
+mod table;
+
+use thiserror::Error;
+
+pub use as1170_4::{
+    As1170_4, Edition, SiteClass, hazard_factor, hazard_factor_places, minimum_kpz, probability_factor,
+};
+pub use asce7::{Asce7, Asce7Edition};
+pub use eurocode8::{Eurocode8, GroundType, SpectrumShape, SpectrumType, damping_correction_ratio};
+pub use frame_period::{FrameKind, fundamental_period_s};
+pub use nzs1170_5::{Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor};
+pub use table::{Interpolation, OutOfRange, SpectrumTable};
+
+/// An elastic spectrum that motions are held against, 5 % damping.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CodeSpectrum {
+    /// Australia.
+    As1170_4(As1170_4),
+    /// Europe, first generation.
+    Eurocode8(Eurocode8),
+    /// United States.
+    Asce7(Asce7),
+    /// New Zealand.
+    Nzs1170_5(Nzs1170_5),
+    /// The user's own.
+    Table(SpectrumTable),
+}
+
+impl CodeSpectrum {
+    /// Spectral acceleration at 5 % damping \[g\].
+    ///
+    /// NaN for a negative period, and where a table has no value and refuses to go on: ask [`Self::longest_period_s`] and
+    /// [`Self::shortest_period_s`] before.
+    pub fn sa_g(&self, period_s: f64) -> f64 {
+        match self {
+            Self::As1170_4(code) => code.sa_g(period_s),
+            Self::Eurocode8(code) => code.sa_g(period_s),
+            Self::Asce7(code) => code.sa_g(period_s),
+            Self::Nzs1170_5(code) => code.sa_g(period_s),
+            Self::Table(table) => table.sa_g(period_s).unwrap_or(f64::NAN),
+        }
+    }
+
+    /// The code with its edition.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::As1170_4(code) => code.edition().name(),
+            Self::Eurocode8(_) => "EN 1998-1:2004",
+            Self::Asce7(code) => code.edition().name(),
+            Self::Nzs1170_5(_) => "NZS 1170.5:2004",
+            Self::Table(_) => "table of the user",
+        }
+    }
+
+    /// The periods where one branch meets the next, ascending; those of a table are its own, without 0 \[s\].
+    pub fn corner_periods_s(&self) -> Vec<f64> {
+        match self {
+            Self::As1170_4(code) => code.corner_periods_s().to_vec(),
+            Self::Eurocode8(code) => code.corner_periods_s().to_vec(),
+            Self::Asce7(code) => code.corner_periods_s().to_vec(),
+            Self::Nzs1170_5(code) => code.corner_periods_s(),
+            Self::Table(table) => table.periods_s().iter().copied().filter(|&period| period > 0.0).collect(),
+        }
+    }
+
+    /// The shortest period with a value, 0 but for a table that begins later and is not held there \[s\].
+    pub fn shortest_period_s(&self) -> f64 {
+        match self {
+            Self::Table(table) => table.shortest_period_s(),
+            _ => 0.0,
+        }
+    }
+
+    /// The longest period with a value; `None` where there is no end \[s\].
+    ///
+    /// Codes print their tables to 5 s or so; their formulas go on, and so do these.
+    pub fn longest_period_s(&self) -> Option<f64> {
+        match self {
+            Self::Table(table) => table.longest_period_s(),
+            _ => None,
+        }
+    }
+
+    /// The largest spectral acceleration \[g\].
+    pub fn plateau_g(&self) -> f64 {
+        match self {
+            Self::As1170_4(code) => code.plateau_g(),
+            Self::Eurocode8(code) => code.plateau_g(),
+            Self::Asce7(code) => code.sds_g(),
+            Self::Nzs1170_5(code) => code.plateau_g(),
+            Self::Table(table) => table.sa_values_g().iter().copied().fold(0.0, f64::max),
+        }
+    }
+
+    /// The site class or ground type as the code writes it; `None` where the code leaves it to the factors.
+    pub fn site_name(&self) -> Option<&'static str> {
+        match self {
+            Self::As1170_4(code) => Some(code.site().name()),
+            Self::Eurocode8(code) => code.ground().map(GroundType::name),
+            Self::Nzs1170_5(code) => Some(code.site().name()),
+            Self::Asce7(_) | Self::Table(_) => None,
+        }
+    }
+
+    /// The return period \[years\], where the code has one among its parameters.
+    pub fn return_period_years(&self) -> Option<u32> {
+        match self {
+            Self::As1170_4(code) => Some(code.return_period_years()),
+            Self::Nzs1170_5(code) => Some(code.return_period_years()),
+            _ => None,
+        }
+    }
+
+    /// What is not confirmed about it and belongs into every output.
+    pub fn doubt(&self) -> Option<&'static str> {
+        match self {
+            Self::As1170_4(code) => code.edition().doubt(),
+            _ => None,
+        }
+    }
+}
+
+impl From<As1170_4> for CodeSpectrum {
+    fn from(code: As1170_4) -> Self {
+        Self::As1170_4(code)
+    }
+}
+
+impl From<Eurocode8> for CodeSpectrum {
+    fn from(code: Eurocode8) -> Self {
+        Self::Eurocode8(code)
+    }
+}
+
+impl From<Asce7> for CodeSpectrum {
+    fn from(code: Asce7) -> Self {
+        Self::Asce7(code)
+    }
+}
+
+impl From<Nzs1170_5> for CodeSpectrum {
+    fn from(code: Nzs1170_5) -> Self {
+        Self::Nzs1170_5(code)
+    }
+}
+
+impl From<SpectrumTable> for CodeSpectrum {
+    fn from(table: SpectrumTable) -> Self {
+        Self::Table(table)
+    }
+}
+
+/// Why there is no such code spectrum.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CodeSpectrumError {
+    /// No such site class.
+    #[error("no site class {name:?}; there are {known}")]
+    SiteClass {
+        /// What was given.
+        name: String,
+        /// The classes of the code, hard to soft.
+        known: &'static str,
+    },
+    /// The hazard design factor is not a positive finite number.
+    #[error("the hazard design factor must be positive and finite, not {hazard_factor}")]
+    HazardFactor {
+        /// The factor that was given.
+        hazard_factor: f64,
+    },
+    /// The code has no probability factor for the return period.
+    #[error("no probability factor for {return_period_years} years; the code has {known_years:?}")]
+    ReturnPeriod {
+        /// The return period that was given.
+        return_period_years: u32,
+        /// Return periods of the code's table, ascending.
+        known_years: Vec<u32>,
+    },
+    /// The height of a structure is not a positive finite number.
+    #[error("the height must be positive and finite, not {height_m} m")]
+    Height {
+        /// The height that was given.
+        height_m: f64,
+    },
+    /// A parameter that no spectrum of the code has.
+    #[error("{name} must be {requirement}, not {value}")]
+    Parameter {
+        /// Its symbol in the code.
+        name: &'static str,
+        /// What it must be.
+        requirement: &'static str,
+        /// The value that was given.
+        value: f64,
+    },
+    /// A table that is no spectrum.
+    #[error("row {row} of the table (period {period_s} s, Sa {sa_g} g): {requirement}")]
+    TableRow {
+        /// The row, counted from 1.
+        row: usize,
+        /// Its period \[s\].
+        period_s: f64,
+        /// Its acceleration \[g\].
+        sa_g: f64,
+        /// What it must be.
+        requirement: &'static str,
+    },
+    /// A table of different numbers of periods and accelerations, or of fewer than two.
+    #[error("a table needs two or more periods and as many accelerations, not {periods} and {accelerations}")]
+    TableLength {
+        /// Number of periods.
+        periods: usize,
+        /// Number of accelerations.
+        accelerations: usize,
+    },
+}
+
+/// A parameter that must be positive and finite.
+fn positive(name: &'static str, value: f64) -> Result<f64, CodeSpectrumError> {
+    let requirement = "positive and finite";
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(CodeSpectrumError::Parameter { name, requirement, value })
+    }
+}
+
+#[cfg(test)]
+mod tests;
