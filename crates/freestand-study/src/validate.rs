@@ -3,6 +3,7 @@
 mod cushion;
 mod rocking;
 mod shock;
+mod synthesis;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::Building;
@@ -110,6 +111,7 @@ pub fn validate() -> Result<Validation, Problem> {
         shock::pulse_checks()?,
         shock::boundary_checks()?,
         code_spectrum_checks()?,
+        synthesis::checks()?,
         building_checks()?,
         oscillator_checks()?,
         cushion::checks()?,
