@@ -12,7 +12,7 @@ use serde::Serialize;
 use crate::error::StudyError;
 use crate::rerun::with_value;
 use crate::resolve::{Overrides, resolve_with};
-use crate::result::{Ranked, StudyResult};
+use crate::result::StudyResult;
 use crate::run::{Progress, Step, run};
 use crate::study::Study;
 use crate::summary::{LevelSummary, level_summary};
@@ -42,9 +42,10 @@ pub struct VariedLevel {
     pub edge_acceleration_g_median: Option<f64>,
     /// Largest shock of any object that survives under any motion \[g\].
     pub edge_acceleration_g_max: Option<f64>,
-    /// Geometric mean of median shock over that of the base, over the objects that rock in the median of both.
+    /// Sum over the objects of the median shock, over the same sum of the base; of objects whose median is overturned in
+    /// neither. `None` where none of them uplifts in the base.
     pub edge_acceleration_ratio: Option<f64>,
-    /// How many objects that mean is over.
+    /// How many objects these are.
     pub compared_objects: Option<usize>,
     /// Why there is no result.
     pub reason: Option<String>,
@@ -119,14 +120,12 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
                 ..
             } = level_summary(level, study.objects.tolerance_m_s2);
             let medians = |of: &crate::result::LevelResult| -> Vec<Option<f64>> {
-                of.statistics.iter().map(|s| s.as_ref().and_then(|s| rocks(s.edge_acceleration_g[1]))).collect()
+                of.statistics.iter().map(|s| s.as_ref().and_then(|s| s.edge_acceleration_g[1].value())).collect()
             };
-            let ln_ratios: Vec<f64> = medians(level)
-                .into_iter()
-                .zip(medians(base))
-                .filter_map(|(varied, base)| Some((varied? / base?).ln()))
-                .collect();
-            let compared = ln_ratios.len();
+            let both: Vec<(f64, f64)> =
+                medians(level).into_iter().zip(medians(base)).filter_map(|(one, other)| Some((one?, other?))).collect();
+            let (varied_g, base_g): (f64, f64) =
+                both.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
             VariedLevel {
                 parameter: key.to_owned(),
                 value: value.to_owned(),
@@ -138,18 +137,12 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
                 overturned_objects: Some(overturned_objects),
                 edge_acceleration_g_median,
                 edge_acceleration_g_max,
-                edge_acceleration_ratio: (compared > 0)
-                    .then(|| (ln_ratios.iter().sum::<f64>() / compared as f64).exp()),
-                compared_objects: Some(compared),
+                edge_acceleration_ratio: (base_g > 0.0).then(|| varied_g / base_g),
+                compared_objects: Some(both.len()),
                 reason: None,
             }
         })
         .collect()
-}
-
-/// The shock where the object rocks: neither 0, of which there is no ratio, nor overturned.
-fn rocks(ranked: Ranked) -> Option<f64> {
-    ranked.value().filter(|&value| value > 0.0)
 }
 
 fn failed_rows(variation: &Variation, study: &Study, error: &StudyError) -> Vec<VariedLevel> {

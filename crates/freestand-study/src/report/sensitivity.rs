@@ -10,9 +10,9 @@ use super::html::{Cell, figure, list, paragraph, table, words};
 pub(super) fn sensitivity(result: &StudyResult) -> String {
     let Some(sensitivity) = &result.sensitivity else { return String::new() };
     let mut html = paragraph(
-        "One value of the study is changed at a time, the rest stays. Ratio: the geometric mean of an object’s median shock \
-         over that of the study as it is, over the objects whose median rocks in both; the largest median is of one object, \
-         and it falls when that object begins to overturn.",
+        "One value of the study is changed at a time, the rest stays. Ratio: the median shocks of the objects added up, over \
+         the same sum of the study as it is, of the objects whose median overturns in neither. The largest median is of one \
+         object, and it falls when that object begins to overturn.",
     );
     let headings = vec![vec![
         words("Changed"),
