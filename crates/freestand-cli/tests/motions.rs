@@ -1,5 +1,7 @@
 //! `motion synth`, `match` and `simulate`, as a user calls them.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
+
 use std::path::Path;
 use std::process::{Command, Output};
 

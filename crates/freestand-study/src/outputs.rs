@@ -10,7 +10,9 @@ use crate::figures::figures;
 use crate::output::{OutputFolder, document};
 use crate::records::{write_csv, write_pair_csv};
 use crate::report::{provenance, report};
-use crate::rerun::{LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed};
+use crate::rerun::{
+    LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed, with_spectrum,
+};
 use crate::result::{HorizontalMotion, LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
@@ -89,6 +91,9 @@ fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
     .collect()
 }
 
+/// The table that synthetic motions were made for, as it was read.
+const TARGET_NAME: &str = "target_spectrum.csv";
+
 /// The study, as it gives the same result from the output folder.
 fn rerun_toml(study: &Study) -> Result<String, Problem> {
     let toml = match &study.objects.cushion_file {
@@ -99,7 +104,10 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
     let toml = if tables.is_empty() { toml } else { with_building_tables(&toml, &tables)? };
     let names = study.ground.names(&study.levels);
     match &study.ground {
-        Ground::Synthetic(synthetic) => with_seed(&toml, synthetic.seed),
+        Ground::Synthetic(synthetic) => {
+            let seeded = with_seed(&toml, synthetic.seed)?;
+            if synthetic.target.table_csv.is_some() { with_spectrum(&seeded, TARGET_NAME) } else { Ok(seeded) }
+        }
         Ground::Recorded(_) => {
             let files: Vec<String> = names.iter().map(|name| ground_name(name)).collect();
             let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));
@@ -147,6 +155,11 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         files.push(("vary.csv".to_owned(), records_csv(&sensitivity.rows)?));
     }
     files.extend(building_tables(study).into_iter().map(|(_, _, name, text)| (name, text.to_vec())));
+    if let Ground::Synthetic(synthetic) = &study.ground
+        && let Some(csv) = &synthetic.target.table_csv
+    {
+        files.push((TARGET_NAME.to_owned(), csv.clone().into_bytes()));
+    }
     let motions: Vec<Vec<File>> = result
         .motions
         .par_iter()

@@ -38,7 +38,7 @@ enum MotionCommand {
     Rotate(rotate::RotateArgs),
     Rotd(rotd::RotdArgs),
     Synth(synth::SynthArgs),
-    Match(synth::MatchArgs),
+    Match(Box<synth::MatchArgs>),
     Simulate(simulate::SimulateArgs),
     CodeSpectrum(code::CodeSpectrumArgs),
 }

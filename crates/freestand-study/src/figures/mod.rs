@@ -3,6 +3,7 @@
 //! Curves of the paper's Fig. 7 (uplift and shock against height), the share of motions that overturn, floor spectra,
 //! one rocking history, recorded motions, and the response spectrum of a motion. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
 
+mod code_spectrum;
 mod compliant;
 mod floor_spectra;
 mod history;
@@ -29,6 +30,7 @@ use crate::inspect::DampedSpectrum;
 use crate::result::StudyResult;
 use crate::study::{Ground, RecordedMotion, Study};
 
+pub use code_spectrum::CodePicture;
 pub use compliant::Trace;
 pub use matched::MatchedPicture;
 
@@ -191,6 +193,14 @@ pub fn response_spectrum_figure(
 /// What the plot library says when it cannot draw.
 pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
     page::draw(matched::matched(picture))
+}
+
+/// Draws the spectrum of a code, and what it gives parts up the height of a building.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn code_spectrum_figure(picture: &CodePicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(code_spectrum::code_spectrum(picture))
 }
 
 /// Draws the loops of drop tests: force and acceleration against compression.

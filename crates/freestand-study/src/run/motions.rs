@@ -27,7 +27,7 @@ pub(super) fn ground_motions(
             .map(|i| {
                 go_on()?;
                 let options = SynthesisOptions::default();
-                let matched = synthesize(|t| synthetic.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
+                let matched = synthesize(|t| synthetic.target.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
                     .map_err(failed("a synthetic motion"))?;
                 let motion = HorizontalMotion { along: matched.motion, across: None };
                 finish(synthetic_name(i), motion, Some(matched.misfit))

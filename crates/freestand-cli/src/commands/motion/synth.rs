@@ -17,7 +17,6 @@ use freestand_study::{Problem, ProblemKind};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::code::{CodeArgs, CodeReport};
 use super::plot::{Target, failed, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -25,17 +24,20 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
+use crate::target::{TargetArgs, TargetReport};
 use crate::values::Values;
 
-/// Synthetic motions that fit the elastic spectrum of a code
+/// Synthetic motions that fit the elastic spectrum of a code, or a table
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion synth --site De --city Melbourne --count 10 --seed 1 --out motions
-  freestand motion synth --hazard-factor 0.11 --return-period 2500 --count 3 --json")]
+  freestand motion synth --hazard-factor 0.11 --return-period 2500 --count 3 --json
+  freestand motion synth --code asce7 --sds 1g --sd1 0.6g --long-period 8s --out motions
+  freestand motion synth --spectrum uhs.csv --beyond hold --out motions")]
 pub(crate) struct SynthArgs {
     #[command(flatten)]
-    code: CodeArgs,
+    target: TargetArgs,
     /// How many motions
     #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
@@ -103,7 +105,7 @@ pub(crate) struct MatchArgs {
     #[command(flatten)]
     peak: PeakArgs,
     #[command(flatten)]
-    code: CodeArgs,
+    target: TargetArgs,
     #[command(flatten)]
     read: ReadArgs,
 }
@@ -111,7 +113,7 @@ pub(crate) struct MatchArgs {
 #[derive(Debug, Serialize)]
 struct SynthReport {
     #[serde(flatten)]
-    code: CodeReport,
+    code: TargetReport,
     seed: Option<u64>,
     generator: Option<&'static str>,
     method: &'static str,
@@ -159,11 +161,12 @@ fn with_peak(matched: MatchedMotion, args: &PeakArgs, target: impl Fn(f64) -> f6
 const SCHEMA: &str = "freestand.motion-synth/1";
 
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let (spectrum, warnings) = args.code.spectrum()?;
-    let files = Files::begin(global, &[])?;
+    let asked = args.target.matched_target()?;
+    let inputs: Vec<PathBuf> = args.target.inputs().cloned().collect();
+    let files = Files::begin(global, &inputs)?;
     let seed = global.seed.unwrap_or(1);
     let options = options(&args.layout)?;
-    let target = |period_s| spectrum.sa_g(period_s);
+    let target = |period_s| asked.spectrum.sa_g(period_s);
     // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
     let made: Vec<Made> = (0..u64::from(args.count))
         .into_par_iter()
@@ -174,13 +177,13 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
     let named = made.into_iter().enumerate().map(|(i, one)| (synthetic_name(i), one));
     let motions = written(named, &files)?;
     let report = SynthReport {
-        code: CodeReport::from(&spectrum),
+        code: TargetReport::from(&asked),
         seed: Some(seed),
         generator: Some(GENERATOR),
         method: MethodName::Fft.name(),
         motions,
     };
-    finish(report, files, warnings, printer)
+    finish(report, files, asked.warnings, printer)
 }
 
 fn options(args: &LayoutArgs) -> Result<SynthesisOptions, Failure> {
@@ -209,10 +212,11 @@ fn not_made(error: SynthesisError) -> Failure {
 }
 
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let (spectrum, mut warnings) = args.code.spectrum()?;
+    let asked = args.target.matched_target()?;
+    let mut warnings = asked.warnings.clone();
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global, &args.read.inputs([&args.file]))?;
-    let (record, target) = (&read.motion.motion, |period_s| spectrum.sa_g(period_s));
+    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
+    let (record, target) = (&read.motion.motion, |period_s| asked.spectrum.sa_g(period_s));
     let passes = SynthesisOptions::default().passes;
     let matched = match args.method {
         MethodName::Wavelet => match_by_wavelets(record, target, passes),
@@ -229,7 +233,7 @@ pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer
     draw("A matched record and its target", target, std::slice::from_ref(&made), &name, &files)?;
     let motions = written(std::iter::once((name, made)), &files)?;
     let report = SynthReport {
-        code: CodeReport::from(&spectrum),
+        code: TargetReport::from(&asked),
         seed: None,
         generator: None,
         method: args.method.name(),
@@ -251,8 +255,7 @@ fn draw(
     }
     let motions: Vec<&Motion> = made.iter().map(|one| &one.matched.motion).collect();
     let target_sa_g: Vec<f64> = matched_periods_s().into_iter().map(target).collect();
-    let picture =
-        MatchedPicture { title, target: "the spectrum of the code", target_sa_g: &target_sa_g, motions: &motions };
+    let picture = MatchedPicture { title, target: "the target", target_sa_g: &target_sa_g, motions: &motions };
     let mut figures = vec![("target".to_owned(), matched_figure(&picture).map_err(failed)?)];
     if let Some(first) = motions.first() {
         let words = Words { name: first_name, description: "matched to a spectrum", processing: &[] };
@@ -292,14 +295,14 @@ fn finish(report: SynthReport, files: Files, mut warnings: Vec<String>, printer:
         && worst.pga_g > 1.05 * worst.target_zpa_g
     {
         warnings.push(format!(
-            "the PGA of the motions reaches {} g, the code's spectrum at T = 0 is {} g: a record that fits the plateau cannot have so low a PGA",
+            "the PGA of the motions reaches {} g, the spectrum at T = 0 is {} g: a record that fits the plateau cannot have so low a PGA",
             significant(worst.pga_g, 3),
             significant(worst.target_zpa_g, 3)
         ));
     }
     if let Some(before) = report.motions.first().and_then(|one| one.rms_misfit_before_pga_ratio) {
         warnings.push(format!(
-            "the PGA was brought to the code's by scaling half-cycles; the rms misfit of the first motion went from {} % to {} %",
+            "the PGA was brought to the spectrum's by scaling half-cycles; the rms misfit of the first motion went from {} % to {} %",
             significant(100.0 * before, 2),
             significant(100.0 * report.motions[0].rms_misfit_ratio, 2)
         ));
