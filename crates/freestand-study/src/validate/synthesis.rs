@@ -13,10 +13,11 @@ pub(super) fn checks() -> Result<Vec<Check>, Problem> {
     const MATCH: &str = "synthetic motion 1 of seed 1, AS 1170.4 De, 0.08 g: rms misfit over 0.05 to 5 s at most 5 %";
     let source = PointSource { profile: None, ..Preset::Victoria.source(6.0, 28e3) };
     let mut checks = vec![check("corner frequency of a point source [Hz]", source.corner_hz(), 0.448_54, 5e-6, SOURCE)];
-    for (frequency_hz, expected, half_a_digit) in [(0.1, 0.645_29, 5e-6), (1.0, 9.8230, 5e-5), (10.0, 5.2356, 5e-5)] {
+    for (frequency_hz, expected) in [(0.1, 0.645_29), (1.0, 9.8230), (10.0, 5.2356)] {
         let computed = 100.0 * source.fourier_amplitude_m_s(frequency_hz);
         let name = format!("Fourier amplitude of a point source at {frequency_hz} Hz [cm/s]");
-        checks.push(check(name, computed, expected, 1.1 * half_a_digit, SOURCE));
+        // Half a unit of the fifth digit, and constants that the reference may hold to four (0.7071 for 1/√2: 1e-5).
+        checks.push(check(name, computed, expected, 2e-5 * expected, SOURCE));
     }
     let crust = ShearWaveProfile::melbourne();
     for (frequency_hz, expected) in [(0.1, 1.162_32), (1.0, 1.859_26), (10.0, 3.253_50)] {
