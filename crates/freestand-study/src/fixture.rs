@@ -124,6 +124,7 @@ pub(crate) fn result(study: &Study) -> StudyResult {
     StudyResult {
         motions: ground.iter().map(|g| g.name.clone()).collect(),
         ground,
+        profile: None,
         modes: beam.modes().to_vec(),
         levels,
         history: Some(history),

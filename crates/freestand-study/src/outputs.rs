@@ -16,7 +16,7 @@ use crate::rerun::{
 use crate::result::{HorizontalMotion, LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
-use crate::tables::{records_csv, srs_csv, statistics_csv, urs_csv};
+use crate::tables::{profile_csv, records_csv, srs_csv, statistics_csv, urs_csv};
 
 /// What was written.
 #[derive(Debug, Clone)]
@@ -33,6 +33,7 @@ pub struct Written {
 pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
     let mut names: Vec<String> =
         ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
+    names.extend(study.building.is_some().then(|| "floor_profile.csv".to_owned()));
     names.extend(is_varied.then(|| "vary.csv".to_owned()));
     names.extend(study.outputs.report.then(|| "report.html".to_owned()));
     for motion in study.ground.names(&study.levels) {
@@ -151,6 +152,9 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         ("srs.csv".to_owned(), srs_csv(study, result)?),
         ("statistics.csv".to_owned(), statistics_csv(study, result)?),
     ];
+    if let Some(profile) = &result.profile {
+        files.push(("floor_profile.csv".to_owned(), profile_csv(study, profile)?));
+    }
     if let Some(sensitivity) = &result.sensitivity {
         files.push(("vary.csv".to_owned(), records_csv(&sensitivity.rows)?));
     }

@@ -1,8 +1,8 @@
 use super::*;
 use crate::cushion::KeyStyle;
 
-/// Keys and their texts.
-type Given<'a> = &'a [(&'static str, &'a str)];
+/// Keys and their values.
+type Words<'a> = &'a [(&'static str, &'a str)];
 
 fn words(style: KeyStyle, pairs: &[(&'static str, &str)]) -> TargetWords {
     let mut words = TargetWords::new(style);
@@ -42,7 +42,7 @@ fn nothing_said_is_melbourne_on_deep_soil() {
 /// One hand value of each code: Ce 2.5 · 0.11 · 1.8 at 0.5 s; 2.5 · 1.2 · 0.15 g · 1.4 (E); ⅔ · 1.5 · 1.2 g; 0.4 · 1.3 · 2.93.
 #[test]
 fn every_code_by_its_words() {
-    let cases: [(Given<'_>, f64, f64, &str); 6] = [
+    let cases: [(Words, f64, f64, &str); 6] = [
         (
             &[("code", "AS 1170.4"), ("site", "ce"), ("hazard_factor", "11 %"), ("return_period_years", "2500")],
             0.5,
@@ -158,7 +158,7 @@ fn all_problems_are_told_at_once() {
 /// Each on its own: the number of problems and a word of the first.
 #[test]
 fn words_that_contradict_themselves() {
-    let cases: [(Given<'_>, usize, &str); 10] = [
+    let cases: [(Words, usize, &str); 10] = [
         (&[("city", "Perth"), ("hazard_factor", "0.09")], 1, "exclude each other"),
         (&[("city", "Melborne")], 1, "is not in AS 1170.4"),
         (&[("return_period_years", "475")], 1, "no probability factor for 475 years"),
