@@ -418,6 +418,7 @@ fn help_of_every_command_has_examples() {
         &["motion", "convert"],
         &["motion", "synth"],
         &["motion", "match"],
+        &["motion", "simulate"],
         &["motion", "code-spectrum"],
     ] {
         let shown = freestand(&[command, &["--help"]].concat());

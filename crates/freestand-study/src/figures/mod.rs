@@ -11,6 +11,7 @@ mod floor_spectra;
 mod history;
 mod laboratory;
 mod legend;
+mod matched;
 mod page;
 mod record;
 mod response;
@@ -34,6 +35,7 @@ use crate::study::{Ground, RecordedMotion, Study};
 pub use code_spectrum::CodePicture;
 pub use compliant::Trace;
 pub use floor_profile::ProfilePicture;
+pub use matched::MatchedPicture;
 
 /// A figure in both of its forms.
 #[derive(Debug, Clone, PartialEq)]
@@ -209,6 +211,14 @@ pub fn response_spectrum_figure(
     spectra: &[&DampedSpectrum],
 ) -> Result<Figure, FigureError> {
     page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
+}
+
+/// Draws the spectra of motions against their target.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(matched::matched(picture))
 }
 
 /// Draws the spectrum of a code, and what it gives parts up the height of a building.
