@@ -9,6 +9,7 @@ pub mod error;
 pub mod figures;
 #[cfg(test)]
 mod fixture;
+pub mod floor;
 pub mod input;
 pub mod inspect;
 pub mod law;

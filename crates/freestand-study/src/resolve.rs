@@ -17,7 +17,7 @@ use crate::error::{Problem, ProblemKind, StudyError};
 use crate::options::{self, Options, Written};
 use crate::quantity::{Dimension, format_si};
 use crate::recorded::MotionFiles;
-use crate::study::{Ground, RecordedMotion, Study};
+use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
 
 pub use ground::minimum_governs_warning;
 use recorded::has_measured_floors;
@@ -133,6 +133,11 @@ pub fn resolve_with(
         (resolver.ground(&ground, overrides), resolver.building(&building).map(Some))
     };
     let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
+    if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
+        && !two
+    {
+        resolver.warnings.push("[building] across is not used: the motions have one component".to_owned());
+    }
     let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
     let objects = resolver.objects(&objects);
     let names = ground_input.as_ref().map(|input| input.names(&levels));

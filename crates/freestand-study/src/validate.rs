@@ -5,7 +5,7 @@ mod rocking;
 mod shock;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
-use freestand::building::Building;
+use freestand::building::{Building, Damping, Storey};
 use freestand::code_spectrum::{As1170_4, Edition, FrameKind, SiteClass, fundamental_period_s};
 use freestand::compliant::{CompliantBase, CompliantOptions, Start, rock_compliant};
 use freestand::cushion::Cushion;
@@ -111,6 +111,7 @@ pub fn validate() -> Result<Validation, Problem> {
         shock::boundary_checks()?,
         code_spectrum_checks()?,
         building_checks()?,
+        storey_checks()?,
         oscillator_checks()?,
         cushion::checks()?,
         rocking::checks()?,
@@ -331,6 +332,36 @@ fn building_checks() -> Result<Vec<Check>, Problem> {
             let name = format!("beam with α₀ = {alpha}: participation of mode {}", i + 1);
             checks.push(check(name, mode.participation_ratio(), expected, 5.5e-5, BEAM));
         }
+    }
+    Ok(checks)
+}
+
+fn storey_checks() -> Result<Vec<Check>, Problem> {
+    const SHEAR: &str = "shear building of equal storeys, closed form: ω = 2√(k/m) sin((2i−1)π/(2(2n+1)))";
+    let storey = Storey { mass_kg: 4e5, stiffness_n_m: 9e8, height_m: 3.2 };
+    let building = Building::shear(&[storey; 30], &Damping::Uniform(0.05), 5).map_err(defect)?;
+    let mut checks = Vec::new();
+    let modes = building.modes();
+    // Half a unit of the last digit of the table.
+    for (i, (mode, expected)) in modes.iter().skip(1).zip([0.333_63, 0.200_53, 0.143_62, 0.112_10]).enumerate() {
+        let name = format!("shear building of 30 storeys: T{}/T1", i + 2);
+        checks.push(check(name, mode.period_s() / building.period_s(), expected, 5.5e-6, SHEAR));
+    }
+    for (i, (mode, expected)) in modes.iter().zip([1.272_54, -0.422_31, 0.251_14]).enumerate() {
+        let name = format!("shear building of 30 storeys: participation of mode {}", i + 1);
+        checks.push(check(name, mode.participation_ratio(), expected, 5.5e-6, SHEAR));
+    }
+    for (i, (mode, expected)) in modes.iter().zip([0.888_45, 0.310_85, -0.167_18]).enumerate() {
+        let name = format!("shear building of 30 storeys: share of mode {} at floor 15", i + 1);
+        checks.push(check(name, mode.share_ratio(0.5), expected, 5.5e-6, SHEAR));
+    }
+    const RAYLEIGH: &str = "Rayleigh damping, closed form: ζ = a₀/(2ω) + a₁ω/2";
+    let rayleigh = Damping::Rayleigh { damping_ratio: 0.05, modes: [1, 3] };
+    let ratios = rayleigh.ratios(&[4.0, 2.0, 1.0, 0.5]).map_err(defect)?;
+    // Frequencies as 1, 2, 4, 8: a₁ω₁ = 0.02 and a₀/ω₁ = 0.08.
+    for (i, (ratio, expected)) in ratios.into_iter().zip([0.05, 0.04, 0.05, 0.085]).enumerate() {
+        let name = format!("Rayleigh damping of 5 % at modes 1 and 3: mode {}", i + 1);
+        checks.push(check(name, ratio, expected, 1e-15, RAYLEIGH));
     }
     Ok(checks)
 }

@@ -4,58 +4,47 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::G0_M_S2;
-use freestand::building::{Building, floor_motions};
+use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
-use freestand::measures::measures;
-use freestand::motion::Motion;
-use freestand_study::inspect::check_upsampling;
+use freestand_study::building::{Axis, AxisModel, AxisRequest, axis};
+use freestand_study::figures::{ProfilePicture, floor_profile_figure, floor_response_figure};
+use freestand_study::floor::{FloorReport, FloorRequest, SpectraReport, SpectraRequest, floors, spectra_csv};
 use freestand_study::quantity::Dimension;
-use freestand_study::records::write_csv;
+use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
+use freestand_study::records::{write_csv, write_pair_csv};
+use freestand_study::result::HorizontalMotion;
 use freestand_study::{Problem, ProblemKind};
-use serde::Serialize;
 
 use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
-use crate::reading::ReadArgs;
+use crate::reading::{ReadArgs, SecondArgs};
 use crate::values::Values;
 
-/// Floor motions of a building (shear-flexure beam of Miranda and Taghavi 2005) under a ground motion
+/// Floor motions of a building under ground motions
 #[derive(Debug, Args)]
-#[command(after_help = "\
+#[command(
+    after_help = "\
+The building is a shear-flexure beam (Miranda and Taghavi 2005), or what a table says: of storeys (height, mass, stiffness) \
+or of modes (period, participation, shape), see docs/buildings.md.
+
 Examples:
   freestand floor --motion record.AT2 --storeys 30 --storey-height \"3.2 m\" --levels \"0.5, 1.0\" --out floors
-  freestand floor --motion record.AT2 --storeys 12 --storey-height \"3 m\" --period \"1.2 s\" --json")]
+  freestand floor --motion record.AT2 --storeys 12 --storey-height \"3 m\" --period \"1.2 s\" --json
+  freestand floor --motion a.AT2 b.AT2 c.AT2 --storey-table tower.csv --levels all --spectra --out floors
+  freestand floor --motion record.v2 --components both --mode-table x.csv --across-mode-table y.csv --levels all",
+    mut_arg("rotation_step", |arg| arg.hide(true))
+)]
 pub(crate) struct FloorArgs {
-    /// Ground motion
-    #[arg(long, value_name = "FILE")]
-    motion: PathBuf,
-    /// Storeys
-    #[arg(long, value_name = "N", default_value = "30", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=500))]
-    storeys: u32,
-    /// Height of a storey
-    #[arg(long, value_name = "LENGTH", default_value = "3.2 m", allow_hyphen_values = true)]
-    storey_height: String,
-    /// Fundamental period [default: by AS 1170.4, from the height]
-    #[arg(long, value_name = "TIME", conflicts_with = "frame", allow_hyphen_values = true)]
-    period: Option<String>,
-    /// Structure, for the period of AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
-    #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
-    frame: Option<FrameKind>,
-    /// Damping ratio of every mode
-    #[arg(long, value_name = "RATIO", default_value = "5 %", allow_hyphen_values = true)]
-    damping: String,
-    /// α₀ = H√(GA/EI): 0 flexural wall, 5 walls with frames, 20 and more a frame
-    #[arg(long, value_name = "RATIO", default_value = "5", allow_hyphen_values = true)]
-    shear_flexure: String,
-    /// Modes
-    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true)]
-    modes: usize,
-    /// Levels as shares of the height, 0 ground and 1 roof
-    #[arg(long, value_name = "GRID", default_value = "0.5, 1.0", allow_hyphen_values = true)]
+    /// Ground motions; of several, medians are printed
+    #[arg(long, value_name = "FILE", num_args = 1.., required = true)]
+    motion: Vec<PathBuf>,
+    #[command(flatten)]
+    building: BuildingArgs,
+    /// Levels as shares of the height, 0 ground and 1 roof, or "all": the ground and every floor
+    #[arg(long, value_name = "GRID|all", default_value = "0.5, 1.0", allow_hyphen_values = true)]
     levels: String,
     /// Zeros behind the record, in which the building rings down [default: none]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
@@ -63,36 +52,66 @@ pub(crate) struct FloorArgs {
     /// Look for the floors' peaks at N points in each sample interval; the ground stays linear between its samples
     #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = at_least_one)]
     upsample: NonZeroUsize,
+    /// Response spectra of the levels as well
+    #[arg(long)]
+    spectra: bool,
+    /// Damping ratios of the spectra [default: 5 %]
+    #[arg(long, value_name = "LIST", requires = "spectra", allow_hyphen_values = true)]
+    spectrum_damping: Option<String>,
+    /// Periods of the spectra, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
+    #[arg(long, value_name = "GRID", requires = "spectra", allow_hyphen_values = true)]
+    periods: Option<String>,
+    #[command(flatten)]
+    second: SecondArgs,
     #[command(flatten)]
     read: ReadArgs,
 }
 
-#[derive(Debug, Serialize)]
-struct FloorReport {
-    motion: String,
-    processing: Vec<String>,
-    building_height_m: f64,
-    damping_ratio: Option<f64>,
-    shear_flexure_ratio: Option<f64>,
-    pga_g: f64,
-    modes: Vec<ModeReport>,
-    levels: Vec<LevelReport>,
-}
-
-#[derive(Debug, Serialize)]
-struct ModeReport {
-    period_s: f64,
-    participation_ratio: f64,
-    effective_mass_ratio: Option<f64>,
-}
-
-#[derive(Debug, Serialize)]
-struct LevelReport {
-    level_ratio: f64,
-    height_m: f64,
-    pfa_g: f64,
-    pfv_m_s: f64,
-    path: Option<String>,
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Building")]
+struct BuildingArgs {
+    /// Storeys [default: 30]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=500))]
+    storeys: Option<u32>,
+    /// Height of a storey [default: 3.2 m]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    storey_height: Option<String>,
+    /// Fundamental period [default: by AS 1170.4, from the height]
+    #[arg(long, value_name = "TIME", conflicts_with = "frame", allow_hyphen_values = true)]
+    period: Option<String>,
+    /// Structure, for the period of AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
+    #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
+    frame: Option<FrameKind>,
+    /// Damping ratio of every mode, where a table does not say it
+    #[arg(long, value_name = "RATIO", default_value = "5 %", allow_hyphen_values = true)]
+    damping: String,
+    /// Rayleigh damping with that ratio at two modes, such as "1, 3"
+    #[arg(long, value_name = "N, N")]
+    rayleigh_modes: Option<String>,
+    /// α₀ = H√(GA/EI): 0 flexural wall, 5 walls with frames, 20 and more a frame [default: 5]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    shear_flexure: Option<String>,
+    /// Modes [default: 10, or as many as there are storeys]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    modes: Option<usize>,
+    /// Table of storeys from the ground up: height, mass, stiffness, with their units
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "mode_table"])]
+    storey_table: Option<PathBuf>,
+    /// Table of modes: period, participation factor, and the shape at each floor under its height
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "modes"])]
+    mode_table: Option<PathBuf>,
+    /// Fundamental period along the second axis [default: as along the first]
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["across_storey_table", "across_mode_table", "storey_table", "mode_table"], allow_hyphen_values = true)]
+    across_period: Option<String>,
+    /// α₀ along the second axis
+    #[arg(long, value_name = "RATIO", requires = "across_period", allow_hyphen_values = true)]
+    across_shear_flexure: Option<String>,
+    /// Table of storeys for the second axis
+    #[arg(long, value_name = "FILE", conflicts_with = "across_mode_table")]
+    across_storey_table: Option<PathBuf>,
+    /// Table of modes for the second axis
+    #[arg(long, value_name = "FILE")]
+    across_mode_table: Option<PathBuf>,
 }
 
 const SCHEMA: &str = "freestand.floor/1";
@@ -101,13 +120,126 @@ const SCHEMA: &str = "freestand.floor/1";
 const MAX_LEVELS: usize = 1000;
 
 pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if args.second.rotation_step.is_some() {
+        let hint = "the largest of all directions is found without steps: leave --rotation-step out";
+        return Err(Failure::usage("--rotation-step turns objects, not floors", hint));
+    }
     let mut values = Values::default();
-    let storey_height = values.positive("--storey-height", Some(&args.storey_height), Dimension::Length);
-    let period = values.positive("--period", args.period.as_deref(), Dimension::Time);
-    let damping = values.non_negative("--damping", Some(&args.damping), Dimension::Ratio);
-    let shear_flexure = values.non_negative("--shear-flexure", Some(&args.shear_flexure), Dimension::Ratio);
+    let building = args.building.read(&mut values);
     let tail_s = values.non_negative("--tail", args.tail.as_deref(), Dimension::Time).unwrap_or(0.0);
-    let levels = values.grid("--levels", &args.levels, Dimension::Ratio).unwrap_or_default();
+    let levels = levels(&args.levels, &mut values);
+    let spectra = args.spectra.then(|| {
+        let dampings = args.spectrum_damping.as_deref().unwrap_or("5 %");
+        SpectraRequest {
+            damping_ratios: values.grid("--spectrum-damping", dampings, Dimension::Ratio).unwrap_or_default(),
+            periods_s: super::motion::periods(args.periods.as_deref(), &mut values),
+        }
+    });
+    let motions = MotionFiles {
+        second: args.second.second(args.motion.len(), &mut values),
+        ..args.read.files(&args.motion, &mut values)
+    };
+    values.finish()?;
+    let request = building.request()?;
+    let is_storeys = levels.is_none();
+    let request = FloorRequest {
+        levels_ratio: levels.unwrap_or_else(|| every_floor(&request, building.storeys)),
+        is_storeys,
+        tail_s,
+        upsample: args.upsample.get(),
+        spectra,
+        along: request.along,
+        across: request.across,
+        height_m: request.height_m,
+    };
+    if args.building.has_second_axis() && matches!(motions.second, freestand_study::recorded::Second::None) {
+        return Err(Failure::usage(
+            "a second axis of the building needs a second component of the motion",
+            "name it with --components both, or --across FILE",
+        ));
+    }
+    let (read, failures) = read_recorded(&motions);
+    if !failures.is_empty() {
+        return Err(Failure::Problems(failures.into_iter().map(|(_, problem)| problem).collect()));
+    }
+    let mut inputs = args.read.inputs(&args.motion);
+    inputs.extend(args.second.across.iter().cloned());
+    inputs.extend(args.building.tables().cloned());
+    let files = Files::begin(global, &inputs)?;
+    let (report, warnings) = report(&read, &request, &files)?;
+    files.finish(SCHEMA, &report, &warnings)?;
+    printer.result(SCHEMA, &report, &warnings, || text(&report))?;
+    Ok(Done::OK)
+}
+
+/// Follows the motions one by one, so that the floors of one are in memory, and writes the files.
+fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<(FloorReport, Vec<String>), Failure> {
+    let mut warnings: Vec<String> = request.along.warnings.clone();
+    warnings.extend(request.across.iter().flat_map(|axis| axis.warnings.clone()));
+    let (mut motions, mut spectra_g) = (Vec::new(), Vec::new());
+    for one in read {
+        let mut done = floors(one, request)?;
+        for (level, floor) in done.report.levels.iter_mut().zip(&done.floors) {
+            let folder = if read.len() > 1 { format!("{}/", done.report.motion) } else { String::new() };
+            let name = format!("{folder}level-{}.csv", level.level_ratio);
+            level.path = files.write(&name, || floor_csv(floor))?;
+        }
+        warnings.extend(done.warnings);
+        motions.push(done.report);
+        spectra_g.push(done.spectra_g);
+    }
+    let spectra =
+        request.spectra.as_ref().map(|spectra| SpectraReport::new(&request.levels_ratio, spectra, &spectra_g));
+    let report = FloorReport::new(request, motions, spectra)
+        .ok_or_else(|| Failure::computation("the files were read but hold no motion"))?;
+    if files.wanted() {
+        let profile = report.profile_csv()?;
+        files.write("profile.csv", || profile)?;
+        let figure = profile_figure(&report).map_err(|error| Failure::computation(error.to_string()))?;
+        files.write("profile.svg", || figure.svg)?;
+        files.write("profile.png", || figure.png)?;
+    }
+    if let Some(spectra) = report.spectra.as_ref().filter(|_| files.wanted()) {
+        let csv = spectra_csv(spectra)?;
+        files.write("spectra.csv", || csv)?;
+        let figure = floor_response_figure(spectra, report.building_height_m, report.motions.len())
+            .map_err(|error| Failure::computation(error.to_string()))?;
+        files.write("spectra.svg", || figure.svg)?;
+        files.write("spectra.png", || figure.png)?;
+    }
+    Ok((report, warnings))
+}
+
+fn floor_csv(floor: &HorizontalMotion) -> String {
+    match &floor.across {
+        Some(across) => write_pair_csv(&floor.along, across),
+        None => write_csv(&floor.along),
+    }
+}
+
+fn profile_figure(
+    report: &FloorReport,
+) -> Result<freestand_study::figures::Figure, freestand_study::figures::FigureError> {
+    let levels_ratio: Vec<f64> = report.levels.iter().map(|level| level.level_ratio).collect();
+    let pfa_g: Vec<Vec<f64>> =
+        report.motions.iter().map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect()).collect();
+    let pga_g: Vec<f64> = report.motions.iter().map(|motion| motion.pga_g).collect();
+    floor_profile_figure(&ProfilePicture {
+        title: "Peak floor accelerations",
+        levels_ratio: &levels_ratio,
+        height_m: Some(report.building_height_m),
+        pfa_g: &pfa_g,
+        pga_g: &pga_g,
+        code: None,
+    })
+}
+
+/// `None`: every floor.
+fn levels(text: &str, values: &mut Values) -> Option<Vec<f64>> {
+    if text.trim().eq_ignore_ascii_case("all") {
+        return None;
+    }
+    let levels = values.grid("--levels", text, Dimension::Ratio).unwrap_or_default();
     if let Some(outside) = levels.iter().find(|x| !(0.0..=1.0).contains(*x)) {
         let problem = Problem::new(ProblemKind::Value, format!("--levels: {outside} is not a share of the height"));
         values.push(problem.hint("0 is the ground, 1 the roof"));
@@ -116,90 +248,118 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         let problem = Problem::new(ProblemKind::Value, format!("--levels: {} levels are too many", levels.len()));
         values.push(problem.hint(format!("at most {MAX_LEVELS} in one call")));
     }
-    values.finish()?;
-    let building_height_m = f64::from(args.storeys) * storey_height.unwrap_or(3.2);
-    let wrong = |error: String| Failure::usage(error, "--help shows the ranges");
-    let period_s = match period {
-        Some(period_s) => period_s,
-        None => fundamental_period_s(args.frame.unwrap_or(FrameKind::Other), building_height_m)
-            .map_err(|error| wrong(error.to_string()))?,
-    };
-    let beam = Building::beam(period_s, damping.unwrap_or(0.05), shear_flexure.unwrap_or(5.0), args.modes)
-        .map_err(|error| wrong(error.to_string()))?;
-    let read = args.read.read_one(&args.motion)?;
-    let ground = &with_tail(&read.motion.motion, tail_s)?;
-    let factor = args.upsample.get();
-    check_upsampling(factor, ground.accel_m_s2().len())?;
-    let files = Files::begin(global, &args.read.inputs([&args.motion]))?;
-    let failed = |error: freestand::building::BuildingError| Failure::computation(error.to_string());
-    let floors = floor_motions(ground, &beam, &levels).map_err(failed)?;
-    let fine = if factor == 1 {
-        floors.clone()
-    } else {
-        floor_motions(&ground.upsampled(factor), &beam, &levels).map_err(failed)?
-    };
-    let later = floor_motions(&with_tail(ground, beam.tail_s())?, &beam, &levels).map_err(failed)?;
-
-    let mut warnings = read.notes;
-    let mut reports = Vec::new();
-    for (i, &level_ratio) in levels.iter().enumerate() {
-        warnings.extend(late_peak_warning(level_ratio, &floors[i], &later[i]));
-        reports.push(LevelReport {
-            level_ratio,
-            height_m: level_ratio * building_height_m,
-            pfa_g: fine[i].peak_m_s2() / G0_M_S2,
-            pfv_m_s: measures(&fine[i]).pgv_m_s,
-            path: files.write(&format!("level-{level_ratio}.csv"), || write_csv(&floors[i]))?,
-        });
-    }
-    let report = FloorReport {
-        motion: read.motion.name,
-        processing: read.motion.processing,
-        building_height_m,
-        damping_ratio: beam.damping_ratio(),
-        shear_flexure_ratio: beam.shear_flexure_ratio(),
-        pga_g: ground.peak_m_s2() / G0_M_S2,
-        modes: beam
-            .modes()
-            .iter()
-            .map(|mode| ModeReport {
-                period_s: mode.period_s(),
-                participation_ratio: mode.participation_ratio(),
-                effective_mass_ratio: mode.effective_mass_ratio(),
-            })
-            .collect(),
-        levels: reports,
-    };
-    files.finish(SCHEMA, &report, &warnings)?;
-    printer.result(SCHEMA, &report, &warnings, || text(&report))?;
-    Ok(Done::OK)
+    Some(levels)
 }
 
-/// The motion and its zeros; a tail that no memory holds is refused.
-fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Failure> {
-    motion.with_zero_tail(tail_s).map_err(|error| {
-        Failure::usage(
-            format!("{tail_s} s of zeros at steps of {} s: {error}", motion.dt_s()),
-            "check --tail, --period and the time step of the record; ten periods of the building are enough",
-        )
-    })
+/// The ground and every floor: those of the table, or of equal storeys.
+fn every_floor(axes: &Axes, storeys: u32) -> Vec<f64> {
+    let table = axes.along.building.floors_ratio();
+    let equal = (1..=storeys).map(|k| f64::from(k) / f64::from(storeys));
+    let floors: Vec<f64> = if table.is_empty() { equal.collect() } else { table.to_vec() };
+    std::iter::once(0.0).chain(floors).collect()
+}
+
+/// The flags of the building, read.
+struct ReadBuilding {
+    storeys: u32,
+    height_m: f64,
+    along: AxisModel,
+    across: Option<AxisModel>,
+    damping: Damping,
+    modes: Option<usize>,
+}
+
+/// Both axes.
+struct Axes {
+    along: Axis,
+    across: Option<Axis>,
+    height_m: f64,
+}
+
+impl BuildingArgs {
+    fn tables(&self) -> impl Iterator<Item = &PathBuf> {
+        let tables = [&self.storey_table, &self.mode_table, &self.across_storey_table, &self.across_mode_table];
+        tables.into_iter().flatten()
+    }
+
+    fn has_second_axis(&self) -> bool {
+        self.across_period.is_some() || self.across_storey_table.is_some() || self.across_mode_table.is_some()
+    }
+
+    fn read(&self, values: &mut Values) -> ReadBuilding {
+        let storey_height = self.storey_height.as_deref().unwrap_or("3.2 m");
+        let storey_height_m = values.positive("--storey-height", Some(storey_height), Dimension::Length).unwrap_or(3.2);
+        let period = values.positive("--period", self.period.as_deref(), Dimension::Time);
+        let damping_ratio = values.non_negative("--damping", Some(&self.damping), Dimension::Ratio).unwrap_or(0.05);
+        let alpha = self.shear_flexure.as_deref().unwrap_or("5");
+        let alpha = values.non_negative("--shear-flexure", Some(alpha), Dimension::Ratio).unwrap_or(5.0);
+        let across_period = values.positive("--across-period", self.across_period.as_deref(), Dimension::Time);
+        let across_alpha = self.across_shear_flexure.as_deref();
+        let across_alpha = values.non_negative("--across-shear-flexure", across_alpha, Dimension::Ratio);
+        let storeys = self.storeys.unwrap_or(30);
+        let height_m = f64::from(storeys) * storey_height_m;
+        let table = |storeys: &Option<PathBuf>, modes: &Option<PathBuf>| match (storeys, modes) {
+            (Some(path), _) => Some(AxisModel::StoreyTable(path.clone())),
+            (None, Some(path)) => Some(AxisModel::ModeTable(path.clone())),
+            (None, None) => None,
+        };
+        let along = table(&self.storey_table, &self.mode_table).unwrap_or_else(|| {
+            let period_s = period.or_else(|| {
+                let frame = self.frame.unwrap_or(FrameKind::Other);
+                values.keep(
+                    "--storey-height",
+                    fundamental_period_s(frame, height_m)
+                        .map_err(|error| problem(error.to_string(), "give --period, or another height")),
+                )
+            });
+            AxisModel::Beam { period_s: period_s.unwrap_or(1.0), shear_flexure_ratio: alpha }
+        });
+        let beam = across_period
+            .map(|period_s| AxisModel::Beam { period_s, shear_flexure_ratio: across_alpha.unwrap_or(alpha) });
+        let across = table(&self.across_storey_table, &self.across_mode_table).or(beam);
+        let damping = match self.rayleigh_modes.as_deref().map(two_modes) {
+            None => Damping::Uniform(damping_ratio),
+            Some(Some(modes)) => Damping::Rayleigh { damping_ratio, modes },
+            Some(None) => {
+                values.push(problem("--rayleigh-modes: two modes are expected", "write --rayleigh-modes \"1, 3\""));
+                Damping::Uniform(damping_ratio)
+            }
+        };
+        ReadBuilding { storeys, height_m, along, across, damping, modes: self.modes }
+    }
+}
+
+fn two_modes(text: &str) -> Option<[usize; 2]> {
+    let (first, second) = text.split_once(',')?;
+    Some([first.trim().parse().ok()?, second.trim().parse().ok()?])
+}
+
+impl ReadBuilding {
+    fn request(&self) -> Result<Axes, Failure> {
+        let of = |model: &AxisModel, modes: Option<usize>| {
+            axis(&AxisRequest { model: model.clone(), damping: self.damping.clone(), modes })
+        };
+        let along = of(&self.along, self.modes)?;
+        // The number of modes is that of the first axis; a table has its own.
+        let modes = |model: &AxisModel| if matches!(model, AxisModel::Beam { .. }) { self.modes } else { None };
+        let across = self.across.as_ref().map(|model| of(model, modes(model))).transpose()?;
+        let height_m = along.height_m.or(across.as_ref().and_then(|axis| axis.height_m)).unwrap_or(self.height_m);
+        if let Some(other_m) = across.as_ref().and_then(|axis| axis.height_m)
+            && (other_m - height_m).abs() > 1e-3 * height_m
+        {
+            let message = format!("the building is {other_m} m high across and {height_m} m along");
+            return Err(Failure::usage(message, "levels are shares of one height: check both tables"));
+        }
+        Ok(Axes { along, across, height_m })
+    }
 }
 
 fn frame_kind(name: &str) -> Result<FrameKind, String> {
     FrameKind::parse(name).ok_or_else(|| format!("known: {}", FrameKind::ALL.map(FrameKind::name).join(", ")))
 }
 
-/// The floor goes on moving when the record ends; say so where its peak is still to come.
-fn late_peak_warning(level_ratio: f64, floor: &Motion, later: &Motion) -> Option<String> {
-    (later.peak_m_s2() > floor.peak_m_s2()).then(|| {
-        format!(
-            "level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with --tail",
-            significant(later.peak_m_s2() / G0_M_S2, 4)
-        )
-    })
-}
-
 fn text(report: &FloorReport) -> String {
+    let optional = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| significant(value, 4));
     let modes: Vec<Vec<String>> = report
         .modes
         .iter()
@@ -208,25 +368,37 @@ fn text(report: &FloorReport) -> String {
             vec![
                 (i + 1).to_string(),
                 significant(mode.period_s, 4),
+                significant(100.0 * mode.damping_ratio, 3),
                 significant(mode.participation_ratio, 4),
-                mode.effective_mass_ratio.map_or_else(|| "-".to_owned(), |ratio| significant(ratio, 4)),
+                optional(mode.effective_mass_ratio),
             ]
         })
         .collect();
+    let several = report.motions.len() > 1;
+    let mut headings = vec!["level", "height [m]", if several { "median PFA [g]" } else { "PFA [g]" }];
+    if several {
+        headings.extend(["16 % [g]", "84 % [g]"]);
+    }
+    headings.extend(["PFV [m/s]", "PFD [m]"]);
+    let has_drift = report.levels.iter().any(|level| level.drift_ratio.is_some());
+    headings.extend(has_drift.then_some("drift [%]"));
+    headings.extend((!several).then_some("file"));
     let levels: Vec<Vec<String>> = report
         .levels
         .iter()
         .map(|level| {
-            vec![
-                level.level_ratio.to_string(),
-                significant(level.height_m, 4),
-                significant(level.pfa_g, 4),
-                significant(level.pfv_m_s, 4),
-                level.path.clone().unwrap_or_else(|| "-".to_owned()),
-            ]
+            let mut row =
+                vec![level.level_ratio.to_string(), significant(level.height_m, 4), significant(level.pfa_g, 4)];
+            if several {
+                row.extend([optional(level.pfa_g_p16), optional(level.pfa_g_p84)]);
+            }
+            row.extend([significant(level.pfv_m_s, 4), significant(level.pfd_m, 4)]);
+            row.extend(has_drift.then(|| optional(level.drift_ratio.map(|ratio| 100.0 * ratio))));
+            row.extend((!several).then(|| level.path.clone().unwrap_or_else(|| "-".to_owned())));
+            row
         })
         .collect();
-    table(&["mode", "period [s]", "participation", "mass share"], &modes)
+    table(&["mode", "period [s]", "damping [%]", "participation", "mass share"], &modes)
         + "\n"
-        + &table(&["level", "height [m]", "PFA [g]", "PFV [m/s]", "file"], &levels)
+        + &table(&headings, &levels)
 }

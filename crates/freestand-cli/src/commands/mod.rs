@@ -39,9 +39,9 @@ pub(crate) enum Command {
     ShockSpectrum(Box<shock_spectrum::ShockSpectrumArgs>),
     Rock(Box<rock::RockArgs>),
     Spectrum(Box<spectrum::SpectrumArgs>),
-    Motion(motion::MotionArgs),
+    Motion(Box<motion::MotionArgs>),
     Cushion(cushion::CushionArgs),
-    Floor(floor::FloorArgs),
+    Floor(Box<floor::FloorArgs>),
     Validate(validate::ValidateArgs),
 }
 

@@ -55,7 +55,7 @@ pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> 
 }
 
 /// Periods of a spectrum: as asked for, or those that synthetic motions are matched at with T = 0 before them.
-fn periods(text: Option<&str>, values: &mut crate::values::Values) -> Vec<f64> {
+pub(super) fn periods(text: Option<&str>, values: &mut crate::values::Values) -> Vec<f64> {
     match text {
         Some(text) => values.grid("--periods", text, freestand_study::quantity::Dimension::Time).unwrap_or_default(),
         None => std::iter::once(0.0).chain(freestand::synthesis::matched_periods_s()).collect(),

@@ -119,7 +119,7 @@ fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>,
 }
 
 /// Labels at 0.1, 1, 10 only: those of 2 and 5 would touch each other in a narrow panel. Their grid lines stay.
-fn decades() -> TickFormat {
+pub(super) fn decades() -> TickFormat {
     TickFormat::Custom(std::sync::Arc::new(|v| {
         let decade = v.log10();
         if (decade - decade.round()).abs() < 1e-6 { TickFormat::Auto.format(v) } else { String::new() }

@@ -4,6 +4,8 @@
 //! one rocking history, recorded motions, and the response spectrum of a motion. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
 
 mod compliant;
+mod floor_profile;
+mod floor_response;
 mod floor_spectra;
 mod history;
 mod laboratory;
@@ -29,6 +31,7 @@ use crate::result::StudyResult;
 use crate::study::{Ground, RecordedMotion, Study};
 
 pub use compliant::Trace;
+pub use floor_profile::ProfilePicture;
 
 /// A figure in both of its forms.
 #[derive(Debug, Clone, PartialEq)]
@@ -205,6 +208,26 @@ pub fn static_figure(report: &crate::static_test::StaticsReport) -> Result<Figur
 /// What the plot library says when it cannot draw.
 pub fn trace_figure(trace: &Trace<'_>) -> Result<Figure, FigureError> {
     page::draw(compliant::trace(trace))
+}
+
+/// Draws peak floor accelerations up the height of a building.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn floor_profile_figure(picture: &ProfilePicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(floor_profile::floor_profile("profile", picture))
+}
+
+/// Draws response spectra of floors, the median over so many `motions`.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn floor_response_figure(
+    report: &crate::floor::SpectraReport,
+    height_m: f64,
+    motions: usize,
+) -> Result<Figure, FigureError> {
+    page::draw(floor_response::floor_response(report, height_m, motions))
 }
 
 /// Draws shock response spectra over frequency; `label` is that of the values, with their unit.

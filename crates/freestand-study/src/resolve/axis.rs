@@ -31,16 +31,20 @@ impl Resolver<'_> {
             storeys: usize::try_from(or(&written.storeys, 30)).unwrap_or(usize::MAX),
             storey_height_m: or(&written.storey_height_m, 3.2),
         };
-        let (first, period_note) = self.axis(&along, stated, before)?;
-        let uniform = first.height_m.is_none();
-        if let Some(height_m) = first.height_m {
-            let floors = first.building.floors_ratio().len();
+        let first = self.axis(&along, stated, before);
+        if let Some((Axis { height_m: Some(height_m), building, .. }, _)) = &first {
+            let floors = building.floors_ratio().len();
             stated = Stated { storeys: floors, storey_height_m: height_m / floors as f64 };
         }
         let height_m = stated.storeys as f64 * stated.storey_height_m;
-        let second = match &written.across {
+        // Tried whatever became of the first, so that what is wrong with either is said at once.
+        let across = written.across.as_ref();
+        let second = across.map(|across| self.axis(&inherited(&across.value, &along), stated, before));
+        let (first, period_note) = first?;
+        let uniform = first.height_m.is_none();
+        let second = match second {
             None => None,
-            Some(across) => Some(self.axis(&inherited(&across.value, &along), stated, before)?),
+            Some(second) => Some(second?),
         };
         if let (Some((Axis { height_m: Some(other_m), .. }, _)), Some(across)) = (&second, &written.across)
             && (other_m - height_m).abs() > 1e-3 * height_m
@@ -136,20 +140,21 @@ impl Resolver<'_> {
 
     /// The fundamental period, and where it is from.
     fn period(&mut self, written: &AxisOptions, height_m: f64) -> Option<(f64, String)> {
+        let kind = match &written.frame {
+            None => Some(FrameKind::Other),
+            Some(Written { value, line }) => {
+                let found = FrameKind::parse(value);
+                if found.is_none() {
+                    let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
+                    self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
+                }
+                found
+            }
+        };
         if let Some(period) = &written.period_s {
             return Some((period.value, "as given".to_owned()));
         }
-        let kind = match &written.frame {
-            None => FrameKind::Other,
-            Some(Written { value, line }) => match FrameKind::parse(value) {
-                Some(kind) => kind,
-                None => {
-                    let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
-                    self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
-                    return None;
-                }
-            },
-        };
+        let kind = kind?;
         let period_s = fundamental_period_s(kind, height_m).ok()?;
         let (kt, name, height) = (kind.period_factor(), kind.name(), format_si(height_m, Dimension::Length));
         Some((period_s, format!("AS 1170.4, 1.25 kt h^0.75 with kt = {kt} (frame \"{name}\") and h = {height}")))
