@@ -38,7 +38,8 @@ fn floor(folder: &Path, args: &[&str]) -> (Option<i32>, Value, String) {
 #[test]
 fn a_table_of_storeys_gives_every_floor_and_its_drift() {
     let folder = folder();
-    let args = ["--motion", "one.csv", "--component", "1", "--storey-table", "tower.csv", "--levels", "all", "--tail", "20 s"];
+    let args =
+        ["--motion", "one.csv", "--component", "1", "--storey-table", "tower.csv", "--levels", "all", "--tail", "20 s"];
     let args = [&args[..], &["--spectra", "--spectrum-damping", "2 %, 5 %", "--out", "out"]].concat();
     let (status, report, error) = floor(folder.path(), &args);
     assert_eq!(status, Some(0), "{error}");
@@ -49,7 +50,9 @@ fn a_table_of_storeys_gives_every_floor_and_its_drift() {
     assert_eq!(report["modes"].as_array().unwrap().len(), 3);
     assert!(report["shear_flexure_ratio"].is_null());
     assert_eq!(report["spectra"]["levels"][3]["psa_g"].as_array().unwrap().len(), 2);
-    for name in ["profile.csv", "profile.svg", "profile.png", "spectra.csv", "spectra.svg", "level-0.7.csv", "manifest.json"] {
+    for name in
+        ["profile.csv", "profile.svg", "profile.png", "spectra.csv", "spectra.svg", "level-0.7.csv", "manifest.json"]
+    {
         assert!(folder.path().join("out").join(name).exists(), "{name}");
     }
 }
