@@ -10,6 +10,7 @@ mod processing;
 mod reading;
 mod rows;
 mod stop;
+mod target;
 mod values;
 
 use std::process::ExitCode;

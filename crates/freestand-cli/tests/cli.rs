@@ -339,6 +339,24 @@ fn code_spectrum() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
+/// Every flag of a code has its place in `--out`: the spectrum with its corners, as numbers and as a picture.
+#[test]
+fn a_code_spectrum_is_written_with_its_corners() {
+    let folder = tempfile::tempdir().unwrap();
+    let shown = freestand_in(
+        folder.path(),
+        &["motion", "code-spectrum", "--parts", "--building-height", "96 m", "--out", "s", "-q"],
+    );
+    assert!(shown.contains("exit status 0"), "{shown}");
+    let csv = std::fs::read_to_string(folder.path().join("s/spectrum.csv")).unwrap();
+    // De ends its plateau at 1.98/3.68 s.
+    let corner = format!("\n{},", 1.98 / 3.68);
+    assert!(csv.starts_with("period_s,sa_g\n0,0.088") && csv.contains(&corner) && csv.contains("\n1.5,"), "{csv}");
+    for name in ["spectrum.svg", "spectrum.png", "result.json", "manifest.json"] {
+        assert!(folder.path().join("s").join(name).exists(), "{name}");
+    }
+}
+
 /// The same numbers on one thread and on two, and a seed that matters.
 #[test]
 fn synthetic_motions_do_not_depend_on_threads() {

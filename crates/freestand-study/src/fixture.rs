@@ -6,7 +6,6 @@ use std::path::PathBuf;
 
 use freestand::block::Block;
 use freestand::building::{Building, floor_motions};
-use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 use freestand::impact::ImpactModel;
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
@@ -25,6 +24,7 @@ use crate::statistics::object_statistics;
 use crate::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
 };
+use crate::target::{Target, TargetWords};
 
 pub(crate) const MASS_KG: f64 = 150.0;
 /// Two pads of 2190 N/mm.
@@ -44,8 +44,7 @@ pub(crate) fn study() -> Study {
         source: None,
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
-            spectrum: As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap(),
-            city: Some("Melbourne".into()),
+            target: Target::resolve(&TargetWords::default(), "".as_ref()).unwrap(),
             count: 10,
             seed: 1,
         }),
@@ -125,6 +124,7 @@ pub(crate) fn result(study: &Study) -> StudyResult {
     StudyResult {
         motions: ground.iter().map(|g| g.name.clone()).collect(),
         ground,
+        profile: None,
         modes: beam.modes().to_vec(),
         levels,
         history: Some(history),

@@ -37,6 +37,7 @@ pub mod streamed;
 pub mod study;
 pub mod summary;
 pub mod tables;
+pub mod target;
 pub mod validate;
 pub mod vary;
 pub mod virtual_laboratory;

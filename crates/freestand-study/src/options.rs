@@ -10,6 +10,7 @@ mod objects;
 mod outputs;
 mod processing;
 mod reader;
+mod target;
 
 use std::path::Path;
 

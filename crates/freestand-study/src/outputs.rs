@@ -10,11 +10,13 @@ use crate::figures::figures;
 use crate::output::{OutputFolder, document};
 use crate::records::{write_csv, write_pair_csv};
 use crate::report::{provenance, report};
-use crate::rerun::{LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed};
+use crate::rerun::{
+    LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed, with_spectrum,
+};
 use crate::result::{HorizontalMotion, LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
-use crate::tables::{records_csv, srs_csv, statistics_csv, urs_csv};
+use crate::tables::{profile_csv, records_csv, srs_csv, statistics_csv, urs_csv};
 
 /// What was written.
 #[derive(Debug, Clone)]
@@ -31,6 +33,7 @@ pub struct Written {
 pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
     let mut names: Vec<String> =
         ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
+    names.extend(study.building.is_some().then(|| "floor_profile.csv".to_owned()));
     names.extend(is_varied.then(|| "vary.csv".to_owned()));
     names.extend(study.outputs.report.then(|| "report.html".to_owned()));
     for motion in study.ground.names(&study.levels) {
@@ -89,6 +92,9 @@ fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
     .collect()
 }
 
+/// The table that synthetic motions were made for, as it was read.
+const TARGET_NAME: &str = "target_spectrum.csv";
+
 /// The study, as it gives the same result from the output folder.
 fn rerun_toml(study: &Study) -> Result<String, Problem> {
     let toml = match &study.objects.cushion_file {
@@ -99,7 +105,10 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
     let toml = if tables.is_empty() { toml } else { with_building_tables(&toml, &tables)? };
     let names = study.ground.names(&study.levels);
     match &study.ground {
-        Ground::Synthetic(synthetic) => with_seed(&toml, synthetic.seed),
+        Ground::Synthetic(synthetic) => {
+            let seeded = with_seed(&toml, synthetic.seed)?;
+            if synthetic.target.table_csv.is_some() { with_spectrum(&seeded, TARGET_NAME) } else { Ok(seeded) }
+        }
         Ground::Recorded(_) => {
             let files: Vec<String> = names.iter().map(|name| ground_name(name)).collect();
             let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));
@@ -143,10 +152,18 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         ("srs.csv".to_owned(), srs_csv(study, result)?),
         ("statistics.csv".to_owned(), statistics_csv(study, result)?),
     ];
+    if let Some(profile) = &result.profile {
+        files.push(("floor_profile.csv".to_owned(), profile_csv(study, profile)?));
+    }
     if let Some(sensitivity) = &result.sensitivity {
         files.push(("vary.csv".to_owned(), records_csv(&sensitivity.rows)?));
     }
     files.extend(building_tables(study).into_iter().map(|(_, _, name, text)| (name, text.to_vec())));
+    if let Ground::Synthetic(synthetic) = &study.ground
+        && let Some(csv) = &synthetic.target.table_csv
+    {
+        files.push((TARGET_NAME.to_owned(), csv.clone().into_bytes()));
+    }
     let motions: Vec<Vec<File>> = result
         .motions
         .par_iter()

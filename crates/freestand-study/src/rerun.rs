@@ -198,6 +198,19 @@ pub fn with_building_tables(toml: &str, tables: &[(bool, &str, String)]) -> Resu
     Ok(study.to_string())
 }
 
+/// The text with the spectrum of synthetic motions from this file.
+///
+/// # Errors
+/// A text that is not TOML, or without `[ground]`.
+pub fn with_spectrum(toml: &str, file: &str) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let Some(ground) = study.get_mut("ground").and_then(Item::as_table_like_mut) else {
+        return Err(broken("ground is no table"));
+    };
+    ground.insert("spectrum", value(file));
+    Ok(study.to_string())
+}
+
 fn parse(toml: &str) -> Result<DocumentMut, Problem> {
     toml.parse().map_err(|error: toml_edit::TomlError| broken(error.message()))
 }

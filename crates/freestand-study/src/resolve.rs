@@ -19,7 +19,6 @@ use crate::quantity::{Dimension, format_si};
 use crate::recorded::MotionFiles;
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
 
-pub use ground::minimum_governs_warning;
 use recorded::has_measured_floors;
 
 /// Most synthetic motions of a study.
@@ -221,11 +220,15 @@ impl Resolver<'_> {
     }
 }
 
-/// The paths of the files that a study's motions were read from, those of StationXML and of targets of scaling among them,
+/// The paths of the files that a study's motions were read from, those of StationXML and of target spectra among them,
 /// and of its building's tables.
 pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
     let recorded: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
-    let others = recorded.iter().flat_map(|motion| motion.other_inputs()).map(|file| &file.path);
+    let target = match &study.ground {
+        Ground::Synthetic(synthetic) => synthetic.target.file.as_ref(),
+        Ground::Recorded(_) | Ground::OnFloors => None,
+    };
+    let others = recorded.iter().flat_map(|motion| motion.other_inputs()).chain(target).map(|file| &file.path);
     let tables = study.building.iter().flat_map(|building| &building.tables).map(|(_, table)| &table.file.path);
     recorded.iter().map(|motion| &motion.path).chain(others).chain(tables).cloned().collect()
 }

@@ -20,6 +20,8 @@ pub struct StudyResult {
     pub ground: Vec<GroundMotion>,
     /// The building's modes, by falling period.
     pub modes: Vec<Mode>,
+    /// Peak accelerations of every floor; `None` where the motions of the floors are given.
+    pub profile: Option<FloorProfile>,
     /// One result for each level of the study.
     pub levels: Vec<LevelResult>,
     /// The history that is drawn, if any object uplifted.
@@ -88,6 +90,19 @@ pub struct PseudoSpectrum {
     pub periods_s: Vec<f64>,
     /// Pseudo-accelerations \[m/s²\].
     pub psa_m_s2: Vec<f64>,
+}
+
+/// Peak accelerations up the height of the building.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloorProfile {
+    /// Every floor as a share of the height, from the ground to the roof.
+    pub levels_ratio: Vec<f64>,
+    /// Peak floor accelerations, `[motion][level]`; of two components, in whatever direction \[g\].
+    pub pfa_g: Vec<Vec<f64>>,
+    /// What a code gives a rigid part at each level, where the target is one of a code that says it \[g\].
+    pub code_g: Option<Vec<f64>>,
+    /// Which clause that is.
+    pub code_clause: Option<&'static str>,
 }
 
 /// What happened on one floor.

@@ -17,7 +17,7 @@ use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{ExampleHistory, HorizontalMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
 use crate::study::{Level, Study};
-use motions::{floors, ground_motions, spectrum_of};
+use motions::{floor_profile, floors, ground_motions, spectrum_of};
 use warnings::result_warnings;
 
 /// Longest wait for a block to settle after the motion \[s\]; only a restitution of nearly 1 needs more.
@@ -67,6 +67,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, StudyError>
     };
     let ground = ground_motions(&study.ground, || tell("ground motions", 0))?;
     let floors = floors(study, &ground, || tell("floor motions", 0))?;
+    let profile = floor_profile(study, &ground, || tell("floor motions", 0))?;
 
     let finished = std::sync::atomic::AtomicUsize::new(0);
     let pairs: Vec<(usize, usize)> =
@@ -98,7 +99,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, StudyError>
         None
     });
     let modes = study.building.as_ref().map_or_else(Vec::new, |building| building.along.modes().to_vec());
-    Ok(StudyResult { motions: names, ground, modes, levels, history, sensitivity: None, warnings })
+    Ok(StudyResult { motions: names, ground, modes, profile, levels, history, sensitivity: None, warnings })
 }
 
 fn options(study: &Study) -> RockingOptions {

@@ -8,6 +8,7 @@ use freestand::rocking::{Accuracy, Restitution};
 
 use crate::cushion::{CushionWords, EdgeCushion};
 use crate::input::InputFile;
+use crate::target::Target;
 
 /// Everything that `run` needs, and nothing that it does not.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,13 +77,11 @@ pub fn synthetic_name(index: usize) -> String {
     format!("synthetic-{:02}", index + 1)
 }
 
-/// Motions matched to the AS 1170.4 spectrum.
+/// Motions matched to a spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SyntheticGround {
     /// The target.
-    pub spectrum: freestand::code_spectrum::As1170_4,
-    /// The city whose hazard factor was taken, for the report.
-    pub city: Option<String>,
+    pub target: Target,
     /// How many motions.
     pub count: usize,
     /// Seed of the random numbers.

@@ -10,6 +10,7 @@ use crate::input::{InputFile, sha256_hex};
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::ranked_quantile;
 use crate::study::{BuildingInput, Ground, Level, RecordedMotion, Study};
+use crate::target::Target;
 use freestand::G0_M_S2;
 use freestand::building::Building;
 use freestand::rocking::{Accuracy, Restitution};
@@ -218,13 +219,15 @@ fn building_inputs(building: &BuildingInput) -> Value {
 fn ground_inputs(ground: &Ground) -> Value {
     match ground {
         Ground::Synthetic(synthetic) => json!({
-            "code": "as1170.4",
-            "edition": synthetic.spectrum.edition().name(),
-            "site": synthetic.spectrum.site().name(),
-            "city": synthetic.city,
-            "hazard_factor": synthetic.spectrum.hazard_factor(),
-            "return_period_years": synthetic.spectrum.return_period_years(),
-            "kpz_g": synthetic.spectrum.kpz_g(),
+            "code": synthetic.target.code(),
+            "edition": synthetic.target.spectrum.name(),
+            "site": synthetic.target.spectrum.site_name(),
+            "city": synthetic.target.city,
+            "hazard_factor": synthetic.target.hazard_factor(),
+            "return_period_years": synthetic.target.spectrum.return_period_years(),
+            "kpz_g": synthetic.target.kpz_g(),
+            "facts": fact_list(&synthetic.target),
+            "spectrum_file": synthetic.target.file.as_ref().map(input_file),
             "count": synthetic.count,
             "seed": synthetic.seed,
         }),
@@ -255,6 +258,11 @@ fn recorded_input(record: &RecordedMotion) -> Value {
         "scale_target": record.scale_target.as_ref().map(input_file),
         "processing": record.processing,
     })
+}
+
+/// The facts of a target: name and value, in order.
+pub fn fact_list(target: &Target) -> Value {
+    target.facts.iter().map(|(name, value)| json!({"name": name, "value": value})).collect()
 }
 
 fn input_file(file: &InputFile) -> Value {

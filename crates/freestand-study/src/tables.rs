@@ -5,7 +5,8 @@ use std::borrow::Cow;
 
 use crate::error::{Problem, ProblemKind};
 use crate::records::{push_shortest, shortest};
-use crate::result::{ObjectResponse, Ranked, StudyResult};
+use crate::result::{FloorProfile, ObjectResponse, Ranked, StudyResult};
+use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::Study;
 use serde_json::Value;
 
@@ -296,6 +297,25 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
             ]);
             row
         })
+    });
+    csv(&header, rows)
+}
+
+/// `floor_profile.csv`: peak floor accelerations up the height, quantiles over the motions, one row for each floor.
+///
+/// # Errors
+/// None in practice: rows are of one length and memory does not fail.
+pub fn profile_csv(study: &Study, profile: &FloorProfile) -> Result<Vec<u8>, Problem> {
+    let header = ["level_ratio", "height_m", "pfa_g_p16", "pfa_g_median", "pfa_g_p84", "code_part_g"];
+    let height_m = study.building.as_ref().map(|building| building.height_m);
+    let rows = profile.levels_ratio.iter().enumerate().map(|(level, &ratio)| {
+        let mut pfa_g: Vec<f64> = profile.pfa_g.iter().filter_map(|motion| motion.get(level)).copied().collect();
+        let quantiles = QUANTILES.map(|quantile| ranked_quantile(&mut pfa_g, quantile).cell());
+        let code_g = profile.code_g.as_ref().and_then(|code| code.get(level)).copied();
+        let mut row = vec![shortest(ratio), optional(height_m.map(|height_m| ratio * height_m))];
+        row.extend(quantiles);
+        row.push(optional(code_g));
+        row
     });
     csv(&header, rows)
 }

@@ -1,12 +1,12 @@
 //! The paper's Table I and every closed form that the models can be held against.
 
+mod codes;
 mod cushion;
 mod rocking;
 mod shock;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::{Building, Damping, Storey};
-use freestand::code_spectrum::{As1170_4, Edition, FrameKind, SiteClass, fundamental_period_s};
 use freestand::compliant::{CompliantBase, CompliantOptions, Start, rock_compliant};
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
@@ -15,7 +15,7 @@ use freestand::oscillator::response_spectrum;
 use freestand::rocking::Base;
 use freestand::shock_response::{HalfSine, half_sine_maximax_ratio, half_sine_severity_ratio};
 use serde::Serialize;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::compliant::damped;
 use crate::error::{Problem, ProblemKind};
@@ -109,7 +109,7 @@ pub fn validate() -> Result<Validation, Problem> {
         shock::spectrum_checks()?,
         shock::pulse_checks()?,
         shock::boundary_checks()?,
-        code_spectrum_checks()?,
+        codes::checks()?,
         building_checks()?,
         storey_checks()?,
         oscillator_checks()?,
@@ -288,28 +288,6 @@ fn shock_response_checks() -> Vec<Check> {
             HALF_SINE,
         ),
     ]
-}
-
-fn code_spectrum_checks() -> Result<Vec<Check>, Problem> {
-    const CODE: &str = "AS 1170.4-2007, Table 6.4 formulas: kpZ Ch(T), Melbourne, site De, 500 years";
-    let spectrum = As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).map_err(defect)?;
-    let mut checks: Vec<Check> = [(0.0, 0.088), (0.3, 0.2944), (1.0, 0.1584), (1.5, 0.1056), (2.0, 0.0594)]
-        .into_iter()
-        .map(|(t, sa)| check(format!("code spectrum, Sa({t} s) [g]"), spectrum.sa_g(t), sa, 1e-12, CODE))
-        .collect();
-    let sd_mm = 1e3 * freestand::G0_M_S2 * spectrum.sa_g(4.0) * (4.0 / TAU).powi(2);
-    checks.push(check("code spectrum, Sd beyond 1.5 s [mm]", sd_mm, 59.0, 0.05, CODE));
-    const PERIOD: &str = "AS 1170.4-2007, clause 6.2.3: 1.25 kt h^0.75";
-    for (frame, kt, expected) in [
-        (FrameKind::MomentSteel, 0.11, 4.22),
-        (FrameKind::MomentConcrete, 0.075, 2.88),
-        (FrameKind::EccentricallyBracedSteel, 0.06, 2.30),
-        (FrameKind::Other, 0.05, 1.92),
-    ] {
-        let t1 = fundamental_period_s(frame, 96.0).map_err(defect)?;
-        checks.push(check(format!("period of a tower of 96 m, kt = {kt} [s]"), t1, expected, 5e-3, PERIOD));
-    }
-    Ok(checks)
 }
 
 fn building_checks() -> Result<Vec<Check>, Problem> {

@@ -1,5 +1,7 @@
 //! Motions with two horizontal components, and given motions of floors, through a whole study.
 
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may stop at an error")]
+
 use std::path::Path;
 
 use freestand::motion::Motion;

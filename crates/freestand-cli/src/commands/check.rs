@@ -96,18 +96,8 @@ fn report(study: &Study) -> CheckReport {
     let objects = &study.objects;
     let (ground, motions) = match &study.ground {
         Ground::Synthetic(synthetic) => {
-            let spectrum = &synthetic.spectrum;
-            let place = synthetic.city.as_ref().map_or(String::new(), |city| format!(" ({city})"));
-            let text = format!(
-                "{} synthetic motions, seed {}, {} site {}, Z = {}{place}, {} years, kpZ = {} g",
-                synthetic.count,
-                synthetic.seed,
-                spectrum.edition().name(),
-                spectrum.site().name(),
-                spectrum.hazard_factor(),
-                spectrum.return_period_years(),
-                significant(spectrum.kpz_g(), 4)
-            );
+            let line = synthetic.target.one_line();
+            let text = format!("{} synthetic motions, seed {}, {line}", synthetic.count, synthetic.seed);
             (text, Vec::new())
         }
         Ground::Recorded(recorded) => {

@@ -37,7 +37,7 @@ enum MotionCommand {
     Rotate(rotate::RotateArgs),
     Rotd(rotd::RotdArgs),
     Synth(synth::SynthArgs),
-    Match(synth::MatchArgs),
+    Match(Box<synth::MatchArgs>),
     CodeSpectrum(code::CodeSpectrumArgs),
 }
 

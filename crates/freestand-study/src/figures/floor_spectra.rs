@@ -1,5 +1,6 @@
 //! Acceleration spectra of the ground and of each floor.
 
+use freestand::code_spectrum::CodeSpectrum;
 use kuva::plot::BandPlot;
 use kuva::render::annotations::ReferenceLine;
 use kuva::render::layout::TickFormat;
@@ -25,7 +26,7 @@ const TARGET_DASH: &str = "8 6";
 pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let ground: Vec<&PseudoSpectrum> = result.ground.iter().map(|g| &g.spectrum).collect();
     let target = match &study.ground {
-        Ground::Synthetic(synthetic) => Some(&synthetic.spectrum),
+        Ground::Synthetic(synthetic) => Some(&synthetic.target.spectrum),
         Ground::Recorded(_) | Ground::OnFloors => None,
     };
     let target = target.and_then(|code| {
@@ -55,9 +56,11 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let colour = curve_style(0).colour;
     let words = if n > 1 { "median" } else { "the motion" };
     legend.push(Entry { sign: Sign::Line { colour, width_px: 2.4, dash: None }, words: words.into() });
-    if target.is_some() {
+    if let Ground::Synthetic(synthetic) = &study.ground {
+        let is_table = matches!(synthetic.target.spectrum, CodeSpectrum::Table(_));
+        let words = if is_table { "target spectrum" } else { "target: code spectrum" };
         let sign = Sign::Line { colour: curve_style(1).colour, width_px: 2.0, dash: Some(TARGET_DASH) };
-        legend.push(Entry { sign, words: "target: code spectrum".into() });
+        legend.push(Entry { sign, words: words.into() });
     }
     Page {
         name: FigureKind::FloorSpectra.name(),

@@ -3,6 +3,7 @@
 //! Curves of the paper's Fig. 7 (uplift and shock against height), the share of motions that overturn, floor spectra,
 //! one rocking history, recorded motions, and the response spectrum of a motion. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
 
+mod code_spectrum;
 mod compliant;
 mod floor_profile;
 mod floor_response;
@@ -30,6 +31,7 @@ use crate::inspect::DampedSpectrum;
 use crate::result::StudyResult;
 use crate::study::{Ground, RecordedMotion, Study};
 
+pub use code_spectrum::CodePicture;
 pub use compliant::Trace;
 pub use floor_profile::ProfilePicture;
 
@@ -59,6 +61,8 @@ pub enum FigureKind {
     Overturning,
     /// Acceleration spectra of the ground and the floors.
     FloorSpectra,
+    /// Peak floor accelerations up the height.
+    FloorProfile,
     /// One rocking history.
     History,
     /// A recorded ground motion, counted from 0.
@@ -78,6 +82,7 @@ impl FigureKind {
             Self::Srs => "srs".to_owned(),
             Self::Overturning => "overturning".to_owned(),
             Self::FloorSpectra => "floor_spectra".to_owned(),
+            Self::FloorProfile => "floor_profile".to_owned(),
             Self::History => "history".to_owned(),
             Self::Record(index) => format!("record_{:02}", index + 1),
             Self::Vary => "vary".to_owned(),
@@ -105,6 +110,9 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     if !result.motions.is_empty() {
         kinds.push(FigureKind::FloorSpectra);
     }
+    if result.profile.is_some() {
+        kinds.push(FigureKind::FloorProfile);
+    }
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {
         kinds.push(FigureKind::History);
     }
@@ -131,6 +139,8 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
             figure: kind.name(),
             reason: "no object uplifted, so there is no history".into(),
         })?,
+        FigureKind::FloorProfile => study_profile(study, result)
+            .ok_or_else(|| FigureError { figure: kind.name(), reason: "the motions of the floors are given".into() })?,
         FigureKind::Vary => {
             let levels: Vec<String> = study.levels.iter().map(|level| level.name.clone()).collect();
             let sensitivity = result
@@ -148,6 +158,21 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
         },
     };
     page::draw(page)
+}
+
+fn study_profile(study: &Study, result: &StudyResult) -> Option<page::Page> {
+    let profile = result.profile.as_ref()?;
+    let code: Vec<(f64, f64)> =
+        profile.code_g.iter().flatten().zip(&profile.levels_ratio).map(|(&g, &level)| (level, g)).collect();
+    let picture = ProfilePicture {
+        title: "Peak floor accelerations",
+        levels_ratio: &profile.levels_ratio,
+        height_m: study.building.as_ref().map(|building| building.height_m),
+        pfa_g: &profile.pfa_g,
+        pga_g: &[],
+        code: profile.code_clause.filter(|_| !code.is_empty()).map(|clause| (clause, &code[..])),
+    };
+    Some(floor_profile::floor_profile(&FigureKind::FloorProfile.name(), &picture))
 }
 
 fn study_record(index: usize, record: &RecordedMotion) -> page::Page {
@@ -184,6 +209,14 @@ pub fn response_spectrum_figure(
     spectra: &[&DampedSpectrum],
 ) -> Result<Figure, FigureError> {
     page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
+}
+
+/// Draws the spectrum of a code, and what it gives parts up the height of a building.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn code_spectrum_figure(picture: &CodePicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(code_spectrum::code_spectrum(picture))
 }
 
 /// Draws the loops of drop tests: force and acceleration against compression.

@@ -29,7 +29,7 @@ pub(super) fn cushion(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> C
 }
 
 /// One quantity or a list of them, as one text with units.
-fn texts(
+pub(super) fn texts(
     reader: &mut Reader<'_>,
     table: &mut Section<'_, '_>,
     key: &'static str,

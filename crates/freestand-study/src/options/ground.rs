@@ -3,6 +3,7 @@
 use toml::de::DeValue;
 
 use super::processing::{ProcessingOptions, processing};
+use super::target::{TargetOptions, target};
 use super::{Reader, Section, Written, bare_number};
 use crate::quantity::Dimension;
 
@@ -10,12 +11,8 @@ use crate::quantity::Dimension;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct GroundOptions {
     pub(crate) line: Option<usize>,
-    pub(crate) code: Option<Written<String>>,
-    pub(crate) edition: Option<Written<u64>>,
-    pub(crate) city: Option<Written<String>>,
-    pub(crate) hazard_factor: Option<Written<f64>>,
-    pub(crate) site: Option<Written<String>>,
-    pub(crate) return_period_years: Option<Written<u64>>,
+    /// The words on the spectrum of synthetic motions.
+    pub(crate) target: TargetOptions,
     pub(crate) count: Option<Written<u64>>,
     pub(crate) seed: Option<Written<u64>>,
     pub(crate) motions: Option<Written<Vec<Written<String>>>>,
@@ -35,12 +32,7 @@ pub(crate) struct GroundOptions {
 pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOptions {
     GroundOptions {
         line: Some(table.line),
-        code: table.string(reader, "code"),
-        edition: table.count(reader, "edition"),
-        city: table.string(reader, "city"),
-        hazard_factor: table.ratio(reader, "hazard_factor"),
-        site: table.string(reader, "site"),
-        return_period_years: table.count(reader, "return_period_years"),
+        target: target(reader, table),
         count: table.count(reader, "count"),
         seed: table.count(reader, "seed"),
         motions: table.strings(reader, "motions"),

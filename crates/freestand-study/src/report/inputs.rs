@@ -39,21 +39,12 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
 }
 
 fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
-    let code = &synthetic.spectrum;
-    let minimum = if code.minimum_governs() { " (the code’s minimum governs)" } else { "" };
-    let mut html = properties(
-        "",
-        &[
-            ("Target", format!("{}, elastic, 5 % damping", code.edition().name())),
-            ("Place", synthetic.city.clone().unwrap_or_default()),
-            ("Site class", format!("{}: {}", code.site().name(), code.site().description())),
-            ("Hazard design factor Z", number(code.hazard_factor(), 4)),
-            ("Return period", format!("{} years", code.return_period_years())),
-            ("kp·Z", format!("{} g{minimum}", number(code.kpz_g(), 4))),
-            ("Motions", synthetic.count.to_string()),
-            ("Seed", synthetic.seed.to_string()),
-        ],
-    );
+    let target = &synthetic.target;
+    let mut facts: Vec<(&str, String)> =
+        target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+    facts.push(("Motions", synthetic.count.to_string()));
+    facts.push(("Seed", synthetic.seed.to_string()));
+    let mut html = properties("", &facts);
     let headings = vec![vec![
         words("Motion"),
         figure("rms misfit"),
@@ -86,14 +77,14 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
     html.push_str(&table("How well the motions meet their target", &headings, &rows));
     html.push_str(&paragraph(&format!(
         "Misfit is the spectrum of the motion over the target, less one, at {} periods from {} s to {} s. Why the PGA \
-         exceeds the target’s value at zero period (ZPA): the plateau of site class {} is {} times its ZPA. A motion whose \
+         exceeds the target’s value at zero period (ZPA): the plateau of {} is {} times its ZPA. A motion whose \
          spectrum has such a plateau cannot have so small a peak; the motions are matched from {} s up and their PGA is \
          what comes with it. It is not scaled away, because that would take the plateau down too.",
         synthesis::MATCHED_PERIODS,
         synthesis::SHORTEST_PERIOD_S,
         synthesis::LONGEST_PERIOD_S,
-        code.site().name(),
-        fixed(code.plateau_g() / code.sa_g(0.0), 2),
+        target.site_words(),
+        fixed(target.spectrum.plateau_g() / target.spectrum.sa_g(0.0), 2),
         synthesis::SHORTEST_PERIOD_S,
     )));
     html

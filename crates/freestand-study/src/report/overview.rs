@@ -12,14 +12,7 @@ use super::provenance::Provenance;
 /// Title of the report.
 pub(super) fn title(study: &Study) -> String {
     match &study.ground {
-        Ground::Synthetic(synthetic) => {
-            let place = synthetic.city.clone().unwrap_or_else(|| format!("Z = {}", synthetic.spectrum.hazard_factor()));
-            format!(
-                "Free-standing objects in a {}-year earthquake: {place}, site class {}",
-                synthetic.spectrum.return_period_years(),
-                synthetic.spectrum.site().name()
-            )
-        }
+        Ground::Synthetic(synthetic) => format!("Free-standing objects in {}", synthetic.target.title_words()),
         Ground::Recorded(records) if records.len() == 1 => {
             format!("Free-standing objects under the motion {}", records[0].name)
         }

@@ -41,6 +41,11 @@ pub fn provenance(study: &Study) -> Provenance {
     for (_, table) in study.building.iter().flat_map(|building| &building.tables) {
         inputs.push((name(&table.file.path).unwrap_or_default(), table.file.sha256.clone()));
     }
+    if let Ground::Synthetic(synthetic) = &study.ground {
+        inputs.extend(
+            synthetic.target.file.iter().map(|file| (name(&file.path).unwrap_or_default(), file.sha256.clone())),
+        );
+    }
     Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         study_sha256: sha256_hex(study.toml.as_bytes()),

@@ -1,6 +1,6 @@
 //! What the reader must know: the paper beside the results, assumptions, definitions, corrections.
 
-use freestand::code_spectrum::SiteClass;
+use freestand::code_spectrum::{CodeSpectrum, SiteClass};
 
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Study};
@@ -43,11 +43,12 @@ pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
 
 fn is_the_papers_case(study: &Study) -> bool {
     let ground = match &study.ground {
-        Ground::Synthetic(s) => {
-            s.spectrum.site() == SiteClass::De
-                && s.spectrum.return_period_years() == 500
-                && (s.spectrum.kpz_g() - 0.08).abs() < 1e-9
-        }
+        Ground::Synthetic(synthetic) => match &synthetic.target.spectrum {
+            CodeSpectrum::As1170_4(code) => {
+                code.site() == SiteClass::De && code.return_period_years() == 500 && (code.kpz_g() - 0.08).abs() < 1e-9
+            }
+            _ => false,
+        },
         Ground::Recorded(_) | Ground::OnFloors => false,
     };
     ground
@@ -110,7 +111,7 @@ pub(super) fn assumptions(study: &Study) -> String {
     ];
     if let Ground::Synthetic(_) = study.ground {
         items.push(
-            "The ground motions are made, not recorded: noise under a smooth window, matched to the code spectrum. Their \
+            "The ground motions are made, not recorded: noise under a smooth window, matched to the target spectrum. Their \
              spread is that of the phases alone and is smaller than that of real earthquakes.",
         );
     }

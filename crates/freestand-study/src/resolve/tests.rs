@@ -30,15 +30,14 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
 #[test]
 fn every_value_is_checked_and_every_problem_reported() {
     let got = problems(
-        "[ground]\ncode = \"ec8\"\nedition = 2024\ncity = \"Melborne\"\nsite = \"X\"\ncount = 0\n\
+        "[ground]\ncode = \"as1170.4\"\nedition = 1993\ncity = \"Melborne\"\nsite = \"X\"\ncount = 0\n\
          [building]\nstoreys = 0\nstorey_height = \"-3 m\"\nframe = \"wood\"\nperiod = \"0 s\"\ndamping = 1\nshear_flexure = -1\nmodes = 51\n\
          levels = [{ name = \"a/b\", level_ratio = 0.5 }, { name = \"roof\", level_ratio = 1.5 }, { name = \"Roof\", level_ratio = 1 }, { name = \"x\" }]\n\
          [objects]\nheights = \"-1 m, 1 m\"\nthicknesses = []\nmass = \"0 kg\"\nstiffness = \"-1 N/mm\"\nrestitution = 1.2\naccuracy = \"loose\"\ntolerance = \"0 g\"\nfriction = 0\n\
          [outputs]\nhistory = { level = \"attic\", height = \"1.5 m\", thickness = \"300 mm\" }\n",
     );
     let expected = [
-        "s.toml:2: code \"ec8\" is not known",
-        "s.toml:3: edition must be 2007 (with Amendments 1 and 2), not 2024",
+        "s.toml:3: edition must be 2007 (with Amendments 1 and 2) or 2024 (not confirmed), not 1993",
         "s.toml:4: city \"Melborne\" is not in AS 1170.4",
         "s.toml:5: site \"X\" is not a class of AS 1170.4",
         "s.toml:6: count must be a whole number from 1 to 1000, not 0",
@@ -87,7 +86,7 @@ fn contradictions_and_products_are_refused() {
     );
     assert!(
         problems("[ground]\nreturn_period_years = 475\n")[0]
-            .starts_with("s.toml:2: no probability factor for 475 years")
+            .starts_with("s.toml:2: return_period_years: no probability factor for 475 years")
     );
     assert!(problems("[ground]\nhazard_factor = -0.1\n")[0].starts_with("s.toml:2: hazard_factor must be positive"));
     // One that is wrong does not hide another.
@@ -100,10 +99,57 @@ fn what_the_reader_must_know_is_a_warning() {
     let hobart = study("[ground]\ncity = \"hobart\"\n");
     assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"), "{:?}", hobart.warnings);
     let Ground::Synthetic(ground) = hobart.ground else { panic!() };
-    assert_eq!((ground.city.as_deref(), ground.spectrum.kpz_g()), (Some("Hobart"), 0.08));
+    assert_eq!((ground.target.city.as_deref(), ground.target.kpz_g()), (Some("Hobart"), Some(0.08)));
     let squat = study("[objects]\nheights = \"0.3 m\"\n");
     assert!(squat.warnings[0].starts_with("2 of 5 objects are squat"), "{:?}", squat.warnings);
     assert_eq!(study("[objects]\nstiffness = \"4380 N/m\"\n").warnings.len(), 2);
+}
+
+#[test]
+fn every_code_and_a_table_by_the_keys_of_ground() {
+    let ground = |text: &str| match study(&format!("[ground]\n{text}")).ground {
+        Ground::Synthetic(ground) => ground.target,
+        _ => panic!(),
+    };
+    // Keys that state their unit take bare numbers: 2.5 · 1.2 · 0.2 g, and SDS of 0.8 g.
+    let europe = ground("code = \"eurocode8\"\nspectrum_type = 1\nsite = \"B\"\nground_acceleration_g = 0.2\n");
+    assert!((europe.spectrum.sa_g(0.3) - 0.6).abs() < 1e-14);
+    let america = ground("code = \"asce7\"\nedition = 2016\nsds_g = 0.8\nsd1 = \"0.4 g\"\nlong_period_s = 6\n");
+    assert!((america.spectrum.sa_g(0.3) - 0.8).abs() < 1e-14);
+    let annex = "code = \"ec8\"\nspectrum_type = 1\nground_acceleration = \"0.2 g\"\nsoil_factor = 1.5\n\
+                 corner_periods = [\"0.1 s\", \"400 ms\", \"2 s\"]\n";
+    assert!((ground(annex).spectrum.sa_g(0.3) - 0.75).abs() < 1e-14);
+    assert_eq!(
+        problems("[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = 0.4\nsds = \"1 g\"\n"),
+        ["s.toml:5: sds is no part of NZS 1170.5"]
+    );
+    // What is missing is the fault of the code's line; what could not be read is told once.
+    assert_eq!(
+        problems("[ground]\n\ncode = \"nzs1170.5\"\nsite = \"C\"\n"),
+        ["s.toml:3: NZS 1170.5 needs hazard_factor"]
+    );
+    assert_eq!(problems("[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = true\n").len(), 1);
+}
+
+#[test]
+fn a_table_lies_beside_the_study() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("uhs.csv"), "T [s],PSA [g]\n0.1,0.3\n2,0.05\n").unwrap();
+    let file = folder.path().join("s.toml");
+    let with = |more: &str| {
+        std::fs::write(&file, format!("[ground]\nspectrum = \"uhs.csv\"\n{more}")).unwrap();
+        load(&file, &Overrides::default())
+    };
+    let problem = with("").unwrap_err().problems.remove(0);
+    assert_eq!(problem.line, Some(2));
+    assert!(problem.message.contains("goes from 0.1 s to 2 s") && problem.hint.unwrap().contains("beyond = \"hold\""));
+    let study = with("beyond = \"hold\"\n").unwrap();
+    assert_eq!(motion_paths(&study), [folder.path().join("uhs.csv")]);
+    std::fs::write(folder.path().join("uhs.csv"), "T [s],PSA [g]\n0.1,0.3\n2,-1\n").unwrap();
+    let problem = with("").unwrap_err().problems.remove(0);
+    assert_eq!((problem.line, problem.path), (Some(3), Some(folder.path().join("uhs.csv"))));
+    std::fs::remove_file(folder.path().join("uhs.csv")).unwrap();
+    assert_eq!(with("").unwrap_err().problems[0].line, Some(2));
 }
 
 #[test]

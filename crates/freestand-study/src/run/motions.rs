@@ -1,6 +1,9 @@
 //! The motions of the ground and of the floors.
 
-use freestand::building::{Building, floor_motions};
+use freestand::G0_M_S2;
+use freestand::building::{Building, floor_motions, floor_peaks};
+use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::signal::rotate::{Pair, directional_spectrum};
@@ -9,7 +12,7 @@ use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
 use crate::error::{Problem, ProblemKind, StudyError};
-use crate::result::{GroundMotion, HorizontalMotion, PseudoSpectrum};
+use crate::result::{FloorProfile, GroundMotion, HorizontalMotion, PseudoSpectrum};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study, synthetic_name};
 
 /// Asks before each motion whether to `go_on`: a thousand of them take minutes.
@@ -27,7 +30,7 @@ pub(super) fn ground_motions(
             .map(|i| {
                 go_on()?;
                 let options = SynthesisOptions::default();
-                let matched = synthesize(|t| synthetic.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
+                let matched = synthesize(|t| synthetic.target.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
                     .map_err(failed("a synthetic motion"))?;
                 let motion = HorizontalMotion { along: matched.motion, across: None };
                 finish(synthetic_name(i), motion, Some(matched.misfit))
@@ -92,6 +95,53 @@ pub(super) fn floors(
         }
     }
     Ok(by_level)
+}
+
+/// Peak accelerations of every floor under every motion, with what the code gives a rigid part there.
+pub(super) fn floor_profile(
+    study: &Study,
+    ground: &[GroundMotion],
+    go_on: impl Fn() -> Result<(), StudyError> + Sync,
+) -> Result<Option<FloorProfile>, StudyError> {
+    let Some(building) = &study.building else { return Ok(None) };
+    let levels_ratio: Vec<f64> = match building.along.floors_ratio() {
+        [] => (0..=building.storeys).map(|floor| floor as f64 / building.storeys as f64).collect(),
+        floors => std::iter::once(0.0).chain(floors.iter().copied()).collect(),
+    };
+    let peaks = |g: &GroundMotion| -> Result<Vec<f64>, StudyError> {
+        go_on()?;
+        if g.motion.across.is_some() {
+            let floors = floors_under(g, building, &levels_ratio)?;
+            return Ok(floors.iter().map(|floor| floor.peak_m_s2() / G0_M_S2).collect());
+        }
+        let what = || format!("the floor motion under {}", g.name);
+        let motion = g.motion.along.with_zero_tail(building.tail_s()).map_err(failed(what()))?;
+        let peaks = floor_peaks(&motion, &building.along, &levels_ratio).map_err(failed(what()))?;
+        Ok(peaks.iter().map(|peak| peak.accel_m_s2 / G0_M_S2).collect())
+    };
+    let pfa_g = ground
+        .par_iter()
+        .map(peaks)
+        .collect::<Vec<Result<_, StudyError>>>()
+        .into_iter()
+        .collect::<Result<Vec<Vec<f64>>, _>>()?;
+    let code = code_spectrum(&study.ground);
+    let part = |code: &CodeSpectrum, level_ratio: f64| {
+        let building_period_s = Some(building.along.period_s());
+        let question = PartsQuestion { level_ratio, building_height_m: building.height_m, building_period_s };
+        floor_acceleration_g(code, &question)
+    };
+    let code_g =
+        code.and_then(|code| levels_ratio.iter().map(|&level| part(code, level)).collect::<Option<Vec<f64>>>());
+    Ok(Some(FloorProfile { code_clause: code.and_then(clause), levels_ratio, pfa_g, code_g }))
+}
+
+/// The spectrum that the motions are made for.
+fn code_spectrum(ground: &Ground) -> Option<&CodeSpectrum> {
+    match ground {
+        Ground::Synthetic(synthetic) => Some(&synthetic.target.spectrum),
+        Ground::Recorded(_) | Ground::OnFloors => None,
+    }
 }
 
 /// The motions of every level under one ground motion.

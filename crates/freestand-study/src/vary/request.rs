@@ -1,6 +1,6 @@
 //! Which values are tried.
 
-use freestand::code_spectrum::SiteClass;
+use freestand::code_spectrum::{CodeSpectrum, GroundType, SiteClass, SubsoilClass};
 
 use crate::error::{Problem, ProblemKind};
 use crate::options::nearest;
@@ -179,8 +179,14 @@ fn usual_values(study: &Study, name: &str) -> Vec<String> {
             (1..=4).filter_map(|i| synthetic.seed.checked_add(i)).map(|seed| seed.to_string()).collect()
         }
         ("site", _, Ground::Synthetic(synthetic)) => {
-            let own = synthetic.spectrum.site();
-            SiteClass::ALL.into_iter().filter(|class| *class != own).map(|class| class.name().to_owned()).collect()
+            let own = synthetic.target.spectrum.site_name();
+            let classes: Vec<&str> = match &synthetic.target.spectrum {
+                CodeSpectrum::As1170_4(_) => SiteClass::ALL.map(SiteClass::name).to_vec(),
+                CodeSpectrum::Eurocode8(_) => GroundType::ALL.map(GroundType::name).to_vec(),
+                CodeSpectrum::Nzs1170_5(_) => SubsoilClass::ALL.map(SubsoilClass::name).to_vec(),
+                CodeSpectrum::Asce7(_) | CodeSpectrum::Table(_) => Vec::new(),
+            };
+            classes.into_iter().filter(|class| Some(*class) != own).map(str::to_owned).collect()
         }
         _ => Vec::new(),
     }

@@ -1,144 +1,215 @@
-//! `freestand motion code-spectrum`, and the arguments that call for a code's spectrum.
+//! `freestand motion code-spectrum`: the spectrum of a code, and what it gives parts on floors.
 
-use clap::{Args, ValueEnum};
-use freestand::code_spectrum::{As1170_4, Edition, SiteClass, hazard_factor};
+use clap::Args;
+use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
+use freestand_study::figures::{CodePicture, Figure, code_spectrum_figure};
 use freestand_study::quantity::Dimension;
-use freestand_study::resolve::minimum_governs_warning;
 use freestand_study::tables::columns_csv;
+use freestand_study::target::Target;
 use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
+use super::plot::failed;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
+use crate::target::{TargetArgs, TargetReport};
 use crate::values::Values;
-
-/// A spectrum of a code.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "The code")]
-pub(crate) struct CodeArgs {
-    /// The code
-    #[arg(long, value_enum, default_value_t)]
-    code: CodeName,
-    /// Edition of the code (with its amendments to 2018)
-    #[arg(long, value_name = "YEAR", default_value = "2007", value_parser = ["2007"])]
-    edition: String,
-    /// Site class: Ae, Be, Ce, De, Ee
-    #[arg(long, value_name = "CLASS", default_value = "De")]
-    site: String,
-    /// Hazard factor Z
-    #[arg(long, value_name = "RATIO", conflicts_with = "city", allow_hyphen_values = true)]
-    hazard_factor: Option<String>,
-    /// Place of the code's table of hazard factors [default: Melbourne]
-    #[arg(long, value_name = "NAME")]
-    city: Option<String>,
-    /// Return period in years
-    #[arg(long, value_name = "YEARS", default_value = "500", allow_negative_numbers = true)]
-    return_period: u32,
-}
-
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum CodeName {
-    /// AS 1170.4
-    #[default]
-    #[value(name = "as1170.4")]
-    As1170_4,
-}
-
-impl CodeArgs {
-    /// The spectrum, and what must be said about it.
-    pub(crate) fn spectrum(&self) -> Result<(As1170_4, Vec<String>), Failure> {
-        let CodeName::As1170_4 = self.code;
-        let mut values = Values::default();
-        let given = values.positive("--hazard-factor", self.hazard_factor.as_deref(), Dimension::Ratio);
-        values.finish()?;
-        let city = self.city.as_deref().unwrap_or("Melbourne");
-        let z = given.or_else(|| hazard_factor(city)).ok_or_else(|| {
-            Problem::new(ProblemKind::Value, format!("--city: AS 1170.4 has no hazard factor for \"{city}\""))
-                .hint("give --hazard-factor, such as 0.08")
-        })?;
-        let wrong = |flag: &str, error: freestand::code_spectrum::CodeSpectrumError| {
-            Problem::new(ProblemKind::Value, format!("{flag}: {error}")).hint("see the tables of AS 1170.4")
-        };
-        let site = SiteClass::parse(&self.site).map_err(|error| wrong("--site", error))?;
-        let spectrum = As1170_4::new(Edition::default(), site, z, self.return_period)
-            .map_err(|error| wrong("--return-period", error))?;
-        Ok((spectrum, minimum_governs_warning(&spectrum).into_iter().collect()))
-    }
-}
-
-/// What a report says of a code spectrum.
-#[derive(Debug, Serialize)]
-pub(crate) struct CodeReport {
-    code: &'static str,
-    site: &'static str,
-    hazard_factor: f64,
-    return_period_years: u32,
-    kpz_g: f64,
-    minimum_kpz_governs: bool,
-}
-
-impl From<&As1170_4> for CodeReport {
-    fn from(spectrum: &As1170_4) -> Self {
-        Self {
-            code: spectrum.edition().name(),
-            site: spectrum.site().name(),
-            hazard_factor: spectrum.hazard_factor(),
-            return_period_years: spectrum.return_period_years(),
-            kpz_g: spectrum.kpz_g(),
-            minimum_kpz_governs: spectrum.minimum_governs(),
-        }
-    }
-}
 
 /// Elastic spectrum of a code, 5 % damping
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion code-spectrum --site De --city Melbourne
-  freestand motion code-spectrum --site Ce --hazard-factor 0.11 --return-period 2500 --periods \"0 s, 0.5 s, 1 s\" --json")]
+  freestand motion code-spectrum --site Ce --hazard-factor 0.11 --return-period 2500 --periods \"0 s, 0.5 s, 1 s\" --json
+  freestand motion code-spectrum --code eurocode8 --spectrum-type 2 --site B --ground-acceleration 0.1g --parts
+  freestand motion code-spectrum --code nzs1170.5 --site C --hazard-factor 0.4 --parts --building-height \"30 m\" --out wellington")]
 pub(crate) struct CodeSpectrumArgs {
     #[command(flatten)]
-    code: CodeArgs,
-    /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
+    target: TargetArgs,
+    /// Periods, from:to:count or a list [default: 0, 121 from 0.05 to 5 s and the corners of the code]
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     periods: Option<String>,
+    /// Adds the acceleration that the code gives a rigid part on each floor
+    #[arg(long, help_heading = "Parts and components")]
+    parts: bool,
+    /// Height of the building; AS 1170.4 and NZS 1170.5 ask for it
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        requires = "parts",
+        help_heading = "Parts and components"
+    )]
+    building_height: Option<String>,
+    /// Fundamental period of the building, for ASCE 7-22 [default: not known]
+    #[arg(
+        long,
+        value_name = "TIME",
+        allow_hyphen_values = true,
+        requires = "parts",
+        help_heading = "Parts and components"
+    )]
+    building_period: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
 struct CodeSpectrumReport {
     #[serde(flatten)]
-    code: CodeReport,
+    code: TargetReport,
+    corner_periods_s: Vec<f64>,
     periods_s: Vec<f64>,
     sa_g: Vec<f64>,
+    /// Of Eurocode 8 alone.
+    vertical_sa_g: Option<Vec<f64>>,
+    parts: Option<PartsReport>,
+}
+
+#[derive(Debug, Serialize)]
+struct PartsReport {
+    clause: &'static str,
+    building_height_m: Option<f64>,
+    building_period_s: Option<f64>,
+    levels: Vec<PartsLevel>,
+}
+
+#[derive(Debug, Serialize)]
+struct PartsLevel {
+    level_ratio: f64,
+    height_m: Option<f64>,
+    floor_acceleration_g: f64,
 }
 
 pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let (spectrum, warnings) = args.code.spectrum()?;
+    let target = args.target.target()?;
     let mut values = Values::default();
-    let periods_s = super::periods(args.periods.as_deref(), &mut values);
+    let periods_s = periods(args, &target, &mut values);
+    let parts = if args.parts { parts(args, &target.spectrum, &mut values) } else { None };
+    values.finish()?;
+    let spectrum = &target.spectrum;
+    let vertical_sa_g = match spectrum {
+        CodeSpectrum::Eurocode8(code) => Some(periods_s.iter().map(|&period| code.vertical_sa_g(period)).collect()),
+        _ => None,
+    };
+    let report = CodeSpectrumReport {
+        code: TargetReport::from(&target),
+        corner_periods_s: match spectrum {
+            CodeSpectrum::Table(_) => Vec::new(),
+            _ => spectrum.corner_periods_s(),
+        },
+        sa_g: periods_s.iter().map(|&period| spectrum.sa_g(period)).collect(),
+        periods_s,
+        vertical_sa_g,
+        parts,
+    };
+    let inputs: Vec<_> = args.target.inputs().cloned().collect();
+    let files = Files::begin(global, &inputs)?;
+    let mut columns: Vec<(&str, &[f64])> = vec![("period_s", &report.periods_s), ("sa_g", &report.sa_g)];
+    columns.extend(report.vertical_sa_g.as_deref().map(|vertical| ("vertical_sa_g", vertical)));
+    let csv = columns_csv(&columns)?;
+    files.write("spectrum.csv", || csv)?;
+    if files.wanted() {
+        let figure = picture(&target, &report)?;
+        files.write("spectrum.svg", || figure.svg)?;
+        files.write("spectrum.png", || figure.png)?;
+    }
+    files.print(printer, "freestand.code-spectrum/1", &report, &target.warnings, || text(&target, &report))?;
+    Ok(Done::OK)
+}
+
+/// The periods that are asked for; without any the usual ones with the corners, as far as the spectrum goes.
+fn periods(args: &CodeSpectrumArgs, target: &Target, values: &mut Values) -> Vec<f64> {
+    let spectrum = &target.spectrum;
+    let (from_s, to_s) = (spectrum.shortest_period_s(), spectrum.longest_period_s().unwrap_or(f64::INFINITY));
+    let mut periods_s = super::periods(args.periods.as_deref(), values);
+    if args.periods.is_none() {
+        let last = periods_s.last().copied().unwrap_or(0.0);
+        periods_s.extend(spectrum.corner_periods_s().into_iter().filter(|&corner| corner <= last));
+        periods_s.sort_by(f64::total_cmp);
+        periods_s.dedup();
+        periods_s.retain(|period| (from_s..=to_s).contains(period));
+        return periods_s;
+    }
     if let Some(negative) = periods_s.iter().find(|&&period| period < 0.0) {
         let problem = Problem::new(ProblemKind::Value, format!("--periods: a period of {negative} s is negative"));
         values.push(problem.hint("give periods of 0 s or more"));
+    } else if let Some(outside) = periods_s.iter().find(|period| !(from_s..=to_s).contains(*period)) {
+        let message = format!("--periods: {outside} s lies outside of the table, which is from {from_s} s to {to_s} s");
+        let problem = Problem::new(ProblemKind::Value, message);
+        values.push(problem.hint("--beyond hold lets it go on: constant Sa below, constant displacement beyond"));
     }
-    values.finish()?;
-    let sa_g = periods_s.iter().map(|&period| spectrum.sa_g(period)).collect();
-    let report = CodeSpectrumReport { code: CodeReport::from(&spectrum), periods_s, sa_g };
-    let files = Files::begin(global, &[])?;
-    let columns = columns_csv(&[("period_s", &report.periods_s), ("sa_g", &report.sa_g)])?;
-    files.write("spectrum.csv", || columns)?;
-    files.print(printer, "freestand.code-spectrum/1", &report, &warnings, || {
-        let rows: Vec<Vec<String>> = report
-            .periods_s
+    periods_s
+}
+
+fn picture(target: &Target, report: &CodeSpectrumReport) -> Result<Figure, Failure> {
+    let corners: Vec<(f64, f64)> =
+        report.corner_periods_s.iter().map(|&period| (period, target.spectrum.sa_g(period))).collect();
+    let levels: Option<Vec<(f64, f64)>> = report
+        .parts
+        .as_ref()
+        .map(|parts| parts.levels.iter().map(|level| (level.level_ratio, level.floor_acceleration_g)).collect());
+    let picture = CodePicture {
+        title: &target.one_line(),
+        periods_s: &report.periods_s,
+        sa_g: &report.sa_g,
+        vertical_sa_g: report.vertical_sa_g.as_deref(),
+        corners: &corners,
+        parts: report.parts.as_ref().map(|parts| parts.clause).zip(levels.as_deref()),
+    };
+    code_spectrum_figure(&picture).map_err(failed)
+}
+
+/// The floors from the ground to the roof by tenths.
+fn parts(args: &CodeSpectrumArgs, spectrum: &CodeSpectrum, values: &mut Values) -> Option<PartsReport> {
+    let height_m = values.positive("--building-height", args.building_height.as_deref(), Dimension::Length);
+    let period_s = values.positive("--building-period", args.building_period.as_deref(), Dimension::Time);
+    let Some(clause) = clause(spectrum) else {
+        let problem = Problem::new(ProblemKind::Value, "--parts: a table has no clause for parts");
+        values.push(problem.hint("name a code with --code"));
+        return None;
+    };
+    let needs_height = matches!(spectrum, CodeSpectrum::As1170_4(_) | CodeSpectrum::Nzs1170_5(_));
+    if needs_height && args.building_height.is_none() {
+        let problem = Problem::new(ProblemKind::Value, format!("--parts needs --building-height ({clause})"));
+        values.push(problem.hint("write --building-height \"30 m\""));
+        return None;
+    }
+    let level = |tenth: u32| {
+        let level_ratio = f64::from(tenth) / 10.0;
+        // A code that does not ask for the height takes any.
+        let building_height_m = height_m.unwrap_or(1.0);
+        let question = PartsQuestion { level_ratio, building_height_m, building_period_s: period_s };
+        let floor_acceleration_g = floor_acceleration_g(spectrum, &question)?;
+        Some(PartsLevel { level_ratio, height_m: height_m.map(|height| level_ratio * height), floor_acceleration_g })
+    };
+    let levels = (0..=10).filter_map(level).collect();
+    Some(PartsReport { clause, building_height_m: height_m, building_period_s: period_s, levels })
+}
+
+fn text(target: &Target, report: &CodeSpectrumReport) -> String {
+    let mut headings = vec!["T [s]", "Sa [g]"];
+    headings.extend(report.vertical_sa_g.as_ref().map(|_| "vertical [g]"));
+    let row = |i: usize| {
+        let vertical = report.vertical_sa_g.as_ref().and_then(|values| values.get(i));
+        let values = report.sa_g.get(i).into_iter().chain(vertical);
+        let period = report.periods_s.get(i).map(|&period| significant(period, 4));
+        period.into_iter().chain(values.map(|&sa| significant(sa, 5))).collect()
+    };
+    let rows: Vec<Vec<String>> = (0..report.periods_s.len()).map(row).collect();
+    let mut text = format!("{}\n{}", target.one_line(), table(&headings, &rows));
+    if let Some(parts) = &report.parts {
+        let rows: Vec<Vec<String>> = parts
+            .levels
             .iter()
-            .zip(&report.sa_g)
-            .map(|(&period, &sa)| vec![significant(period, 4), significant(sa, 5)])
+            .map(|level| {
+                let height = level.height_m.map_or_else(|| "–".to_owned(), |height| significant(height, 4));
+                vec![significant(level.level_ratio, 2), height, significant(level.floor_acceleration_g, 4)]
+            })
             .collect();
-        let code = &report.code;
-        let head = format!("{}, site {}, kpZ = {} g\n", code.code, code.site, significant(code.kpz_g, 4));
-        head + &table(&["T [s]", "Sa [g]"], &rows)
-    })?;
-    Ok(Done::OK)
+        text.push_str(&format!("\n{}\n{}", parts.clause, table(&["z/h", "z [m]", "floor [g]"], &rows)));
+    }
+    text
 }

@@ -11,23 +11,25 @@ use freestand_study::{Problem, ProblemKind};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::code::{CodeArgs, CodeReport};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
+use crate::target::{TargetArgs, TargetReport};
 
-/// Synthetic motions that fit the elastic spectrum of a code
+/// Synthetic motions that fit the elastic spectrum of a code, or a table
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion synth --site De --city Melbourne --count 10 --seed 1 --out motions
-  freestand motion synth --hazard-factor 0.11 --return-period 2500 --count 3 --json")]
+  freestand motion synth --hazard-factor 0.11 --return-period 2500 --count 3 --json
+  freestand motion synth --code asce7 --sds 1g --sd1 0.6g --long-period 8s --out motions
+  freestand motion synth --spectrum uhs.csv --beyond hold --out motions")]
 pub(crate) struct SynthArgs {
     #[command(flatten)]
-    code: CodeArgs,
+    target: TargetArgs,
     /// How many motions
     #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
@@ -43,7 +45,7 @@ pub(crate) struct MatchArgs {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     #[command(flatten)]
-    code: CodeArgs,
+    target: TargetArgs,
     #[command(flatten)]
     read: ReadArgs,
 }
@@ -51,7 +53,7 @@ pub(crate) struct MatchArgs {
 #[derive(Debug, Serialize)]
 struct SynthReport {
     #[serde(flatten)]
-    code: CodeReport,
+    code: TargetReport,
     seed: Option<u64>,
     generator: Option<&'static str>,
     motions: Vec<MatchedReport>,
@@ -75,36 +77,41 @@ struct MatchedReport {
 const SCHEMA: &str = "freestand.motion-synth/1";
 
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let (spectrum, warnings) = args.code.spectrum()?;
-    let files = Files::begin(global, &[])?;
+    let target = args.target.matched_target()?;
+    let inputs: Vec<PathBuf> = args.target.inputs().cloned().collect();
+    let files = Files::begin(global, &inputs)?;
     let seed = global.seed.unwrap_or(1);
     // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
     let matched: Vec<MatchedMotion> = (0..u64::from(args.count))
         .into_par_iter()
-        .map(|index| synthesize(|period_s| spectrum.sa_g(period_s), seed, index, &SynthesisOptions::default()))
+        .map(|index| synthesize(|period_s| target.spectrum.sa_g(period_s), seed, index, &SynthesisOptions::default()))
         .collect::<Result<_, SynthesisError>>()
         .map_err(|error| Failure::computation(error.to_string()))?;
     let named = matched.into_iter().enumerate().map(|(i, one)| (synthetic_name(i), one));
     let motions = written(named, &files)?;
     let report =
-        SynthReport { code: CodeReport::from(&spectrum), seed: Some(seed), generator: Some(GENERATOR), motions };
-    finish(report, files, warnings, printer)
+        SynthReport { code: TargetReport::from(&target), seed: Some(seed), generator: Some(GENERATOR), motions };
+    finish(report, files, target.warnings, printer)
 }
 
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let (spectrum, mut warnings) = args.code.spectrum()?;
+    let target = args.target.matched_target()?;
+    let mut warnings = target.warnings.clone();
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global, &args.read.inputs([&args.file]))?;
-    let matched =
-        match_motion(&read.motion.motion, |period_s| spectrum.sa_g(period_s), SynthesisOptions::default().passes)
-            .map_err(|error| {
-                Problem::new(ProblemKind::Value, error.to_string())
-                    .in_file(&args.file)
-                    .hint("a record of 5 s or more with energy at all periods from 0.05 to 5 s is needed")
-            })?;
+    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
+    let matched = match_motion(
+        &read.motion.motion,
+        |period_s| target.spectrum.sa_g(period_s),
+        SynthesisOptions::default().passes,
+    )
+    .map_err(|error| {
+        Problem::new(ProblemKind::Value, error.to_string())
+            .in_file(&args.file)
+            .hint("a record of 5 s or more with energy at all periods from 0.05 to 5 s is needed")
+    })?;
     warnings.extend(read.notes);
     let motions = written(std::iter::once((format!("{}-matched", name_of(&args.file)), matched)), &files)?;
-    let report = SynthReport { code: CodeReport::from(&spectrum), seed: None, generator: None, motions };
+    let report = SynthReport { code: TargetReport::from(&target), seed: None, generator: None, motions };
     finish(report, files, warnings, printer)
 }
 
@@ -134,7 +141,7 @@ fn finish(report: SynthReport, files: Files, mut warnings: Vec<String>, printer:
         && worst.pga_g > 1.05 * worst.target_zpa_g
     {
         warnings.push(format!(
-            "the PGA of the motions reaches {} g, the code's spectrum at T = 0 is {} g: a record that fits the plateau cannot have so low a PGA",
+            "the PGA of the motions reaches {} g, the spectrum at T = 0 is {} g: a record that fits the plateau cannot have so low a PGA",
             significant(worst.pga_g, 3),
             significant(worst.target_zpa_g, 3)
         ));

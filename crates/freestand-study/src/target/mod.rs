@@ -1,0 +1,218 @@
+//! The spectrum that motions are made for, from the words of flags and studies to a
+//! [`CodeSpectrum`].
+
+mod codes;
+mod table;
+mod words;
+
+use std::path::Path;
+
+use freestand::code_spectrum::CodeSpectrum;
+use freestand::synthesis;
+
+pub use words::{TARGET_KEYS, TargetWords};
+
+use crate::error::{Problem, ProblemKind};
+use crate::input::InputFile;
+use crate::words::number;
+
+/// A spectrum, with everything that outputs say about it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Target {
+    /// The spectrum, 5 % damping.
+    pub spectrum: CodeSpectrum,
+    /// The city whose hazard factor was taken.
+    pub city: Option<String>,
+    /// What it is and where its numbers come from, for reports: name and value.
+    pub facts: Vec<(String, String)>,
+    /// The file of a table.
+    pub file: Option<InputFile>,
+    /// A table as text, for outputs that must stand alone: reading it gives the same bits.
+    pub table_csv: Option<String>,
+    /// What the reader must know.
+    pub warnings: Vec<String>,
+}
+
+/// What is wrong, and with which of [`TARGET_KEYS`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct TargetProblem {
+    /// The keys; of several the last one in the file is to blame.
+    pub keys: Vec<&'static str>,
+    /// What is wrong.
+    pub problem: Problem,
+    /// Nothing is wrong but that a word is missing.
+    pub is_missing: bool,
+}
+
+impl Target {
+    /// A spectrum with its facts; paths are relative to `base_dir`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the words.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand_study::target::{Target, TargetWords};
+    /// let mut words = TargetWords::default();
+    /// words.set("code", "eurocode8");
+    /// words.set("spectrum_type", "2");
+    /// words.set("site", "B");
+    /// words.set("ground_acceleration", "0.1 g");
+    /// let target = Target::resolve(&words, "".as_ref()).map_err(|problems| problems[0].problem.clone())?;
+    /// assert!((target.spectrum.sa_g(0.1) - 0.3375).abs() < 1e-15); // 2.5 · 0.1 g · 1.35
+    /// # Ok::<(), freestand_study::Problem>(())
+    /// ```
+    pub fn resolve(words: &TargetWords, base_dir: &Path) -> Result<Self, Vec<TargetProblem>> {
+        words::resolve(words, base_dir)
+    }
+
+    /// The code as it is called in flags and studies.
+    pub fn code(&self) -> &'static str {
+        match self.spectrum {
+            CodeSpectrum::As1170_4(_) => "as1170.4",
+            CodeSpectrum::Eurocode8(_) => "eurocode8",
+            CodeSpectrum::Asce7(_) => "asce7",
+            CodeSpectrum::Nzs1170_5(_) => "nzs1170.5",
+            CodeSpectrum::Table(_) => "table",
+        }
+    }
+
+    /// Hazard factor Z, where the code has one \[g\].
+    pub fn hazard_factor(&self) -> Option<f64> {
+        match &self.spectrum {
+            CodeSpectrum::As1170_4(code) => Some(code.hazard_factor()),
+            CodeSpectrum::Nzs1170_5(code) => Some(code.hazard_factor()),
+            _ => None,
+        }
+    }
+
+    /// kp·Z of AS 1170.4 \[g\].
+    pub fn kpz_g(&self) -> Option<f64> {
+        match &self.spectrum {
+            CodeSpectrum::As1170_4(code) => Some(code.kpz_g()),
+            _ => None,
+        }
+    }
+
+    /// Whether the least kp·Z of AS 1170.4 took the place of the product.
+    pub fn minimum_kpz_governs(&self) -> Option<bool> {
+        match &self.spectrum {
+            CodeSpectrum::As1170_4(code) => Some(code.minimum_governs()),
+            _ => None,
+        }
+    }
+
+    /// On one line: `AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g`.
+    pub fn one_line(&self) -> String {
+        format!("{}, {}", self.spectrum.name(), self.parameters())
+    }
+
+    /// The parameters on one line, without the code.
+    pub fn parameters(&self) -> String {
+        let place = self.city.as_ref().map_or_else(String::new, |city| format!(" ({city})"));
+        match &self.spectrum {
+            CodeSpectrum::As1170_4(code) => format!(
+                "site {}, Z = {}{place}, {} years, kpZ = {} g",
+                code.site().name(),
+                number(code.hazard_factor(), 6),
+                code.return_period_years(),
+                number(code.kpz_g(), 4)
+            ),
+            CodeSpectrum::Eurocode8(code) => format!(
+                "type {}, ground {}, a_g = {} g",
+                code.spectrum_type().number(),
+                code.ground().map_or("of its own", |ground| ground.name()),
+                number(code.ground_acceleration_g(), 4)
+            ),
+            CodeSpectrum::Asce7(code) => format!(
+                "SDS = {} g, SD1 = {} g, TL = {} s",
+                number(code.sds_g(), 4),
+                number(code.sd1_g(), 4),
+                number(code.long_period_s(), 4)
+            ),
+            CodeSpectrum::Nzs1170_5(code) => {
+                let near = match code.fault_distance_km() {
+                    Some(km) if code.is_near_fault() => format!(", a fault {} km away", number(km, 4)),
+                    _ => String::new(),
+                };
+                format!(
+                    "site {}, Z = {}, {} years, Z R = {} g{near}",
+                    code.site().name(),
+                    number(code.hazard_factor(), 6),
+                    code.return_period_years(),
+                    number(code.zr_g(), 4)
+                )
+            }
+            CodeSpectrum::Table(table) => format!(
+                "{}, {} periods from {} s to {} s",
+                self.file_name(),
+                table.periods_s().len(),
+                number(table.first_period_s(), 4),
+                number(table.last_period_s(), 4)
+            ),
+        }
+    }
+
+    /// What the motions are of, for a title: `a 500-year earthquake: Melbourne, site class De`.
+    pub fn title_words(&self) -> String {
+        match &self.spectrum {
+            CodeSpectrum::As1170_4(code) => {
+                let place = self.city.clone().unwrap_or_else(|| format!("Z = {}", code.hazard_factor()));
+                let years = code.return_period_years();
+                format!("a {years}-year earthquake: {place}, site class {}", code.site().name())
+            }
+            CodeSpectrum::Nzs1170_5(code) => {
+                let (years, z) = (code.return_period_years(), code.hazard_factor());
+                format!("a {years}-year earthquake: NZS 1170.5, Z = {z}, site class {}", code.site().name())
+            }
+            CodeSpectrum::Table(_) => format!("an earthquake with the spectrum {}", self.file_name()),
+            _ => format!("an earthquake by {}: {}", self.spectrum.name(), self.parameters()),
+        }
+    }
+
+    /// Whose plateau it is: `site class De`.
+    pub fn site_words(&self) -> String {
+        match (&self.spectrum, self.spectrum.site_name()) {
+            (CodeSpectrum::Eurocode8(_), Some(ground)) => format!("ground type {ground}"),
+            (_, Some(class)) => format!("site class {class}"),
+            (CodeSpectrum::Table(_), None) => "this table (its largest value)".to_owned(),
+            (_, None) => "this spectrum".to_owned(),
+        }
+    }
+
+    /// Refuses a spectrum that ends within the periods that motions are matched at; `key` is how the caller calls the
+    /// word that lets a table go on.
+    ///
+    /// # Errors
+    /// A table that is shorter and is not held beyond its ends.
+    pub fn check_matched_band(&self, key: &str) -> Result<(), Problem> {
+        let (from_s, to_s) = (self.spectrum.shortest_period_s(), self.spectrum.longest_period_s());
+        if from_s <= 0.0 && to_s.is_none_or(|to_s| to_s >= synthesis::LONGEST_PERIOD_S) {
+            return Ok(());
+        }
+        let range = match to_s {
+            Some(to_s) => format!("from {} s to {} s", number(from_s, 4), number(to_s, 4)),
+            None => format!("from {} s on", number(from_s, 4)),
+        };
+        let message = format!(
+            "the spectrum {} goes {range}; motions are matched from {} s to {} s, and their PGA is held against 0 s",
+            self.file_name(),
+            synthesis::SHORTEST_PERIOD_S,
+            synthesis::LONGEST_PERIOD_S
+        );
+        let hint = format!(
+            "add the periods that are missing (0 s is the peak acceleration), or write {key} for constant Sa below the first \
+             period and constant displacement beyond the last"
+        );
+        Err(Problem::new(ProblemKind::Value, message).hint(hint))
+    }
+
+    /// The name of the table's file.
+    fn file_name(&self) -> String {
+        let name = self.file.as_ref().and_then(|file| file.path.file_name());
+        name.map_or_else(|| "of the user".to_owned(), |name| name.to_string_lossy().into_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests;

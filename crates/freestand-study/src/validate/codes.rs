@@ -1,0 +1,95 @@
+//! Corners of code spectra by hand, printed values, and the floors of parts.
+
+use std::f64::consts::TAU;
+
+use freestand::G0_M_S2;
+use freestand::code_spectrum::parts::{PartsQuestion, floor_acceleration_g};
+use freestand::code_spectrum::{
+    As1170_4, Asce7, Asce7Edition, CodeSpectrum, Edition, Eurocode8, FrameKind, GroundType, Nzs1170_5, SiteClass,
+    SpectrumType, SubsoilClass, fundamental_period_s,
+};
+
+use super::{Check, check, defect};
+use crate::error::Problem;
+
+/// A few products of numbers of order one.
+const ROUNDING: f64 = 1e-12;
+
+pub(super) fn checks() -> Result<Vec<Check>, Problem> {
+    Ok([australia()?, others()?, floors()?].concat())
+}
+
+fn melbourne() -> Result<As1170_4, Problem> {
+    As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).map_err(defect)
+}
+
+fn australia() -> Result<Vec<Check>, Problem> {
+    const CODE: &str = "AS 1170.4-2007, Table 6.4 formulas: kpZ Ch(T), Melbourne, site De, 500 years";
+    let spectrum = melbourne()?;
+    let mut checks: Vec<Check> = [(0.0, 0.088), (0.3, 0.2944), (1.0, 0.1584), (1.5, 0.1056), (2.0, 0.0594)]
+        .into_iter()
+        .map(|(t, sa)| check(format!("code spectrum, Sa({t} s) [g]"), spectrum.sa_g(t), sa, ROUNDING, CODE))
+        .collect();
+    let sd_mm = 1e3 * G0_M_S2 * spectrum.sa_g(4.0) * (4.0 / TAU).powi(2);
+    checks.push(check("code spectrum, Sd beyond 1.5 s [mm]", sd_mm, 59.0, 0.05, CODE));
+    const PERIOD: &str = "AS 1170.4-2007, clause 6.2.3: 1.25 kt h^0.75";
+    for (frame, kt, expected) in [
+        (FrameKind::MomentSteel, 0.11, 4.22),
+        (FrameKind::MomentConcrete, 0.075, 2.88),
+        (FrameKind::EccentricallyBracedSteel, 0.06, 2.30),
+        (FrameKind::Other, 0.05, 1.92),
+    ] {
+        let t1 = fundamental_period_s(frame, 96.0).map_err(defect)?;
+        checks.push(check(format!("period of a tower of 96 m, kt = {kt} [s]"), t1, expected, 5e-3, PERIOD));
+    }
+    Ok(checks)
+}
+
+fn others() -> Result<Vec<Check>, Problem> {
+    const EC8: &str = "EN 1998-1:2004, Eqs. (3.2)-(3.5), Tables 3.2 and 3.3, a_g = 0.2 g, by hand";
+    const ASCE: &str = "ASCE 7, 11.4: SDS = 1 g, SD1 = 0.6 g, TL = 8 s, by hand";
+    const NZS: &str = "NZS 1170.5:2004, Table 3.1 as printed, times Z R = 0.4";
+    let europe = |kind, ground| Eurocode8::new(kind, ground, 0.2, 1.0).map_err(defect);
+    let first = europe(SpectrumType::Type1, GroundType::B)?;
+    let second = europe(SpectrumType::Type2, GroundType::D)?;
+    let america = Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0).map_err(defect)?;
+    let new_zealand = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).map_err(defect)?;
+    let mut checks = Vec::new();
+    for (t, sa) in [(0.0, 0.24), (0.15, 0.6), (0.5, 0.6), (1.0, 0.3), (2.0, 0.15), (4.0, 0.0375)] {
+        checks.push(check(format!("Eurocode 8, type 1, ground B, Sa({t} s) [g]"), first.sa_g(t), sa, ROUNDING, EC8));
+    }
+    for (t, sa) in [(0.0, 0.36), (0.1, 0.9), (0.3, 0.9), (1.2, 0.225), (2.4, 0.056_25)] {
+        checks.push(check(format!("Eurocode 8, type 2, ground D, Sa({t} s) [g]"), second.sa_g(t), sa, ROUNDING, EC8));
+    }
+    for (t, sa) in [(0.0, 0.4), (0.12, 1.0), (0.6, 1.0), (2.0, 0.3), (8.0, 0.075), (16.0, 0.01875)] {
+        checks.push(check(format!("ASCE 7, Sa({t} s) [g]"), america.sa_g(t), sa, ROUNDING, ASCE));
+    }
+    // Half a unit of the last printed digit, times 0.4.
+    for (t, ch) in [(0.0, 1.33), (0.3, 2.93), (0.7, 1.55), (1.5, 0.88), (3.0, 0.44), (4.5, 0.20)] {
+        let name = format!("NZS 1170.5, site C, Sa({t} s) [g]");
+        checks.push(check(name, new_zealand.sa_g(t), 0.4 * ch, 0.4 * 0.005, NZS));
+    }
+    Ok(checks)
+}
+
+/// A rigid part on the roof of a building of 96 m.
+fn floors() -> Result<Vec<Check>, Problem> {
+    const PARTS: &str = "parts and components of each code, by hand";
+    let roof = PartsQuestion { level_ratio: 1.0, building_height_m: 96.0, building_period_s: None };
+    let codes: [(&str, CodeSpectrum, f64); 4] = [
+        ("AS 1170.4", melbourne()?.into(), 3.0 * 0.088),
+        (
+            "Eurocode 8",
+            Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).map_err(defect)?.into(),
+            2.5 * 0.24,
+        ),
+        ("ASCE 7-22", Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0).map_err(defect)?.into(), 3.5 * 0.4),
+        ("NZS 1170.5", Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).map_err(defect)?.into(), 3.0 * 0.532),
+    ];
+    let mut checks = Vec::new();
+    for (name, code, expected) in codes {
+        let accel_g = floor_acceleration_g(&code, &roof).ok_or_else(|| defect("a code without parts"))?;
+        checks.push(check(format!("{name}, a rigid part on the roof [g]"), accel_g, expected, ROUNDING, PARTS));
+    }
+    Ok(checks)
+}
