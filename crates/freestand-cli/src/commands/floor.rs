@@ -13,6 +13,7 @@ use freestand_study::quantity::Dimension;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
 use freestand_study::records::{write_csv, write_pair_csv};
 use freestand_study::result::HorizontalMotion;
+use freestand_study::words::number;
 use freestand_study::{Problem, ProblemKind};
 
 use super::Done;
@@ -181,7 +182,9 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         let mut done = floors(one, request)?;
         for (level, floor) in done.report.levels.iter_mut().zip(&done.floors) {
             let folder = if read.len() > 1 { format!("{}/", done.report.motion) } else { String::new() };
-            let name = format!("{folder}level-{}.csv", level.level_ratio);
+            // Floors of a table are at any share; those that were asked for keep their digits.
+            let ratio = if request.is_storeys { number(level.level_ratio, 4) } else { level.level_ratio.to_string() };
+            let name = format!("{folder}level-{ratio}.csv");
             level.path = files.write(&name, || floor_csv(floor))?;
         }
         warnings.extend(done.warnings);
@@ -388,7 +391,7 @@ fn text(report: &FloorReport) -> String {
         .iter()
         .map(|level| {
             let mut row =
-                vec![level.level_ratio.to_string(), significant(level.height_m, 4), significant(level.pfa_g, 4)];
+                vec![number(level.level_ratio, 4), significant(level.height_m, 4), significant(level.pfa_g, 4)];
             if several {
                 row.extend([optional(level.pfa_g_p16), optional(level.pfa_g_p84)]);
             }
