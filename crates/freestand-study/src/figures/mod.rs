@@ -186,7 +186,9 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<pag
     let page = match &study.ground {
         Ground::Recorded(records) => {
             let record = records.get(index)?;
-            let words = Words { name: &record.name, description: &record.description, processing: &record.processing };
+            let shown = if record.across.is_some() { "; the first of the two is drawn" } else { "" };
+            let description = format!("{}{shown}", record.description);
+            let words = Words { name: &record.name, description: &description, processing: &record.processing };
             record::record(name, words, &ground.motion.along)
         }
         Ground::Synthetic(synthetic) => {
