@@ -129,6 +129,7 @@ pub(crate) fn result(study: &Study) -> StudyResult {
         profile: Some(FloorProfile {
             levels_ratio: vec![0.0, 0.5, 1.0],
             pfa_g: (0..10).map(|i| [0.1, 0.14, 0.3].map(|g| g * (0.8 + 0.05 * f64::from(i))).to_vec()).collect(),
+            pfv_m_s: (0..10).map(|i| [0.1, 0.2, 0.4].map(|v| v * (0.8 + 0.05 * f64::from(i))).to_vec()).collect(),
             code: Some(CodeParts { clause: "a code’s line", accel_g: vec![0.088, 0.176, 0.264] }),
         }),
         modes: beam.modes().to_vec(),

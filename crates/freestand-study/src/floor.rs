@@ -53,7 +53,7 @@ pub struct CodeParts {
     pub accel_g: Vec<f64>,
 }
 
-/// Accelerations of rigid parts by a code; `None` for a spectrum that is not of a code.
+/// Accelerations of rigid parts by a code, `building_period_s` the shorter of the two axes; `None` for a spectrum that is not of a code.
 pub fn code_parts(
     code: &CodeSpectrum,
     building_height_m: f64,
@@ -329,7 +329,9 @@ impl FloorReport {
             QUANTILES.map(|quantile| ranked_quantile(&mut values, quantile).value())
         };
         let code = request.code.as_ref();
-        let code = code.and_then(|code| code_parts(code, request.height_m, building.period_s(), &request.levels_ratio));
+        let across_s = request.across.as_ref().map_or(f64::INFINITY, |axis| axis.building.period_s());
+        let period_s = building.period_s().min(across_s);
+        let code = code.and_then(|code| code_parts(code, request.height_m, period_s, &request.levels_ratio));
         let levels = request.levels_ratio.iter().enumerate().map(|(i, &level_ratio)| {
             let of = |value: fn(&MotionLevel) -> Option<f64>| {
                 quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))

@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 
 use freestand::building::Mode;
-use freestand::motion::Motion;
+use freestand::measures::cumulative_trapezoid;
+use freestand::motion::{Motion, MotionError};
 use freestand::rocking::Outcome;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
@@ -58,18 +59,30 @@ pub struct HorizontalMotion {
 impl HorizontalMotion {
     /// The component in a direction counted from the first one towards the second \[degrees\]:
     /// `a₁ cos θ + a₂ sin θ`. Without a second component, the first whatever the direction.
-    pub fn in_direction(&self, direction_deg: f64) -> Cow<'_, Motion> {
-        let Some(across) = &self.across else { return Cow::Borrowed(&self.along) };
+    ///
+    /// # Errors
+    /// Samples that overflow.
+    pub fn in_direction(&self, direction_deg: f64) -> Result<Cow<'_, Motion>, MotionError> {
+        let Some(across) = &self.across else { return Ok(Cow::Borrowed(&self.along)) };
         if direction_deg == 0.0 {
-            return Cow::Borrowed(&self.along);
+            return Ok(Cow::Borrowed(&self.along));
         }
         if direction_deg == 90.0 {
-            return Cow::Borrowed(across);
+            return Ok(Cow::Borrowed(across));
         }
         let (sin, cos) = direction_deg.to_radians().sin_cos();
         let samples = self.along.accel_m_s2().iter().zip(across.accel_m_s2()).map(|(a, b)| a * cos + b * sin);
-        // A turned vector is no longer than the vector, so the samples stay finite unless they are at the end of f64.
-        Motion::new(self.along.dt_s(), samples.collect()).map_or(Cow::Borrowed(&self.along), Cow::Owned)
+        Motion::new(self.along.dt_s(), samples.collect()).map(Cow::Owned)
+    }
+
+    /// Largest velocity, from rest by the trapezoid rule; of two components, in whatever direction it is \[m/s\].
+    pub fn peak_velocity_m_s(&self) -> f64 {
+        let velocity = |motion: &Motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
+        let along = velocity(&self.along);
+        match self.across.as_ref().map(velocity) {
+            None => along.iter().fold(0.0, |peak: f64, v| peak.max(v.abs())),
+            Some(across) => along.iter().zip(&across).map(|(a, b)| a.hypot(*b)).fold(0.0, f64::max),
+        }
     }
 
     /// Largest acceleration at the samples; of two components, in whatever direction it is \[m/s²\].
@@ -100,6 +113,8 @@ pub struct FloorProfile {
     pub levels_ratio: Vec<f64>,
     /// Peak floor accelerations, `[motion][level]`; of two components, in whatever direction \[g\].
     pub pfa_g: Vec<Vec<f64>>,
+    /// Peak floor velocities, of the floor itself and not relative to the ground, in the same shape \[m/s\].
+    pub pfv_m_s: Vec<Vec<f64>>,
     /// What a code gives a rigid part at each level, where the target is one of a code that says it.
     pub code: Option<CodeParts>,
 }
@@ -128,7 +143,8 @@ pub enum ObjectResponse {
         uplift: UpliftCell,
         /// Shock.
         shock: ShockCell,
-        /// The direction that governs \[degrees from the first component\]; `None` where motions have one component.
+        /// The direction that governs \[degrees from the first component\], of several that overturn the first; `None` where
+        /// motions have one component.
         direction_deg: Option<f64>,
     },
     /// It could not be followed; why.

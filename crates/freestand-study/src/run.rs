@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::{ImpactModel, Landing};
-use freestand::rocking::{Base, HistoryRecorder, Outcome, RockingError, RockingOptions, Until, rock_observed};
+use freestand::rocking::{Base, HistoryRecorder, Outcome, RockingOptions, Until, rock_observed};
 use freestand::spectra::{UpliftCell, uplift_spectrum};
 use rayon::prelude::*;
 
@@ -113,7 +113,10 @@ fn options(study: &Study) -> RockingOptions {
 
 fn object_responses(study: &Study, floor: &HorizontalMotion, direction_deg: f64) -> Vec<ObjectResponse> {
     let objects = &study.objects;
-    let motion = floor.in_direction(direction_deg);
+    let motion = match floor.in_direction(direction_deg) {
+        Ok(motion) => motion,
+        Err(error) => return vec![ObjectResponse::Failed(error.to_string()); objects.blocks.len()],
+    };
     let base = Base { horizontal: Some(&motion), vertical: None };
     let direction_deg = floor.across.is_some().then_some(direction_deg);
     uplift_spectrum(&objects.blocks, base, &options(study))
@@ -132,7 +135,8 @@ fn object_responses(study: &Study, floor: &HorizontalMotion, direction_deg: f64)
 }
 
 /// Object by object the response that governs: a history that failed, since it may have been the worst; then the one that
-/// overturns, then the one whose centre of gravity rises higher, on which the shock hangs. Equal ones leave the first.
+/// overturns, then the one whose centre of gravity rises higher, on which the shock hangs. Equal ones leave the first. The
+/// shock from the impact velocity is the largest of all directions, which may be another one's.
 fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<ObjectResponse> {
     let rank = |response: &ObjectResponse| match response {
         ObjectResponse::Failed(_) => (2, 0.0),
@@ -144,7 +148,21 @@ fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<Object
         let (one, other) = (rank(one), rank(other));
         other.0 > one.0 || (other.0 == one.0 && other.1 > one.1)
     };
-    first.into_iter().zip(second).map(|(one, other)| if governs(&one, &other) { other } else { one }).collect()
+    let velocity_g = |response: &ObjectResponse| match response {
+        ObjectResponse::Done { shock, .. } => shock.edge_acceleration_impact_velocity_g,
+        ObjectResponse::Failed(_) => None,
+    };
+    let merged = |(one, other): (ObjectResponse, ObjectResponse)| {
+        let (one_g, other_g) = (velocity_g(&one), velocity_g(&other));
+        let mut governing = if governs(&one, &other) { other } else { one };
+        if let ObjectResponse::Done { shock, .. } = &mut governing
+            && let Some(governing_g) = &mut shock.edge_acceleration_impact_velocity_g
+        {
+            *governing_g = [one_g, other_g].into_iter().flatten().fold(*governing_g, f64::max);
+        }
+        governing
+    };
+    first.into_iter().zip(second).map(merged).collect()
 }
 
 fn level_result(
@@ -165,10 +183,11 @@ fn example_history(
     study: &Study,
     names: &[String],
     levels: &[LevelResult],
-) -> Result<Option<ExampleHistory>, RockingError> {
+) -> Result<Option<ExampleHistory>, Box<dyn std::error::Error>> {
     let Some((level, motion, block)) = history_choice(study, names, levels) else { return Ok(None) };
     let direction_deg = governing_direction(study, &level.responses[motion], &block);
-    let floor = &*level.floors[motion].in_direction(direction_deg.unwrap_or(0.0));
+    let floor = level.floors[motion].in_direction(direction_deg.unwrap_or(0.0))?;
+    let floor = floor.as_ref();
     let base = Base { horizontal: Some(floor), vertical: None };
     let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
     let rocking = rock_observed(&block, base, &options(study), |segment| recorder.observe(segment))?;

@@ -8,6 +8,7 @@ use freestand::rocking::{Accuracy, Restitution};
 
 use crate::cushion::{CushionWords, EdgeCushion};
 use crate::input::InputFile;
+use crate::result::HorizontalMotion;
 use crate::target::Target;
 
 /// Everything that `run` needs, and nothing that it does not.
@@ -123,6 +124,12 @@ pub struct SecondComponent {
 }
 
 impl RecordedMotion {
+    /// Its component or components.
+    pub fn as_used(&self) -> HorizontalMotion {
+        let across = self.across.as_ref().map(|second| second.motion.clone());
+        HorizontalMotion { along: self.motion.clone(), across }
+    }
+
     /// The files that were read beside its own.
     pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
         let second = self.across.as_ref().and_then(|second| second.file.as_ref());

@@ -147,6 +147,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
         "definitions": {
             "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
             "overturned_share": "share of all object × motion histories that could be followed",
+            "direction_deg": "of motions with two components, the direction in which the centre of gravity rises most, from the first component; of several that overturn the first; the shock from the impact velocity is the largest of all directions",
             "exceeded_objects": "objects whose median shock, by the larger of the two sources, is above the tolerance, or whose median is overturned; null without a tolerance",
             "edge_acceleration_g_max": "largest over all objects and motions that do not overturn, source `uplift`",
             "edge_acceleration_g_median": "largest over the objects of the median over all motions (no uplift = 0, overturned = above all), where that median is a number",

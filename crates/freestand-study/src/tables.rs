@@ -301,19 +301,32 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
     csv(&header, rows)
 }
 
-/// `floor_profile.csv`: peak floor accelerations up the height, quantiles over the motions, one row for each floor.
+/// `floor_profile.csv`: peak floor accelerations and velocities up the height, quantiles over the motions, one row for each floor.
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
 pub fn profile_csv(study: &Study, profile: &FloorProfile) -> Result<Vec<u8>, Problem> {
-    let header = ["level_ratio", "height_m", "pfa_g_p16", "pfa_g_median", "pfa_g_p84", "code_part_g"];
+    let header = [
+        "level_ratio",
+        "height_m",
+        "pfa_g_p16",
+        "pfa_g_median",
+        "pfa_g_p84",
+        "pfv_m_s_p16",
+        "pfv_m_s_median",
+        "pfv_m_s_p84",
+        "code_part_g",
+    ];
     let height_m = study.building.as_ref().map(|building| building.height_m);
     let rows = profile.levels_ratio.iter().enumerate().map(|(level, &ratio)| {
-        let mut pfa_g: Vec<f64> = profile.pfa_g.iter().filter_map(|motion| motion.get(level)).copied().collect();
-        let quantiles = QUANTILES.map(|quantile| ranked_quantile(&mut pfa_g, quantile).cell());
+        let quantiles = |peaks: &[Vec<f64>]| {
+            let mut of_level: Vec<f64> = peaks.iter().filter_map(|motion| motion.get(level)).copied().collect();
+            QUANTILES.map(|quantile| ranked_quantile(&mut of_level, quantile).cell())
+        };
         let code_g = profile.code.as_ref().and_then(|code| code.accel_g.get(level)).copied();
         let mut row = vec![shortest(ratio), optional(height_m.map(|height_m| ratio * height_m))];
-        row.extend(quantiles);
+        row.extend(quantiles(&profile.pfa_g));
+        row.extend(quantiles(&profile.pfv_m_s));
         row.push(optional(code_g));
         row
     });

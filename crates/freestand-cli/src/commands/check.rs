@@ -139,7 +139,7 @@ fn motion_report(one: &RecordedMotion) -> MotionReport {
         dt_s: one.motion.dt_s(),
         npts: one.motion.accel_m_s2().len(),
         components: if one.across.is_some() { 2 } else { 1 },
-        pga_g: one.motion.peak_m_s2() / freestand::G0_M_S2,
+        pga_g: one.as_used().peak_m_s2() / freestand::G0_M_S2,
     }
 }
 

@@ -75,7 +75,7 @@ fn each_axis_has_its_own_building_and_the_larger_direction_governs() {
         assert!(level.pfa_g >= x.max(y) && level.pfa_g <= x.hypot(y));
         // In the stated direction the motion is as large as that, in every other no larger.
         let direction = level.pfa_direction_deg.unwrap();
-        let turned = |deg: f64| floor.in_direction(deg).peak_m_s2() / G0_M_S2;
+        let turned = |deg: f64| floor.in_direction(deg).unwrap().peak_m_s2() / G0_M_S2;
         assert!((0.0..180.0).contains(&direction) && (turned(direction) / level.pfa_g - 1.0).abs() < 1e-12);
         assert!((0..180).all(|deg| turned(f64::from(deg)) <= level.pfa_g * (1.0 + 1e-12)));
     }

@@ -1,7 +1,7 @@
 //! The motions of the ground and of the floors.
 
 use freestand::G0_M_S2;
-use freestand::building::{Building, floor_motions, floor_peaks};
+use freestand::building::{Building, floor_motions};
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
@@ -37,15 +37,10 @@ pub(super) fn ground_motions(
             })
             .collect(),
         Ground::Recorded(records) => {
-            records.par_iter().map(|record| finish(record.name.clone(), as_used(record), None)).collect()
+            records.par_iter().map(|record| finish(record.name.clone(), record.as_used(), None)).collect()
         }
         Ground::OnFloors => Ok(Vec::new()),
     }
-}
-
-fn as_used(record: &RecordedMotion) -> HorizontalMotion {
-    let across = record.across.as_ref().map(|second| second.motion.clone());
-    HorizontalMotion { along: record.motion.clone(), across }
 }
 
 /// The 5 % spectrum that is shown.
@@ -75,7 +70,11 @@ pub(super) fn floors(
     go_on: impl Fn() -> Result<(), StudyError> + Sync,
 ) -> Result<Vec<Vec<HorizontalMotion>>, StudyError> {
     let Some(building) = &study.building else {
-        return Ok(study.levels.iter().map(|level| level.motions.iter().map(as_used).collect()).collect());
+        return Ok(study
+            .levels
+            .iter()
+            .map(|level| level.motions.iter().map(RecordedMotion::as_used).collect())
+            .collect());
     };
     let ratios: Vec<f64> = study.levels.iter().map(|level| level.level_ratio.unwrap_or(1.0)).collect();
     let by_motion: Vec<Vec<HorizontalMotion>> = ground
@@ -108,26 +107,25 @@ pub(super) fn floor_profile(
         [] => (0..=building.storeys).map(|floor| floor as f64 / building.storeys as f64).collect(),
         floors => std::iter::once(0.0).chain(floors.iter().copied()).collect(),
     };
-    let peaks = |g: &GroundMotion| -> Result<Vec<f64>, StudyError> {
+    let peaks = |g: &GroundMotion| -> Result<(Vec<f64>, Vec<f64>), StudyError> {
         go_on()?;
-        if g.motion.across.is_some() {
-            let floors = floors_under(g, building, &levels_ratio)?;
-            return Ok(floors.iter().map(|floor| floor.peak_m_s2() / G0_M_S2).collect());
-        }
-        let what = || format!("the floor motion under {}", g.name);
-        let motion = g.motion.along.with_zero_tail(building.tail_s()).map_err(failed(what()))?;
-        let peaks = floor_peaks(&motion, &building.along, &levels_ratio).map_err(failed(what()))?;
-        Ok(peaks.iter().map(|peak| peak.accel_m_s2 / G0_M_S2).collect())
+        let floors = floors_under(g, building, &levels_ratio)?;
+        Ok(floors.iter().map(|floor| (floor.peak_m_s2() / G0_M_S2, floor.peak_velocity_m_s())).unzip())
     };
-    let pfa_g = ground
+    let (pfa_g, pfv_m_s) = ground
         .par_iter()
         .map(peaks)
         .collect::<Vec<Result<_, StudyError>>>()
         .into_iter()
-        .collect::<Result<Vec<Vec<f64>>, _>>()?;
-    let code = code_spectrum(&study.ground)
-        .and_then(|code| code_parts(code, building.height_m, building.along.period_s(), &levels_ratio));
-    Ok(Some(FloorProfile { levels_ratio, pfa_g, code }))
+        .collect::<Result<Vec<(Vec<f64>, Vec<f64>)>, _>>()?
+        .into_iter()
+        .unzip();
+    // A stiffer axis gives the larger accelerations by the codes that ask for a period.
+    let across_s = building.across.as_ref().map_or(f64::INFINITY, Building::period_s);
+    let period_s = building.along.period_s().min(across_s);
+    let code =
+        code_spectrum(&study.ground).and_then(|code| code_parts(code, building.height_m, period_s, &levels_ratio));
+    Ok(Some(FloorProfile { levels_ratio, pfa_g, pfv_m_s, code }))
 }
 
 /// The spectrum that the motions are made for.
