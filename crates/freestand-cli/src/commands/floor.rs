@@ -357,12 +357,16 @@ impl ReadBuilding {
         // The number of modes is that of the first axis; a table has its own.
         let modes = |model: &AxisModel| if matches!(model, AxisModel::Beam { .. }) { self.modes } else { None };
         let across = self.across.as_ref().map(|model| of(model, modes(model))).transpose()?;
-        let height_m = along.height_m.or(across.as_ref().and_then(|axis| axis.height_m)).unwrap_or(self.height_m);
+        // A beam is as high as its storeys, whatever a table says of the other axis.
+        let height_m = along.height_m.unwrap_or(self.height_m);
         if let Some(other_m) = across.as_ref().and_then(|axis| axis.height_m)
             && (other_m - height_m).abs() > 1e-3 * height_m
         {
             let message = format!("the building is {other_m} m high across and {height_m} m along");
-            return Err(Failure::usage(message, "levels are shares of one height: check both tables"));
+            return Err(Failure::usage(
+                message,
+                "levels are shares of one height: check both tables, or --storeys and --storey-height",
+            ));
         }
         Ok(Axes { along, across, height_m })
     }

@@ -46,8 +46,11 @@ pub(super) fn matched(picture: &MatchedPicture<'_>) -> Page {
     let points =
         |values: &[f64]| -> Vec<(f64, f64)> { periods_s.iter().copied().zip(values.iter().copied()).collect() };
     let (target_style, mean_style) = (curve_style(1), curve_style(0));
-    let mut plots: Vec<_> = drawn.map(|psa| line(&points(psa), GREY, 0.7, None)).collect();
-    plots.push(line(&points(&mean), mean_style.colour, 1.8, Some("6 4")));
+    let several = psa_g.len() > 1;
+    let (dash, mean_words) = if several { (Some("6 4"), "geometric mean") } else { (None, "the motion") };
+    let mut plots: Vec<_> =
+        if several { drawn.map(|psa| line(&points(psa), GREY, 0.7, None)).collect() } else { Vec::new() };
+    plots.push(line(&points(&mean), mean_style.colour, 1.8, dash));
     plots.push(line(&points(picture.target_sa_g), target_style.colour, 2.2, None));
     let first = periods_s.first().copied().unwrap_or(0.05);
     let last = periods_s.last().copied().unwrap_or(5.0);
@@ -65,18 +68,24 @@ pub(super) fn matched(picture: &MatchedPicture<'_>) -> Page {
         name: "target".to_owned(),
         title: plain(picture.title),
         caption: format!(
-            "Pseudo-acceleration, 5 % damping, of {} motions at the 121 periods from 0.05 to 5 s, their geometric mean, and \
-             the target, {}.",
-            psa_g.len(),
+            "Pseudo-acceleration, 5 % damping, {} at the 121 periods from 0.05 to 5 s, and the target, {}.",
+            if several {
+                format!("of {} motions and their geometric mean", psa_g.len())
+            } else {
+                "of the motion".to_owned()
+            },
             picture.target
         ),
         panels: vec![Panel { plots, layout }],
         columns: 1,
         row_heights_px: vec![PANEL_PX],
-        legend: vec![
-            entry(target_style.colour, 2.2, None, &plain(picture.target)),
-            entry(mean_style.colour, 1.8, Some("6 4"), "geometric mean"),
-            entry(GREY, 0.7, None, "each motion"),
-        ],
+        legend: [
+            Some(entry(target_style.colour, 2.2, None, &plain(picture.target))),
+            Some(entry(mean_style.colour, 1.8, dash, mean_words)),
+            several.then(|| entry(GREY, 0.7, None, "each motion")),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
     }
 }
