@@ -12,6 +12,9 @@ use crate::words::{number, percent};
 /// Modes that are kept where nobody says how many.
 pub const DEFAULT_MODES: usize = 10;
 
+/// A share of the mass up to this one is 1 and a rounding error, of one mode as of their sum.
+const LARGEST_ROUNDED_RATIO: f64 = 1.01;
+
 /// What the modes of one axis come from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisModel {
@@ -61,6 +64,8 @@ pub struct BuildingTable {
     pub file: InputFile,
     /// What stands in it.
     pub text: Vec<u8>,
+    /// It says the damping of every mode, so that no other is used.
+    pub states_damping: bool,
 }
 
 /// Makes the modes of an axis, reading its table.
@@ -89,18 +94,49 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
         BuildingError::Storey { storey, .. } => at_row(refused(&error), &table.lines, storey),
         _ => refused(&error),
     })?;
-    let height_m = table.storeys.iter().map(|storey| storey.height_m).sum();
+    let heights_m: Vec<f64> = table.storeys.iter().map(|storey| storey.height_m).collect();
+    let warnings = look_like_elevations(&heights_m).then(|| {
+        format!(
+            "{}: the heights change from row to row by nearly the same step, as elevations above the ground do; the height \
+             of each storey alone is meant",
+            file_name(path)
+        )
+    });
+    let file = InputFile::new(path, &text);
     Ok(Axis {
         building,
-        height_m: Some(height_m),
-        table: Some(BuildingTable { key: "storey_table", file: InputFile::new(path, &text), text }),
-        warnings: Vec::new(),
+        height_m: Some(heights_m.iter().sum()),
+        table: Some(BuildingTable { key: "storey_table", file, text, states_damping: false }),
+        warnings: warnings.into_iter().collect(),
     })
+}
+
+/// Whether heights rise (or fall, from the roof down) by steps that are alike and are storeys themselves. Storeys grow by
+/// a few decimetres at most: less than a third of the lowest.
+fn look_like_elevations(heights_m: &[f64]) -> bool {
+    let steps_m: Vec<f64> = heights_m.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let (Some(&first), true) = (steps_m.first(), heights_m.len() >= 3) else { return false };
+    let least_m = heights_m.iter().copied().fold(f64::INFINITY, f64::min);
+    let sizes = || steps_m.iter().map(|step| step.abs());
+    let (smallest_m, largest_m) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
+    steps_m.iter().all(|step| step.signum() == first.signum())
+        && largest_m <= 2.0 * smallest_m
+        && smallest_m >= least_m / 3.0
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
 fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
     let text = load_table(path)?;
-    let table = read_modes(&text)?;
+    let mut table = read_modes(&text)?;
+    for ratio in table.modes.iter_mut().filter_map(|mode| mode.effective_mass_ratio.as_mut()) {
+        // Ratios are printed with few digits: what is above one by less than that is one.
+        if *ratio > 1.0 && *ratio <= LARGEST_ROUNDED_RATIO {
+            *ratio = 1.0;
+        }
+    }
     let roof_m = table.heights_m.last().copied().unwrap_or(1.0);
     let levels_ratio: Vec<f64> = table.heights_m.iter().map(|height_m| height_m / roof_m).collect();
     let building =
@@ -109,14 +145,18 @@ fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
             BuildingError::ModeDamping { mode, .. } if table.modes.iter().any(|m| m.damping_ratio.is_some()) => {
                 at_row(refused(&error), &table.lines, mode)
             }
+            BuildingError::Modes { at_most, .. } => {
+                refused(&error).hint(format!("delete the modes with the least mass until {at_most} are left"))
+            }
             _ => refused(&error),
         })?;
-    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let name = file_name(path);
+    let states_damping = table.modes.iter().all(|mode| mode.damping_ratio.is_some());
     let warnings = building.doubts().into_iter().map(|doubt| format!("{name}: {}", doubt_words(doubt))).collect();
     Ok(Axis {
         building,
         height_m: Some(roof_m),
-        table: Some(BuildingTable { key: "mode_table", file: InputFile::new(path, &text), text }),
+        table: Some(BuildingTable { key: "mode_table", file: InputFile::new(path, &text), text, states_damping }),
         warnings,
     })
 }
@@ -153,7 +193,7 @@ fn doubt_words(doubt: ModalDoubt) -> String {
             percent(sum_ratio, 1)
         ),
         ModalDoubt::EffectiveMass { sum_ratio } => format!(
-            "the modes carry {} of the mass, codes ask for 90 %: export more modes; what is missing follows the ground",
+            "the modes carry {} of the mass, 90 % is the usual demand of codes: export more modes; what is missing follows the ground",
             percent(sum_ratio, 1)
         ),
         ModalDoubt::RoofShare { sum_ratio } => format!(
@@ -251,6 +291,43 @@ mod tests {
         let axis = axis(&request(AxisModel::ModeTable(path))).unwrap();
         let [mass, roof] = axis.warnings.as_slice() else { panic!("{:?}", axis.warnings) };
         assert!(mass.contains("tower.csv: the modes carry 78.0 % of the mass") && roof.contains("adds up to 1300 at"));
+    }
+
+    #[test]
+    fn a_mass_above_one_by_rounding_is_one() {
+        let of = |mass: &str| {
+            let (_folder, path) = file(&format!("period [s],participation,effective mass,3 m\n1,1,{mass},1\n"));
+            axis(&request(AxisModel::ModeTable(path))).map(|axis| axis.building.modes()[0].effective_mass_ratio())
+        };
+        assert_eq!((of("1.0005"), of("1.01")), (Ok(Some(1.0)), Ok(Some(1.0))));
+        assert!(of("1.011").is_err());
+    }
+
+    #[test]
+    fn too_many_modes_are_not_too_few_storeys() {
+        let rows: String = (1..=51).map(|i| format!("{},0.02,1\n", 1.0 / f64::from(i))).collect();
+        let (_folder, path) = file(&format!("period [s],participation,3 m\n{rows}"));
+        let hint = axis(&request(AxisModel::ModeTable(path))).unwrap_err().hint.unwrap();
+        assert_eq!(hint, "delete the modes with the least mass until 50 are left");
+    }
+
+    #[test]
+    fn elevations_in_place_of_heights_are_said() {
+        let said = |heights: &[f64]| {
+            let rows: String = heights.iter().map(|h| format!("{h},100,100\n")).collect();
+            let (_folder, path) = file(&format!("height [m],mass [t],stiffness [kN/mm]\n{rows}"));
+            axis(&request(AxisModel::StoreyTable(path))).unwrap().warnings.len()
+        };
+        for elevations in [&[4.0, 7.2, 10.4, 13.6][..], &[3.0, 6.0, 9.0], &[10.4, 7.2, 4.0], &[6.0, 8.8, 11.5]] {
+            assert_eq!(said(elevations), 1, "{elevations:?}");
+        }
+        // A tall entrance, storeys that grow or shrink, two rows alone.
+        for heights in [&[4.0, 3.2, 3.2][..], &[6.0, 3.0, 2.8], &[3.0, 3.2, 3.4], &[2.8, 3.2, 4.0], &[3.0, 6.0]] {
+            assert_eq!(said(heights), 0, "{heights:?}");
+        }
+        let (_folder, path) = file("elevation [m],mass [t],stiffness [kN/mm]\n4,100,100\n7,100,100\n");
+        let problem = axis(&request(AxisModel::StoreyTable(path))).unwrap_err();
+        assert!(problem.to_string().contains("tower.csv:1: the column \"elevation\""), "{problem}");
     }
 
     /// Whatever one byte of a table becomes, it is read or refused: no panic, and no number that is none.

@@ -79,17 +79,15 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
 
 type File = (String, Vec<u8>);
 
-/// The building's tables in the output folder: of the second axis, key, name, text. An axis across that only inherits the
-/// table of the first names none of its own.
+/// The building's tables in the output folder: of the second axis, key, name, text.
 fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
-    let tables: Vec<_> = study.building.iter().flat_map(|building| &building.tables).collect();
-    let first = tables.iter().find(|(across, _)| !across).map(|(_, table)| &table.file);
-    let own = tables.iter().filter(|(across, table)| !across || first != Some(&table.file));
-    own.map(|(across, table)| {
-        let name = if *across { "building/across.csv" } else { "building/along.csv" };
-        (*across, table.key, name.to_owned(), table.text.as_slice())
-    })
-    .collect()
+    let tables = study.building.iter().flat_map(|building| &building.tables);
+    tables
+        .map(|(across, table)| {
+            let name = if *across { "building/across.csv" } else { "building/along.csv" };
+            (*across, table.key, name.to_owned(), table.text.as_slice())
+        })
+        .collect()
 }
 
 /// The table that synthetic motions were made for, as it was read.
@@ -199,4 +197,30 @@ fn pages(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
         }
     }
     Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::resolve::resolve;
+
+    /// Both axes from one file: the study that is left behind runs where that file is not.
+    #[test]
+    fn every_key_that_names_a_table_is_written_anew() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("m.csv"), "period [s],participation,3 m\n1,1,1\n").unwrap();
+        let toml = "[building]\nmode_table = \"m.csv\"\nacross = { mode_table = \"m.csv\" }\n";
+        let study = resolve(toml, None, folder.path()).unwrap();
+        let out = tempfile::tempdir().unwrap();
+        std::fs::create_dir(out.path().join("building")).unwrap();
+        for (_, _, name, text) in building_tables(&study) {
+            std::fs::write(out.path().join(name), text).unwrap();
+        }
+        let again = resolve(&rerun_toml(&study).unwrap(), None, out.path()).unwrap();
+        let modes = |study: &Study| study.building.clone().map(|building| (building.along, building.across));
+        assert_eq!(modes(&again), modes(&study));
+        let inherits = resolve(&toml.replace("mode_table = \"m.csv\" }", "damping = 0.02 }"), None, folder.path());
+        let text = rerun_toml(&inherits.unwrap()).unwrap();
+        assert!(text.contains("mode_table = \"building/along.csv\"\nacross = { damping = 0.02 }"), "{text}");
+    }
 }

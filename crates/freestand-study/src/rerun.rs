@@ -52,12 +52,12 @@ pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &
     let mut study = parse(toml)?;
     let entry = study.entry(table).or_insert_with(toml_edit::table);
     let Some(keys) = entry.as_table_like_mut() else { return Err(broken(format!("{table} is no table"))) };
-    let same_or_other = |name: &str| {
-        // `damping_percent` and the like state the unit in the key.
-        name == key || name.strip_prefix(key).is_some_and(|unit| unit.starts_with('_'))
-    };
-    let old: Vec<String> = keys.iter().map(|(name, _)| name.to_owned()).filter(|name| same_or_other(name)).collect();
-    for name in old.iter().map(String::as_str).chain(in_place_of.iter().copied()) {
+    // `damping_percent` and the like state the unit in the key.
+    let is =
+        |name: &str, key: &str| name.strip_prefix(key).is_some_and(|unit| unit.is_empty() || unit.starts_with('_'));
+    let goes = |name: &str| is(name, key) || in_place_of.iter().any(|other| is(name, other));
+    let old: Vec<String> = keys.iter().map(|(name, _)| name.to_owned()).filter(|name| goes(name)).collect();
+    for name in &old {
         keys.remove(name);
     }
     let item = match (text.parse::<i64>(), text.parse::<f64>()) {
@@ -235,6 +235,14 @@ mod tests {
         let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = 2\nseries_stiffness = \
                         \"4380 N/mm, 9000 N/mm\"\n";
         assert_eq!(text, expected);
+    }
+
+    /// A unit may stand in the key that goes, too.
+    #[test]
+    fn a_value_takes_the_place_of_others_whatever_their_units() {
+        let study = "[objects]\nmass_kg = 1\npad_stiffness_n_mm = 2190\npads_per_edge = 2\n";
+        let text = with_value(study, "objects", "stiffness", "5 kN/mm", &["pad_stiffness", "pads_per_edge"]).unwrap();
+        assert_eq!(text, "[objects]\nmass_kg = 1\nstiffness = \"5 kN/mm\"\n");
     }
 
     #[test]

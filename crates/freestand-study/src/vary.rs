@@ -1,8 +1,10 @@
 //! What the answer owes to its assumptions: the study again, with one value changed at a time.
 //!
 //! A variation is written into the study's text and resolved like any other study, so that whatever a study can say can
-//! be varied, and what does not go together is refused in the same words.
+//! be varied, and what does not go together is refused in the same words. A value that never reaches the model is not run:
+//! a row of zero sensitivity would be read as one.
 
+mod model;
 mod request;
 
 use std::path::Path;
@@ -17,6 +19,7 @@ use crate::run::{Progress, Step, run};
 use crate::study::Study;
 use crate::summary::{LevelSummary, level_summary};
 
+use model::is_same_model;
 pub use request::{Variation, Wish, parse_wish, usual_wishes, variations};
 
 /// One row of `vary.csv`: a level under one variation, or under the study as it is.
@@ -43,13 +46,19 @@ pub struct VariedLevel {
     /// Largest shock of any object that survives under any motion \[g\].
     pub edge_acceleration_g_max: Option<f64>,
     /// Sum over the objects of the median shock, over the same sum of the base; of objects whose median is overturned in
-    /// neither. `None` where none of them uplifts in the base.
+    /// neither. `None` where their mean in the base is below [`LEAST_MEAN_G`].
     pub edge_acceleration_ratio: Option<f64>,
     /// How many objects these are.
     pub compared_objects: Option<usize>,
     /// Why there is no result.
     pub reason: Option<String>,
+    /// Warnings that the base has not, joined by `; `.
+    pub warnings: Option<String>,
 }
+
+/// Least mean shock of the compared objects in the base for a ratio \[g\]: less is no shock to speak of, and a ratio to it
+/// is a number without a meaning.
+pub const LEAST_MEAN_G: f64 = 0.05;
 
 /// What a variation did to each level, beside the study as it is.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,28 +81,51 @@ pub fn vary(
     tell: &dyn Fn(usize, usize, &str),
     progress: Progress,
 ) -> Result<Sensitivity, StudyError> {
-    let (variations, left_out) = variations(study, wishes);
+    let (variations, mut left_out) = variations(study, wishes, overrides);
     let mut rows = rows("base", "", study, base, base);
     for (index, variation) in variations.iter().enumerate() {
         tell(index, variations.len(), &variation.words());
-        let varied = varied_study(study, variation, overrides).and_then(|varied| {
-            let result = run(&varied, progress)?;
-            Ok((varied, result))
-        });
-        match varied {
-            Ok((varied, result)) => {
+        match result_of(study, variation, overrides, progress) {
+            Ok(Some((varied, result))) => {
                 rows.extend(self::rows(variation.key, &variation.value, &varied, &result, base));
+            }
+            // Nobody named this value.
+            Ok(None) if variation.is_usual => {}
+            Ok(None) => {
+                rows.extend(rows_without(variation, study, &format!("nothing changes: {}", unchanged(variation))))
             }
             // A stopped run stops all; what else is wrong is of this variation alone.
             Err(error) => {
                 if progress(Step { stage: "variations", done: index, total: variations.len() }).is_break() {
                     return Err(error);
                 }
-                rows.extend(failed_rows(variation, study, &error));
+                let first = error.problems.first();
+                let reason = first.map_or_else(|| error.to_string(), |problem| problem.message.clone());
+                rows.extend(rows_without(variation, study, &reason));
             }
         }
     }
+    let mut usual: Vec<&Variation> = variations.iter().filter(|variation| variation.is_usual).collect();
+    usual.dedup_by_key(|variation| variation.key);
+    for Variation { key, .. } in usual.iter().filter(|usual| rows.iter().all(|row| row.parameter != usual.key)) {
+        left_out.push(format!("{key} is not varied: none of its usual values changes anything here"));
+    }
     Ok(Sensitivity { rows, left_out })
+}
+
+/// The study with one value changed, and its result; `None` where the value does not reach the model.
+fn result_of(
+    study: &Study,
+    variation: &Variation,
+    overrides: &Overrides,
+    progress: Progress,
+) -> Result<Option<(Study, StudyResult)>, StudyError> {
+    let varied = varied_study(study, variation, overrides)?;
+    if is_same_model(study, &varied) {
+        return Ok(None);
+    }
+    let result = run(&varied, progress)?;
+    Ok(Some((varied, result)))
 }
 
 fn varied_study(study: &Study, variation: &Variation, overrides: &Overrides) -> Result<Study, StudyError> {
@@ -104,7 +136,19 @@ fn varied_study(study: &Study, variation: &Variation, overrides: &Overrides) -> 
     resolve_with(&toml, study.source.as_deref(), base_dir, &Overrides { seed, ..overrides.clone() })
 }
 
+/// What a value that does not reach the model leaves alone.
+fn unchanged(variation: &Variation) -> &'static str {
+    match variation.table {
+        "building" => "the modes of the building are those of the study as it is",
+        "objects" => "the objects and their cushion are those of the study as it is",
+        _ => "the ground motions are made for the same spectrum from the same seed, or are the same records",
+    }
+}
+
 fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &StudyResult) -> Vec<VariedLevel> {
+    let warnings: Vec<&str> =
+        result.warnings.iter().filter(|warning| !base.warnings.contains(warning)).map(String::as_str).collect();
+    let warnings = (!warnings.is_empty()).then(|| warnings.join("; "));
     let levels = result.levels.iter().zip(&base.levels);
     levels
         .map(|(level, base)| {
@@ -137,16 +181,17 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
                 overturned_objects: Some(overturned_objects),
                 edge_acceleration_g_median,
                 edge_acceleration_g_max,
-                edge_acceleration_ratio: (base_g > 0.0).then(|| varied_g / base_g),
+                edge_acceleration_ratio: (!both.is_empty() && base_g >= LEAST_MEAN_G * both.len() as f64)
+                    .then(|| varied_g / base_g),
                 compared_objects: Some(both.len()),
                 reason: None,
+                warnings: warnings.clone(),
             }
         })
         .collect()
 }
 
-fn failed_rows(variation: &Variation, study: &Study, error: &StudyError) -> Vec<VariedLevel> {
-    let reason = error.problems.first().map_or_else(|| error.to_string(), |problem| problem.message.clone());
+fn rows_without(variation: &Variation, study: &Study, reason: &str) -> Vec<VariedLevel> {
     let row = |level: &crate::study::Level| VariedLevel {
         parameter: variation.key.to_owned(),
         value: variation.value.clone(),
@@ -160,7 +205,8 @@ fn failed_rows(variation: &Variation, study: &Study, error: &StudyError) -> Vec<
         edge_acceleration_g_max: None,
         edge_acceleration_ratio: None,
         compared_objects: None,
-        reason: Some(reason.clone()),
+        reason: Some(reason.to_owned()),
+        warnings: None,
     };
     study.levels.iter().map(row).collect()
 }

@@ -44,6 +44,12 @@ pub(crate) fn load_table(path: &Path) -> Result<Vec<u8>, Problem> {
 pub(crate) fn read_storeys(bytes: &[u8]) -> Result<StoreyTable, Problem> {
     let cells = Cells::read(bytes, STOREYS)?;
     let height = cells.needed(Dimension::Length, "the height of a storey")?;
+    let name = cells.headings.get(height).map_or("", |heading| heading.name.as_str());
+    if name.to_lowercase().contains("elev") {
+        let message = format!("the column \"{}\" is no height of a storey", shorten(name));
+        let hint = "write the height of each storey alone: its elevation less that of the storey below";
+        return Err(wrong(cells.line, message).hint(hint));
+    }
     let mass = cells.needed(Dimension::Mass, "the mass of a floor")?;
     let stiffness = cells.needed(Dimension::Stiffness, "the stiffness of a storey")?;
     let named = |heading: &Heading| {

@@ -199,7 +199,8 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
         .collect();
     let title = match beam.model() {
         Model::Table { .. } => "Modes (shapes as in the table)",
-        Model::Beam { .. } | Model::Shear { .. } => "Modes (shapes are 1 at the roof)",
+        Model::Beam { .. } => "Modes (shapes are 1 at the roof)",
+        Model::Shear { .. } => "Modes (shapes are 1 at the roof, or at their largest where the roof hardly moves)",
     };
     html.push_str(&table(title, &headings, &rows));
     html

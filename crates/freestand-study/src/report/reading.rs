@@ -1,5 +1,6 @@
 //! What the reader must know: the paper beside the results, assumptions, definitions, corrections.
 
+use freestand::building::Model;
 use freestand::code_spectrum::{CodeSpectrum, SiteClass};
 
 use crate::result::{LevelResult, StudyResult};
@@ -101,8 +102,18 @@ pub(super) fn assumptions(study: &Study) -> String {
         "It does not slide, bounce or twist, and meets no wall or neighbour. Warnings say where the friction would not do.",
         "The floor is rigid for the motion; the cushion enters the shock only, as a linear spring without damping.",
         "Only the horizontal motion acts; there is no vertical component.",
-        match study.building {
-            Some(_) => "The building is linear and elastic, uniform over its height, and does not feel the objects.",
+        match study.building.as_ref().map(|building| building.along.model()) {
+            Some(Model::Beam { .. }) => {
+                "The building is linear and elastic, uniform over its height, and does not feel the objects."
+            }
+            Some(Model::Shear { .. }) => {
+                "The building is linear and elastic, its floors are rigid and the whole does not bend; it does not feel the \
+                 objects."
+            }
+            Some(Model::Table { .. }) => {
+                "The building is linear and elastic, with the modes of its table and no others; what these leave out follows \
+                 the ground. It does not feel the objects."
+            }
             None => "The motions of the floors are taken as given.",
         },
         "An impact takes no time; the share of the angular velocity that is left is the restitution r of the inputs, and the \
@@ -187,4 +198,35 @@ pub(super) fn errata() -> String {
     .map(|(place, printed, used)| vec![markup(place.into(), ""), markup(printed.into(), ""), markup(used.into(), "")])
     .collect();
     table("", &[vec![words("Where"), words("Printed"), words("Used here")]], &rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use freestand::building::{Building, Damping, Storey, TableMode};
+
+    use super::*;
+
+    /// Only the beam is uniform over its height.
+    #[test]
+    fn the_building_is_called_what_it_is() {
+        let mut study = crate::fixture::study();
+        assert!(assumptions(&study).contains("uniform over its height"));
+        let damping = Damping::Uniform(0.05);
+        let storey = Storey { mass_kg: 1e5, stiffness_n_m: 1e8, height_m: 3.0 };
+        let mode = TableMode {
+            period_s: 1.0,
+            damping_ratio: None,
+            participation_ratio: 1.0,
+            effective_mass_ratio: None,
+            shape_ratio: vec![1.0],
+        };
+        for (building, said) in [
+            (Building::shear(&[storey; 2], &damping, 2).unwrap(), "its floors are rigid"),
+            (Building::from_modes(&[1.0], &[mode], &damping).unwrap(), "the modes of its table"),
+        ] {
+            study.building.as_mut().unwrap().along = building;
+            let html = assumptions(&study);
+            assert!(html.contains(said) && !html.contains("uniform over"), "{html}");
+        }
+    }
 }

@@ -24,6 +24,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
         figure("ratio"),
         figure("of objects"),
         words(""),
+        words("Warnings that it has besides"),
     ]];
     for level in &result.levels {
         let name = &level.level.name;
@@ -51,5 +52,6 @@ fn row(row: &VariedLevel) -> Vec<Cell> {
         value(row.edge_acceleration_ratio, 2),
         figure(row.compared_objects.map_or_else(dash, |n| n.to_string())),
         words(row.reason.as_deref().unwrap_or("")),
+        words(row.warnings.as_deref().unwrap_or("")),
     ]
 }

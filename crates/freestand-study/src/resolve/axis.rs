@@ -44,6 +44,10 @@ impl Resolver<'_> {
         // Tried whatever became of the first, so that what is wrong with either is said at once.
         let across = written.across.as_ref();
         let second = across.map(|across| self.axis(&inherited(&across.value, &along), stated, before));
+        self.check_damping_counts(&along, first.as_ref());
+        if let (Some(across), Some(second)) = (across, &second) {
+            self.check_damping_counts(&across.value, second.as_ref());
+        }
         let (first, period_note) = first?;
         let uniform = first.height_m.is_none();
         let second = match second {
@@ -60,7 +64,11 @@ impl Resolver<'_> {
         }
         let (second, across_note) = second.unzip();
         let mut tables = Vec::from_iter(first.table.clone().map(|table| (false, table)));
-        tables.extend(second.as_ref().and_then(|axis| axis.table.clone()).map(|table| (true, table)));
+        // A table that the second axis only inherits is that of the first.
+        let names_its_own =
+            across.is_some_and(|axis| axis.value.storey_table.is_some() || axis.value.mode_table.is_some());
+        let own = second.as_ref().and_then(|axis| axis.table.clone()).filter(|_| names_its_own);
+        tables.extend(own.map(|table| (true, table)));
         self.warnings.extend(first.warnings);
         self.warnings.extend(second.iter().flat_map(|axis| axis.warnings.clone()));
         Some(BuildingInput {
@@ -94,6 +102,27 @@ impl Resolver<'_> {
         {
             let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
             self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
+        }
+    }
+
+    /// Notes damping that no mode would have, since the table says that of each.
+    fn check_damping_counts(&mut self, written: &AxisOptions, axis: Option<&(Axis, String)>) {
+        if !axis.is_some_and(|(axis, _)| axis.table.as_ref().is_some_and(|table| table.states_damping)) {
+            return;
+        }
+        let keys = [
+            ("damping", written.damping.as_ref().map(|w| w.line)),
+            ("rayleigh_modes", written.rayleigh_modes.as_ref().map(|w| w.line)),
+        ];
+        for (key, line) in keys {
+            if line.is_some() {
+                let message = format!("{key} is not used: every mode of the table has its own damping");
+                self.note(
+                    line,
+                    message,
+                    format!("leave {key} out, or empty the cells of the modes that it is meant for"),
+                );
+            }
         }
     }
 

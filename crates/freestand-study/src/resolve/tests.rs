@@ -402,6 +402,36 @@ fn in_folder(building: &str) -> Result<Study, StudyError> {
     resolve(building, Some(Path::new("s.toml")), folder.path())
 }
 
+/// Damping that no mode would have is refused where it is written, and not where it is only inherited.
+#[test]
+fn damping_beside_a_table_that_has_its_own_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("own.csv"), MODES.replace("-0.3,,", "-0.3,4,")).unwrap();
+    std::fs::write(folder.path().join("some.csv"), MODES).unwrap();
+    let said = |building: &str| match resolve(&format!("[building]\n{building}"), None, folder.path()) {
+        Ok(study) => Ok(study.building.unwrap()),
+        Err(error) => Err(error.problems.iter().map(ToString::to_string).collect::<Vec<_>>()),
+    };
+    let unused =
+        |key: &str, line: usize| format!("line {line}: {key} is not used: every mode of the table has its own damping");
+    let both = said("mode_table = \"own.csv\"\ndamping = 0.05\nrayleigh_modes = [1, 2]\n").unwrap_err();
+    assert_eq!(both, [unused("damping", 3), unused("rayleigh_modes", 4)]);
+    let across = said("mode_table = \"some.csv\"\nacross = { mode_table = \"own.csv\", damping = 0.03 }\n");
+    assert_eq!(across.unwrap_err(), [unused("damping", 3)]);
+    assert!(said("mode_table = \"own.csv\"\n").is_ok());
+    let inherited = said("mode_table = \"some.csv\"\ndamping = 0.03\nacross = { mode_table = \"own.csv\" }\n").unwrap();
+    assert_eq!(inherited.along.modes()[1].damping_ratio(), 0.03);
+    assert_eq!(inherited.across.unwrap().modes()[1].damping_ratio(), 0.04);
+}
+
+/// The study of the outputs names every table where it lies, though both axes read one.
+#[test]
+fn one_table_of_both_axes_is_a_table_of_each_that_names_it() {
+    let of = |building: &str| in_folder(building).unwrap().building.unwrap().tables.len();
+    assert_eq!(of("[building]\nmode_table = \"modes.csv\"\nacross = { mode_table = \"modes.csv\" }\n"), 2);
+    assert_eq!(of("[building]\nmode_table = \"modes.csv\"\nacross = { damping = 0.02 }\n"), 1);
+}
+
 #[test]
 fn buildings_come_from_tables_on_either_axis() {
     let text = "[building]\nstorey_table = \"tower.csv\"\ndamping = 0.03\nrayleigh_modes = [1, 2]\n\

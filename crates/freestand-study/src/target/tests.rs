@@ -1,3 +1,4 @@
+use super::words::CODES;
 use super::*;
 use crate::cushion::KeyStyle;
 
@@ -231,4 +232,21 @@ fn files_that_are_no_spectrum_for_5_per_cent() {
     let got = problems(KeyStyle::Flag, &[("spectrum", "gone.csv"), ("beyond", "holt"), ("interpolation", "cubic")]);
     assert_eq!(got.len(), 3, "{got:?}");
     assert!(got[1].contains("did you mean hold?"), "{got:?}");
+}
+
+/// A word that is forgotten in one of the lists would be refused, or read and never looked at.
+#[test]
+fn the_lists_of_words_agree() {
+    let mut of_codes: Vec<&str> = CODES.iter().flat_map(|(_, code)| code.keys()).copied().chain(["code"]).collect();
+    of_codes.sort_unstable();
+    of_codes.dedup();
+    let mut known = TARGET_KEYS.to_vec();
+    known.sort_unstable();
+    assert_eq!(of_codes, known);
+    // A study reads each of them as a word of the spectrum.
+    for key in TARGET_KEYS {
+        let (options, problems) = crate::options::parse(&format!("[ground]\n{key} = \"1\"\n"), None);
+        let read: Vec<&str> = options.ground.target.iter().map(|(key, _)| *key).collect();
+        assert_eq!((read, problems), (vec![key], Vec::new()));
+    }
 }

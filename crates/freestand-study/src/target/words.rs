@@ -36,7 +36,7 @@ pub const TARGET_KEYS: [&str; 22] = [
 ];
 
 /// The codes by the names that people give them, in lower case and without spaces, `-` and `_`; the first is ours.
-const CODES: [(&[&str], Code); 5] = [
+pub(super) const CODES: [(&[&str], Code); 5] = [
     (&["as1170.4", "as1170"], Code::As1170_4),
     (&["eurocode8", "ec8", "en1998", "en19981"], Code::Eurocode8),
     (&["asce7", "asce"], Code::Asce7),
@@ -69,7 +69,7 @@ impl Code {
     }
 
     /// The words that it takes, beside `code`.
-    fn keys(self) -> &'static [&'static str] {
+    pub(super) fn keys(self) -> &'static [&'static str] {
         match self {
             Self::As1170_4 => &["edition", "site", "city", "hazard_factor", "return_period_years"],
             Self::Eurocode8 => &[

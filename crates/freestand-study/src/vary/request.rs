@@ -1,10 +1,12 @@
 //! Which values are tried.
 
+use freestand::building::Model;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SiteClass, SubsoilClass};
 
 use crate::error::{Problem, ProblemKind};
 use crate::options::nearest;
 use crate::quantity::shorten;
+use crate::resolve::Overrides;
 use crate::study::{Ground, Study};
 use crate::words::number;
 
@@ -67,6 +69,8 @@ pub struct Variation {
     pub value: String,
     /// Keys that go.
     pub in_place_of: &'static [&'static str],
+    /// Nobody named the value.
+    pub is_usual: bool,
 }
 
 impl Variation {
@@ -121,15 +125,16 @@ pub fn parse_wish(text: &str) -> Result<Wish, Problem> {
     Ok(Wish { key, values })
 }
 
-/// The variations that are wished, and what does not apply to this study.
-pub fn variations(study: &Study, wishes: &[Wish]) -> (Vec<Variation>, Vec<String>) {
+/// The variations that are wished, and what does not apply to this study under these overrides.
+pub fn variations(study: &Study, wishes: &[Wish], overrides: &Overrides) -> (Vec<Variation>, Vec<String>) {
     let (mut variations, mut left_out) = (Vec::new(), Vec::new());
     for Wish { key, values } in wishes {
-        if let Some(reason) = inapplicable(study, key) {
+        if let Some(reason) = inapplicable(study, key, overrides) {
             left_out.push(format!("{} is not varied: {reason}", key.name));
             continue;
         }
-        let values = if values.is_empty() { usual_values(study, key.name) } else { values.clone() };
+        let is_usual = values.is_empty();
+        let values = if is_usual { usual_values(study, key.name) } else { values.clone() };
         if values.is_empty() {
             left_out.push(format!(
                 "{} is not varied: it has no usual values here; name them, as in \"{} = …\"",
@@ -141,23 +146,32 @@ pub fn variations(study: &Study, wishes: &[Wish]) -> (Vec<Variation>, Vec<String
             key: key.name,
             value,
             in_place_of: key.in_place_of,
+            is_usual,
         }));
     }
     (variations, left_out)
 }
 
-fn inapplicable(study: &Study, key: &Key) -> Option<&'static str> {
+fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'static str> {
     let is_synthetic = matches!(study.ground, Ground::Synthetic(_));
     match (key.table, key.name) {
+        ("ground", _) if overrides.motions.is_some() => {
+            Some("the motions of the command line stand in place of [ground], which is not looked at")
+        }
         ("ground", "scale") if is_synthetic => Some("synthetic motions follow their target"),
         ("ground", "scale") => None,
         ("ground", _) if !is_synthetic => Some("the motions are read from files"),
         ("building", name) => match &study.building {
             None => Some("the motions of the floors are given"),
-            Some(input) if input.along.shear_flexure_ratio().is_none() && name != "damping" => {
-                Some("the building comes from a table")
-            }
-            Some(_) => None,
+            Some(input) => match (input.along.model(), name) {
+                (_, "damping") => input
+                    .tables
+                    .iter()
+                    .any(|(across, table)| !across && table.states_damping)
+                    .then_some("every mode of the table has its own"),
+                (Model::Beam { .. }, _) | (Model::Shear { .. }, "modes") => None,
+                (Model::Shear { .. } | Model::Table { .. }, _) => Some("the building comes from a table"),
+            },
         },
         _ => None,
     }
