@@ -7,13 +7,14 @@ use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::signal::rotate::{Pair, directional_spectrum};
-use freestand::synthesis::{SynthesisOptions, synthesize};
+use freestand::synthesis::{Misfit, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{FloorProfile, GroundMotion, HorizontalMotion, PseudoSpectrum};
-use crate::study::{BuildingInput, Ground, RecordedMotion, Study, synthetic_name};
+use crate::simulated::simulator;
+use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, synthetic_name};
 
 /// Asks before each motion whether to `go_on`: a thousand of them take minutes.
 pub(super) fn ground_motions(
@@ -36,11 +37,39 @@ pub(super) fn ground_motions(
                 finish(synthetic_name(i), motion, Some(matched.misfit))
             })
             .collect(),
-        Ground::Recorded(records) => {
-            records.par_iter().map(|record| finish(record.name.clone(), as_used(record), None)).collect()
-        }
+        Ground::Simulated(simulated) => simulated_motions(simulated, &go_on, finish),
+        Ground::Recorded(records) => records
+            .par_iter()
+            .map(|record| {
+                let misfit = record.matched.as_ref().map(|matched| matched.misfit);
+                finish(record.name.clone(), as_used(record), misfit)
+            })
+            .collect(),
         Ground::OnFloors => Ok(Vec::new()),
     }
+}
+
+/// Earthquake by earthquake, each motion from the streams of random numbers that `motion simulate` takes.
+fn simulated_motions(
+    simulated: &SimulatedGround,
+    go_on: impl Fn() -> Result<(), StudyError> + Sync,
+    finish: impl Fn(String, HorizontalMotion, Option<Misfit>) -> Result<GroundMotion, StudyError> + Sync,
+) -> Result<Vec<GroundMotion>, StudyError> {
+    let wrong = "a simulated motion";
+    let mut motions = Vec::new();
+    for found in &simulated.earthquakes {
+        let simulator = simulator(&simulated.request, found).map_err(failed(wrong))?;
+        let made: Vec<GroundMotion> = (0..simulated.request.count)
+            .into_par_iter()
+            .map(|index| {
+                go_on()?;
+                let along = simulator.motion(simulated.request.seed, index).map_err(failed(wrong))?;
+                finish(found.motion_name(index), HorizontalMotion { along, across: None }, None)
+            })
+            .collect::<Result<_, StudyError>>()?;
+        motions.extend(made);
+    }
+    Ok(motions)
 }
 
 fn as_used(record: &RecordedMotion) -> HorizontalMotion {
@@ -125,7 +154,7 @@ pub(super) fn floor_profile(
         .collect::<Vec<Result<_, StudyError>>>()
         .into_iter()
         .collect::<Result<Vec<Vec<f64>>, _>>()?;
-    let code = code_spectrum(&study.ground);
+    let code = study.ground.code_spectrum().map(|target| &target.spectrum);
     let part = |code: &CodeSpectrum, level_ratio: f64| {
         let building_period_s = Some(building.along.period_s());
         let question = PartsQuestion { level_ratio, building_height_m: building.height_m, building_period_s };
@@ -134,14 +163,6 @@ pub(super) fn floor_profile(
     let code_g =
         code.and_then(|code| levels_ratio.iter().map(|&level| part(code, level)).collect::<Option<Vec<f64>>>());
     Ok(Some(FloorProfile { code_clause: code.and_then(clause), levels_ratio, pfa_g, code_g }))
-}
-
-/// The spectrum that the motions are made for.
-fn code_spectrum(ground: &Ground) -> Option<&CodeSpectrum> {
-    match ground {
-        Ground::Synthetic(synthetic) => Some(&synthetic.target.spectrum),
-        Ground::Recorded(_) | Ground::OnFloors => None,
-    }
 }
 
 /// The motions of every level under one ground motion.
