@@ -97,6 +97,7 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
         station_xml: vec![InputFile { path: "stations/<c>.xml".into(), sha256: "ef".repeat(32) }],
         scale_target: Some(InputFile { path: "targets/<b>.csv".into(), sha256: "cd".repeat(32) }),
         processing: vec!["multiplied by 1.25".to_owned()],
+        matched: None,
         motion: g.motion.along.clone(),
         across: None,
     });

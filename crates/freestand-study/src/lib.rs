@@ -13,6 +13,7 @@ pub mod floor;
 pub mod input;
 pub mod inspect;
 pub mod law;
+pub mod matched;
 mod options;
 pub mod output;
 pub mod outputs;

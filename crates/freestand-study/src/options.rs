@@ -8,6 +8,7 @@ mod cushion;
 mod ground;
 mod objects;
 mod outputs;
+mod point_source;
 mod processing;
 mod reader;
 mod target;
@@ -28,6 +29,7 @@ pub(crate) use cushion::CushionOptions;
 pub(crate) use ground::{ComponentsOption, GroundOptions};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};
 pub(crate) use outputs::{HistoryOptions, OutputsOptions};
+pub(crate) use point_source::PointSourceOptions;
 pub(crate) use processing::ProcessingOptions;
 pub(crate) use reader::nearest;
 

@@ -107,6 +107,7 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
             let seeded = with_seed(&toml, synthetic.seed)?;
             if synthetic.target.table_csv.is_some() { with_spectrum(&seeded, TARGET_NAME) } else { Ok(seeded) }
         }
+        Ground::Simulated(simulated) => with_seed(&toml, simulated.request.seed),
         Ground::Recorded(_) => {
             let files: Vec<String> = names.iter().map(|name| ground_name(name)).collect();
             let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));

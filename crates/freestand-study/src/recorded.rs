@@ -127,6 +127,7 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
         station_xml: file.station_xml(),
         scale_target,
         processing: processed.steps,
+        matched: None,
         motion: processed.motion,
         across,
     };

@@ -8,6 +8,7 @@ mod objects;
 mod outputs;
 mod processing;
 mod recorded;
+mod simulated;
 
 use std::fs::File;
 use std::io::Read;
@@ -226,7 +227,7 @@ pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
     let recorded: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
     let target = match &study.ground {
         Ground::Synthetic(synthetic) => synthetic.target.file.as_ref(),
-        Ground::Recorded(_) | Ground::OnFloors => None,
+        Ground::Simulated(_) | Ground::Recorded(_) | Ground::OnFloors => None,
     };
     let others = recorded.iter().flat_map(|motion| motion.other_inputs()).chain(target).map(|file| &file.path);
     let tables = study.building.iter().flat_map(|building| &building.tables).map(|(_, table)| &table.file.path);

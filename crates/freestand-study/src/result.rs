@@ -43,7 +43,7 @@ pub struct GroundMotion {
     pub motion: HorizontalMotion,
     /// Its 5 % spectrum.
     pub spectrum: PseudoSpectrum,
-    /// How well it meets its target, for synthetic motions.
+    /// How well it meets its target, where it was made for or matched to one.
     pub misfit: Option<Misfit>,
 }
 

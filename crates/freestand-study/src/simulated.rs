@@ -1,5 +1,7 @@
 //! Motions of stochastic point sources: request → report.
 
+mod words;
+
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{SiteClass, hazard_factor, minimum_kpz, probability_factor};
 use freestand::measures::measures;
@@ -14,6 +16,17 @@ use serde::Serialize;
 use crate::error::{Problem, ProblemKind};
 use crate::tables::columns_csv;
 use crate::words::number;
+
+pub use words::{SOURCE_KEYS, SourceInput, SourceWords};
+
+/// What is wrong, and with which of [`SOURCE_KEYS`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct SourceProblem {
+    /// The key; `None` where it is several or none.
+    pub key: Option<&'static str>,
+    /// What is wrong.
+    pub problem: Problem,
+}
 
 /// What is changed in a preset; `None` leaves it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -44,10 +57,8 @@ pub enum Earthquakes {
     },
     /// Those whose mean spectrum meets the rock spectrum of AS 1170.4 over T = 0.5 to 1 s.
     Pairs {
-        /// A place of the code's table.
-        city: String,
-        /// Return period.
-        return_period_years: u32,
+        /// kp·Z of the code, with its minimum \[g\].
+        kpz_g: f64,
         /// Magnitudes; empty: 5.5, 6, 6.5 and 7.
         magnitudes: Vec<f64>,
     },
@@ -76,7 +87,7 @@ pub struct SimulatedRequest {
 #[derive(Debug, Clone, Serialize)]
 pub struct SimulatedReport {
     preset: &'static str,
-    parameters: Parameters,
+    parameters: SourceParameters,
     site: &'static str,
     kpz_g: Option<f64>,
     seed: u64,
@@ -91,7 +102,7 @@ pub struct SimulatedReport {
 
 /// The parameters that all earthquakes of a report share.
 #[derive(Debug, Clone, Serialize)]
-struct Parameters {
+pub struct SourceParameters {
     stress_drop_pa: f64,
     density_kg_m3: f64,
     shear_velocity_m_s: f64,
@@ -160,49 +171,117 @@ pub struct SimulatedMotion {
 /// Frequencies of `fourier_amplitude.csv`: 0.05 to 50 Hz.
 const FOURIER_POINTS: usize = 151;
 
-/// Simulates.
+/// An earthquake of a request, with its distance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FoundEarthquake {
+    /// Source and path.
+    pub source: PointSource,
+    /// Geometric mean of PSA over the code's on rock, T = 0.5 to 1 s, where the distance was searched for.
+    pub mean_ratio_to_rock_spectrum: Option<f64>,
+}
+
+impl FoundEarthquake {
+    /// The name of a motion, counted from 0: `m6.0-30km-01`.
+    pub fn motion_name(&self, index: u64) -> String {
+        format!("m{:.1}-{:.0}km-{:02}", self.source.magnitude, self.source.distance_m / 1000.0, index + 1)
+    }
+
+    /// f₀, or f_a and f_b \[Hz\].
+    pub fn corner_frequencies_hz(&self) -> Vec<f64> {
+        match self.source.corners() {
+            Corners::Single { corner_hz } => vec![corner_hz],
+            Corners::Two { lower_hz, upper_hz, .. } => vec![lower_hz, upper_hz],
+        }
+    }
+}
+
+/// The earthquakes of a request; the distances that meet a code's spectrum are looked for, which takes as many motions as
+/// are asked for, and some more times.
 ///
 /// # Errors
-/// A city or return period that the code does not have, parameters out of range, a magnitude that meets the spectrum at
-/// no distance from 2 to 300 km.
-pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> {
-    let wrong = |error: SynthesisError| {
-        Problem::new(ProblemKind::Value, error.to_string())
-            .hint("give another value; `freestand motion simulate --help` lists the flags")
-    };
+/// Parameters out of range, a magnitude that meets the spectrum at no distance from 2 to 300 km.
+pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquake>, SourceProblem> {
     let source = |magnitude, distance_m| changed(request.preset.source(magnitude, distance_m), &request.changes);
-    let (kpz_g, found) = match &request.earthquakes {
-        Earthquakes::One { magnitude, distance_m } => (None, vec![(source(*magnitude, *distance_m), None)]),
-        Earthquakes::Pairs { city, return_period_years, magnitudes } => {
-            let kpz_g = kpz_g(city, *return_period_years)?;
+    let found = match &request.earthquakes {
+        Earthquakes::One { magnitude, distance_m } => {
+            vec![FoundEarthquake { source: source(*magnitude, *distance_m), mean_ratio_to_rock_spectrum: None }]
+        }
+        Earthquakes::Pairs { kpz_g, magnitudes } => {
             let all = if magnitudes.is_empty() { &PAIR_MAGNITUDES[..] } else { magnitudes };
             let mut found = Vec::new();
             for &magnitude in all {
                 let rock = |period_s| kpz_g * SiteClass::Be.shape_factor_ratio(period_s);
                 let pair = distance_for_target(|r_m| source(magnitude, r_m), rock, request.seed, request.count);
-                let pair = pair.map_err(wrong)?.ok_or_else(|| no_distance(magnitude, kpz_g))?;
-                found.push((source(magnitude, pair.distance_m), Some(pair.mean_ratio)));
+                let pair = pair.map_err(source_problem)?.ok_or_else(|| no_distance(magnitude, *kpz_g))?;
+                let mean_ratio_to_rock_spectrum = Some(pair.mean_ratio);
+                found.push(FoundEarthquake { source: source(magnitude, pair.distance_m), mean_ratio_to_rock_spectrum });
             }
-            (Some(kpz_g), found)
+            found
         }
+    };
+    // What is out of its range is said before anything is run.
+    found.iter().try_for_each(|one| simulator(request, one).map(|_| ())).map_err(source_problem)?;
+    Ok(found)
+}
+
+/// Makes the motions of one of the earthquakes, those of the request's site.
+///
+/// # Errors
+/// Parameters out of range.
+pub fn simulator(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<Simulator, SynthesisError> {
+    let (site, rock) = (request.site, SiteClass::Be);
+    let site_ratio = |period_s: f64| site.shape_factor_ratio(period_s) / rock.shape_factor_ratio(period_s);
+    Simulator::new(&found.source, site_ratio, &request.options)
+}
+
+/// Simulates.
+///
+/// # Errors
+/// As [`find_earthquakes`].
+pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> {
+    let found = find_earthquakes(request).map_err(|fault| fault.problem)?;
+    let kpz_g = match request.earthquakes {
+        Earthquakes::One { .. } => None,
+        Earthquakes::Pairs { kpz_g, .. } => Some(kpz_g),
     };
     let earthquakes = found
         .iter()
-        .map(|(source, ratio)| earthquake(request, source, *ratio))
+        .map(|found| earthquake(request, found))
         .collect::<Result<Vec<_>, SynthesisError>>()
-        .map_err(wrong)?;
+        .map_err(|error| source_problem(error).problem)?;
     Ok(SimulatedReport {
         preset: request.preset.name(),
-        parameters: parameters(&source(6.0, 30e3)),
+        parameters: request.parameters(),
         site: request.site.name(),
         kpz_g,
         seed: request.seed,
         generator: GENERATOR,
         dt_s: request.options.dt_s,
         low_cut_hz: request.options.low_cut_hz,
-        assumptions: assumptions(request),
+        assumptions: request.assumptions(),
         earthquakes,
     })
+}
+
+/// A parameter out of its range is the fault of the word that gave it.
+fn source_problem(error: SynthesisError) -> SourceProblem {
+    let key = match &error {
+        SynthesisError::Option { name, .. } => {
+            let fields = [
+                ("magnitude", "magnitude"),
+                ("distance_m", "distance"),
+                ("stress_drop_pa", "stress_drop"),
+                ("kappa_s", "kappa"),
+                ("dt_s", "time_step"),
+                ("low_cut_hz", "low_cut"),
+            ];
+            fields.iter().find(|(field, _)| field == name).map(|(_, key)| *key)
+        }
+        _ => None,
+    };
+    let problem = Problem::new(ProblemKind::Value, error.to_string())
+        .hint("give another value; `freestand motion simulate --help` lists what there is");
+    SourceProblem { key, problem }
 }
 
 fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
@@ -217,8 +296,11 @@ fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
     }
 }
 
-/// kpZ with its minimum.
-fn kpz_g(city: &str, return_period_years: u32) -> Result<f64, Problem> {
+/// kpZ of a place, with its minimum \[g\].
+///
+/// # Errors
+/// A city or a return period that the code does not have.
+pub fn city_kpz_g(city: &str, return_period_years: u32) -> Result<f64, Problem> {
     let z = hazard_factor(city).ok_or_else(|| {
         Problem::new(ProblemKind::Value, format!("AS 1170.4 has no hazard factor for \"{city}\""))
             .hint("name a place of its table, such as Melbourne")
@@ -228,28 +310,24 @@ fn kpz_g(city: &str, return_period_years: u32) -> Result<f64, Problem> {
     Ok((kp * z).max(minimum_kpz(return_period_years).unwrap_or(0.0)))
 }
 
-fn no_distance(magnitude: f64, kpz_g: f64) -> Problem {
+fn no_distance(magnitude: f64, kpz_g: f64) -> SourceProblem {
     let message = format!(
         "earthquakes of magnitude {} meet the rock spectrum of kpZ = {} g at no distance from 2 to 300 km",
         number(magnitude, 3),
         number(kpz_g, 3)
     );
-    Problem::new(ProblemKind::Value, message).hint("give another magnitude or return period, or a --distance")
+    let hint = "give another magnitude or return period, or a distance";
+    SourceProblem { key: Some("magnitude"), problem: Problem::new(ProblemKind::Value, message).hint(hint) }
 }
 
-fn earthquake(
-    request: &SimulatedRequest,
-    source: &PointSource,
-    mean_ratio_to_rock_spectrum: Option<f64>,
-) -> Result<Earthquake, SynthesisError> {
-    let (site, rock) = (request.site, SiteClass::Be);
-    let site_ratio = |period_s: f64| site.shape_factor_ratio(period_s) / rock.shape_factor_ratio(period_s);
-    let simulator = Simulator::new(source, site_ratio, &request.options)?;
+fn earthquake(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<Earthquake, SynthesisError> {
+    let source = &found.source;
+    let simulator = simulator(request, found)?;
     let motions = (0..request.count).into_par_iter().map(|index| {
         let motion = simulator.motion(request.seed, index)?;
         let m = measures(&motion);
         Ok(SimulatedMotion {
-            name: motion_name(source, index),
+            name: found.motion_name(index),
             path: None,
             npts: motion.accel_m_s2().len(),
             pga_g: m.pga_m_s2 / G0_M_S2,
@@ -266,12 +344,9 @@ fn earthquake(
     Ok(Earthquake {
         magnitude: source.magnitude,
         distance_m: source.distance_m,
-        mean_ratio_to_rock_spectrum,
+        mean_ratio_to_rock_spectrum: found.mean_ratio_to_rock_spectrum,
         moment_n_m: source.moment_n_m(),
-        corner_frequencies_hz: match source.corners() {
-            Corners::Single { corner_hz } => vec![corner_hz],
-            Corners::Two { lower_hz, upper_hz, .. } => vec![lower_hz, upper_hz],
-        },
+        corner_frequencies_hz: found.corner_frequencies_hz(),
         duration_s: source.duration_s(),
         pad_s: simulator.pad_s(),
         motions: motions.collect::<Result<_, SynthesisError>>()?,
@@ -279,17 +354,12 @@ fn earthquake(
     })
 }
 
-/// `m6.0-30km-01`, counted from 0.
-fn motion_name(source: &PointSource, index: u64) -> String {
-    format!("m{:.1}-{:.0}km-{:02}", source.magnitude, source.distance_m / 1000.0, index + 1)
-}
-
-fn parameters(source: &PointSource) -> Parameters {
+fn parameters(source: &PointSource) -> SourceParameters {
     let (kappa_s, maximum_frequency_hz) = match source.high_cut {
         HighCut::Kappa { kappa_s } => (Some(kappa_s), None),
         HighCut::MaximumFrequency { frequency_hz } => (None, Some(frequency_hz)),
     };
-    Parameters {
+    SourceParameters {
         stress_drop_pa: source.stress_drop_pa,
         density_kg_m3: source.density_kg_m3,
         shear_velocity_m_s: source.shear_velocity_m_s,
@@ -319,26 +389,67 @@ fn parameters(source: &PointSource) -> Parameters {
     }
 }
 
-fn assumptions(request: &SimulatedRequest) -> Vec<String> {
-    let mut said = vec![match request.preset {
-        Preset::Victoria => "Victoria: 200 bar and trilinear spreading are those of eastern North America, Q that of Wilkie and Gibson, κ0 = 0.025 s a common value for rock; none was fitted to the site".to_owned(),
-        Preset::IntraplateHardRock => "intraplate: f_max = 50 Hz is from memory of Atkinson and Boore (1995)".to_owned(),
-        Preset::SouthEastAustralia => "se-australia: κ0 = 0.006 s is from memory of Allen (2012), and the Melbourne profile is not part of that model; 23 MPa is for sources above 10 km depth".to_owned(),
-    }];
-    if request.site != SiteClass::Be {
-        said.push(format!(
-            "site {}: Fourier amplitudes of rock times the ratio of the code's spectra {}/Be at T = 1/f; no soil column was followed",
-            request.site.name(),
-            request.site.name()
-        ));
+impl SourceParameters {
+    /// What a report says of them.
+    pub(crate) fn one_line(&self) -> String {
+        let near_the_surface = match (self.kappa_s, self.maximum_frequency_hz) {
+            (Some(kappa_s), _) => format!("κ0 = {} s", number(kappa_s, 4)),
+            (None, Some(frequency_hz)) => format!("f_max = {} Hz", number(frequency_hz, 4)),
+            (None, None) => "no loss near the surface".to_owned(),
+        };
+        let crust = match self.vs30_m_s {
+            Some(vs30_m_s) => format!("crust with V_S30 = {} m/s", number(vs30_m_s, 3)),
+            None => "no amplification by the crust".to_owned(),
+        };
+        let spreading: Vec<String> = self
+            .spreading
+            .iter()
+            // 0 less the exponent, so that no spreading is R^0 and not R^-0.
+            .map(|piece| format!("R^{} from {} km", 0.0 - piece.exponent_ratio, number(piece.from_distance_m / 1e3, 3)))
+            .collect();
+        format!(
+            "{} spectrum, {} MPa, {} kg/m³, {} m/s; {}; Q = {}; {near_the_surface}; {crust}; path duration {}; window {}",
+            self.source_spectrum,
+            number(self.stress_drop_pa / 1e6, 4),
+            number(self.density_kg_m3, 4),
+            number(self.shear_velocity_m_s, 4),
+            spreading.join(", "),
+            self.quality,
+            self.path_duration,
+            self.window
+        )
     }
-    if matches!(request.earthquakes, Earthquakes::Pairs { .. }) {
-        said.push(format!(
-            "distances are those at which the geometric mean of {} motions meets the code's rock spectrum over T = 0.5 to 1 s; the hazard was not deaggregated",
-            request.count
-        ));
+}
+
+impl SimulatedRequest {
+    /// The parameters that all its earthquakes share.
+    pub fn parameters(&self) -> SourceParameters {
+        // Neither depends on the magnitude or the distance.
+        parameters(&changed(self.preset.source(6.0, 30e3), &self.changes))
     }
-    said
+
+    /// What is assumed, in sentences.
+    pub fn assumptions(&self) -> Vec<String> {
+        let mut said = vec![match self.preset {
+            Preset::Victoria => "Victoria: 200 bar and trilinear spreading are those of eastern North America, Q that of Wilkie and Gibson, κ0 = 0.025 s a common value for rock; none was fitted to the site".to_owned(),
+            Preset::IntraplateHardRock => "intraplate: f_max = 50 Hz is from memory of Atkinson and Boore (1995)".to_owned(),
+            Preset::SouthEastAustralia => "se-australia: κ0 = 0.006 s is from memory of Allen (2012), and the Melbourne profile is not part of that model; 23 MPa is for sources above 10 km depth".to_owned(),
+        }];
+        if self.site != SiteClass::Be {
+            said.push(format!(
+                "site {}: Fourier amplitudes of rock times the ratio of the code's spectra {}/Be at T = 1/f; no soil column was followed",
+                self.site.name(),
+                self.site.name()
+            ));
+        }
+        if matches!(self.earthquakes, Earthquakes::Pairs { .. }) {
+            said.push(format!(
+                "distances are those at which the geometric mean of {} motions meets the code's rock spectrum over T = 0.5 to 1 s; the hazard was not deaggregated",
+                self.count
+            ));
+        }
+        said
+    }
 }
 
 impl SimulatedReport {

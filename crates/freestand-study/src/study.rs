@@ -8,8 +8,11 @@ use freestand::rocking::{Accuracy, Restitution};
 
 use crate::cushion::{CushionWords, EdgeCushion};
 use crate::input::InputFile;
+use crate::matched::Matched;
 use crate::result::HorizontalMotion;
+use crate::simulated::{FoundEarthquake, SimulatedRequest};
 use crate::target::Target;
+use crate::words::number;
 
 /// Everything that `run` needs, and nothing that it does not.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +43,8 @@ pub struct Study {
 pub enum Ground {
     /// Matched to a code spectrum.
     Synthetic(SyntheticGround),
+    /// Simulated from magnitudes and distances.
+    Simulated(SimulatedGround),
     /// Read from files.
     Recorded(Vec<RecordedMotion>),
     /// Not known: the motions of the floors are given, with the levels.
@@ -52,6 +57,7 @@ impl Ground {
         let names = |motions: &[RecordedMotion]| motions.iter().map(|motion| motion.name.clone()).collect();
         match self {
             Self::Synthetic(synthetic) => (0..synthetic.count).map(synthetic_name).collect(),
+            Self::Simulated(simulated) => simulated.motions().map(|(found, index)| found.motion_name(index)).collect(),
             Self::Recorded(motions) => names(motions),
             // Every level has as many, and those in one place belong together.
             Self::OnFloors => levels.first().map_or_else(Vec::new, |level| names(&level.motions)),
@@ -62,9 +68,35 @@ impl Ground {
     pub fn recorded<'a>(&'a self, levels: &'a [Level]) -> impl Iterator<Item = &'a RecordedMotion> {
         let ground = match self {
             Self::Recorded(motions) => motions.as_slice(),
-            Self::Synthetic(_) | Self::OnFloors => &[],
+            Self::Synthetic(_) | Self::Simulated(_) | Self::OnFloors => &[],
         };
         ground.iter().chain(levels.iter().flat_map(|level| &level.motions))
+    }
+
+    /// The spectrum that the motions are made for, or matched to.
+    pub fn target(&self) -> Option<&Target> {
+        match self {
+            Self::Synthetic(synthetic) => Some(&synthetic.target),
+            Self::Recorded(motions) => motions.iter().find_map(|motion| Some(&motion.matched.as_ref()?.target)),
+            Self::Simulated(_) | Self::OnFloors => None,
+        }
+    }
+
+    /// The spectrum of a code for this ground: the target, or the one whose rock spectrum the simulated earthquakes meet.
+    pub fn code_spectrum(&self) -> Option<&Target> {
+        match self {
+            Self::Simulated(simulated) => simulated.hazard.as_ref(),
+            _ => self.target(),
+        }
+    }
+
+    /// Seed of the random numbers, where there are any.
+    pub fn seed(&self) -> Option<u64> {
+        match self {
+            Self::Synthetic(synthetic) => Some(synthetic.seed),
+            Self::Simulated(simulated) => Some(simulated.request.seed),
+            Self::Recorded(_) | Self::OnFloors => None,
+        }
     }
 
     /// Whether the motions have two horizontal components.
@@ -89,6 +121,39 @@ pub struct SyntheticGround {
     pub seed: u64,
 }
 
+/// Motions of point sources.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SimulatedGround {
+    /// Source, path, site, count and seed.
+    pub request: SimulatedRequest,
+    /// The earthquakes, with their distances.
+    pub earthquakes: Vec<FoundEarthquake>,
+    /// The code's spectrum at the site, where distances were looked for that meet its rock spectrum.
+    pub hazard: Option<Target>,
+}
+
+impl SimulatedGround {
+    /// What the motions are of, for a title: `a simulated earthquake of magnitude 6 at 30 km`.
+    pub fn title_words(&self) -> String {
+        let each = |found: &FoundEarthquake| {
+            let (magnitude, km) = (number(found.source.magnitude, 3), number(found.source.distance_m / 1e3, 2));
+            format!("magnitude {magnitude} at {km} km")
+        };
+        match (&self.hazard, &self.earthquakes[..]) {
+            (Some(code), _) => format!("simulated earthquakes that stand for {}", code.title_words()),
+            (None, [one]) => {
+                format!("a simulated earthquake of {}, site class {}", each(one), self.request.site.name())
+            }
+            (None, _) => "simulated earthquakes".to_owned(),
+        }
+    }
+
+    /// Every motion: its earthquake, and its number among those of the earthquake.
+    pub fn motions(&self) -> impl Iterator<Item = (&FoundEarthquake, u64)> {
+        self.earthquakes.iter().flat_map(|found| (0..self.request.count).map(move |index| (found, index)))
+    }
+}
+
 /// One motion read from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedMotion {
@@ -108,6 +173,8 @@ pub struct RecordedMotion {
     pub scale_target: Option<InputFile>,
     /// What was done to the samples, one step each, in words.
     pub processing: Vec<String>,
+    /// The spectrum that it was matched to, where it was.
+    pub matched: Option<Matched>,
     /// The samples, as used.
     pub motion: Motion,
     /// The second horizontal component, at right angles to the first, where there is one.
@@ -133,7 +200,8 @@ impl RecordedMotion {
     /// The files that were read beside its own.
     pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
         let second = self.across.as_ref().and_then(|second| second.file.as_ref());
-        self.station_xml.iter().chain(&self.scale_target).chain(second)
+        let target = self.matched.as_ref().and_then(|matched| matched.target.file.as_ref());
+        self.station_xml.iter().chain(&self.scale_target).chain(target).chain(second)
     }
 }
 

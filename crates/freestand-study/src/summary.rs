@@ -9,7 +9,7 @@ use crate::cushion::cushion_words;
 use crate::input::{InputFile, sha256_hex};
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::ranked_quantile;
-use crate::study::{BuildingInput, Ground, Level, RecordedMotion, Study};
+use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study};
 use crate::target::Target;
 use freestand::G0_M_S2;
 use freestand::building::Building;
@@ -176,10 +176,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
                 "model": "paper",
             },
         },
-        "seeds": match &study.ground {
-            Ground::Synthetic(synthetic) => json!({"ground": synthetic.seed, "generator": synthesis::GENERATOR}),
-            Ground::Recorded(_) | Ground::OnFloors => Value::Null,
-        },
+        "seeds": study.ground.seed().map(|seed| json!({"ground": seed, "generator": synthesis::GENERATOR})),
         "versions": {"freestand": env!("CARGO_PKG_VERSION")},
         "files": files,
     })
@@ -232,9 +229,43 @@ fn ground_inputs(ground: &Ground) -> Value {
             "count": synthetic.count,
             "seed": synthetic.seed,
         }),
+        Ground::Simulated(simulated) => simulated_inputs(simulated),
         Ground::Recorded(records) => records.iter().map(recorded_input).collect(),
         Ground::OnFloors => Value::Null,
     }
+}
+
+fn simulated_inputs(simulated: &SimulatedGround) -> Value {
+    let SimulatedGround { request, earthquakes, hazard } = simulated;
+    let earthquakes: Vec<Value> = earthquakes
+        .iter()
+        .map(|found| {
+            json!({
+                "magnitude": found.source.magnitude,
+                "distance_m": found.source.distance_m,
+                "mean_ratio_to_rock_spectrum": found.mean_ratio_to_rock_spectrum,
+                "moment_n_m": found.source.moment_n_m(),
+                "corner_frequencies_hz": found.corner_frequencies_hz(),
+                "duration_s": found.source.duration_s(),
+            })
+        })
+        .collect();
+    json!({
+        "preset": request.preset.name(),
+        "parameters": request.parameters(),
+        "earthquakes": earthquakes,
+        "site": request.site.name(),
+        "city": hazard.as_ref().and_then(|target| target.city.clone()),
+        "hazard_factor": hazard.as_ref().and_then(Target::hazard_factor),
+        "return_period_years": hazard.as_ref().and_then(|target| target.spectrum.return_period_years()),
+        "kpz_g": hazard.as_ref().and_then(Target::kpz_g),
+        "dt_s": request.options.dt_s,
+        "low_cut_hz": request.options.low_cut_hz,
+        "assumptions": request.assumptions(),
+        "count": request.count,
+        "seed": request.seed,
+        "generator": synthesis::GENERATOR,
+    })
 }
 
 /// Where the motions of floors are given: the files of each level.
@@ -258,6 +289,14 @@ fn recorded_input(record: &RecordedMotion) -> Value {
         "station_xml": record.station_xml.iter().map(input_file).collect::<Vec<_>>(),
         "scale_target": record.scale_target.as_ref().map(input_file),
         "processing": record.processing,
+        "matched": record.matched.as_ref().map(|matched| json!({
+            "method": matched.method.name(),
+            "target": matched.target.one_line(),
+            "facts": fact_list(&matched.target),
+            "spectrum_file": matched.target.file.as_ref().map(input_file),
+            "correlation_ratio": matched.resemblance.correlation_ratio,
+            "husid_difference_ratio": matched.resemblance.husid_difference_ratio,
+        })),
     })
 }
 

@@ -7,7 +7,8 @@ use freestand_study::building::{damping_words, model_words};
 use freestand_study::cushion::cushion_words;
 use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
-use freestand_study::study::{BuildingInput, Ground, RecordedMotion, Study};
+use freestand_study::simulated::FoundEarthquake;
+use freestand_study::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study};
 use serde::Serialize;
 
 use super::Done;
@@ -100,8 +101,12 @@ fn report(study: &Study) -> CheckReport {
             let text = format!("{} synthetic motions, seed {}, {line}", synthetic.count, synthetic.seed);
             (text, Vec::new())
         }
+        Ground::Simulated(simulated) => (simulated_words(simulated), Vec::new()),
         Ground::Recorded(recorded) => {
-            (format!("{} recorded motions", recorded.len()), recorded.iter().map(motion_report).collect())
+            let matched = recorded.iter().find_map(|one| one.matched.as_ref());
+            let words =
+                matched.map_or_else(String::new, |matched| format!(", matched to {}", matched.target.one_line()));
+            (format!("{} recorded motions{words}", recorded.len()), recorded.iter().map(motion_report).collect())
         }
         Ground::OnFloors => {
             let motions: Vec<MotionReport> = study.ground.recorded(&study.levels).map(motion_report).collect();
@@ -128,6 +133,23 @@ fn report(study: &Study) -> CheckReport {
         cushion_notes: objects.cushion.notes.clone(),
         tolerance_g: objects.tolerance_m_s2.map(|tolerance| tolerance / freestand::G0_M_S2),
     }
+}
+
+/// `10 simulated motions, seed 1, victoria, site Be, M 6 at 30 km`.
+fn simulated_words(simulated: &SimulatedGround) -> String {
+    let request = &simulated.request;
+    let each = |found: &FoundEarthquake| {
+        format!("M {} at {} km", significant(found.source.magnitude, 2), significant(found.source.distance_m / 1e3, 3))
+    };
+    let code = simulated.hazard.as_ref().map_or_else(String::new, |code| format!(", for {}", code.one_line()));
+    format!(
+        "{} simulated motions, seed {}, {}, site {}: {}{code}",
+        simulated.motions().count(),
+        request.seed,
+        request.preset.name(),
+        request.site.name(),
+        simulated.earthquakes.iter().map(each).collect::<Vec<_>>().join(", ")
+    )
 }
 
 fn motion_report(one: &RecordedMotion) -> MotionReport {
@@ -175,6 +197,11 @@ fn text(study: &Study, report: &CheckReport) -> String {
         .collect();
     let source = study.source.as_deref().map_or_else(|| "built-in".to_owned(), |path: &Path| path_text(path));
     let mut rows = vec![("study", format!("{source}: valid")), ("ground", report.ground.clone())];
+    for one in
+        study.ground.recorded(&study.levels).filter_map(|one| one.processing.last().filter(|_| one.matched.is_some()))
+    {
+        rows.push(("", one.clone()));
+    }
     for one in &report.motions {
         rows.push(("", format!("{}: {}, PGA {} g", one.name, one.description, significant(one.pga_g, 4))));
     }

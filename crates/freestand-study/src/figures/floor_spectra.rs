@@ -25,11 +25,8 @@ const TARGET_DASH: &str = "8 6";
 /// Spectra of the ground, with the target where there is one, and of each level.
 pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let ground: Vec<&PseudoSpectrum> = result.ground.iter().map(|g| &g.spectrum).collect();
-    let target = match &study.ground {
-        Ground::Synthetic(synthetic) => Some(&synthetic.target.spectrum),
-        Ground::Recorded(_) | Ground::OnFloors => None,
-    };
-    let target = target.and_then(|code| {
+    let target = study.ground.code_spectrum().and_then(|target| {
+        let code = &target.spectrum;
         let periods = &ground.first()?.periods_s;
         let points = periods.iter().filter(|&&t| t > 0.0).map(|&t| (t, code.sa_g(t)));
         // A table may end before the last period of the picture.
@@ -58,9 +55,13 @@ pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let colour = curve_style(0).colour;
     let words = if n > 1 { "median" } else { "the motion" };
     legend.push(Entry { sign: Sign::Line { colour, width_px: 2.4, dash: None }, words: words.into() });
-    if let Ground::Synthetic(synthetic) = &study.ground {
-        let is_table = matches!(synthetic.target.spectrum, CodeSpectrum::Table(_));
-        let words = if is_table { "target spectrum" } else { "target: code spectrum" };
+    if let Some(target) = study.ground.code_spectrum() {
+        let words = match (&study.ground, &target.spectrum) {
+            // The motions meet it on rock and over some periods only.
+            (Ground::Simulated(_), _) => "code spectrum",
+            (_, CodeSpectrum::Table(_)) => "target spectrum",
+            _ => "target: code spectrum",
+        };
         let sign = Sign::Line { colour: curve_style(1).colour, width_px: 2.0, dash: Some(TARGET_DASH) };
         legend.push(Entry { sign, words: words.into() });
     }

@@ -196,6 +196,11 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<pag
             let words = Words { name: &ground.name, description: &description, processing: &[] };
             record::record(name, words, &ground.motion.along)
         }
+        Ground::Simulated(simulated) => {
+            let description = format!("of {}, seed {}", simulated.title_words(), simulated.request.seed);
+            let words = Words { name: &ground.name, description: &description, processing: &[] };
+            record::record(name, words, &ground.motion.along)
+        }
         Ground::OnFloors => return None,
     };
     Some(page)

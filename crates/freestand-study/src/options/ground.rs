@@ -2,6 +2,7 @@
 
 use toml::de::DeValue;
 
+use super::point_source::{PointSourceOptions, point_source};
 use super::processing::{ProcessingOptions, processing};
 use super::target::{TargetOptions, target};
 use super::{Reader, Section, Written, bare_number};
@@ -15,6 +16,8 @@ pub(crate) struct GroundOptions {
     pub(crate) target: TargetOptions,
     pub(crate) count: Option<Written<u64>>,
     pub(crate) seed: Option<Written<u64>>,
+    pub(crate) point_source: Option<PointSourceOptions>,
+    pub(crate) match_by: Option<Written<String>>,
     pub(crate) motions: Option<Written<Vec<Written<String>>>>,
     pub(crate) unit: Option<Written<String>>,
     pub(crate) dt_s: Option<Written<f64>>,
@@ -35,6 +38,8 @@ pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOpti
         target: target(reader, table),
         count: table.count(reader, "count"),
         seed: table.count(reader, "seed"),
+        point_source: point_source(reader, table),
+        match_by: table.string(reader, "match"),
         motions: table.strings(reader, "motions"),
         unit: table.string(reader, "unit"),
         dt_s: table.quantity(reader, "dt", Dimension::Time),

@@ -2,13 +2,15 @@
 
 use freestand::G0_M_S2;
 use freestand::building::Model;
+use freestand::measures::measures;
 use freestand::synthesis;
 
 use crate::building::{damping_words, model_words};
 use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
-use crate::study::{BuildingInput, Ground, RecordedMotion, Study, SyntheticGround};
+use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, SyntheticGround};
 use crate::summary::{accuracy_words, restitution_words};
+use crate::target::Target;
 use crate::words::{fixed, number, percent};
 
 use super::html::{figure, heading, paragraph, properties, table, words};
@@ -18,8 +20,14 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     let mut html = heading("Ground motions");
     match &study.ground {
         Ground::Synthetic(synthetic) => html.push_str(&synthetic_ground(synthetic, result)),
+        Ground::Simulated(simulated) => html.push_str(&simulated_ground(simulated, result)),
         Ground::Recorded(records) => {
+            if let Some(target) = study.ground.target() {
+                let facts: Vec<_> = target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+                html.push_str(&properties("", &facts));
+            }
             html.push_str(&recorded_motions("Recorded motions, as they are used", &records.iter().collect::<Vec<_>>()));
+            html.push_str(&study.ground.target().map_or_else(String::new, |target| misfits(target, result)));
         }
         Ground::OnFloors => html.push_str(&paragraph("None: the motions of the floors are given.")),
     }
@@ -44,7 +52,11 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
         target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
     facts.push(("Motions", synthetic.count.to_string()));
     facts.push(("Seed", synthetic.seed.to_string()));
-    let mut html = properties("", &facts);
+    properties("", &facts) + &misfits(target, result)
+}
+
+/// How well the motions meet their target.
+fn misfits(target: &Target, result: &StudyResult) -> String {
     let headings = vec![vec![
         words("Motion"),
         figure("rms misfit"),
@@ -74,8 +86,7 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
             ])
         })
         .collect();
-    html.push_str(&table("How well the motions meet their target", &headings, &rows));
-    html.push_str(&paragraph(&format!(
+    let why = paragraph(&format!(
         "Misfit is the spectrum of the motion over the target, less one, at {} periods from {} s to {} s. Why the PGA \
          exceeds the target’s value at zero period (ZPA): the plateau of {} is {} times its ZPA. A motion whose \
          spectrum has such a plateau cannot have so small a peak; the motions are matched from {} s up and their PGA is \
@@ -86,8 +97,68 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
         target.site_words(),
         fixed(target.spectrum.plateau_g() / target.spectrum.sa_g(0.0), 2),
         synthesis::SHORTEST_PERIOD_S,
-    )));
-    html
+    ));
+    table("How well the motions meet their target", &headings, &rows) + &why
+}
+
+fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String {
+    let request = &simulated.request;
+    let mut facts: Vec<(&str, String)> = vec![
+        ("Source", format!("stochastic point source, preset {}", request.preset.name())),
+        ("Source and path", request.parameters().one_line()),
+    ];
+    if let Some(code) = &simulated.hazard {
+        let meets = format!(
+            "the rock spectrum (Be) of {} for kpZ = {} g, T = 0.5 to 1 s, in the mean of {} motions",
+            code.spectrum.name(),
+            number(code.kpz_g().unwrap_or(0.0), 4),
+            request.count
+        );
+        facts.push(("Hazard", code.one_line()));
+        facts.push(("Distances meet", meets));
+    }
+    let site = format!("{}: {}", request.site.name(), request.site.description());
+    let (dt_s, low_cut_hz) = (number(request.options.dt_s, 4), number(request.options.low_cut_hz, 4));
+    facts.extend([
+        ("Site class", site),
+        ("Time step, low cut", format!("{dt_s} s, {low_cut_hz} Hz")),
+        ("Motions of each earthquake", request.count.to_string()),
+        ("Seed", request.seed.to_string()),
+    ]);
+    let headings = vec![vec![
+        words("Motion"),
+        figure("M"),
+        figure("R (km)"),
+        figure("corner (Hz)"),
+        figure("T_d (s)"),
+        figure("PGA (g)"),
+        figure("PGV (m/s)"),
+        figure("D5–95 (s)"),
+    ]];
+    let rows: Vec<_> = simulated
+        .motions()
+        .zip(&result.ground)
+        .map(|((found, _), ground)| {
+            let m = measures(&ground.motion.along);
+            let corners: Vec<String> = found.corner_frequencies_hz().iter().map(|hz| number(*hz, 3)).collect();
+            vec![
+                words(&ground.name),
+                figure(number(found.source.magnitude, 3)),
+                figure(fixed(found.source.distance_m / 1e3, 1)),
+                figure(corners.join(", ")),
+                figure(fixed(found.source.duration_s(), 2)),
+                figure(fixed(m.pga_m_s2 / G0_M_S2, 3)),
+                figure(fixed(m.pgv_m_s, 3)),
+                figure(fixed(m.d5_95_s, 1)),
+            ]
+        })
+        .collect();
+    properties("", &facts)
+        + &table("Simulated motions", &headings, &rows)
+        + &paragraph(
+            "M: moment magnitude; R: distance; corner: of the source spectrum, two where it has two; T_d: duration of the \
+             window.",
+        )
 }
 
 fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {

@@ -13,10 +13,14 @@ use super::provenance::Provenance;
 pub(super) fn title(study: &Study) -> String {
     match &study.ground {
         Ground::Synthetic(synthetic) => format!("Free-standing objects in {}", synthetic.target.title_words()),
+        Ground::Simulated(simulated) => format!("Free-standing objects in {}", simulated.title_words()),
         Ground::Recorded(records) if records.len() == 1 => {
             format!("Free-standing objects under the motion {}", records[0].name)
         }
-        Ground::Recorded(records) => format!("Free-standing objects under {} recorded motions", records.len()),
+        Ground::Recorded(records) => {
+            let matched = if study.ground.target().is_some() { ", matched to a spectrum" } else { "" };
+            format!("Free-standing objects under {} recorded motions{matched}", records.len())
+        }
         Ground::OnFloors => match &study.levels[..] {
             [level] => format!("Free-standing objects on a floor whose motion is given: {}", level.name),
             levels => format!("Free-standing objects on {} floors whose motions are given", levels.len()),
@@ -61,9 +65,14 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
     let objects = &study.objects;
     let histories: usize = levels.iter().map(|level| level.histories).sum();
     let failed: usize = levels.iter().map(|level| level.failed).sum();
+    let is_matched = study.ground.target().is_some();
     let kind = match (&study.ground, result.motions.len()) {
         (Ground::Synthetic(_), 1) => "one synthetic ground motion".to_owned(),
         (Ground::Synthetic(_), n) => format!("{n} synthetic ground motions"),
+        (Ground::Simulated(_), 1) => "one simulated ground motion".to_owned(),
+        (Ground::Simulated(_), n) => format!("{n} simulated ground motions"),
+        (Ground::Recorded(_), 1) if is_matched => "one recorded ground motion, matched to a spectrum".to_owned(),
+        (Ground::Recorded(_), n) if is_matched => format!("{n} recorded ground motions, matched to a spectrum"),
         (Ground::Recorded(_), 1) => "one recorded ground motion".to_owned(),
         (Ground::Recorded(_), n) => format!("{n} recorded ground motions"),
         (Ground::OnFloors, 1) => "one given floor motion".to_owned(),

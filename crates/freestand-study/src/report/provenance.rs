@@ -23,10 +23,8 @@ pub struct Provenance {
 
 /// The provenance of a study that this version runs.
 pub fn provenance(study: &Study) -> Provenance {
-    let (seed, generator) = match &study.ground {
-        Ground::Synthetic(synthetic) => (Some(synthetic.seed), Some(freestand::synthesis::GENERATOR.to_owned())),
-        Ground::Recorded(_) | Ground::OnFloors => (None, None),
-    };
+    let seed = study.ground.seed();
+    let generator = seed.map(|_| freestand::synthesis::GENERATOR.to_owned());
     let name = |path: &std::path::Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
     let records: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
     let mut inputs: Vec<(String, String)> =

@@ -50,7 +50,7 @@ fn is_the_papers_case(study: &Study) -> bool {
             }
             _ => false,
         },
-        Ground::Recorded(_) | Ground::OnFloors => false,
+        Ground::Simulated(_) | Ground::Recorded(_) | Ground::OnFloors => false,
     };
     ground
         && study.building.as_ref().is_some_and(|building| building.storeys == 30)
@@ -120,12 +120,25 @@ pub(super) fn assumptions(study: &Study) -> String {
          landing ratio of the impact model is always that of Eq. (6).",
         "After the motion zeros follow until every object rests or has fallen.",
     ];
-    if let Ground::Synthetic(_) = study.ground {
-        items.push(
+    match &study.ground {
+        Ground::Synthetic(_) => items.push(
             "The ground motions are made, not recorded: noise under a smooth window, matched to the target spectrum. Their \
              spread is that of the phases alone and is smaller than that of real earthquakes.",
-        );
+        ),
+        Ground::Simulated(_) => items.push(
+            "The ground motions are simulated, not recorded: noise under a smooth window with the mean Fourier amplitudes of \
+             a point source; no fault of some length, no pulses, no surface waves. Their spread is that of the phases alone \
+             and is smaller than that of real earthquakes.",
+        ),
+        Ground::Recorded(records) if records.iter().any(|record| record.matched.is_some()) => items.push(
+            "The records were matched to the target spectrum: phases stay, amplitudes do not. Their spread is smaller than \
+             that of real earthquakes.",
+        ),
+        Ground::Recorded(_) | Ground::OnFloors => {}
     }
+    let assumed =
+        if let Ground::Simulated(simulated) = &study.ground { simulated.request.assumptions() } else { vec![] };
+    items.extend(assumed.iter().map(String::as_str));
     list(&items)
 }
 

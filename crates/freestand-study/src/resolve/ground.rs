@@ -1,10 +1,17 @@
 //! `[ground]` as meant.
 
+use freestand::synthesis::{MatchedMotion, Resemblance};
+use rayon::prelude::*;
+
 use super::recorded::reading_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
-use crate::options::GroundOptions;
-use crate::study::{Ground, SyntheticGround};
+use crate::matched::{MatchMethod, Matched, match_record};
+use crate::options::{GroundOptions, Written};
+use crate::quantity::shorten;
+use crate::study::{Ground, RecordedMotion, SyntheticGround};
 use crate::target::{Target, TargetProblem, TargetWords};
+
+const ONE_COMPONENT: &str = "a record is matched by one component";
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -17,15 +24,94 @@ impl Resolver<'_> {
                     self.note(line, format!("{key} goes with motions"), "name the files: motions = [\"record.AT2\"]");
                 }
             }
-            return self.synthetic(written, overrides);
+            if let Some(by) = &written.match_by {
+                let hint = "name the records: motions = [\"record.AT2\"]; without any, motions are made for the target";
+                self.note(Some(by.line), "match goes with motions", hint);
+            }
+            return match &written.point_source {
+                Some(source) => self.simulated(written, source, overrides).map(Ground::Simulated),
+                None => self.synthetic(written, overrides),
+            };
         };
+        if let Some(by) = &written.match_by {
+            return self.matched(written, motions, by).map(Ground::Recorded);
+        }
         for (key, line) in synthetic_keys(written) {
             if let Some(line) = line {
                 let message = format!("{key} and motions exclude each other");
-                self.note(Some(line.max(motions.line)), message, "keep one of them");
+                let hint = match key {
+                    "count" | "seed" | "point_source" => "keep one of them",
+                    _ => "keep one of them, or bring the records to the spectrum with match = \"wavelet\"",
+                };
+                self.note(Some(line.max(motions.line)), message, hint);
             }
         }
         self.motions(written, motions, &written.across).map(Ground::Recorded)
+    }
+
+    /// Records, each brought to the target.
+    fn matched(
+        &mut self,
+        written: &GroundOptions,
+        motions: &Written<Vec<Written<String>>>,
+        by: &Written<String>,
+    ) -> Option<Vec<RecordedMotion>> {
+        let before = self.problems.len();
+        let method = MatchMethod::parse(&by.value);
+        if method.is_none() {
+            let message = format!("match \"{}\" is not known", shorten(&by.value));
+            self.note(Some(by.line), message, "wavelet or fft");
+        }
+        self.match_problems(written, by);
+        let target = self.target(written);
+        if self.problems.len() > before {
+            return None;
+        }
+        let (method, target) = (method?, target?);
+        self.warnings.extend(target.warnings.iter().cloned());
+        let mut records = self.motions(written, motions, &None)?;
+        let matched: Vec<_> = records.par_iter().map(|record| match_record(&record.motion, &target, method)).collect();
+        for (record, matched) in records.iter_mut().zip(matched) {
+            match matched {
+                Ok(MatchedMotion { motion, misfit, .. }) => {
+                    let resemblance = Resemblance::between(&record.motion, &motion);
+                    let matched = Matched { method, target: target.clone(), misfit, resemblance };
+                    record.processing.push(matched.words());
+                    record.motion = motion;
+                    record.matched = Some(matched);
+                }
+                Err(problem) => self.problems.push(problem.in_file(&record.path)),
+            }
+        }
+        (self.problems.len() == before).then_some(records)
+    }
+
+    /// Notes what says nothing, or something else, where records are brought to a target.
+    fn match_problems(&mut self, written: &GroundOptions, by: &Written<String>) {
+        let scale_to = written.processing.as_ref().map(|processing| {
+            let sa = processing.scale_to_sa.as_ref().map(|w| w.line);
+            let spectrum = processing.scale_to_spectrum.as_ref().map(|w| w.line);
+            processing.scale_to_m_s2.as_ref().map(|w| w.line).or(sa).or(spectrum)
+        });
+        for (key, line, why) in [
+            ("count", written.count.as_ref().map(|w| w.line), "each record gives one motion"),
+            ("seed", written.seed.as_ref().map(|w| w.line), "there are no random numbers in a record"),
+            ("point_source", written.point_source.as_ref().map(|w| w.line), "the records are in its place"),
+            ("scale", written.scale.as_ref().map(|w| w.line), "the target sets the amplitudes"),
+            ("scale_to", scale_to.flatten(), "the target sets the amplitudes"),
+            ("across", written.across.as_ref().map(|w| w.line), ONE_COMPONENT),
+            ("components", written.components.as_ref().map(|w| w.line), ONE_COMPONENT),
+        ] {
+            if let Some(line) = line {
+                let message = format!("{key} and match exclude each other: {why}");
+                let hint = if why == ONE_COMPONENT {
+                    "name one of them with component, or match each with freestand motion match and give the files"
+                } else {
+                    "keep one of them"
+                };
+                self.note(Some(line.max(by.line)), message, hint);
+            }
+        }
     }
 
     fn synthetic(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -42,7 +128,7 @@ impl Resolver<'_> {
         Some(Ground::Synthetic(SyntheticGround { target, count, seed: overrides.seed.unwrap_or(or(&written.seed, 1)) }))
     }
 
-    fn target(&mut self, written: &GroundOptions) -> Option<Target> {
+    pub(super) fn target(&mut self, written: &GroundOptions) -> Option<Target> {
         let mut words = TargetWords::default();
         for (key, text) in &written.target {
             words.set(key, text.value.clone());
@@ -80,9 +166,13 @@ impl Resolver<'_> {
     }
 }
 
-/// The keys of `[ground]` that describe synthetic motions, with their lines.
+/// The keys of `[ground]` that describe motions without a record, with their lines.
 pub(super) fn synthetic_keys(written: &GroundOptions) -> Vec<(&'static str, Option<usize>)> {
     let target = written.target.iter().map(|(key, text)| (*key, Some(text.line)));
-    let others = [("count", written.count.as_ref().map(|w| w.line)), ("seed", written.seed.as_ref().map(|w| w.line))];
+    let others = [
+        ("count", written.count.as_ref().map(|w| w.line)),
+        ("seed", written.seed.as_ref().map(|w| w.line)),
+        ("point_source", written.point_source.as_ref().map(|w| w.line)),
+    ];
     target.chain(others).collect()
 }

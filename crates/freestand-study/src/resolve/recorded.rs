@@ -128,8 +128,11 @@ impl Resolver<'_> {
         levels: &[Level],
         overrides: &Overrides,
     ) {
-        let motions =
-            [("motions", ground.motions.as_ref().map(|w| w.line)), ("across", ground.across.as_ref().map(|w| w.line))];
+        let motions = [
+            ("motions", ground.motions.as_ref().map(|w| w.line)),
+            ("across", ground.across.as_ref().map(|w| w.line)),
+            ("match", ground.match_by.as_ref().map(|w| w.line)),
+        ];
         for (key, line) in synthetic_keys(ground).into_iter().chain(motions).chain(model_keys(building)) {
             if line.is_some() {
                 let message =

@@ -2,18 +2,18 @@
 
 use freestand::G0_M_S2;
 use freestand::building::{Building, floor_motions};
-use freestand::code_spectrum::CodeSpectrum;
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::signal::rotate::{Pair, directional_spectrum};
-use freestand::synthesis::{SynthesisOptions, synthesize};
+use freestand::synthesis::{Misfit, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::floor::code_parts;
 use crate::result::{FloorProfile, GroundMotion, HorizontalMotion, PseudoSpectrum};
-use crate::study::{BuildingInput, Ground, RecordedMotion, Study, synthetic_name};
+use crate::simulated::simulator;
+use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, synthetic_name};
 
 /// Asks before each motion whether to `go_on`: a thousand of them take minutes.
 pub(super) fn ground_motions(
@@ -36,11 +36,39 @@ pub(super) fn ground_motions(
                 finish(synthetic_name(i), motion, Some(matched.misfit))
             })
             .collect(),
-        Ground::Recorded(records) => {
-            records.par_iter().map(|record| finish(record.name.clone(), record.as_used(), None)).collect()
-        }
+        Ground::Simulated(simulated) => simulated_motions(simulated, &go_on, finish),
+        Ground::Recorded(records) => records
+            .par_iter()
+            .map(|record| {
+                let misfit = record.matched.as_ref().map(|matched| matched.misfit);
+                finish(record.name.clone(), record.as_used(), misfit)
+            })
+            .collect(),
         Ground::OnFloors => Ok(Vec::new()),
     }
+}
+
+/// Earthquake by earthquake, each motion from the streams of random numbers that `motion simulate` takes.
+fn simulated_motions(
+    simulated: &SimulatedGround,
+    go_on: impl Fn() -> Result<(), StudyError> + Sync,
+    finish: impl Fn(String, HorizontalMotion, Option<Misfit>) -> Result<GroundMotion, StudyError> + Sync,
+) -> Result<Vec<GroundMotion>, StudyError> {
+    let wrong = "a simulated motion";
+    let mut motions = Vec::new();
+    for found in &simulated.earthquakes {
+        let simulator = simulator(&simulated.request, found).map_err(failed(wrong))?;
+        let made: Vec<GroundMotion> = (0..simulated.request.count)
+            .into_par_iter()
+            .map(|index| {
+                go_on()?;
+                let along = simulator.motion(simulated.request.seed, index).map_err(failed(wrong))?;
+                finish(found.motion_name(index), HorizontalMotion { along, across: None }, None)
+            })
+            .collect::<Result<_, StudyError>>()?;
+        motions.extend(made);
+    }
+    Ok(motions)
 }
 
 /// The 5 % spectrum that is shown.
@@ -123,17 +151,11 @@ pub(super) fn floor_profile(
     // A stiffer axis gives the larger accelerations by the codes that ask for a period.
     let across_s = building.across.as_ref().map_or(f64::INFINITY, Building::period_s);
     let period_s = building.along.period_s().min(across_s);
-    let code =
-        code_spectrum(&study.ground).and_then(|code| code_parts(code, building.height_m, period_s, &levels_ratio));
+    let code = study
+        .ground
+        .code_spectrum()
+        .and_then(|target| code_parts(&target.spectrum, building.height_m, period_s, &levels_ratio));
     Ok(Some(FloorProfile { levels_ratio, pfa_g, pfv_m_s, code }))
-}
-
-/// The spectrum that the motions are made for.
-fn code_spectrum(ground: &Ground) -> Option<&CodeSpectrum> {
-    match ground {
-        Ground::Synthetic(synthetic) => Some(&synthetic.target.spectrum),
-        Ground::Recorded(_) | Ground::OnFloors => None,
-    }
 }
 
 /// The motions of every level under one ground motion.

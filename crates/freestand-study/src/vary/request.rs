@@ -153,14 +153,11 @@ pub fn variations(study: &Study, wishes: &[Wish], overrides: &Overrides) -> (Vec
 }
 
 fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'static str> {
-    let is_synthetic = matches!(study.ground, Ground::Synthetic(_));
     match (key.table, key.name) {
         ("ground", _) if overrides.motions.is_some() => {
             Some("the motions of the command line stand in place of [ground], which is not looked at")
         }
-        ("ground", "scale") if is_synthetic => Some("synthetic motions follow their target"),
-        ("ground", "scale") => None,
-        ("ground", _) if !is_synthetic => Some("the motions are read from files"),
+        ("ground", name) => inapplicable_ground(&study.ground, name),
         ("building", name) => match &study.building {
             None => Some("the motions of the floors are given"),
             Some(input) => match (input.along.model(), name) {
@@ -174,6 +171,23 @@ fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'sta
             },
         },
         _ => None,
+    }
+}
+
+fn inapplicable_ground(ground: &Ground, name: &str) -> Option<&'static str> {
+    let is_matched = matches!(ground, Ground::Recorded(_)) && ground.target().is_some();
+    match (ground, name) {
+        (Ground::Synthetic(_), "scale") => Some("synthetic motions follow their target"),
+        (Ground::Synthetic(_), _) => None,
+        (Ground::Simulated(_), "scale") => Some("simulated motions follow their source"),
+        (Ground::Simulated(_), "seed" | "site") => None,
+        (Ground::Simulated(simulated), _) if simulated.hazard.is_some() => None,
+        (Ground::Simulated(_), _) => Some("the motions are of one magnitude and distance"),
+        (_, "seed") if is_matched => Some("the motions are matched records"),
+        (_, "scale") if is_matched => Some("matched records follow their target"),
+        (_, "scale") => None,
+        (_, _) if is_matched => None,
+        _ => Some("the motions are read from files"),
     }
 }
 
@@ -195,12 +209,18 @@ fn usual_values(study: &Study, name: &str) -> Vec<String> {
             let usual = [0.0, 2.0, 5.0, 10.0, 20.0, 30.0];
             usual.into_iter().filter(|a| own.is_none_or(|own| (a - own).abs() > 1e-9)).map(|a| a.to_string()).collect()
         }
-        ("seed", _, Ground::Synthetic(synthetic)) => {
-            (1..=4).filter_map(|i| synthetic.seed.checked_add(i)).map(|seed| seed.to_string()).collect()
+        ("seed", _, ground) => {
+            let seed = ground.seed();
+            (1..=4).filter_map(|i| seed?.checked_add(i)).map(|seed| seed.to_string()).collect()
         }
-        ("site", _, Ground::Synthetic(synthetic)) => {
-            let own = synthetic.target.spectrum.site_name();
-            let classes: Vec<&str> = match &synthetic.target.spectrum {
+        ("site", _, Ground::Simulated(simulated)) => {
+            let own = simulated.request.site;
+            SiteClass::ALL.into_iter().filter(|class| *class != own).map(|class| class.name().to_owned()).collect()
+        }
+        ("site", _, ground) => {
+            let Some(target) = ground.target() else { return Vec::new() };
+            let own = target.spectrum.site_name();
+            let classes: Vec<&str> = match &target.spectrum {
                 CodeSpectrum::As1170_4(_) => SiteClass::ALL.map(SiteClass::name).to_vec(),
                 CodeSpectrum::Eurocode8(_) => GroundType::ALL.map(GroundType::name).to_vec(),
                 CodeSpectrum::Nzs1170_5(_) => SubsoilClass::ALL.map(SubsoilClass::name).to_vec(),

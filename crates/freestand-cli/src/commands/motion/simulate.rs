@@ -3,11 +3,13 @@
 use clap::{Args, ValueEnum};
 use freestand::code_spectrum::SiteClass;
 use freestand::motion::Motion;
-use freestand::synthesis::{PathDuration, Preset, SimulationOptions, SourceSpectrum, Window, matched_periods_s};
+use freestand::synthesis::matched_periods_s;
+use freestand_study::cushion::KeyStyle;
 use freestand_study::figures::{MatchedPicture, Words, matched_figure, record_figure};
-use freestand_study::quantity::Dimension;
 use freestand_study::records::write_csv;
-use freestand_study::simulated::{Earthquakes, SimulatedReport, SimulatedRequest, SourceChanges, simulate};
+use freestand_study::simulated::{
+    Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_kpz_g, simulate,
+};
 use freestand_study::{Problem, ProblemKind};
 
 use super::plot::failed;
@@ -16,7 +18,6 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
-use crate::values::Values;
 
 /// Motions of a stochastic point source: a magnitude at a distance, or those that a city's code spectrum stands for
 #[derive(Debug, Args)]
@@ -139,59 +140,56 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
 }
 
 fn request(args: &SimulateArgs, global: &GlobalArgs) -> Result<SimulatedRequest, Failure> {
-    let mut values = Values::default();
-    let magnitude = values.positive("--magnitude", args.magnitude.as_deref(), Dimension::Ratio);
-    let distance_m = values.positive("--distance", args.distance.as_deref(), Dimension::Length);
-    let preset = Preset::parse(&args.source.preset);
-    if preset.is_none() {
-        let problem =
-            Problem::new(ProblemKind::Value, format!("--preset: there is no preset \"{}\"", args.source.preset));
-        values.push(problem.hint("victoria (or melbourne), intraplate or se-australia"));
-    }
+    let words = words(args);
+    let wrong = |problems: Vec<SourceProblem>| problems.into_iter().map(|one| one.problem).collect();
+    let SourceInput { preset, changes, magnitude, distance_m, options } =
+        words.resolve().map_err(|problems| Failure::Problems(wrong(problems)))?;
     let site = SiteClass::parse(&args.site).map_err(|error| {
         Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("Ae, Be, Ce, De or Ee, as in AS 1170.4")
-    });
-    let changes = SourceChanges {
-        stress_drop_pa: values.positive("--stress-drop", args.source.stress_drop.as_deref(), Dimension::Pressure),
-        kappa_s: values.non_negative("--kappa", args.source.kappa.as_deref(), Dimension::Time),
-        spectrum: args.source.source_spectrum.map(|name| match name {
-            SpectrumName::SingleCorner => SourceSpectrum::SingleCorner,
-            SpectrumName::TwoCorner => SourceSpectrum::TwoCorner,
-        }),
-        path_duration: args.source.path_duration.map(|name| match name {
-            PathName::Boore => PathDuration::Boore,
-            PathName::AtkinsonBoore => PathDuration::AtkinsonBoore,
-        }),
-        window: args.source.window.map(|name| match name {
-            WindowName::Lam => Window::Lam,
-            WindowName::SaragoniHart => Window::SaragoniHart,
-        }),
-        hard_rock: args.source.hard_rock,
-    };
-    let dt_s = values.positive("--time-step", Some(&args.time_step), Dimension::Time);
-    let low_cut_hz = values.positive("--low-cut", Some(&args.low_cut), Dimension::Frequency);
-    values.finish()?;
+    })?;
     let earthquakes = match (&args.city, magnitude, distance_m) {
         (Some(city), magnitude, _) => Earthquakes::Pairs {
-            city: city.clone(),
-            return_period_years: args.return_period,
+            kpz_g: city_kpz_g(city, args.return_period)?,
             magnitudes: magnitude.into_iter().collect(),
         },
         (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
         (None, ..) => return Err(Failure::usage("--magnitude and --distance belong together", "or give --city")),
     };
-    let fine = SimulationOptions::default();
-    let options =
-        SimulationOptions { dt_s: dt_s.unwrap_or(fine.dt_s), low_cut_hz: low_cut_hz.unwrap_or(fine.low_cut_hz) };
     Ok(SimulatedRequest {
-        preset: preset.unwrap_or(Preset::Victoria),
+        preset,
         changes,
         earthquakes,
-        site: site?,
+        site,
         count: u64::from(args.count),
         seed: global.seed.unwrap_or(1),
         options,
     })
+}
+
+/// The flags as a study has them in `point_source`.
+fn words(args: &SimulateArgs) -> SourceWords {
+    let mut words = SourceWords::new(KeyStyle::Flag);
+    let source = &args.source;
+    let name = |name: Option<clap::builder::PossibleValue>| name.map(|name| name.get_name().to_owned());
+    let texts = [
+        ("magnitude", args.magnitude.clone()),
+        ("distance", args.distance.clone()),
+        ("preset", Some(source.preset.clone())),
+        ("stress_drop", source.stress_drop.clone()),
+        ("kappa", source.kappa.clone()),
+        ("source_spectrum", name(source.source_spectrum.and_then(|one| one.to_possible_value()))),
+        ("path_duration", name(source.path_duration.and_then(|one| one.to_possible_value()))),
+        ("window", name(source.window.and_then(|one| one.to_possible_value()))),
+        ("hard_rock", source.hard_rock.then(|| "true".to_owned())),
+        ("time_step", Some(args.time_step.clone())),
+        ("low_cut", Some(args.low_cut.clone())),
+    ];
+    for (key, text) in texts {
+        if let Some(text) = text {
+            words.set(key, text);
+        }
+    }
+    words
 }
 
 /// The spectra against the code's, where there is one, and the first motion of each earthquake.

@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    GENERATOR, MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions, match_by_wavelets, match_motion,
-    matched_periods_s, synthesize, with_pga,
+    GENERATOR, MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions, matched_periods_s, synthesize,
+    with_pga,
 };
 use freestand_study::figures::{MatchedPicture, Words, matched_figure, record_figure};
+use freestand_study::matched::{MatchMethod, match_record};
 use freestand_study::quantity::Dimension;
 use freestand_study::recorded::name_of;
 use freestand_study::records::write_csv;
@@ -217,16 +218,13 @@ pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer
     let read = args.read.read_one(&args.file)?;
     let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
     let (record, target) = (&read.motion.motion, |period_s| asked.spectrum.sa_g(period_s));
-    let passes = SynthesisOptions::default().passes;
-    let matched = match args.method {
-        MethodName::Wavelet => match_by_wavelets(record, target, passes),
-        MethodName::Fft => match_motion(record, target, passes),
+    let method = match args.method {
+        MethodName::Wavelet => MatchMethod::Wavelet,
+        MethodName::Fft => MatchMethod::Fft,
     };
-    let mut made = matched.and_then(|matched| with_peak(matched, &args.peak, target)).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string())
-            .in_file(&args.file)
-            .hint("a record of 5 s or more with energy at all periods from 0.05 to 5 s is needed")
-    })?;
+    let matched = match_record(record, &asked, method).map_err(|problem| problem.in_file(&args.file))?;
+    let mut made = with_peak(matched, &args.peak, target)
+        .map_err(|error| Problem::new(ProblemKind::Value, error.to_string()).in_file(&args.file))?;
     made.resemblance = Some(Resemblance::between(record, &made.matched.motion));
     warnings.extend(read.notes);
     let name = format!("{}-matched", name_of(&args.file));
