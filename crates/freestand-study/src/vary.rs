@@ -60,6 +60,19 @@ pub struct VariedLevel {
 /// is a number without a meaning.
 pub const LEAST_MEAN_G: f64 = 0.05;
 
+impl VariedLevel {
+    /// In short words, `α₀ 20`: tables and axes have little room.
+    pub fn words(&self) -> String {
+        let key = match self.parameter.as_str() {
+            "shear_flexure" => "α₀",
+            "return_period_years" => "years",
+            "hazard_factor" => "Z",
+            other => other,
+        };
+        format!("{key} {}", self.value)
+    }
+}
+
 /// What a variation did to each level, beside the study as it is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {

@@ -187,6 +187,9 @@ fn sensitivity_text(sensitivity: &Sensitivity) -> String {
         .collect();
     let headings = ["changed", "median PFA g", "overturned", "largest median shock g", "shock ratio"];
     let mut text = format!("\n{}, one value changed at a time:\n{}", highest.level, table(&headings, &rows));
+    text.push_str(
+        "shock ratio: median shocks added up, over those of the study as it is, of objects that overturn in neither\n",
+    );
     for reason in &sensitivity.left_out {
         text.push_str(reason);
         text.push('\n');

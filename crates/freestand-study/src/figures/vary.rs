@@ -82,7 +82,7 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
     }
     let y = Axis { from: 0.4, to: count as f64 + 0.6, step: Some(1.0), label: String::new() };
     let mut layout = axes(Axis::from_zero(1.02 * largest, label), y).with_title(plain(level));
-    let names: Vec<String> = variations.iter().map(|row| plain(&row_name(row))).collect();
+    let names: Vec<String> = variations.iter().map(|row| plain(&row.words())).collect();
     layout.y_tick_format = TickFormat::Custom(Arc::new(move |at| {
         let index = count as f64 - at;
         let is_row = (index - index.round()).abs() < 1e-6 && index > -0.5;
@@ -93,15 +93,4 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
         layout = layout.with_reference_line(mark);
     }
     Panel { plots, layout }
-}
-
-/// Short words: the axis has little room.
-fn row_name(row: &VariedLevel) -> String {
-    let key = match row.parameter.as_str() {
-        "shear_flexure" => "α₀",
-        "return_period_years" => "years",
-        "hazard_factor" => "Z",
-        other => other,
-    };
-    format!("{key} {}", row.value)
 }

@@ -4,7 +4,7 @@ use crate::result::StudyResult;
 use crate::vary::VariedLevel;
 use crate::words::{fixed, percent};
 
-use super::html::{Cell, figure, list, paragraph, table, words};
+use super::html::{Cell, classed_table, figure, list, paragraph, words};
 
 /// A table for each level; empty where nothing was varied.
 pub(super) fn sensitivity(result: &StudyResult) -> String {
@@ -19,29 +19,40 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
         figure("median PFA (g)"),
         figure("overturned"),
         figure("median overturned"),
-        figure("largest median shock (g)"),
+        figure("largest median (g)"),
         figure("largest shock (g)"),
-        figure("ratio"),
+        figure("shock ratio"),
         figure("of objects"),
-        words(""),
-        words("Warnings that it has besides"),
     ]];
     for level in &result.levels {
         let name = &level.level.name;
         let rows: Vec<Vec<Cell>> = sensitivity.rows.iter().filter(|row| row.level == *name).map(row).collect();
-        html.push_str(&table(&format!("Level {name}"), &headings, &rows));
+        html.push_str(&classed_table("glance", &format!("Level {name}"), &headings, &rows));
     }
-    if !sensitivity.left_out.is_empty() {
-        html.push_str(&list(&sensitivity.left_out));
+    let mut remarks: Vec<String> = Vec::new();
+    // A remark is of the variation, not of a level: once is enough.
+    for remark in sensitivity.rows.iter().filter_map(remark) {
+        if !remarks.contains(&remark) {
+            remarks.push(remark);
+        }
+    }
+    remarks.extend(sensitivity.left_out.iter().cloned());
+    if !remarks.is_empty() {
+        html.push_str(&list(&remarks));
     }
     html
+}
+
+/// Why there is no result, or what this variation is warned of besides.
+fn remark(row: &VariedLevel) -> Option<String> {
+    let why = row.reason.as_ref().or(row.warnings.as_ref())?;
+    Some(format!("{}: {why}", row.words()))
 }
 
 fn row(row: &VariedLevel) -> Vec<Cell> {
     let dash = || "–".to_owned();
     let value = |value: Option<f64>, digits| figure(value.map_or_else(dash, |v| fixed(v, digits)));
-    let changed =
-        if row.value.is_empty() { "as it is".to_owned() } else { format!("{} = {}", row.parameter, row.value) };
+    let changed = if row.value.is_empty() { "as it is".to_owned() } else { row.words() };
     vec![
         words(&changed),
         value(row.pfa_g_median, 3),
@@ -51,7 +62,5 @@ fn row(row: &VariedLevel) -> Vec<Cell> {
         value(row.edge_acceleration_g_max, 2),
         value(row.edge_acceleration_ratio, 2),
         figure(row.compared_objects.map_or_else(dash, |n| n.to_string())),
-        words(row.reason.as_deref().unwrap_or("")),
-        words(row.warnings.as_deref().unwrap_or("")),
     ]
 }
