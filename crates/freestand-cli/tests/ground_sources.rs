@@ -100,6 +100,9 @@ fn matched_records_are_those_of_motion_match() {
         let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
         assert!(read("first/motions/synthetic-02.csv") == read("m/synthetic-02-matched.csv"), "{method}");
         let one = &summary["inputs"]["ground"][0];
+        let check: Value = serde_json::from_slice(&freestand(folder.path(), &["check", "s.toml", "--json"])).unwrap();
+        let rms = &summary["inputs"]["motions"][0]["misfit"]["rms_ratio"];
+        assert_eq!(&check["motions"][0]["rms_misfit_ratio"], rms);
         assert_eq!(one["matched"]["method"], method);
         assert!(summary["inputs"]["motions"][0]["misfit"]["rms_ratio"].as_f64().unwrap() < 0.05);
         assert_eq!(summary["seeds"], Value::Null);

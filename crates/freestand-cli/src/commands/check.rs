@@ -72,6 +72,8 @@ struct MotionReport {
     npts: usize,
     components: usize,
     pga_g: f64,
+    /// Of a record that is matched to a spectrum.
+    rms_misfit_ratio: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -162,6 +164,7 @@ fn motion_report(one: &RecordedMotion) -> MotionReport {
         npts: one.motion.accel_m_s2().len(),
         components: if one.across.is_some() { 2 } else { 1 },
         pga_g: one.as_used().peak_m_s2() / freestand::G0_M_S2,
+        rms_misfit_ratio: one.matched.as_ref().map(|matched| matched.misfit.rms_ratio),
     }
 }
 
@@ -197,13 +200,10 @@ fn text(study: &Study, report: &CheckReport) -> String {
         .collect();
     let source = study.source.as_deref().map_or_else(|| "built-in".to_owned(), |path: &Path| path_text(path));
     let mut rows = vec![("study", format!("{source}: valid")), ("ground", report.ground.clone())];
-    for one in
-        study.ground.recorded(&study.levels).filter_map(|one| one.processing.last().filter(|_| one.matched.is_some()))
-    {
-        rows.push(("", one.clone()));
-    }
     for one in &report.motions {
-        rows.push(("", format!("{}: {}, PGA {} g", one.name, one.description, significant(one.pga_g, 4))));
+        let rms = one.rms_misfit_ratio.map(|rms| format!(", rms misfit {} %", significant(100.0 * rms, 2)));
+        let (pga, rms) = (significant(one.pga_g, 4), rms.unwrap_or_default());
+        rows.push(("", format!("{}: {}, PGA {pga} g{rms}", one.name, one.description)));
     }
     if let (Some(building), Some(input)) = (&report.building, &study.building) {
         rows.push(("building", format!("{} storeys, {} high", building.storeys, length(building.building_height_m))));
