@@ -174,3 +174,29 @@ impl From<&Target> for TargetReport {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+    use freestand_study::target::TARGET_KEYS;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Flags {
+        #[command(flatten)]
+        target: TargetArgs,
+    }
+
+    /// A word that has no flag, or a flag that is read and then forgotten, would be no part of any spectrum.
+    #[test]
+    fn every_word_of_a_spectrum_has_its_flag() {
+        let words = TargetWords::new(KeyStyle::Flag);
+        for key in TARGET_KEYS {
+            let flags = Flags::try_parse_from(["freestand", &words.name(key), "7"]).unwrap();
+            let mut expected = words.clone();
+            expected.set(key, "7");
+            assert_eq!(flags.target.words(), expected);
+        }
+    }
+}

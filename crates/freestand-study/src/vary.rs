@@ -152,9 +152,9 @@ fn varied_study(study: &Study, variation: &Variation, overrides: &Overrides) -> 
 /// What a value that does not reach the model leaves alone.
 fn unchanged(variation: &Variation) -> &'static str {
     match variation.table {
-        "building" => "the modes of the building are those of the study as it is",
-        "objects" => "the objects and their cushion are those of the study as it is",
-        _ => "the ground motions are made for the same spectrum from the same seed, or are the same records",
+        "building" => "the same modes of the building",
+        "objects" => "the same objects and their cushion",
+        _ => "the same spectrum and seed, or the same records",
     }
 }
 
