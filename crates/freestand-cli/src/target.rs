@@ -102,6 +102,11 @@ impl TargetArgs {
         Ok(target)
     }
 
+    /// Whether any of these flags was given.
+    pub(crate) fn is_given(&self) -> bool {
+        self.words() != TargetWords::new(KeyStyle::Flag)
+    }
+
     fn words(&self) -> TargetWords {
         let mut words = TargetWords::new(KeyStyle::Flag);
         let texts = [

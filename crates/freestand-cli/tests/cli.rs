@@ -418,6 +418,7 @@ fn help_of_every_command_has_examples() {
         &["motion", "convert"],
         &["motion", "synth"],
         &["motion", "match"],
+        &["motion", "simulate"],
         &["motion", "code-spectrum"],
     ] {
         let shown = freestand(&[command, &["--help"]].concat());
@@ -517,7 +518,7 @@ fn motions_do_not_overwrite_each_other() {
     let summary: serde_json::Value = serde_json::from_str(&read("summary.json")).unwrap();
     let files: Vec<&str> = summary["files"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
     let motions = ["motions/rec.csv", "motions/rec_roof.csv", "motions/roof/rec.csv", "motions/roof/rec_roof.csv"];
-    assert_eq!(files[..4], motions);
+    assert_eq!(files.iter().filter(|name| name.starts_with("motions/")).collect::<Vec<_>>(), motions.each_ref());
     let contents: std::collections::HashSet<String> = motions.map(read).into();
     assert_eq!(contents.len(), 4);
     // A level whose folder would have the name of a motion's file.
@@ -537,7 +538,7 @@ fn every_command_writes_what_it_found() {
         (&["spectrum", "--motion", "pulse.csv", "--heights", "1 m", "--thicknesses", "200 mm"], &["rows.csv"]),
         (&["motion", "info", "pulse.csv"], &["measures.csv"]),
         (&["motion", "spectrum", "pulse.csv"], &["spectrum.csv"]),
-        (&["motion", "code-spectrum"], &["spectrum.csv"]),
+        (&["motion", "code-spectrum"], &["spectrum.csv", "spectrum.png", "spectrum.svg"]),
         (&["validate"], &[]),
         (&["check", "s.toml"], &[]),
     ];
@@ -554,7 +555,7 @@ fn every_command_writes_what_it_found() {
         assert_eq!(std::fs::read_dir(folder.path().join("out")).unwrap().count(), files.len(), "{command:?}");
         let result = std::fs::read_to_string(folder.path().join("out/result.json")).unwrap();
         assert!(shown.contains(result.trim_end()), "{command:?}");
-        for table in tables {
+        for table in tables.iter().filter(|name| name.ends_with(".csv")) {
             let text = std::fs::read_to_string(folder.path().join("out").join(table)).unwrap();
             assert!(text.lines().count() > 1 && !text.contains(",0.0,"), "{text}");
         }

@@ -133,6 +133,36 @@ fn a_processed_record_runs_again_to_the_same_bytes() {
     assert_eq!((steps("first"), steps("second")), ((1, 6), (1, 0)));
 }
 
+/// The tables of a building lie in the output folder, under the names that its study uses.
+#[test]
+fn a_building_of_tables_runs_again_to_the_same_bytes() {
+    let folder = folder();
+    let rows: String =
+        (0..400).map(|i| format!("{},{:.6},{:.6}\n", 0.02 * f64::from(i), (0.05 * f64::from(i)).sin(), 0.3)).collect();
+    fs::write(folder.path().join("mine.csv"), format!("time [s],N [m/s2],E [m/s2]\n{rows}")).unwrap();
+    fs::write(folder.path().join("x.csv"), "height [m],mass [t],stiffness [kN/mm]\n3,100,90\n3,80,90\n").unwrap();
+    fs::write(folder.path().join("y.csv"), "period [s],participation,3 m,6 m\n0.8,1.2,0.6,1\n0.3,-0.2,-1.1,1\n")
+        .unwrap();
+    let study = "[ground]\nmotions = [\"mine.csv\"]\ncomponents = \"both\"\nrotation_step = \"45 deg\"\n[building]\n\
+                 storey_table = \"x.csv\"\nacross = { mode_table = \"y.csv\" }\n";
+    fs::write(folder.path().join("first.toml"), SMALL.replace("[ground]\ncount = 2\n", study)).unwrap();
+    run(folder.path(), &["first.toml", "--out", "first"]);
+    for name in ["x.csv", "y.csv", "mine.csv"] {
+        fs::remove_file(folder.path().join(name)).unwrap();
+    }
+    run(folder.path(), &["first/study.toml", "--out", "second"]);
+    let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    for name in ["srs.csv", "urs.csv", "study.toml", "building/along.csv", "building/across.csv"] {
+        assert!(read(&format!("first/{name}")) == read(&format!("second/{name}")), "{name}");
+    }
+    let summary: Value = serde_json::from_slice(&read("first/summary.json")).unwrap();
+    let building = &summary["inputs"]["building"];
+    assert_eq!((&building["height_m"], building["tables"].as_array().unwrap().len()), (&Value::from(6.0), 2));
+    assert_eq!(building["across"]["period_s"], 0.8);
+    let report = String::from_utf8(read("first/report.html")).unwrap();
+    assert!(report.contains("shear building of 2 storeys") && report.contains("modes of a table with 2 floors"));
+}
+
 #[test]
 fn a_tolerance_that_is_exceeded_is_status_1_and_everything_is_written() {
     let folder = folder();

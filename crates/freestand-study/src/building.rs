@@ -252,4 +252,30 @@ mod tests {
         let [mass, roof] = axis.warnings.as_slice() else { panic!("{:?}", axis.warnings) };
         assert!(mass.contains("tower.csv: the modes carry 78.0 % of the mass") && roof.contains("adds up to 1300 at"));
     }
+
+    /// Whatever one byte of a table becomes, it is read or refused: no panic, and no number that is none.
+    #[test]
+    fn no_byte_of_a_table_brings_it_down() {
+        let (folder, path) = file("");
+        let tables = [
+            ("storey,height [m],mass [t],stiffness [kN/mm]\n1,3,1e2,9e1\n2,3,80,9e-1\n", true),
+            ("mode,period [s],participation,damping [%],3 m,6 m\n1,0.8,1.2,5,0.6,1e0\n2,0.3,-0.2,,-1.1,1\n", false),
+        ];
+        for (text, storeys) in tables {
+            for at in 0..text.len() {
+                for byte in *b"\0,;\n\"-9e.#\xff" {
+                    let mut bytes = text.as_bytes().to_vec();
+                    bytes[at] = byte;
+                    std::fs::write(&path, bytes).unwrap();
+                    let path = path.clone();
+                    let model = if storeys { AxisModel::StoreyTable(path) } else { AxisModel::ModeTable(path) };
+                    if let Ok(axis) = axis(&request(model)) {
+                        let shares = axis.building.modes().iter().map(|mode| mode.share_ratio(1.0));
+                        assert!(shares.chain(axis.height_m).all(f64::is_finite), "{at} {byte}");
+                    }
+                }
+            }
+        }
+        drop(folder);
+    }
 }

@@ -16,9 +16,11 @@ use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 
 use crate::cushion::{CushionWords, EdgeCushion};
+use crate::floor::CodeParts;
 use crate::input::InputFile;
 use crate::result::{
-    ExampleHistory, GroundMotion, HorizontalMotion, LevelResult, ObjectResponse, PseudoSpectrum, StudyResult,
+    ExampleHistory, FloorProfile, GroundMotion, HorizontalMotion, LevelResult, ObjectResponse, PseudoSpectrum,
+    StudyResult,
 };
 use crate::statistics::object_statistics;
 use crate::study::{
@@ -124,7 +126,11 @@ pub(crate) fn result(study: &Study) -> StudyResult {
     StudyResult {
         motions: ground.iter().map(|g| g.name.clone()).collect(),
         ground,
-        profile: None,
+        profile: Some(FloorProfile {
+            levels_ratio: vec![0.0, 0.5, 1.0],
+            pfa_g: (0..10).map(|i| [0.1, 0.14, 0.3].map(|g| g * (0.8 + 0.05 * f64::from(i))).to_vec()).collect(),
+            code: Some(CodeParts { clause: "a code’s line", accel_g: vec![0.088, 0.176, 0.264] }),
+        }),
         modes: beam.modes().to_vec(),
         levels,
         history: Some(history),

@@ -2,6 +2,8 @@
 
 use freestand::G0_M_S2;
 use freestand::building::{Building, FloorPeaks, Mode, floor_motions, floor_peaks};
+use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::measures::cumulative_trapezoid;
 use freestand::motion::Motion;
 use serde::Serialize;
@@ -38,6 +40,32 @@ pub struct FloorRequest {
     pub upsample: usize,
     /// Response spectra of the floors, where they are asked for.
     pub spectra: Option<SpectraRequest>,
+    /// A code, whose accelerations of rigid parts stand beside those of the floors.
+    pub code: Option<CodeSpectrum>,
+}
+
+/// What a code gives a rigid part on each level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CodeParts {
+    /// The clause and its formula.
+    pub clause: &'static str,
+    /// Accelerations, one for each level \[g\].
+    pub accel_g: Vec<f64>,
+}
+
+/// Accelerations of rigid parts by a code; `None` for a spectrum that is not of a code.
+pub fn code_parts(
+    code: &CodeSpectrum,
+    building_height_m: f64,
+    building_period_s: f64,
+    levels_ratio: &[f64],
+) -> Option<CodeParts> {
+    let part = |&level_ratio: &f64| {
+        let building_period_s = Some(building_period_s);
+        floor_acceleration_g(code, &PartsQuestion { level_ratio, building_height_m, building_period_s })
+    };
+    let accel_g = levels_ratio.iter().map(part).collect::<Option<Vec<f64>>>()?;
+    Some(CodeParts { clause: clause(code)?, accel_g })
 }
 
 /// The floors under one motion.
@@ -70,6 +98,8 @@ pub struct FloorReport {
     pub levels: Vec<LevelReport>,
     pub motions: Vec<MotionReport>,
     pub spectra: Option<SpectraReport>,
+    /// The clause of the code that `code_part_g` of the levels is from.
+    pub code_clause: Option<&'static str>,
 }
 
 /// The second axis, where it is not as the first.
@@ -106,6 +136,8 @@ pub struct LevelReport {
     pub pfv_m_s: f64,
     pub pfd_m: f64,
     pub drift_ratio: Option<f64>,
+    /// What a code gives a rigid part there, where one was named.
+    pub code_part_g: Option<f64>,
     /// The floor's motion, where there is one and it was written.
     pub path: Option<String>,
 }
@@ -296,6 +328,8 @@ impl FloorReport {
             let mut values: Vec<f64> = motions.iter().filter_map(of).collect();
             QUANTILES.map(|quantile| ranked_quantile(&mut values, quantile).value())
         };
+        let code = request.code.as_ref();
+        let code = code.and_then(|code| code_parts(code, request.height_m, building.period_s(), &request.levels_ratio));
         let levels = request.levels_ratio.iter().enumerate().map(|(i, &level_ratio)| {
             let of = |value: fn(&MotionLevel) -> Option<f64>| {
                 quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))
@@ -310,6 +344,7 @@ impl FloorReport {
                 pfv_m_s: of(|level| Some(level.pfv_m_s))[1].unwrap_or_default(),
                 pfd_m: of(|level| Some(level.pfd_m))[1].unwrap_or_default(),
                 drift_ratio: of(|level| level.drift_ratio)[1],
+                code_part_g: code.as_ref().and_then(|code| code.accel_g.get(i)).copied(),
                 path: first.levels.get(i).and_then(|level| level.path.clone()).filter(|_| !several),
             }
         });
@@ -332,6 +367,7 @@ impl FloorReport {
             levels,
             motions,
             spectra,
+            code_clause: code.map(|code| code.clause),
         })
     }
 
@@ -350,6 +386,7 @@ impl FloorReport {
             pfv_m_s: f64,
             pfd_m: f64,
             drift_ratio: Option<f64>,
+            code_part_g: Option<f64>,
         }
         let rows = self.levels.iter().map(|level| Row {
             level_ratio: level.level_ratio,
@@ -360,6 +397,7 @@ impl FloorReport {
             pfv_m_s: level.pfv_m_s,
             pfd_m: level.pfd_m,
             drift_ratio: level.drift_ratio,
+            code_part_g: level.code_part_g,
         });
         records_csv(&rows.collect::<Vec<_>>())
     }

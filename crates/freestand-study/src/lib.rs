@@ -30,6 +30,7 @@ pub mod run;
 pub mod shape;
 pub mod shock;
 pub mod shock_spectrum;
+pub mod simulated;
 pub mod spectrum;
 pub mod static_test;
 pub mod statistics;

@@ -174,6 +174,7 @@ static UNITS: &[Unit] = &[
     unit("kPa", Dimension::Pressure, 3, false),
     unit("Pa", Dimension::Pressure, 0, false),
     unit("MPa", Dimension::Pressure, 6, false),
+    unit("bar", Dimension::Pressure, 5, true),
     // A pound is 0.45359237 kg, an inch 25.4 mm, exactly.
     Unit { factor: 0.453_592_37 * G0_M_S2 / (0.0254 * 0.0254), ..unit("psi", Dimension::Pressure, 0, true) },
     unit("m2", Dimension::Area, 0, false),

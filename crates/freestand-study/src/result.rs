@@ -8,6 +8,7 @@ use freestand::rocking::Outcome;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
 
+use crate::floor::CodeParts;
 use crate::study::Level;
 use crate::vary::Sensitivity;
 
@@ -99,10 +100,8 @@ pub struct FloorProfile {
     pub levels_ratio: Vec<f64>,
     /// Peak floor accelerations, `[motion][level]`; of two components, in whatever direction \[g\].
     pub pfa_g: Vec<Vec<f64>>,
-    /// What a code gives a rigid part at each level, where the target is one of a code that says it \[g\].
-    pub code_g: Option<Vec<f64>>,
-    /// Which clause that is.
-    pub code_clause: Option<&'static str>,
+    /// What a code gives a rigid part at each level, where the target is one of a code that says it.
+    pub code: Option<CodeParts>,
 }
 
 /// What happened on one floor.

@@ -311,7 +311,7 @@ pub fn profile_csv(study: &Study, profile: &FloorProfile) -> Result<Vec<u8>, Pro
     let rows = profile.levels_ratio.iter().enumerate().map(|(level, &ratio)| {
         let mut pfa_g: Vec<f64> = profile.pfa_g.iter().filter_map(|motion| motion.get(level)).copied().collect();
         let quantiles = QUANTILES.map(|quantile| ranked_quantile(&mut pfa_g, quantile).cell());
-        let code_g = profile.code_g.as_ref().and_then(|code| code.get(level)).copied();
+        let code_g = profile.code.as_ref().and_then(|code| code.accel_g.get(level)).copied();
         let mut row = vec![shortest(ratio), optional(height_m.map(|height_m| ratio * height_m))];
         row.extend(quantiles);
         row.push(optional(code_g));

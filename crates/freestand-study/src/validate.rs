@@ -4,6 +4,7 @@ mod codes;
 mod cushion;
 mod rocking;
 mod shock;
+mod synthesis;
 
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::{Building, Damping, Storey};
@@ -110,6 +111,7 @@ pub fn validate() -> Result<Validation, Problem> {
         shock::pulse_checks()?,
         shock::boundary_checks()?,
         codes::checks()?,
+        synthesis::checks()?,
         building_checks()?,
         storey_checks()?,
         oscillator_checks()?,

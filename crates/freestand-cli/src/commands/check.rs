@@ -57,6 +57,8 @@ struct BuildingReport {
     damping_ratio: Option<f64>,
     shear_flexure_ratio: Option<f64>,
     modes: usize,
+    model: String,
+    across: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -149,6 +151,11 @@ fn building_report(building: &BuildingInput) -> BuildingReport {
         damping_ratio: building.along.damping_ratio(),
         shear_flexure_ratio: building.along.shear_flexure_ratio(),
         modes: building.along.modes().len(),
+        model: model_words(&building.along),
+        across: building.across.as_ref().map(|across| {
+            let period_s = significant(across.period_s(), 4);
+            format!("{}, period {period_s} s, damping {}", model_words(across), damping_words(across))
+        }),
     }
 }
 
@@ -175,9 +182,10 @@ fn text(study: &Study, report: &CheckReport) -> String {
         rows.push(("building", format!("{} storeys, {} high", building.storeys, length(building.building_height_m))));
         rows.push(("period", format!("{} s: {}", significant(building.period_s, 4), input.period_note)));
         rows.push((
-            "building",
-            format!("{}, damping {}, {} modes", model_words(&input.along), damping_words(&input.along), building.modes),
+            "model",
+            format!("{}, damping {}, {} modes", building.model, damping_words(&input.along), building.modes),
         ));
+        rows.extend(building.across.iter().map(|across| ("second axis", across.clone())));
     }
     if report.directions_deg.len() > 1 {
         rows.push(("directions", format!("{} over half a circle, the worst counts", report.directions_deg.len())));

@@ -13,6 +13,7 @@ use freestand_study::quantity::Dimension;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
 use freestand_study::records::{write_csv, write_pair_csv};
 use freestand_study::result::HorizontalMotion;
+use freestand_study::words::number;
 use freestand_study::{Problem, ProblemKind};
 
 use super::Done;
@@ -21,6 +22,7 @@ use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::{ReadArgs, SecondArgs};
+use crate::target::TargetArgs;
 use crate::values::Values;
 
 /// Floor motions of a building under ground motions
@@ -34,6 +36,7 @@ Examples:
   freestand floor --motion record.AT2 --storeys 30 --storey-height \"3.2 m\" --levels \"0.5, 1.0\" --out floors
   freestand floor --motion record.AT2 --storeys 12 --storey-height \"3 m\" --period \"1.2 s\" --json
   freestand floor --motion a.AT2 b.AT2 c.AT2 --storey-table tower.csv --levels all --spectra --out floors
+  freestand floor --motion a.AT2 --levels all --code as1170.4 --city Melbourne --site De --out floors
   freestand floor --motion record.v2 --components both --mode-table x.csv --across-mode-table y.csv --levels all",
     mut_arg("rotation_step", |arg| arg.hide(true))
 )]
@@ -65,6 +68,9 @@ pub(crate) struct FloorArgs {
     second: SecondArgs,
     #[command(flatten)]
     read: ReadArgs,
+    /// A code's accelerations of rigid parts beside those of the floors
+    #[command(flatten)]
+    target: TargetArgs,
 }
 
 #[derive(Debug, Args)]
@@ -142,6 +148,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     values.finish()?;
     let request = building.request()?;
     let is_storeys = levels.is_none();
+    let target = if args.target.is_given() { Some(args.target.target()?) } else { None };
     let request = FloorRequest {
         levels_ratio: levels.unwrap_or_else(|| every_floor(&request, building.storeys)),
         is_storeys,
@@ -151,6 +158,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         along: request.along,
         across: request.across,
         height_m: request.height_m,
+        code: target.as_ref().map(|target| target.spectrum.clone()),
     };
     if args.building.has_second_axis() && matches!(motions.second, freestand_study::recorded::Second::None) {
         return Err(Failure::usage(
@@ -165,8 +173,10 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let mut inputs = args.read.inputs(&args.motion);
     inputs.extend(args.second.across.iter().cloned());
     inputs.extend(args.building.tables().cloned());
+    inputs.extend(args.target.inputs().cloned());
     let files = Files::begin(global, &inputs)?;
-    let (report, warnings) = report(&read, &request, &files)?;
+    let (report, mut warnings) = report(&read, &request, &files)?;
+    warnings.extend(target.into_iter().flat_map(|target| target.warnings));
     files.finish(SCHEMA, &report, &warnings)?;
     printer.result(SCHEMA, &report, &warnings, || text(&report))?;
     Ok(Done::OK)
@@ -181,7 +191,9 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         let mut done = floors(one, request)?;
         for (level, floor) in done.report.levels.iter_mut().zip(&done.floors) {
             let folder = if read.len() > 1 { format!("{}/", done.report.motion) } else { String::new() };
-            let name = format!("{folder}level-{}.csv", level.level_ratio);
+            // Floors of a table are at any share; those that were asked for keep their digits.
+            let ratio = if request.is_storeys { number(level.level_ratio, 4) } else { level.level_ratio.to_string() };
+            let name = format!("{folder}level-{ratio}.csv");
             level.path = files.write(&name, || floor_csv(floor))?;
         }
         warnings.extend(done.warnings);
@@ -223,6 +235,8 @@ fn profile_figure(
     let levels_ratio: Vec<f64> = report.levels.iter().map(|level| level.level_ratio).collect();
     let pfa_g: Vec<Vec<f64>> =
         report.motions.iter().map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect()).collect();
+    let code: Vec<(f64, f64)> =
+        report.levels.iter().filter_map(|level| Some((level.level_ratio, level.code_part_g?))).collect();
     let pga_g: Vec<f64> = report.motions.iter().map(|motion| motion.pga_g).collect();
     floor_profile_figure(&ProfilePicture {
         title: "Peak floor accelerations",
@@ -230,7 +244,7 @@ fn profile_figure(
         height_m: Some(report.building_height_m),
         pfa_g: &pfa_g,
         pga_g: &pga_g,
-        code: None,
+        code: report.code_clause.filter(|_| !code.is_empty()).map(|clause| (clause, &code[..])),
     })
 }
 
@@ -382,18 +396,21 @@ fn text(report: &FloorReport) -> String {
     headings.extend(["PFV [m/s]", "PFD [m]"]);
     let has_drift = report.levels.iter().any(|level| level.drift_ratio.is_some());
     headings.extend(has_drift.then_some("drift [%]"));
+    let has_code = report.code_clause.is_some();
+    headings.extend(has_code.then_some("code part [g]"));
     headings.extend((!several).then_some("file"));
     let levels: Vec<Vec<String>> = report
         .levels
         .iter()
         .map(|level| {
             let mut row =
-                vec![level.level_ratio.to_string(), significant(level.height_m, 4), significant(level.pfa_g, 4)];
+                vec![number(level.level_ratio, 4), significant(level.height_m, 4), significant(level.pfa_g, 4)];
             if several {
                 row.extend([optional(level.pfa_g_p16), optional(level.pfa_g_p84)]);
             }
             row.extend([significant(level.pfv_m_s, 4), significant(level.pfd_m, 4)]);
             row.extend(has_drift.then(|| optional(level.drift_ratio.map(|ratio| 100.0 * ratio))));
+            row.extend(has_code.then(|| optional(level.code_part_g)));
             row.extend((!several).then(|| level.path.clone().unwrap_or_else(|| "-".to_owned())));
             row
         })

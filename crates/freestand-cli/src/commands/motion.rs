@@ -7,6 +7,7 @@ mod pair;
 mod plot;
 mod rotate;
 mod rotd;
+mod simulate;
 mod spectrum;
 mod synth;
 
@@ -17,7 +18,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
 
-/// Ground and floor motions: read, measure, convert, turn, synthesise, match
+/// Ground and floor motions: read, measure, convert, turn, synthesise, match, simulate
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -38,6 +39,7 @@ enum MotionCommand {
     Rotd(rotd::RotdArgs),
     Synth(synth::SynthArgs),
     Match(Box<synth::MatchArgs>),
+    Simulate(simulate::SimulateArgs),
     CodeSpectrum(code::CodeSpectrumArgs),
 }
 
@@ -50,6 +52,7 @@ pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> 
         MotionCommand::Rotd(args) => rotd::run(args, global, printer),
         MotionCommand::Synth(args) => synth::run(args, global, printer),
         MotionCommand::Match(args) => synth::run_match(args, global, printer),
+        MotionCommand::Simulate(args) => simulate::run(args, global, printer),
         MotionCommand::CodeSpectrum(args) => code::run(args, global, printer),
     }
 }

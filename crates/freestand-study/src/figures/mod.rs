@@ -11,6 +11,7 @@ mod floor_spectra;
 mod history;
 mod laboratory;
 mod legend;
+mod matched;
 mod page;
 mod record;
 mod response;
@@ -29,11 +30,12 @@ pub use shock_spectrum::{BoundaryPicture, ShockCurve};
 
 use crate::inspect::DampedSpectrum;
 use crate::result::StudyResult;
-use crate::study::{Ground, RecordedMotion, Study};
+use crate::study::{Ground, Study};
 
 pub use code_spectrum::CodePicture;
 pub use compliant::Trace;
 pub use floor_profile::ProfilePicture;
+pub use matched::MatchedPicture;
 
 /// A figure in both of its forms.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,7 +67,7 @@ pub enum FigureKind {
     FloorProfile,
     /// One rocking history.
     History,
-    /// A recorded ground motion, counted from 0.
+    /// A ground motion, counted from 0.
     Record(usize),
     /// What the result owes to each assumption.
     Vary,
@@ -73,6 +75,9 @@ pub enum FigureKind {
 
 /// Recorded ground motions that a study draws; with more of them, the first.
 pub const MOST_RECORDS: usize = 6;
+
+/// Motions that were made for a study and are drawn: they are all of one kind.
+pub const MOST_SYNTHETIC: usize = 2;
 
 impl FigureKind {
     /// Its name for files.
@@ -116,9 +121,8 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {
         kinds.push(FigureKind::History);
     }
-    if let Ground::Recorded(records) = &study.ground {
-        kinds.extend((0..records.len().min(MOST_RECORDS)).map(FigureKind::Record));
-    }
+    let drawn = if matches!(study.ground, Ground::Recorded(_)) { MOST_RECORDS } else { MOST_SYNTHETIC };
+    kinds.extend((0..result.ground.len().min(drawn)).map(FigureKind::Record));
     if result.sensitivity.as_ref().is_some_and(|sensitivity| sensitivity.rows.len() > result.levels.len()) {
         kinds.push(FigureKind::Vary);
     }
@@ -149,35 +153,52 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
                 .ok_or_else(|| FigureError { figure: kind.name(), reason: "nothing was varied".into() })?;
             vary::vary(sensitivity, &levels)
         }
-        FigureKind::Record(index) => match &study.ground {
-            Ground::Recorded(records) if index < records.len() => study_record(index, &records[index]),
-            _ => {
-                let reason = format!("there is no recorded motion {}", index + 1);
-                return Err(FigureError { figure: kind.name(), reason });
-            }
-        },
+        FigureKind::Record(index) => study_record(index, study, result).ok_or_else(|| FigureError {
+            figure: kind.name(),
+            reason: format!("there is no ground motion {}", index + 1),
+        })?,
     };
     page::draw(page)
 }
 
+fn points(levels_ratio: &[f64], accel_g: &[f64]) -> Vec<(f64, f64)> {
+    levels_ratio.iter().copied().zip(accel_g.iter().copied()).collect()
+}
+
 fn study_profile(study: &Study, result: &StudyResult) -> Option<page::Page> {
     let profile = result.profile.as_ref()?;
-    let code: Vec<(f64, f64)> =
-        profile.code_g.iter().flatten().zip(&profile.levels_ratio).map(|(&g, &level)| (level, g)).collect();
+    let code = profile.code.as_ref().map(|code| (code.clause, points(&profile.levels_ratio, &code.accel_g)));
     let picture = ProfilePicture {
         title: "Peak floor accelerations",
         levels_ratio: &profile.levels_ratio,
         height_m: study.building.as_ref().map(|building| building.height_m),
         pfa_g: &profile.pfa_g,
         pga_g: &[],
-        code: profile.code_clause.filter(|_| !code.is_empty()).map(|clause| (clause, &code[..])),
+        code: code.as_ref().map(|(clause, line)| (*clause, &line[..])),
     };
     Some(floor_profile::floor_profile(&FigureKind::FloorProfile.name(), &picture))
 }
 
-fn study_record(index: usize, record: &RecordedMotion) -> page::Page {
-    let words = Words { name: &record.name, description: &record.description, processing: &record.processing };
-    record::record(FigureKind::Record(index).name(), words, &record.motion)
+/// A ground motion as it is used; of two components the first.
+fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<page::Page> {
+    let ground = result.ground.get(index)?;
+    let name = FigureKind::Record(index).name();
+    let page = match &study.ground {
+        Ground::Recorded(records) => {
+            let record = records.get(index)?;
+            let shown = if record.across.is_some() { "; the first of the two is drawn" } else { "" };
+            let description = format!("{}{shown}", record.description);
+            let words = Words { name: &record.name, description: &description, processing: &record.processing };
+            record::record(name, words, &ground.motion.along)
+        }
+        Ground::Synthetic(synthetic) => {
+            let description = format!("made for {}, seed {}", synthetic.target.one_line(), synthetic.seed);
+            let words = Words { name: &ground.name, description: &description, processing: &[] };
+            record::record(name, words, &ground.motion.along)
+        }
+        Ground::OnFloors => return None,
+    };
+    Some(page)
 }
 
 /// What is said about a motion in its figure.
@@ -209,6 +230,14 @@ pub fn response_spectrum_figure(
     spectra: &[&DampedSpectrum],
 ) -> Result<Figure, FigureError> {
     page::draw(response_spectrum::response_spectrum(words, periods_s, spectra))
+}
+
+/// Draws the spectra of motions against their target.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
+    page::draw(matched::matched(picture))
 }
 
 /// Draws the spectrum of a code, and what it gives parts up the height of a building.

@@ -19,7 +19,25 @@ fn request(along: Axis, across: Option<Axis>) -> FloorRequest {
         tail_s: 2.0,
         upsample: 1,
         spectra: None,
+        code: None,
     }
+}
+
+/// AS 1170.4, section 8, Melbourne on De: 0.08 · 1.1 g at the ground, twice that at mid-height, three times at the roof.
+#[test]
+fn a_codes_parts_stand_beside_the_floors() {
+    let target = crate::target::Target::resolve(&crate::target::TargetWords::default(), "".as_ref()).unwrap();
+    let request = FloorRequest { code: Some(target.spectrum), ..request(beam(1.0), None) };
+    let motions = vec![floors(&read(1, 1.0), &request).unwrap().report];
+    let report = FloorReport::new(&request, motions, None).unwrap();
+    for (level, expected_g) in report.levels.iter().zip([0.088, 0.176, 0.264]) {
+        // Three roundings of decimal factors.
+        assert!((level.code_part_g.unwrap() - expected_g).abs() < 1e-15, "{level:?}");
+    }
+    assert!(report.code_clause.unwrap().starts_with("AS 1170.4"));
+    assert!(
+        String::from_utf8(report.profile_csv().unwrap()).unwrap().lines().next().unwrap().ends_with(",code_part_g")
+    );
 }
 
 /// A record of one or two components, `scale` times a wave.

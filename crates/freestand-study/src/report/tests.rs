@@ -67,12 +67,15 @@ fn check(html: &str) {
 #[test]
 fn every_figure_is_drawn_with_its_axes() {
     let (figures, _) = rendered(false);
-    let expected: [(&str, &[&str]); 5] = [
+    let expected: [(&str, &[&str]); 8] = [
         ("urs", &["Height of the object (m)", "Uplift (mm)", "t = 200 mm", "overturned", "roof", "mid-height"]),
         ("srs", &["Height of the object (m)", "Edge shock (g)", "uplift ceiling", "median overturned"]),
         ("overturning", &["Height of the object (m)", "Share of motions"]),
         ("floor_spectra", &["Period (s)", "Spectral acceleration (g)", "ground", "target: code spectrum", "T₁"]),
+        ("floor_profile", &["Peak floor acceleration (g)", "Height (m)", "median", "16 and 84 %", "a code’s line"]),
         ("history", &["Time (s)", "Rotation θ/α (–)", "Floor accel. (g)", "Edge shock (g)"]),
+        ("record_01", &["Time (s)"]),
+        ("record_02", &["Time (s)"]),
     ];
     assert_eq!(figures.len(), expected.len());
     for (figure, (name, labels)) in figures.iter().zip(expected) {
@@ -189,7 +192,7 @@ fn the_smallest_study_has_a_report_too() {
         level.statistics = vec![crate::statistics::object_statistics(level.responses.iter().map(|row| &row[0]))];
     }
     let figures = figures(&study, &result).unwrap();
-    assert_eq!(figures.len(), 4);
+    assert_eq!(figures.len(), 6);
     check(&report(&study, &result, &figures, &provenance(&study)));
 
     result.levels[0].statistics = vec![None];
@@ -225,7 +228,8 @@ fn many_levels_and_thicknesses_and_a_fall_are_drawn() {
     let figures = figures(&study, &result).unwrap();
     let urs = &figures[0].svg;
     assert!(urs.contains("quarter") && urs.contains("t = 550 mm") && !urs.contains("16–84"));
-    assert!(figures[4].svg.contains("overturns"));
+    let history = figures.iter().find(|figure| figure.name == "history").unwrap();
+    assert!(history.svg.contains("overturns"));
     let html = report(&study, &result, &figures, &provenance(&study));
     check(&html);
     assert!(html.contains(">1.25<") && html.contains(">3.00<"));

@@ -23,6 +23,10 @@ impl Resolver<'_> {
         self.positive(&written.storey_height_m, "storey_height", Dimension::Length);
         let before = self.problems.len();
         let along = written.along();
+        self.check_axis(&along);
+        if let Some(across) = &written.across {
+            self.check_axis(&across.value);
+        }
         for (key, table) in [("storey_table", &along.storey_table), ("mode_table", &along.mode_table)] {
             self.exclusive((key, table), ("storeys", &written.storeys));
             self.exclusive((key, table), ("storey_height", &written.storey_height_m));
@@ -71,8 +75,8 @@ impl Resolver<'_> {
         })
     }
 
-    /// One axis, and where its period is from. `before`: how many problems there were before the building.
-    fn axis(&mut self, written: &AxisOptions, stated: Stated, before: usize) -> Option<(Axis, String)> {
+    /// Notes what is wrong with the keys of one axis as they are written.
+    fn check_axis(&mut self, written: &AxisOptions) {
         self.positive(&written.period_s, "period", Dimension::Time);
         self.require(&written.damping, |zeta| (0.0..1.0).contains(&zeta), "damping", "a ratio from 0 to below 1");
         self.require(&written.shear_flexure, |a| a >= 0.0 && a.is_finite(), "shear_flexure", "0 or more");
@@ -85,6 +89,16 @@ impl Resolver<'_> {
             self.exclusive((key, table), ("frame", &written.frame));
             self.exclusive((key, table), ("shear_flexure", &written.shear_flexure));
         }
+        if let Some(Written { value, line }) = &written.frame
+            && FrameKind::parse(value).is_none()
+        {
+            let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
+            self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
+        }
+    }
+
+    /// One axis, and where its period is from. `before`: how many problems there were before the building.
+    fn axis(&mut self, written: &AxisOptions, stated: Stated, before: usize) -> Option<(Axis, String)> {
         let table = written.storey_table.as_ref().or(written.mode_table.as_ref());
         let (model, note) = match (&written.storey_table, &written.mode_table) {
             (Some(name), _) => {
@@ -139,22 +153,12 @@ impl Resolver<'_> {
     }
 
     /// The fundamental period, and where it is from.
-    fn period(&mut self, written: &AxisOptions, height_m: f64) -> Option<(f64, String)> {
-        let kind = match &written.frame {
-            None => Some(FrameKind::Other),
-            Some(Written { value, line }) => {
-                let found = FrameKind::parse(value);
-                if found.is_none() {
-                    let hint = "steel-moment, concrete-moment, steel-braced or other; or give period = \"1.92 s\"";
-                    self.note(Some(*line), format!("frame \"{}\" is not known", shorten(value)), hint);
-                }
-                found
-            }
-        };
+    fn period(&self, written: &AxisOptions, height_m: f64) -> Option<(f64, String)> {
         if let Some(period) = &written.period_s {
             return Some((period.value, "as given".to_owned()));
         }
-        let kind = kind?;
+        // A frame that is not known was noted.
+        let kind = written.frame.as_ref().map_or(Some(FrameKind::Other), |frame| FrameKind::parse(&frame.value))?;
         let period_s = fundamental_period_s(kind, height_m).ok()?;
         let (kt, name, height) = (kind.period_factor(), kind.name(), format_si(height_m, Dimension::Length));
         Some((period_s, format!("AS 1170.4, 1.25 kt h^0.75 with kt = {kt} (frame \"{name}\") and h = {height}")))

@@ -3,7 +3,6 @@
 use freestand::G0_M_S2;
 use freestand::building::{Building, floor_motions, floor_peaks};
 use freestand::code_spectrum::CodeSpectrum;
-use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::signal::rotate::{Pair, directional_spectrum};
@@ -12,6 +11,7 @@ use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
 use crate::error::{Problem, ProblemKind, StudyError};
+use crate::floor::code_parts;
 use crate::result::{FloorProfile, GroundMotion, HorizontalMotion, PseudoSpectrum};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study, synthetic_name};
 
@@ -125,15 +125,9 @@ pub(super) fn floor_profile(
         .collect::<Vec<Result<_, StudyError>>>()
         .into_iter()
         .collect::<Result<Vec<Vec<f64>>, _>>()?;
-    let code = code_spectrum(&study.ground);
-    let part = |code: &CodeSpectrum, level_ratio: f64| {
-        let building_period_s = Some(building.along.period_s());
-        let question = PartsQuestion { level_ratio, building_height_m: building.height_m, building_period_s };
-        floor_acceleration_g(code, &question)
-    };
-    let code_g =
-        code.and_then(|code| levels_ratio.iter().map(|&level| part(code, level)).collect::<Option<Vec<f64>>>());
-    Ok(Some(FloorProfile { code_clause: code.and_then(clause), levels_ratio, pfa_g, code_g }))
+    let code = code_spectrum(&study.ground)
+        .and_then(|code| code_parts(code, building.height_m, building.along.period_s(), &levels_ratio));
+    Ok(Some(FloorProfile { levels_ratio, pfa_g, code }))
 }
 
 /// The spectrum that the motions are made for.

@@ -28,7 +28,7 @@ const fn key(table: &'static str, name: &'static str, in_place_of: &'static [&'s
     Key { table, name, in_place_of }
 }
 
-static KEYS: [Key; 16] = [
+static KEYS: [Key; 22] = [
     key("building", "damping", &[]),
     key("building", "period", &["frame"]),
     key("building", "shear_flexure", &[]),
@@ -39,6 +39,12 @@ static KEYS: [Key; 16] = [
     key("ground", "return_period_years", &[]),
     key("ground", "hazard_factor", &["city"]),
     key("ground", "city", &["hazard_factor"]),
+    key("ground", "spectrum_type", &[]),
+    key("ground", "ground_acceleration", &[]),
+    key("ground", "importance_factor", &[]),
+    key("ground", "sds", &[]),
+    key("ground", "sd1", &[]),
+    key("ground", "fault_distance", &[]),
     key("ground", "scale", &[]),
     key("objects", "mass", &[]),
     key("objects", "stiffness", &["cushion", "law", "pad_stiffness", "pads_per_edge", "series_stiffness"]),

@@ -39,6 +39,7 @@
 mod frame;
 mod matching;
 mod noise;
+mod pairs;
 mod point_source;
 mod simulation;
 mod site_amplification;
@@ -47,6 +48,7 @@ mod wavelet;
 
 pub use matching::matched_periods_s;
 pub use noise::Window;
+pub use pairs::{PAIR_MAGNITUDES, Pair, distance_for_target};
 pub use point_source::{Corners, HighCut, PathDuration, PointSource, Preset, Quality, SourceSpectrum, SpreadingPiece};
 pub use simulation::{SimulationOptions, Simulator};
 pub use site_amplification::{ProfileError, ShearWaveProfile, VelocityPiece, density_kg_m3};

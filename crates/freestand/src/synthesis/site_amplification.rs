@@ -223,7 +223,7 @@ mod tests {
             let got = melbourne.amplification_ratio(frequency_hz, 2800.0, 3500.0);
             assert!((got - expected).abs() < 1e-5, "{frequency_hz} Hz: {got}");
         }
-        // A published table for the same profile, from coarser layers (its V_S30 is 631, not 630 m/s): it differs by
+        // Another computation of the profile, from coarser layers (its V_S30 is 631 m/s, 630 in closed form), differs by
         // 0.25 % up to 5 Hz and by 3.4 % at 50 Hz, where the quarter wavelength is one metre.
         for (frequency_hz, table, within) in [
             (0.1, 1.164, 0.0025),

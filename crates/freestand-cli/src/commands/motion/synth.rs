@@ -2,8 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
-use freestand::synthesis::{GENERATOR, MatchedMotion, SynthesisError, SynthesisOptions, match_motion, synthesize};
+use clap::{Args, ValueEnum};
+use freestand::motion::Motion;
+use freestand::synthesis::{
+    GENERATOR, MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions, match_by_wavelets, match_motion,
+    matched_periods_s, synthesize, with_pga,
+};
+use freestand_study::figures::{MatchedPicture, Words, matched_figure, record_figure};
+use freestand_study::quantity::Dimension;
 use freestand_study::recorded::name_of;
 use freestand_study::records::write_csv;
 use freestand_study::study::synthetic_name;
@@ -11,6 +17,7 @@ use freestand_study::{Problem, ProblemKind};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::plot::{Target, failed, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
@@ -18,6 +25,7 @@ use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::target::{TargetArgs, TargetReport};
+use crate::values::Values;
 
 /// Synthetic motions that fit the elastic spectrum of a code, or a table
 #[derive(Debug, Args)]
@@ -33,17 +41,69 @@ pub(crate) struct SynthArgs {
     /// How many motions
     #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
+    #[command(flatten)]
+    layout: LayoutArgs,
+    #[command(flatten)]
+    peak: PeakArgs,
+}
+
+/// How a motion is laid out in time.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "The motion")]
+struct LayoutArgs {
+    /// Time step, at most 0.01 s
+    #[arg(long, value_name = "TIME", default_value = "0.005 s", allow_hyphen_values = true)]
+    time_step: String,
+    /// Length of the shaking with its tapers, at least 10 s
+    #[arg(long, value_name = "TIME", default_value = "40 s", allow_hyphen_values = true)]
+    shaking: String,
+    /// Duration of the window that shapes the noise; D5-95 is about as long
+    #[arg(long, value_name = "TIME", default_value = "10 s", allow_hyphen_values = true)]
+    envelope: String,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "The motion")]
+struct PeakArgs {
+    /// Bring the peak acceleration to the code's at T = 0 by scaling half-cycles; the fit at short periods suffers
+    #[arg(long)]
+    match_pga: bool,
+}
+
+/// How the spectrum of a record is brought to the target.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+enum MethodName {
+    /// Scales wavelets; keeps more of the record
+    #[default]
+    Wavelet,
+    /// Scales Fourier amplitudes at the period itself
+    Fft,
+}
+
+impl MethodName {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Wavelet => "wavelet",
+            Self::Fft => "fft",
+        }
+    }
 }
 
 /// A record matched to the elastic spectrum of a code; its phases stay
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
-  freestand motion match record.AT2 --code as1170.4 --site De --city Melbourne --out matched")]
+Examples:
+  freestand motion match record.AT2 --code as1170.4 --site De --city Melbourne --out matched
+  freestand motion match record.AT2 --site De --method fft --match-pga --json")]
 pub(crate) struct MatchArgs {
     /// Record file
     #[arg(value_name = "FILE")]
     file: PathBuf,
+    /// How
+    #[arg(long, value_enum, default_value_t)]
+    method: MethodName,
+    #[command(flatten)]
+    peak: PeakArgs,
     #[command(flatten)]
     target: TargetArgs,
     #[command(flatten)]
@@ -56,6 +116,7 @@ struct SynthReport {
     code: TargetReport,
     seed: Option<u64>,
     generator: Option<&'static str>,
+    method: &'static str,
     motions: Vec<MatchedReport>,
 }
 
@@ -72,52 +133,142 @@ struct MatchedReport {
     target_zpa_g: f64,
     pgv_m_s: f64,
     d5_95_s: f64,
+    /// The rms before the peak was brought to the code's.
+    rms_misfit_before_pga_ratio: Option<f64>,
+    /// Of the accelerations with those of the record.
+    correlation_ratio: Option<f64>,
+    /// Largest difference of the Husid curves.
+    husid_difference_ratio: Option<f64>,
+}
+
+/// A motion, and what is said of it beside its misfit.
+struct Made {
+    matched: MatchedMotion,
+    before_pga: Option<Misfit>,
+    resemblance: Option<Resemblance>,
+}
+
+/// With its peak brought to the target's at T = 0, if so wished.
+fn with_peak(matched: MatchedMotion, args: &PeakArgs, target: impl Fn(f64) -> f64) -> Result<Made, SynthesisError> {
+    if !args.match_pga {
+        return Ok(Made { matched, before_pga: None, resemblance: None });
+    }
+    let pga_g = target(0.0);
+    let after = with_pga(&matched.motion, target, pga_g)?;
+    Ok(Made { matched: after, before_pga: Some(matched.misfit), resemblance: None })
 }
 
 const SCHEMA: &str = "freestand.motion-synth/1";
 
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let target = args.target.matched_target()?;
+    let asked = args.target.matched_target()?;
     let inputs: Vec<PathBuf> = args.target.inputs().cloned().collect();
     let files = Files::begin(global, &inputs)?;
     let seed = global.seed.unwrap_or(1);
+    let options = options(&args.layout)?;
+    let target = |period_s| asked.spectrum.sa_g(period_s);
     // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
-    let matched: Vec<MatchedMotion> = (0..u64::from(args.count))
+    let made: Vec<Made> = (0..u64::from(args.count))
         .into_par_iter()
-        .map(|index| synthesize(|period_s| target.spectrum.sa_g(period_s), seed, index, &SynthesisOptions::default()))
+        .map(|index| with_peak(synthesize(target, seed, index, &options)?, &args.peak, target))
         .collect::<Result<_, SynthesisError>>()
-        .map_err(|error| Failure::computation(error.to_string()))?;
-    let named = matched.into_iter().enumerate().map(|(i, one)| (synthetic_name(i), one));
+        .map_err(not_made)?;
+    draw("Synthetic motions and their target", target, &made, "synthetic-01", &files)?;
+    let named = made.into_iter().enumerate().map(|(i, one)| (synthetic_name(i), one));
     let motions = written(named, &files)?;
-    let report =
-        SynthReport { code: TargetReport::from(&target), seed: Some(seed), generator: Some(GENERATOR), motions };
-    finish(report, files, target.warnings, printer)
+    let report = SynthReport {
+        code: TargetReport::from(&asked),
+        seed: Some(seed),
+        generator: Some(GENERATOR),
+        method: MethodName::Fft.name(),
+        motions,
+    };
+    finish(report, files, asked.warnings, printer)
+}
+
+fn options(args: &LayoutArgs) -> Result<SynthesisOptions, Failure> {
+    let mut values = Values::default();
+    let fine = SynthesisOptions::default();
+    let dt_s = values.positive("--time-step", Some(&args.time_step), Dimension::Time);
+    let shaking_s = values.positive("--shaking", Some(&args.shaking), Dimension::Time);
+    let envelope_s = values.positive("--envelope", Some(&args.envelope), Dimension::Time);
+    values.finish()?;
+    Ok(SynthesisOptions {
+        dt_s: dt_s.unwrap_or(fine.dt_s),
+        shaking_s: shaking_s.unwrap_or(fine.shaking_s),
+        envelope_s: envelope_s.unwrap_or(fine.envelope_s),
+        ..fine
+    })
+}
+
+/// A flag out of its range is the user's; everything else is not.
+fn not_made(error: SynthesisError) -> Failure {
+    match error {
+        SynthesisError::Option { .. } => Problem::new(ProblemKind::Value, error.to_string())
+            .hint("--time-step is dt_s, --shaking is shaking_s, --envelope is envelope_s")
+            .into(),
+        error => Failure::computation(error.to_string()),
+    }
 }
 
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let target = args.target.matched_target()?;
-    let mut warnings = target.warnings.clone();
+    let asked = args.target.matched_target()?;
+    let mut warnings = asked.warnings.clone();
     let read = args.read.read_one(&args.file)?;
     let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
-    let matched = match_motion(
-        &read.motion.motion,
-        |period_s| target.spectrum.sa_g(period_s),
-        SynthesisOptions::default().passes,
-    )
-    .map_err(|error| {
+    let (record, target) = (&read.motion.motion, |period_s| asked.spectrum.sa_g(period_s));
+    let passes = SynthesisOptions::default().passes;
+    let matched = match args.method {
+        MethodName::Wavelet => match_by_wavelets(record, target, passes),
+        MethodName::Fft => match_motion(record, target, passes),
+    };
+    let mut made = matched.and_then(|matched| with_peak(matched, &args.peak, target)).map_err(|error| {
         Problem::new(ProblemKind::Value, error.to_string())
             .in_file(&args.file)
             .hint("a record of 5 s or more with energy at all periods from 0.05 to 5 s is needed")
     })?;
+    made.resemblance = Some(Resemblance::between(record, &made.matched.motion));
     warnings.extend(read.notes);
-    let motions = written(std::iter::once((format!("{}-matched", name_of(&args.file)), matched)), &files)?;
-    let report = SynthReport { code: TargetReport::from(&target), seed: None, generator: None, motions };
+    let name = format!("{}-matched", name_of(&args.file));
+    draw("A matched record and its target", target, std::slice::from_ref(&made), &name, &files)?;
+    let motions = written(std::iter::once((name, made)), &files)?;
+    let report = SynthReport {
+        code: TargetReport::from(&asked),
+        seed: None,
+        generator: None,
+        method: args.method.name(),
+        motions,
+    };
     finish(report, files, warnings, printer)
 }
 
-fn written(named: impl Iterator<Item = (String, MatchedMotion)>, files: &Files) -> Result<Vec<MatchedReport>, Failure> {
+/// The spectra against the target, and the first motion.
+fn draw(
+    title: &str,
+    target: impl Fn(f64) -> f64,
+    made: &[Made],
+    first_name: &str,
+    files: &Files,
+) -> Result<(), Failure> {
+    if !files.wanted() {
+        return Ok(());
+    }
+    let motions: Vec<&Motion> = made.iter().map(|one| &one.matched.motion).collect();
+    let target_sa_g: Vec<f64> = matched_periods_s().into_iter().map(target).collect();
+    let picture = MatchedPicture { title, target: "the target", target_sa_g: &target_sa_g, motions: &motions };
+    let mut figures = vec![("target".to_owned(), matched_figure(&picture).map_err(failed)?)];
+    if let Some(first) = motions.first() {
+        let words = Words { name: first_name, description: "matched to a spectrum", processing: &[] };
+        figures.push((first_name.to_owned(), record_figure(words, first).map_err(failed)?));
+    }
+    place(&Target::Folder, figures, files, &[])?;
+    Ok(())
+}
+
+fn written(named: impl Iterator<Item = (String, Made)>, files: &Files) -> Result<Vec<MatchedReport>, Failure> {
     named
-        .map(|(name, one)| {
+        .map(|(name, made)| {
+            let one = made.matched;
             let path = files.write(&format!("{name}.csv"), || write_csv(&one.motion))?;
             Ok(MatchedReport {
                 name,
@@ -131,6 +282,9 @@ fn written(named: impl Iterator<Item = (String, MatchedMotion)>, files: &Files) 
                 target_zpa_g: one.misfit.target_zpa_g,
                 pgv_m_s: one.misfit.pgv_m_s,
                 d5_95_s: one.misfit.d5_95_s,
+                rms_misfit_before_pga_ratio: made.before_pga.map(|misfit| misfit.rms_ratio),
+                correlation_ratio: made.resemblance.map(|kept| kept.correlation_ratio),
+                husid_difference_ratio: made.resemblance.map(|kept| kept.husid_difference_ratio),
             })
         })
         .collect()
@@ -144,6 +298,13 @@ fn finish(report: SynthReport, files: Files, mut warnings: Vec<String>, printer:
             "the PGA of the motions reaches {} g, the spectrum at T = 0 is {} g: a record that fits the plateau cannot have so low a PGA",
             significant(worst.pga_g, 3),
             significant(worst.target_zpa_g, 3)
+        ));
+    }
+    if let Some(before) = report.motions.first().and_then(|one| one.rms_misfit_before_pga_ratio) {
+        warnings.push(format!(
+            "the PGA was brought to the spectrum's by scaling half-cycles; the rms misfit of the first motion went from {} % to {} %",
+            significant(100.0 * before, 2),
+            significant(100.0 * report.motions[0].rms_misfit_ratio, 2)
         ));
     }
     files.finish(SCHEMA, &report, &warnings)?;

@@ -1,0 +1,237 @@
+//! `freestand motion simulate`: motions from a magnitude and a distance, or from a city and a return period.
+
+use clap::{Args, ValueEnum};
+use freestand::code_spectrum::SiteClass;
+use freestand::motion::Motion;
+use freestand::synthesis::{PathDuration, Preset, SimulationOptions, SourceSpectrum, Window, matched_periods_s};
+use freestand_study::figures::{MatchedPicture, Words, matched_figure, record_figure};
+use freestand_study::quantity::Dimension;
+use freestand_study::records::write_csv;
+use freestand_study::simulated::{Earthquakes, SimulatedReport, SimulatedRequest, SourceChanges, simulate};
+use freestand_study::{Problem, ProblemKind};
+
+use super::plot::failed;
+use crate::args::GlobalArgs;
+use crate::commands::Done;
+use crate::failure::Failure;
+use crate::files::Files;
+use crate::printer::{Printer, significant, table};
+use crate::values::Values;
+
+/// Motions of a stochastic point source: a magnitude at a distance, or those that a city's code spectrum stands for
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand motion simulate --magnitude 6 --distance \"30 km\" --count 10 --seed 1 --out motions
+  freestand motion simulate --magnitude 6.5 --distance \"45 km\" --preset se-australia --stress-drop \"50 MPa\" --json
+  freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 --out motions")]
+pub(crate) struct SimulateArgs {
+    /// Moment magnitude; with --city: that one instead of 5.5, 6, 6.5 and 7
+    #[arg(long, value_name = "M", allow_hyphen_values = true, required_unless_present = "city")]
+    magnitude: Option<String>,
+    /// Distance from the source to the site
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, required_unless_present = "city")]
+    distance: Option<String>,
+    /// Look for the distances at which the mean spectrum meets this place's rock spectrum (AS 1170.4)
+    #[arg(long, value_name = "NAME", conflicts_with = "distance")]
+    city: Option<String>,
+    /// Return period in years
+    #[arg(long, value_name = "YEARS", default_value = "500", allow_negative_numbers = true)]
+    return_period: u32,
+    /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
+    #[arg(long, value_name = "CLASS", default_value = "Be")]
+    site: String,
+    /// How many motions of each earthquake
+    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    count: u32,
+    #[command(flatten)]
+    source: SourceArgs,
+    /// Time step
+    #[arg(
+        long,
+        value_name = "TIME",
+        default_value = "0.005 s",
+        allow_hyphen_values = true,
+        help_heading = "The motion"
+    )]
+    time_step: String,
+    /// Corner of the acausal low cut
+    #[arg(
+        long,
+        value_name = "FREQUENCY",
+        default_value = "0.05 Hz",
+        allow_hyphen_values = true,
+        help_heading = "The motion"
+    )]
+    low_cut: String,
+}
+
+/// The crust, and what is changed in it.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "The source and the crust")]
+struct SourceArgs {
+    /// Parameters that belong together: victoria (or melbourne), intraplate, se-australia
+    #[arg(long, value_name = "NAME", default_value = "victoria")]
+    preset: String,
+    /// Stress drop, such as "200 bar" or "23 MPa" [default: the preset's]
+    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    stress_drop: Option<String>,
+    /// κ0, the loss near the surface [default: the preset's]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    kappa: Option<String>,
+    /// Shape of the source spectrum [default: the preset's]
+    #[arg(long, value_enum)]
+    source_spectrum: Option<SpectrumName>,
+    /// Duration along the path [default: the preset's]
+    #[arg(long, value_enum)]
+    path_duration: Option<PathName>,
+    /// How shaking rises and falls [default: the preset's]
+    #[arg(long, value_enum)]
+    window: Option<WindowName>,
+    /// No amplification by the crust
+    #[arg(long)]
+    hard_rock: bool,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum SpectrumName {
+    /// Brune's
+    SingleCorner,
+    /// Of Atkinson and Boore (1995)
+    TwoCorner,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum PathName {
+    /// 0.05 s for each km
+    Boore,
+    /// Of Atkinson and Boore (1995)
+    AtkinsonBoore,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum WindowName {
+    /// Of Lam, Wilson and Hutchinson (2000)
+    Lam,
+    /// Of Saragoni and Hart (1974)
+    SaragoniHart,
+}
+
+const SCHEMA: &str = "freestand.motion-simulate/1";
+
+pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let request = request(args, global)?;
+    let files = Files::begin(global, &[])?;
+    let mut report = simulate(&request)?;
+    for earthquake in &mut report.earthquakes {
+        for one in &mut earthquake.motions {
+            one.path = files.write(&format!("{}.csv", one.name), || write_csv(&one.motion))?;
+        }
+    }
+    if files.wanted() {
+        let fourier = report.fourier_csv()?;
+        files.write("fourier_amplitude.csv", || fourier)?;
+        draw(&report, &files)?;
+    }
+    let warnings = report.assumptions.clone();
+    files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
+    Ok(Done::OK)
+}
+
+fn request(args: &SimulateArgs, global: &GlobalArgs) -> Result<SimulatedRequest, Failure> {
+    let mut values = Values::default();
+    let magnitude = values.positive("--magnitude", args.magnitude.as_deref(), Dimension::Ratio);
+    let distance_m = values.positive("--distance", args.distance.as_deref(), Dimension::Length);
+    let preset = Preset::parse(&args.source.preset);
+    if preset.is_none() {
+        let problem =
+            Problem::new(ProblemKind::Value, format!("--preset: there is no preset \"{}\"", args.source.preset));
+        values.push(problem.hint("victoria (or melbourne), intraplate or se-australia"));
+    }
+    let site = SiteClass::parse(&args.site).map_err(|error| {
+        Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("Ae, Be, Ce, De or Ee, as in AS 1170.4")
+    });
+    let changes = SourceChanges {
+        stress_drop_pa: values.positive("--stress-drop", args.source.stress_drop.as_deref(), Dimension::Pressure),
+        kappa_s: values.non_negative("--kappa", args.source.kappa.as_deref(), Dimension::Time),
+        spectrum: args.source.source_spectrum.map(|name| match name {
+            SpectrumName::SingleCorner => SourceSpectrum::SingleCorner,
+            SpectrumName::TwoCorner => SourceSpectrum::TwoCorner,
+        }),
+        path_duration: args.source.path_duration.map(|name| match name {
+            PathName::Boore => PathDuration::Boore,
+            PathName::AtkinsonBoore => PathDuration::AtkinsonBoore,
+        }),
+        window: args.source.window.map(|name| match name {
+            WindowName::Lam => Window::Lam,
+            WindowName::SaragoniHart => Window::SaragoniHart,
+        }),
+        hard_rock: args.source.hard_rock,
+    };
+    let dt_s = values.positive("--time-step", Some(&args.time_step), Dimension::Time);
+    let low_cut_hz = values.positive("--low-cut", Some(&args.low_cut), Dimension::Frequency);
+    values.finish()?;
+    let earthquakes = match (&args.city, magnitude, distance_m) {
+        (Some(city), magnitude, _) => Earthquakes::Pairs {
+            city: city.clone(),
+            return_period_years: args.return_period,
+            magnitudes: magnitude.into_iter().collect(),
+        },
+        (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
+        (None, ..) => return Err(Failure::usage("--magnitude and --distance belong together", "or give --city")),
+    };
+    let fine = SimulationOptions::default();
+    let options =
+        SimulationOptions { dt_s: dt_s.unwrap_or(fine.dt_s), low_cut_hz: low_cut_hz.unwrap_or(fine.low_cut_hz) };
+    Ok(SimulatedRequest {
+        preset: preset.unwrap_or(Preset::Victoria),
+        changes,
+        earthquakes,
+        site: site?,
+        count: u64::from(args.count),
+        seed: global.seed.unwrap_or(1),
+        options,
+    })
+}
+
+/// The spectra against the code's, where there is one, and the first motion of each earthquake.
+fn draw(report: &SimulatedReport, files: &Files) -> Result<(), Failure> {
+    let mut figures = Vec::new();
+    if let Some(target) = report.code_spectrum() {
+        let sa_g: Vec<f64> = matched_periods_s().into_iter().map(target).collect();
+        let motions: Vec<&Motion> = report.motions().map(|one| &one.motion).collect();
+        let picture = MatchedPicture {
+            title: "Simulated motions and the spectrum of the code",
+            target: "AS 1170.4",
+            target_sa_g: &sa_g,
+            motions: &motions,
+        };
+        figures.push((String::from("target"), matched_figure(&picture).map_err(failed)?));
+    }
+    for one in report.earthquakes.iter().filter_map(|earthquake| earthquake.motions.first()) {
+        let words = Words { name: &one.name, description: "simulated", processing: &[] };
+        figures.push((one.name.clone(), record_figure(words, &one.motion).map_err(failed)?));
+    }
+    super::plot::place(&super::plot::Target::Folder, figures, files, &[])?;
+    Ok(())
+}
+
+fn text(report: &SimulatedReport) -> String {
+    let mut rows = Vec::new();
+    for earthquake in &report.earthquakes {
+        for one in &earthquake.motions {
+            rows.push(vec![
+                one.path.clone().unwrap_or_else(|| one.name.clone()),
+                significant(earthquake.magnitude, 3),
+                significant(earthquake.distance_m / 1000.0, 3),
+                earthquake.corner_frequencies_hz.first().map_or(String::new(), |&corner| significant(corner, 3)),
+                significant(earthquake.duration_s, 3),
+                significant(one.pga_g, 3),
+                significant(one.pgv_m_s, 3),
+                significant(one.d5_95_s, 3),
+            ]);
+        }
+    }
+    let headings = ["motion", "M", "R [km]", "f0 [Hz]", "Td [s]", "PGA [g]", "PGV [m/s]", "D5-95 [s]"];
+    table(&headings, &rows)
+}
