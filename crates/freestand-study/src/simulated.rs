@@ -1,18 +1,25 @@
 //! Motions of stochastic point sources: request → report.
 
+mod assumptions;
+
+use std::path::Path;
+
 use freestand::G0_M_S2;
-use freestand::code_spectrum::{SiteClass, hazard_factor, minimum_kpz, probability_factor};
+use freestand::code_spectrum::SiteClass;
 use freestand::measures::measures;
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PathDuration, PointSource, Preset, Quality, SimulationOptions,
-    Simulator, SourceSpectrum, SynthesisError, distance_for_target,
+    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, PathDuration, PointSource, Preset, Quality,
+    SimulationOptions, Simulator, SourceSpectrum, SynthesisError, distance_for_target, mean_ratio, stream,
 };
 use rayon::prelude::*;
 use serde::Serialize;
 
+use self::assumptions::{assumptions, outside_limits};
+use crate::cushion::KeyStyle;
 use crate::error::{Problem, ProblemKind};
 use crate::tables::columns_csv;
+use crate::target::{Target, TargetWords};
 use crate::words::number;
 
 /// What is changed in a preset; `None` leaves it.
@@ -77,7 +84,8 @@ pub struct SimulatedRequest {
 pub struct SimulatedReport {
     preset: &'static str,
     parameters: Parameters,
-    site: &'static str,
+    /// The class of the ground at the site.
+    pub site: &'static str,
     kpz_g: Option<f64>,
     seed: u64,
     generator: &'static str,
@@ -85,6 +93,9 @@ pub struct SimulatedReport {
     low_cut_hz: f64,
     /// What is assumed, in sentences.
     pub assumptions: Vec<String>,
+    /// What the reader must know, besides.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
     /// The earthquakes and their motions.
     pub earthquakes: Vec<Earthquake>,
 }
@@ -120,6 +131,10 @@ pub struct Earthquake {
     pub distance_m: f64,
     /// Geometric mean of PSA over the code's on rock, T = 0.5 to 1 s, where it was searched for.
     pub mean_ratio_to_rock_spectrum: Option<f64>,
+    /// So many motions the distance was searched with, however many are written.
+    pub searched_motions: Option<u32>,
+    /// Of the written motions over the code's spectrum for the site, as far as there is one.
+    pub written_mean_ratio_to_site_spectrum: Option<f64>,
     moment_n_m: f64,
     /// f₀, or f_a and f_b.
     pub corner_frequencies_hz: Vec<f64>,
@@ -171,24 +186,29 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
             .hint("give another value; `freestand motion simulate --help` lists the flags")
     };
     let source = |magnitude, distance_m| changed(request.preset.source(magnitude, distance_m), &request.changes);
-    let (kpz_g, found) = match &request.earthquakes {
+    let (rock, found) = match &request.earthquakes {
         Earthquakes::One { magnitude, distance_m } => (None, vec![(source(*magnitude, *distance_m), None)]),
         Earthquakes::Pairs { city, return_period_years, magnitudes } => {
-            let kpz_g = kpz_g(city, *return_period_years)?;
+            let rock = rock(city, *return_period_years)?;
             let all = if magnitudes.is_empty() { &PAIR_MAGNITUDES[..] } else { magnitudes };
             let mut found = Vec::new();
-            for &magnitude in all {
-                let rock = |period_s| kpz_g * SiteClass::Be.shape_factor_ratio(period_s);
-                let pair = distance_for_target(|r_m| source(magnitude, r_m), rock, request.seed, request.count);
-                let pair = pair.map_err(wrong)?.ok_or_else(|| no_distance(magnitude, kpz_g))?;
+            for (number, &magnitude) in (0..).zip(all) {
+                let streams = stream(number, 0)..stream(number, PAIR_MOTIONS);
+                let sa_g = |period_s| rock.spectrum.sa_g(period_s);
+                let at = |r_m| source(magnitude, r_m);
+                let pair = distance_for_target(at, sa_g, &request.options, request.seed, streams);
+                let pair = pair.map_err(wrong)?.ok_or_else(|| no_distance(magnitude, rock.kpz_g()))?;
                 found.push((source(magnitude, pair.distance_m), Some(pair.mean_ratio)));
             }
-            (Some(kpz_g), found)
+            (Some(rock), found)
         }
     };
-    let earthquakes = found
-        .iter()
-        .map(|(source, ratio)| earthquake(request, source, *ratio))
+    let kpz_g = rock.as_ref().and_then(Target::kpz_g);
+    let mut warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);
+    warnings.extend(found.iter().filter_map(|(source, _)| outside_limits(request.preset, source)));
+    let earthquakes = (0..)
+        .zip(&found)
+        .map(|(number, (source, ratio))| earthquake(request, number, source, kpz_g.zip(*ratio)))
         .collect::<Result<Vec<_>, SynthesisError>>()
         .map_err(wrong)?;
     Ok(SimulatedReport {
@@ -200,7 +220,8 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
         generator: GENERATOR,
         dt_s: request.options.dt_s,
         low_cut_hz: request.options.low_cut_hz,
-        assumptions: assumptions(request),
+        assumptions: assumptions(request, &source(6.0, 30e3)),
+        warnings,
         earthquakes,
     })
 }
@@ -217,36 +238,39 @@ fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
     }
 }
 
-/// kpZ with its minimum.
-fn kpz_g(city: &str, return_period_years: u32) -> Result<f64, Problem> {
-    let z = hazard_factor(city).ok_or_else(|| {
-        Problem::new(ProblemKind::Value, format!("AS 1170.4 has no hazard factor for \"{city}\""))
-            .hint("name a place of its table, such as Melbourne")
-    })?;
-    let kp = probability_factor(return_period_years)
-        .map_err(|error| Problem::new(ProblemKind::Value, error.to_string()).hint("see the tables of AS 1170.4"))?;
-    Ok((kp * z).max(minimum_kpz(return_period_years).unwrap_or(0.0)))
+/// The rock spectrum of a city.
+fn rock(city: &str, return_period_years: u32) -> Result<Target, Problem> {
+    let mut words = TargetWords::new(KeyStyle::Flag);
+    words.set("city", city);
+    words.set("return_period_years", return_period_years.to_string());
+    words.set("site", SiteClass::Be.name());
+    Target::resolve(&words, Path::new("")).map_err(|problems| {
+        let first = problems.into_iter().next().map(|problem| problem.problem);
+        first.unwrap_or_else(|| Problem::new(ProblemKind::Value, format!("AS 1170.4 has no spectrum for \"{city}\"")))
+    })
 }
 
-fn no_distance(magnitude: f64, kpz_g: f64) -> Problem {
+fn no_distance(magnitude: f64, kpz_g: Option<f64>) -> Problem {
     let message = format!(
         "earthquakes of magnitude {} meet the rock spectrum of kpZ = {} g at no distance from 2 to 300 km",
         number(magnitude, 3),
-        number(kpz_g, 3)
+        kpz_g.map_or_else(String::new, |kpz_g| number(kpz_g, 3))
     );
     Problem::new(ProblemKind::Value, message).hint("give another magnitude or return period, or a --distance")
 }
 
+/// The earthquake of a number, each with random numbers of its own; with kpZ and the ratio of the search, if there was one.
 fn earthquake(
     request: &SimulatedRequest,
+    earthquake: u32,
     source: &PointSource,
-    mean_ratio_to_rock_spectrum: Option<f64>,
+    kpz_g_and_ratio: Option<(f64, f64)>,
 ) -> Result<Earthquake, SynthesisError> {
     let (site, rock) = (request.site, SiteClass::Be);
     let site_ratio = |period_s: f64| site.shape_factor_ratio(period_s) / rock.shape_factor_ratio(period_s);
     let simulator = Simulator::new(source, site_ratio, &request.options)?;
     let motions = (0..request.count).into_par_iter().map(|index| {
-        let motion = simulator.motion(request.seed, index)?;
+        let motion = simulator.motion(request.seed, stream(earthquake, 0) + index)?;
         let m = measures(&motion);
         Ok(SimulatedMotion {
             name: motion_name(source, index),
@@ -260,13 +284,21 @@ fn earthquake(
             motion,
         })
     });
+    let motions: Vec<SimulatedMotion> = motions.collect::<Result<_, SynthesisError>>()?;
     let frequency = |i: usize| 0.05 * 1000.0_f64.powf(i as f64 / (FOURIER_POINTS - 1) as f64);
     let frequencies_hz: Vec<f64> = (0..FOURIER_POINTS).map(frequency).collect();
     let amplitudes = frequencies_hz.iter().filter_map(|&f| simulator.amplitude_m_s(f)).collect();
     Ok(Earthquake {
         magnitude: source.magnitude,
         distance_m: source.distance_m,
-        mean_ratio_to_rock_spectrum,
+        mean_ratio_to_rock_spectrum: kpz_g_and_ratio.map(|(_, ratio)| ratio),
+        searched_motions: kpz_g_and_ratio.map(|_| PAIR_MOTIONS),
+        written_mean_ratio_to_site_spectrum: match kpz_g_and_ratio {
+            Some((kpz_g, _)) => {
+                mean_ratio(motions.iter().map(|one| &one.motion), |t| kpz_g * site.shape_factor_ratio(t))?
+            }
+            None => None,
+        },
         moment_n_m: source.moment_n_m(),
         corner_frequencies_hz: match source.corners() {
             Corners::Single { corner_hz } => vec![corner_hz],
@@ -274,7 +306,7 @@ fn earthquake(
         },
         duration_s: source.duration_s(),
         pad_s: simulator.pad_s(),
-        motions: motions.collect::<Result<_, SynthesisError>>()?,
+        motions,
         fourier: (frequencies_hz, amplitudes),
     })
 }
@@ -317,28 +349,6 @@ fn parameters(source: &PointSource) -> Parameters {
         },
         window: source.window.name(),
     }
-}
-
-fn assumptions(request: &SimulatedRequest) -> Vec<String> {
-    let mut said = vec![match request.preset {
-        Preset::Victoria => "Victoria: 200 bar and trilinear spreading are those of eastern North America, Q that of Wilkie and Gibson, κ0 = 0.025 s a common value for rock; none was fitted to the site".to_owned(),
-        Preset::IntraplateHardRock => "intraplate: f_max = 50 Hz is from memory of Atkinson and Boore (1995)".to_owned(),
-        Preset::SouthEastAustralia => "se-australia: κ0 = 0.006 s is from memory of Allen (2012), and the Melbourne profile is not part of that model; 23 MPa is for sources above 10 km depth".to_owned(),
-    }];
-    if request.site != SiteClass::Be {
-        said.push(format!(
-            "site {}: Fourier amplitudes of rock times the ratio of the code's spectra {}/Be at T = 1/f; no soil column was followed",
-            request.site.name(),
-            request.site.name()
-        ));
-    }
-    if matches!(request.earthquakes, Earthquakes::Pairs { .. }) {
-        said.push(format!(
-            "distances are those at which the geometric mean of {} motions meets the code's rock spectrum over T = 0.5 to 1 s; the hazard was not deaggregated",
-            request.count
-        ));
-    }
-    said
 }
 
 impl SimulatedReport {

@@ -35,9 +35,9 @@ pub(crate) struct SimulateArgs {
     /// Look for the distances at which the mean spectrum meets this place's rock spectrum (AS 1170.4)
     #[arg(long, value_name = "NAME", conflicts_with = "distance")]
     city: Option<String>,
-    /// Return period in years
-    #[arg(long, value_name = "YEARS", default_value = "500", allow_negative_numbers = true)]
-    return_period: u32,
+    /// Return period in years, with --city [default: 500]
+    #[arg(long, value_name = "YEARS", allow_negative_numbers = true)]
+    return_period: Option<u32>,
     /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
     #[arg(long, value_name = "CLASS", default_value = "Be")]
     site: String,
@@ -118,6 +118,8 @@ enum WindowName {
 }
 
 const SCHEMA: &str = "freestand.motion-simulate/1";
+/// Return period where none is given.
+const USUAL_YEARS: u32 = 500;
 
 pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args, global)?;
@@ -133,12 +135,19 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         files.write("fourier_amplitude.csv", || fourier)?;
         draw(&report, &files)?;
     }
-    let warnings = report.assumptions.clone();
+    let warnings = [report.warnings.clone(), report.assumptions.clone()].concat();
     files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
 fn request(args: &SimulateArgs, global: &GlobalArgs) -> Result<SimulatedRequest, Failure> {
+    // `requires` of clap is silent here: --city itself excludes --distance.
+    if args.return_period.is_some() && args.city.is_none() {
+        return Err(Failure::usage(
+            "--return-period is of a code's spectrum and needs --city",
+            "give --city, or leave it out",
+        ));
+    }
     let mut values = Values::default();
     let magnitude = values.positive("--magnitude", args.magnitude.as_deref(), Dimension::Ratio);
     let distance_m = values.positive("--distance", args.distance.as_deref(), Dimension::Length);
@@ -174,7 +183,7 @@ fn request(args: &SimulateArgs, global: &GlobalArgs) -> Result<SimulatedRequest,
     let earthquakes = match (&args.city, magnitude, distance_m) {
         (Some(city), magnitude, _) => Earthquakes::Pairs {
             city: city.clone(),
-            return_period_years: args.return_period,
+            return_period_years: args.return_period.unwrap_or(USUAL_YEARS),
             magnitudes: magnitude.into_iter().collect(),
         },
         (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
@@ -233,5 +242,20 @@ fn text(report: &SimulatedReport) -> String {
         }
     }
     let headings = ["motion", "M", "R [km]", "f0 [Hz]", "Td [s]", "PGA [g]", "PGV [m/s]", "D5-95 [s]"];
-    table(&headings, &rows)
+    let mut text = table(&headings, &rows);
+    for one in &report.earthquakes {
+        if let (Some(searched), Some(motions), Some(written)) =
+            (one.mean_ratio_to_rock_spectrum, one.searched_motions, one.written_mean_ratio_to_site_spectrum)
+        {
+            text.push_str(&format!(
+                "\nM {} at {} km: mean spectrum over the code's, T = 0.5 to 1 s: {} of the {motions} motions of the search (rock), {} of the written ones (site {})",
+                significant(one.magnitude, 3),
+                significant(one.distance_m / 1000.0, 3),
+                significant(searched, 3),
+                significant(written, 3),
+                report.site,
+            ));
+        }
+    }
+    text
 }
