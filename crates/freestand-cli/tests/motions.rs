@@ -56,9 +56,17 @@ fn a_city_gives_the_distances_of_its_spectrum() {
     let earthquake = &pairs["earthquakes"][0];
     assert_eq!(pairs["kpz_g"], 0.08);
     assert!((earthquake["mean_ratio_to_rock_spectrum"].as_f64().unwrap() - 1.0).abs() < 2e-3);
-    // An independent computation has 30 km; four motions have a standard error of 15 %.
+    // An independent computation has 30 km; means of twenty motions have a standard error of 7 %, and it rounds to 5 km.
     let distance_m = earthquake["distance_m"].as_f64().unwrap();
-    assert!((18e3..45e3).contains(&distance_m), "{distance_m}");
+    assert!((24e3..37e3).contains(&distance_m), "{distance_m}");
+    // The search has its twenty, the four that are written say their own mean: within 2.7 of 0.2/√4, and of what a ratio of
+    // Fourier amplitudes does to a spectrum.
+    assert_eq!(earthquake["searched_motions"], 20);
+    let written = earthquake["written_mean_ratio_to_site_spectrum"].as_f64().unwrap();
+    assert!((0.6..1.5).contains(&written), "{written}");
+    // The distance is that of the earthquake, not of how many are written or on what.
+    let one = document(&["motion", "simulate", "--city", "Melbourne", "--magnitude", "6", "--count", "1"]);
+    assert_eq!(one["earthquakes"][0]["distance_m"], earthquake["distance_m"]);
     assert!(pairs["assumptions"][1].as_str().unwrap().contains("no soil column"));
 }
 
@@ -100,7 +108,8 @@ fn what_cannot_be_simulated_is_said() {
         (&["--magnitude", "9", "--distance", "30 km"][..], "magnitude must be from 3 to 8.5"),
         (&["--magnitude", "6", "--distance", "30"], "--distance"),
         (&["--magnitude", "6", "--distance", "30 km", "--preset", "mars"], "no preset"),
-        (&["--city", "Atlantis"], "no hazard factor"),
+        (&["--city", "Atlantis"], "is not in AS 1170.4"),
+        (&["--city", "Melbourne", "--return-period", "7"], "--return-period"),
         (&["--magnitude", "6"], "--distance"),
     ] {
         let output = freestand(&[&["motion", "simulate"], args].concat());
@@ -108,4 +117,41 @@ fn what_cannot_be_simulated_is_said() {
         assert_eq!(output.status.code(), Some(2), "{said}");
         assert!(said.contains(words) && said.contains("hint:"), "{said}");
     }
+}
+
+#[test]
+fn changes_of_a_preset_are_in_what_is_assumed() {
+    let at = |distance: &str, more: &[&str]| {
+        let one = ["motion", "simulate", "--magnitude", "6", "--distance", distance, "--count", "1"];
+        document(&[&one[..], more].concat())["warnings"].to_string()
+    };
+    let said = |more: &[&str]| at("30 km", more);
+    let intraplate = said(&["--preset", "intraplate"]);
+    assert!(intraplate.contains("f_max = 50 Hz is from memory") && intraplate.contains("0.05 s/km"), "{intraplate}");
+    let kappa = said(&["--preset", "intraplate", "--kappa", "0.01 s"]);
+    assert!(!kappa.contains("f_max") && kappa.contains("κ0 = 0.01 s, not the preset's"), "{kappa}");
+    let hard = said(&["--preset", "se-australia", "--hard-rock", "--stress-drop", "50 MPa"]);
+    assert!(!hard.contains("Melbourne profile") && !hard.contains("23 MPa") && hard.contains("50 MPa"), "{hard}");
+    assert!(hard.contains("0.78 to 19.9 Hz") && !hard.contains("was made for"), "{hard}");
+    assert!(at("410 km", &["--preset", "se-australia"]).contains("below 400 km"));
+}
+
+#[test]
+fn the_least_kpz_of_a_code_is_told_and_a_period_needs_a_city() {
+    let hobart = document(&["motion", "simulate", "--city", "Hobart", "--magnitude", "6", "--count", "1"]);
+    assert!(hobart["warnings"].to_string().contains("minimum kpZ"), "{}", hobart["warnings"]);
+    let one = ["motion", "simulate", "--magnitude", "6", "--distance", "30 km", "--return-period", "2500"];
+    let output = freestand(&one);
+    assert!(output.status.code() == Some(2) && String::from_utf8_lossy(&output.stderr).contains("--city"));
+}
+
+#[test]
+fn a_held_table_has_no_peak_to_match() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("uhs.csv");
+    std::fs::write(&table, "period [s],sa [g]\n0.05,0.2\n0.5,0.2\n5,0.02\n").unwrap();
+    let synth = ["motion", "synth", "--spectrum", table.to_str().unwrap(), "--beyond", "hold", "--match-pga"];
+    let output = freestand(&synth);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(2) && said.contains("--match-pga") && said.contains("0.05 s"), "{said}");
 }

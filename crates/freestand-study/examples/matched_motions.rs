@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let grounds = [GroundType::A, GroundType::B, GroundType::C, GroundType::D, GroundType::E];
     for (number, spectrum_type) in [(1, SpectrumType::Type1), (2, SpectrumType::Type2)] {
         for ground in grounds {
-            let code = Eurocode8::new(spectrum_type, ground, 0.08, 1.0)?;
+            let code = Eurocode8::new(spectrum_type, ground, 0.1, 1.0)?;
             row(&format!("Eurocode 8 type {number}, {ground:?}"), seed, |t| code.sa_g(t))?;
         }
     }

@@ -1,20 +1,26 @@
 //! Motions of stochastic point sources: request → report.
 
+mod assumptions;
 mod words;
 
+use std::path::Path;
+
 use freestand::G0_M_S2;
-use freestand::code_spectrum::{SiteClass, hazard_factor, minimum_kpz, probability_factor};
+use freestand::code_spectrum::SiteClass;
 use freestand::measures::measures;
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PathDuration, PointSource, Preset, Quality, SimulationOptions,
-    Simulator, SourceSpectrum, SynthesisError, distance_for_target,
+    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, PathDuration, PointSource, Preset, Quality,
+    SimulationOptions, Simulator, SourceSpectrum, SynthesisError, distance_for_target, mean_ratio, stream,
 };
 use rayon::prelude::*;
 use serde::Serialize;
 
+use self::assumptions::{assumptions, outside_limits};
+use crate::cushion::KeyStyle;
 use crate::error::{Problem, ProblemKind};
 use crate::tables::columns_csv;
+use crate::target::{Target, TargetWords};
 use crate::words::number;
 
 pub use words::{SOURCE_KEYS, SourceInput, SourceWords};
@@ -88,7 +94,8 @@ pub struct SimulatedRequest {
 pub struct SimulatedReport {
     preset: &'static str,
     parameters: SourceParameters,
-    site: &'static str,
+    /// The class of the ground at the site.
+    pub site: &'static str,
     kpz_g: Option<f64>,
     seed: u64,
     generator: &'static str,
@@ -96,6 +103,9 @@ pub struct SimulatedReport {
     low_cut_hz: f64,
     /// What is assumed, in sentences.
     pub assumptions: Vec<String>,
+    /// What the reader must know, besides.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
     /// The earthquakes and their motions.
     pub earthquakes: Vec<Earthquake>,
 }
@@ -131,6 +141,10 @@ pub struct Earthquake {
     pub distance_m: f64,
     /// Geometric mean of PSA over the code's on rock, T = 0.5 to 1 s, where it was searched for.
     pub mean_ratio_to_rock_spectrum: Option<f64>,
+    /// So many motions the distance was searched with, however many are written.
+    pub searched_motions: Option<u32>,
+    /// Of the written motions over the code's spectrum for the site, as far as there is one.
+    pub written_mean_ratio_to_site_spectrum: Option<f64>,
     moment_n_m: f64,
     /// f₀, or f_a and f_b.
     pub corner_frequencies_hz: Vec<f64>,
@@ -174,6 +188,8 @@ const FOURIER_POINTS: usize = 151;
 /// An earthquake of a request, with its distance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundEarthquake {
+    /// Its place among those of the request: each has random numbers of its own.
+    pub number: u32,
     /// Source and path.
     pub source: PointSource,
     /// Geometric mean of PSA over the code's on rock, T = 0.5 to 1 s, where the distance was searched for.
@@ -186,6 +202,11 @@ impl FoundEarthquake {
         format!("m{:.1}-{:.0}km-{:02}", self.source.magnitude, self.source.distance_m / 1000.0, index + 1)
     }
 
+    /// The stream of random numbers of a motion, counted from 0.
+    pub fn stream(&self, index: u64) -> u64 {
+        stream(self.number, 0) + index
+    }
+
     /// f₀, or f_a and f_b \[Hz\].
     pub fn corner_frequencies_hz(&self) -> Vec<f64> {
         match self.source.corners() {
@@ -195,8 +216,8 @@ impl FoundEarthquake {
     }
 }
 
-/// The earthquakes of a request; the distances that meet a code's spectrum are looked for, which takes as many motions as
-/// are asked for, and some more times.
+/// The earthquakes of a request; the distances that meet a code's spectrum are looked for, which takes
+/// [`PAIR_MOTIONS`] motions, some times over.
 ///
 /// # Errors
 /// Parameters out of range, a magnitude that meets the spectrum at no distance from 2 to 300 km.
@@ -204,17 +225,21 @@ pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquak
     let source = |magnitude, distance_m| changed(request.preset.source(magnitude, distance_m), &request.changes);
     let found = match &request.earthquakes {
         Earthquakes::One { magnitude, distance_m } => {
-            vec![FoundEarthquake { source: source(*magnitude, *distance_m), mean_ratio_to_rock_spectrum: None }]
+            let source = source(*magnitude, *distance_m);
+            vec![FoundEarthquake { number: 0, source, mean_ratio_to_rock_spectrum: None }]
         }
         Earthquakes::Pairs { kpz_g, magnitudes } => {
             let all = if magnitudes.is_empty() { &PAIR_MAGNITUDES[..] } else { magnitudes };
             let mut found = Vec::new();
-            for &magnitude in all {
+            for (number, &magnitude) in (0..).zip(all) {
                 let rock = |period_s| kpz_g * SiteClass::Be.shape_factor_ratio(period_s);
-                let pair = distance_for_target(|r_m| source(magnitude, r_m), rock, request.seed, request.count);
+                let streams = stream(number, 0)..stream(number, PAIR_MOTIONS);
+                let at = |r_m| source(magnitude, r_m);
+                let pair = distance_for_target(at, rock, &request.options, request.seed, streams);
                 let pair = pair.map_err(source_problem)?.ok_or_else(|| no_distance(magnitude, *kpz_g))?;
                 let mean_ratio_to_rock_spectrum = Some(pair.mean_ratio);
-                found.push(FoundEarthquake { source: source(magnitude, pair.distance_m), mean_ratio_to_rock_spectrum });
+                let source = source(magnitude, pair.distance_m);
+                found.push(FoundEarthquake { number, source, mean_ratio_to_rock_spectrum });
             }
             found
         }
@@ -246,7 +271,7 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
     };
     let earthquakes = found
         .iter()
-        .map(|found| earthquake(request, found))
+        .map(|found| earthquake(request, found, kpz_g))
         .collect::<Result<Vec<_>, SynthesisError>>()
         .map_err(|error| source_problem(error).problem)?;
     Ok(SimulatedReport {
@@ -259,6 +284,7 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
         dt_s: request.options.dt_s,
         low_cut_hz: request.options.low_cut_hz,
         assumptions: request.assumptions(),
+        warnings: request.limits(&found),
         earthquakes,
     })
 }
@@ -296,18 +322,19 @@ fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
     }
 }
 
-/// kpZ of a place, with its minimum \[g\].
+/// The rock spectrum of a city, by AS 1170.4, with its warnings.
 ///
 /// # Errors
 /// A city or a return period that the code does not have.
-pub fn city_kpz_g(city: &str, return_period_years: u32) -> Result<f64, Problem> {
-    let z = hazard_factor(city).ok_or_else(|| {
-        Problem::new(ProblemKind::Value, format!("AS 1170.4 has no hazard factor for \"{city}\""))
-            .hint("name a place of its table, such as Melbourne")
-    })?;
-    let kp = probability_factor(return_period_years)
-        .map_err(|error| Problem::new(ProblemKind::Value, error.to_string()).hint("see the tables of AS 1170.4"))?;
-    Ok((kp * z).max(minimum_kpz(return_period_years).unwrap_or(0.0)))
+pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problem> {
+    let mut words = TargetWords::new(KeyStyle::Flag);
+    words.set("city", city);
+    words.set("return_period_years", return_period_years.to_string());
+    words.set("site", SiteClass::Be.name());
+    Target::resolve(&words, Path::new("")).map_err(|problems| {
+        let first = problems.into_iter().next().map(|problem| problem.problem);
+        first.unwrap_or_else(|| Problem::new(ProblemKind::Value, format!("AS 1170.4 has no spectrum for \"{city}\"")))
+    })
 }
 
 fn no_distance(magnitude: f64, kpz_g: f64) -> SourceProblem {
@@ -320,11 +347,16 @@ fn no_distance(magnitude: f64, kpz_g: f64) -> SourceProblem {
     SourceProblem { key: Some("magnitude"), problem: Problem::new(ProblemKind::Value, message).hint(hint) }
 }
 
-fn earthquake(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<Earthquake, SynthesisError> {
-    let source = &found.source;
+/// The motions of an earthquake, each with random numbers of its own; kpZ where its distance was looked for.
+fn earthquake(
+    request: &SimulatedRequest,
+    found: &FoundEarthquake,
+    kpz_g: Option<f64>,
+) -> Result<Earthquake, SynthesisError> {
+    let (source, site) = (&found.source, request.site);
     let simulator = simulator(request, found)?;
     let motions = (0..request.count).into_par_iter().map(|index| {
-        let motion = simulator.motion(request.seed, index)?;
+        let motion = simulator.motion(request.seed, found.stream(index))?;
         let m = measures(&motion);
         Ok(SimulatedMotion {
             name: found.motion_name(index),
@@ -338,6 +370,7 @@ fn earthquake(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<Ear
             motion,
         })
     });
+    let motions: Vec<SimulatedMotion> = motions.collect::<Result<_, SynthesisError>>()?;
     let frequency = |i: usize| 0.05 * 1000.0_f64.powf(i as f64 / (FOURIER_POINTS - 1) as f64);
     let frequencies_hz: Vec<f64> = (0..FOURIER_POINTS).map(frequency).collect();
     let amplitudes = frequencies_hz.iter().filter_map(|&f| simulator.amplitude_m_s(f)).collect();
@@ -345,11 +378,16 @@ fn earthquake(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<Ear
         magnitude: source.magnitude,
         distance_m: source.distance_m,
         mean_ratio_to_rock_spectrum: found.mean_ratio_to_rock_spectrum,
+        searched_motions: kpz_g.map(|_| PAIR_MOTIONS),
+        written_mean_ratio_to_site_spectrum: match kpz_g {
+            Some(kpz_g) => mean_ratio(motions.iter().map(|one| &one.motion), |t| kpz_g * site.shape_factor_ratio(t))?,
+            None => None,
+        },
         moment_n_m: source.moment_n_m(),
         corner_frequencies_hz: found.corner_frequencies_hz(),
         duration_s: source.duration_s(),
         pad_s: simulator.pad_s(),
-        motions: motions.collect::<Result<_, SynthesisError>>()?,
+        motions,
         fourier: (frequencies_hz, amplitudes),
     })
 }
@@ -430,25 +468,12 @@ impl SimulatedRequest {
 
     /// What is assumed, in sentences.
     pub fn assumptions(&self) -> Vec<String> {
-        let mut said = vec![match self.preset {
-            Preset::Victoria => "Victoria: 200 bar and trilinear spreading are those of eastern North America, Q that of Wilkie and Gibson, κ0 = 0.025 s a common value for rock; none was fitted to the site".to_owned(),
-            Preset::IntraplateHardRock => "intraplate: f_max = 50 Hz is from memory of Atkinson and Boore (1995)".to_owned(),
-            Preset::SouthEastAustralia => "se-australia: κ0 = 0.006 s is from memory of Allen (2012), and the Melbourne profile is not part of that model; 23 MPa is for sources above 10 km depth".to_owned(),
-        }];
-        if self.site != SiteClass::Be {
-            said.push(format!(
-                "site {}: Fourier amplitudes of rock times the ratio of the code's spectra {}/Be at T = 1/f; no soil column was followed",
-                self.site.name(),
-                self.site.name()
-            ));
-        }
-        if matches!(self.earthquakes, Earthquakes::Pairs { .. }) {
-            said.push(format!(
-                "distances are those at which the geometric mean of {} motions meets the code's rock spectrum over T = 0.5 to 1 s; the hazard was not deaggregated",
-                self.count
-            ));
-        }
-        said
+        assumptions(self, &changed(self.preset.source(6.0, 30e3), &self.changes))
+    }
+
+    /// Earthquakes that the preset was not made for, a sentence each.
+    pub fn limits(&self, found: &[FoundEarthquake]) -> Vec<String> {
+        found.iter().filter_map(|one| outside_limits(self.preset, &one.source)).collect()
     }
 }
 

@@ -50,6 +50,7 @@ impl Resolver<'_> {
         };
         let earthquakes = find_earthquakes(&request).map_err(|problem| self.source_problem(source, problem)).ok()?;
         self.warnings.extend(hazard.iter().flat_map(|target| target.warnings.iter().cloned()));
+        self.warnings.extend(request.limits(&earthquakes));
         self.warnings.extend(request.assumptions());
         Some(SimulatedGround { request, earthquakes, hazard })
     }

@@ -62,7 +62,7 @@ fn simulated_motions(
             .into_par_iter()
             .map(|index| {
                 go_on()?;
-                let along = simulator.motion(simulated.request.seed, index).map_err(failed(wrong))?;
+                let along = simulator.motion(simulated.request.seed, found.stream(index)).map_err(failed(wrong))?;
                 finish(found.motion_name(index), HorizontalMotion { along, across: None }, None)
             })
             .collect::<Result<_, StudyError>>()?;

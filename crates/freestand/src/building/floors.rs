@@ -74,15 +74,13 @@ fn floor_accelerations(
 
 /// Peaks of one level, at the samples.
 ///
-/// **Units**: m/s², m/s, m. Velocity, displacement and drift are relative to the ground.
+/// **Units**: m/s², m. Displacement and drift are relative to the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloorPeaks {
     /// The level as a share of the height.
     pub level_ratio: f64,
     /// Largest absolute acceleration \[m/s²\].
     pub accel_m_s2: f64,
-    /// Largest velocity relative to the ground \[m/s\].
-    pub velocity_m_s: f64,
     /// Largest displacement relative to the ground \[m\].
     pub displacement_m: f64,
     /// Largest displacement relative to the level before it in the list, of the first relative to the ground \[m\].
@@ -91,8 +89,8 @@ pub struct FloorPeaks {
 
 /// Peaks of many levels in one pass, without keeping their histories.
 ///
-/// Accelerations as of [`floor_motions`], to the bit; displacement `u(x, t) = Σ Γ_iφ_i(x) u_i(t)` and its velocity. The
-/// modes left out have no part in these: they follow the ground at once.
+/// Accelerations as of [`floor_motions`], to the bit; displacement `u(x, t) = Σ Γ_iφ_i(x) u_i(t)`. The modes left out have
+/// no part in it: they follow the ground at once.
 ///
 /// # Errors
 /// A level outside 0 to 1; peaks that overflow.
@@ -118,13 +116,7 @@ pub fn floor_peaks(
     let levels: Vec<Shares> = levels_ratio.iter().map(|&level| Shares::new(building, level)).collect();
     let mut peaks: Vec<FloorPeaks> = levels_ratio
         .iter()
-        .map(|&level_ratio| FloorPeaks {
-            level_ratio,
-            accel_m_s2: 0.0,
-            velocity_m_s: 0.0,
-            displacement_m: 0.0,
-            drift_m: 0.0,
-        })
+        .map(|&level_ratio| FloorPeaks { level_ratio, accel_m_s2: 0.0, displacement_m: 0.0, drift_m: 0.0 })
         .collect();
     let accel = ground.accel_m_s2();
     let mut floor = Floor::default();
@@ -133,13 +125,12 @@ pub fn floor_peaks(
         for (peak, level) in peaks.iter_mut().zip(&levels) {
             floor.move_to(level, accel.get(from..).unwrap_or_default(), histories);
             raise(&mut peak.accel_m_s2, floor.absolute.iter().copied());
-            raise(&mut peak.velocity_m_s, floor.velocity.iter().copied());
             raise(&mut peak.displacement_m, floor.displacement.iter().copied());
             let below = floor.below.iter().copied().chain(std::iter::repeat(0.0));
             raise(&mut peak.drift_m, floor.displacement.iter().zip(below).map(|(here, below)| here - below));
         }
     })?;
-    let all = |peak: &FloorPeaks| [peak.accel_m_s2, peak.velocity_m_s, peak.displacement_m, peak.drift_m];
+    let all = |peak: &FloorPeaks| [peak.accel_m_s2, peak.displacement_m, peak.drift_m];
     match peaks.iter().flat_map(all).find(|peak| !peak.is_finite()) {
         Some(value) => Err(crate::motion::MotionError::NotFinite { index: 0, value }.into()),
         None => Ok(peaks),
@@ -165,7 +156,6 @@ impl Shares {
 #[derive(Default)]
 struct Floor {
     absolute: Vec<f64>,
-    velocity: Vec<f64>,
     displacement: Vec<f64>,
     below: Vec<f64>,
 }
@@ -176,13 +166,10 @@ impl Floor {
         std::mem::swap(&mut self.below, &mut self.displacement);
         self.absolute.clear();
         self.absolute.extend(ground.iter().take(samples).map(|a| level.residual * a));
-        for values in [&mut self.velocity, &mut self.displacement] {
-            values.clear();
-            values.resize(samples, 0.0);
-        }
+        self.displacement.clear();
+        self.displacement.resize(samples, 0.0);
         for (share, history) in level.modes.iter().zip(histories) {
             add(&mut self.absolute, *share, &history.absolute_m_s2);
-            add(&mut self.velocity, *share, &history.velocity_m_s);
             add(&mut self.displacement, *share, &history.displacement_m);
         }
     }
@@ -209,11 +196,10 @@ struct History {
     step: OscillatorStep,
     state: OscillatorState,
     absolute_m_s2: Vec<f64>,
-    velocity_m_s: Vec<f64>,
     displacement_m: Vec<f64>,
 }
 
-/// Samples of a block: ten modes of it, three histories each, stay in the fastest memory while every floor adds them up.
+/// Samples of a block: ten modes of it, two histories each, stay in the fastest memory while every floor adds them up.
 const BLOCK: usize = 256;
 
 /// Follows every mode's oscillator once, block by block; `each` is told the first sample of the block.
@@ -227,7 +213,7 @@ fn follow(ground: &Motion, building: &Building, mut each: impl FnMut(usize, &[Hi
                 .map_err(|_| BuildingError::Period { period_s: mode.period_s })?;
             let new = || Vec::with_capacity(BLOCK);
             let state = OscillatorState::default();
-            Ok(History { step, state, absolute_m_s2: new(), velocity_m_s: new(), displacement_m: new() })
+            Ok(History { step, state, absolute_m_s2: new(), displacement_m: new() })
         })
         .collect::<Result<Vec<_>, BuildingError>>()?;
     let accel = ground.accel_m_s2();
@@ -245,17 +231,14 @@ impl History {
     /// The block whose samples are `accel_m_s2`, behind the last of the block before; the very first sample is at rest.
     fn advance(&mut self, accel_m_s2: &[f64], at_rest: bool) {
         self.absolute_m_s2.clear();
-        self.velocity_m_s.clear();
         self.displacement_m.clear();
         if at_rest {
             self.absolute_m_s2.push(0.0);
-            self.velocity_m_s.push(0.0);
             self.displacement_m.push(0.0);
         }
         for pair in accel_m_s2.windows(2) {
             self.state = self.step.advance(self.state, pair[0], pair[1]);
             self.absolute_m_s2.push(self.step.absolute_acceleration_m_s2(self.state));
-            self.velocity_m_s.push(self.state.velocity_m_s);
             self.displacement_m.push(self.state.displacement_m);
         }
     }
@@ -333,7 +316,7 @@ mod tests {
             assert_eq!(floor.peak_m_s2(), peak.accel_m_s2);
         }
         let still = peaks[0];
-        assert_eq!([still.velocity_m_s, still.displacement_m, still.drift_m], [0.0; 3]);
+        assert_eq!([still.displacement_m, still.drift_m], [0.0; 2]);
         assert_eq!(peaks[1].drift_m, peaks[1].displacement_m);
         // A drift is at most the displacements of both ends together, and at least their difference.
         for pair in peaks.windows(2) {
@@ -342,7 +325,7 @@ mod tests {
         }
     }
 
-    /// One mode alone: velocity and displacement are the shares of its oscillator's spectrum.
+    /// One mode alone: the displacement is the share of its oscillator's spectrum.
     #[test]
     fn one_mode_moves_as_its_oscillator() {
         let building = Building::beam(0.8, 0.03, 5.0, 1).unwrap();

@@ -88,11 +88,6 @@ impl Asce7 {
         Self::new(edition, 2.0 * short / 3.0, 2.0 * second / 3.0, long_period_s)
     }
 
-    /// The same spectrum under the clauses of edition 22.
-    pub(super) fn as_edition_22(&self) -> Self {
-        Self { edition: Asce7Edition::Asce7_22, ..*self }
-    }
-
     /// Edition of the code.
     pub fn edition(&self) -> Asce7Edition {
         self.edition

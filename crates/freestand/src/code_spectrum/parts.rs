@@ -3,7 +3,7 @@
 //! A free-standing object is no part in the sense of these clauses: they are for what is fixed. The acceleration that they
 //! give a rigid part is the code's own estimate of the peak floor acceleration, and worth a line beside computed ones.
 
-use super::{Asce7, Asce7Edition, CodeSpectrum, CodeSpectrumError, positive};
+use super::{Asce7, Asce7Edition, CodeSpectrum};
 
 /// Where in which building.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,74 +106,6 @@ pub fn asce7_height_factor_ratio(code: &Asce7, level_ratio: f64, building_period
     }
 }
 
-/// Factors of a component by ASCE 7-22.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Asce7Component {
-    /// Importance Ip.
-    pub importance_ratio: f64,
-    /// Ductility of the structure, Rμ.
-    pub structure_ductility_ratio: f64,
-    /// Resonance ductility of the component, CAR.
-    pub resonance_ratio: f64,
-    /// Strength of the component, Rpo.
-    pub strength_ratio: f64,
-}
-
-/// Design force of a component over its weight: `0.4 SDS Ip (Hf/Rμ)(CAR/Rpo)`, from 0.3 SDS Ip to 1.6 SDS Ip.
-///
-/// # Reference
-/// ASCE 7-22, Eqs. (13.3-1) to (13.3-3).
-///
-/// # Errors
-/// A factor that is not positive and finite, a level that is not from 0 to 1, a period that is given and is not positive.
-///
-/// # Example
-/// SDS = 1 g, roof, Hf = 3.5, Rμ = 1.3, CAR = 1.4, Rpo = 1.5: 0.4 · 3.5/1.3 · 1.4/1.5 = 1.005.
-/// ```
-/// use freestand::code_spectrum::{Asce7, Asce7Edition};
-/// use freestand::code_spectrum::parts::{Asce7Component, asce7_design_force_ratio};
-/// let code = Asce7::new(Asce7Edition::Asce7_22, 1.0, 0.6, 8.0)?;
-/// let rack = Asce7Component {
-///     importance_ratio: 1.0, structure_ductility_ratio: 1.3, resonance_ratio: 1.4, strength_ratio: 1.5,
-/// };
-/// assert!((asce7_design_force_ratio(&code, &rack, 1.0, None)? - 1.005).abs() < 5e-4);
-/// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
-/// ```
-pub fn asce7_design_force_ratio(
-    code: &Asce7,
-    component: &Asce7Component,
-    level_ratio: f64,
-    building_period_s: Option<f64>,
-) -> Result<f64, CodeSpectrumError> {
-    let ip = positive("Ip", component.importance_ratio)?;
-    let ductility = positive("Rμ", component.structure_ductility_ratio)?;
-    let resonance = positive("CAR", component.resonance_ratio)? / positive("Rpo", component.strength_ratio)?;
-    if let Some(period_s) = building_period_s {
-        positive("the period of the building", period_s)?;
-    }
-    if !(0.0..=1.0).contains(&level_ratio) {
-        let (name, requirement) = ("the level z/h", "from 0 to 1");
-        return Err(CodeSpectrumError::Parameter { name, requirement, value: level_ratio });
-    }
-    let factor = asce7_height_factor_ratio(&code.as_edition_22(), level_ratio, building_period_s);
-    let sds_ip = code.sds_g() * ip;
-    Ok((0.4 * sds_ip * factor / ductility * resonance).clamp(0.3 * sds_ip, 1.6 * sds_ip))
-}
-
-/// Spectral shape coefficient Ci(Tp) of a part by NZS 1170.5: 2.0 to 0.75 s, 0.5 from 1.5 s, `2 (1.75 − Tp)` between; NaN
-/// for a negative period.
-///
-/// # Reference
-/// NZS 1170.5:2004, clause 8.4.
-pub fn nzs1170_5_part_shape_ratio(part_period_s: f64) -> f64 {
-    match part_period_s {
-        t if (0.0..=0.75).contains(&t) => 2.0,
-        t if t > 0.75 && t < 1.5 => 2.0 * (1.75 - t),
-        t if t >= 1.5 => 0.5,
-        _ => f64::NAN,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -241,25 +173,6 @@ mod tests {
         }
     }
 
-    /// By hand: 0.4 · 3.5/1.3 · 1.4/1.5 = 1.00513, at least 0.3, at most 1.6 times SDS Ip.
-    #[test]
-    fn asce_7_design_forces_have_two_ends() {
-        let code = Asce7::new(Asce7Edition::Asce7_16, 0.5, 0.3, 8.0).unwrap();
-        let rack = Asce7Component {
-            importance_ratio: 1.5,
-            structure_ductility_ratio: 1.3,
-            resonance_ratio: 1.4,
-            strength_ratio: 1.5,
-        };
-        let force = |component: Asce7Component| asce7_design_force_ratio(&code, &component, 1.0, None);
-        assert!((force(rack).unwrap() - 0.75 * 1.005_128_2).abs() < 1e-7);
-        assert!((force(Asce7Component { strength_ratio: 9.0, ..rack }).unwrap() - 0.225).abs() < 1e-15);
-        assert!((force(Asce7Component { resonance_ratio: 9.0, ..rack }).unwrap() - 1.2).abs() < 1e-15);
-        assert!(force(Asce7Component { strength_ratio: 0.0, ..rack }).is_err());
-        assert!(asce7_design_force_ratio(&code, &rack, 1.2, None).is_err());
-        assert!(asce7_design_force_ratio(&code, &rack, 1.0, Some(0.0)).is_err());
-    }
-
     /// C(0) = 1.33 · 0.4 = 0.532 g. Tall (60 m): 3 m up 1 + 3/6 = 1.5 is as 1 + 10 · 3/60, 9 m up 2.5, from 12 m on 3. Low
     /// (6 m): 1 + hi/6 governs, 2 at the roof.
     #[test]
@@ -277,10 +190,6 @@ mod tests {
         for (level, height_m, factor) in cases {
             assert!((at(&code, level, height_m, None) - 0.532 * factor).abs() < 1e-15, "{level} {height_m}");
         }
-        for (period_s, ratio) in [(0.0, 2.0), (0.75, 2.0), (1.0, 1.5), (1.25, 1.0), (1.5, 0.5), (3.0, 0.5)] {
-            assert_eq!(nzs1170_5_part_shape_ratio(period_s), ratio, "{period_s}");
-        }
-        assert!(nzs1170_5_part_shape_ratio(-1.0).is_nan());
     }
 
     #[test]

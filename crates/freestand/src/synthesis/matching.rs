@@ -4,7 +4,8 @@ use super::frame::Frame;
 use super::transform::Transform;
 use super::wavelet::Kernel;
 use super::{
-    DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MatchedMotion, Misfit, SHORTEST_PERIOD_S, SynthesisError,
+    DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MAX_SAMPLES, MatchedMotion, Misfit, SHORTEST_PERIOD_S,
+    SynthesisError,
 };
 use crate::G0_M_S2;
 use crate::measures::measures;
@@ -20,6 +21,11 @@ const HIGH_CORNER_HZ: f64 = 25.0;
 /// A pass is better than the best so far if its rms is less by this share. Passes that have settled differ by rounding,
 /// and which of them is the best must not depend on the machine.
 const BETTER_BY_RATIO: f64 = 1e-6;
+/// The oscillators of the spectrum look at the motion at least so often \[s\]: a tenth of the shortest period. At a record's
+/// own 0.02 s they would miss up to a quarter of their peaks.
+const LONGEST_STEP_S: f64 = 0.005;
+/// Points that the oscillators may be asked to look at.
+const MOST_POINTS: f64 = 16.0 * MAX_SAMPLES;
 
 /// How a ratio of spectra becomes a gain of Fourier amplitudes.
 pub(super) enum Gain {
@@ -37,6 +43,9 @@ pub(super) struct Matcher {
     target_m_s2: Vec<f64>,
     target_zpa_g: f64,
     bank: OscillatorBank,
+    /// Steps of the oscillators for each of the motion.
+    substeps: usize,
+    fine: Vec<f64>,
     transform: Transform,
     gain: Gain,
     sd_m: Vec<f64>,
@@ -55,11 +64,20 @@ impl Matcher {
             sa_g => Err(SynthesisError::Target { period_s, sa_g }),
         };
         let periods_s = matched_periods_s();
+        // A step that is 0.005 s but for its last digits is one.
+        let substeps = (dt_s / LONGEST_STEP_S - 1e-9).ceil().max(1.0);
+        let points = substeps * frame.taper.len() as f64;
+        if points > MOST_POINTS {
+            let (name, requirement) = ("the number of samples at steps of 0.005 s", "at most 16777216");
+            return Err(SynthesisError::Option { name, requirement, value: points });
+        }
         let target_m_s2 = periods_s.iter().map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2)).collect::<Result<_, _>>()?;
         Ok(Self {
             dt_s,
             target_zpa_g: target(0.0)?,
-            bank: OscillatorBank::new(&periods_s, DAMPING_RATIO, dt_s)?,
+            bank: OscillatorBank::new(&periods_s, DAMPING_RATIO, dt_s / substeps)?,
+            substeps: substeps as usize,
+            fine: Vec::new(),
             periods_s,
             target_m_s2,
             transform: Transform::new(frame.taper.len()),
@@ -147,9 +165,20 @@ impl Matcher {
         }
     }
 
-    /// ln(PSA/target) at the matched periods.
+    /// ln(PSA/target) at the matched periods, of the motion that is straight between its samples.
     fn ln_ratios(&mut self, accel: &[f64]) -> Vec<f64> {
-        self.bank.peaks::<false>(accel, &mut self.sd_m, &mut self.unused);
+        let looked_at = if self.substeps == 1 {
+            accel
+        } else {
+            self.fine.clear();
+            for (a, b) in accel.iter().zip(accel.iter().skip(1)) {
+                let at = |step: usize| a + (b - a) * (step as f64 / self.substeps as f64);
+                self.fine.extend((0..self.substeps).map(at));
+            }
+            self.fine.extend(accel.last());
+            &self.fine
+        };
+        self.bank.peaks::<false>(looked_at, &mut self.sd_m, &mut self.unused);
         let psa = self.sd_m.iter().zip(&self.periods_s).map(|(sd, t)| sd * (TAU / t) * (TAU / t));
         psa.zip(&self.target_m_s2).map(|(psa, target)| (psa / target).ln()).collect()
     }

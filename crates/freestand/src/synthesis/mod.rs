@@ -10,8 +10,9 @@
 //!
 //! # Accuracy
 //! The same seed and index give the same motion to the bit on one machine. On another, whose sines and logarithms differ
-//! in the last digit, they give it to some 1e-14 of its peak: errors of 1e-15 in the noise, the window, the step and every
-//! gain grow to 2e-14 in thirty passes. The best pass is chosen with a margin, so that passes that have settled do not
+//! in the last digit, they give it to some 1e-14 of its peak: errors of 1e-15 in the noise, the window, the record, the
+//! amplitudes of a source and the gain of every period grow to 2e-14 in thirty passes. (The sines of the Fourier transform
+//! itself are left alone in that test.) The best pass is chosen with a margin, so that passes that have settled do not
 //! compete by rounding.
 //!
 //! AS 1170.4, kpZ = 0.08, seed 1, motions 0 to 9, [`SynthesisOptions::default`]; means over the ten but for the worst
@@ -47,9 +48,12 @@ mod transform;
 mod wavelet;
 
 pub use matching::matched_periods_s;
-pub use noise::Window;
-pub use pairs::{PAIR_MAGNITUDES, Pair, distance_for_target};
-pub use point_source::{Corners, HighCut, PathDuration, PointSource, Preset, Quality, SourceSpectrum, SpreadingPiece};
+pub use noise::{Window, stream};
+pub use pairs::{PAIR_MAGNITUDES, PAIR_MOTIONS, Pair, distance_for_target, mean_ratio};
+pub use point_source::{
+    Corners, HighCut, PathDuration, PointSource, Preset, Quality, SOUTH_EAST_AUSTRALIA_FARTHEST_M,
+    SOUTH_EAST_AUSTRALIA_MAGNITUDES, SourceSpectrum, SpreadingPiece,
+};
 pub use simulation::{SimulationOptions, Simulator};
 pub use site_amplification::{ProfileError, ShearWaveProfile, VelocityPiece, density_kg_m3};
 
@@ -62,7 +66,7 @@ use noise::noise;
 use thiserror::Error;
 
 /// What makes the random numbers, for outputs: counter-based, so that motion i does not depend on how many are made.
-pub const GENERATOR: &str = "ChaCha12Rng (rand_chacha 0.10), seed_from_u64(seed), stream = motion index; \
+pub const GENERATOR: &str = "ChaCha12Rng (rand_chacha 0.10), seed_from_u64(seed), stream = motion index + 2^32 * number of the earthquake; \
                              StandardNormal (rand_distr 0.6)";
 
 /// Shortest period that is matched \[s\].
@@ -236,8 +240,9 @@ fn from_noise(
 ///
 /// The first and last 2 % are tapered; the length and the time step stay.
 ///
-/// # Limitation
-/// With a time step above 0.01 s peaks between samples are missed at the shortest periods.
+/// # Accuracy
+/// The spectrum is that of the motion with straight lines between its samples. With a time step above 0.005 s the
+/// oscillators take steps between the samples, so that no peak is missed; this is exact for such a motion.
 ///
 /// # Errors
 /// A target that is not positive and finite, a record shorter than [`LONGEST_PERIOD_S`] or without content.
@@ -250,7 +255,8 @@ pub fn match_motion(
 }
 
 /// The record `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping) by scaling its wavelets;
-/// phases stay, and so does what lies outside the matched periods, but for one common factor.
+/// phases stay. What lies outside the matched periods keeps its shape: to 1.6 times the outermost period it goes with
+/// that, beyond it has one common factor.
 ///
 /// Each pass splits the motion by the continuous wavelet transform into details, one for each period, and multiplies
 /// each by target/spectrum at its period; the best pass is kept. Ends, length, time step and drift as for

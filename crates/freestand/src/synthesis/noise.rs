@@ -4,10 +4,22 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// Standard normal numbers of stream `index` of `seed`.
-pub(super) fn noise(seed: u64, index: u64) -> impl FnMut() -> f64 {
+/// The stream of random numbers of motion `index` of the earthquake number `earthquake` (0 the first, or the only one): no
+/// two motions of one seed share it.
+///
+/// # Example
+/// ```
+/// use freestand::synthesis::stream;
+/// assert_eq!((stream(0, 7), stream(1, 7)), (7, 4_294_967_303));
+/// ```
+pub fn stream(earthquake: u32, index: u32) -> u64 {
+    u64::from(earthquake) << 32 | u64::from(index)
+}
+
+/// Standard normal numbers of a stream of `seed`.
+pub(super) fn noise(seed: u64, stream: u64) -> impl FnMut() -> f64 {
     let mut random = ChaCha12Rng::seed_from_u64(seed);
-    random.set_stream(index);
+    random.set_stream(stream);
     move || StandardNormal.sample(&mut random)
 }
 

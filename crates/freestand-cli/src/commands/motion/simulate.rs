@@ -8,8 +8,9 @@ use freestand_study::cushion::KeyStyle;
 use freestand_study::figures::{MatchedPicture, Words, matched_figure, record_figure};
 use freestand_study::records::write_csv;
 use freestand_study::simulated::{
-    Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_kpz_g, simulate,
+    Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_rock, simulate,
 };
+use freestand_study::target::Target;
 use freestand_study::{Problem, ProblemKind};
 
 use super::plot::failed;
@@ -36,9 +37,9 @@ pub(crate) struct SimulateArgs {
     /// Look for the distances at which the mean spectrum meets this place's rock spectrum (AS 1170.4)
     #[arg(long, value_name = "NAME", conflicts_with = "distance")]
     city: Option<String>,
-    /// Return period in years
-    #[arg(long, value_name = "YEARS", default_value = "500", allow_negative_numbers = true)]
-    return_period: u32,
+    /// Return period in years, with --city [default: 500]
+    #[arg(long, value_name = "YEARS", allow_negative_numbers = true)]
+    return_period: Option<u32>,
     /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
     #[arg(long, value_name = "CLASS", default_value = "Be")]
     site: String,
@@ -119,9 +120,20 @@ enum WindowName {
 }
 
 const SCHEMA: &str = "freestand.motion-simulate/1";
+/// Return period where none is given.
+const USUAL_YEARS: u32 = 500;
 
 pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let request = request(args, global)?;
+    // `requires` of clap is silent here: --city itself excludes --distance.
+    if args.return_period.is_some() && args.city.is_none() {
+        return Err(Failure::usage(
+            "--return-period is of a code's spectrum and needs --city",
+            "give --city, or leave it out",
+        ));
+    }
+    let years = args.return_period.unwrap_or(USUAL_YEARS);
+    let rock = args.city.as_deref().map(|city| city_rock(city, years)).transpose()?;
+    let request = request(args, global, rock.as_ref().and_then(Target::kpz_g))?;
     let files = Files::begin(global, &[])?;
     let mut report = simulate(&request)?;
     for earthquake in &mut report.earthquakes {
@@ -134,12 +146,14 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         files.write("fourier_amplitude.csv", || fourier)?;
         draw(&report, &files)?;
     }
-    let warnings = report.assumptions.clone();
+    let rock_warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);
+    let warnings = [rock_warnings, report.warnings.clone(), report.assumptions.clone()].concat();
     files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
-fn request(args: &SimulateArgs, global: &GlobalArgs) -> Result<SimulatedRequest, Failure> {
+/// `kpz_g`: of the city, where one is named.
+fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Result<SimulatedRequest, Failure> {
     let words = words(args);
     let wrong = |problems: Vec<SourceProblem>| problems.into_iter().map(|one| one.problem).collect();
     let SourceInput { preset, changes, magnitude, distance_m, options } =
@@ -147,11 +161,8 @@ fn request(args: &SimulateArgs, global: &GlobalArgs) -> Result<SimulatedRequest,
     let site = SiteClass::parse(&args.site).map_err(|error| {
         Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("Ae, Be, Ce, De or Ee, as in AS 1170.4")
     })?;
-    let earthquakes = match (&args.city, magnitude, distance_m) {
-        (Some(city), magnitude, _) => Earthquakes::Pairs {
-            kpz_g: city_kpz_g(city, args.return_period)?,
-            magnitudes: magnitude.into_iter().collect(),
-        },
+    let earthquakes = match (kpz_g, magnitude, distance_m) {
+        (Some(kpz_g), magnitude, _) => Earthquakes::Pairs { kpz_g, magnitudes: magnitude.into_iter().collect() },
         (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
         (None, ..) => return Err(Failure::usage("--magnitude and --distance belong together", "or give --city")),
     };
@@ -231,5 +242,20 @@ fn text(report: &SimulatedReport) -> String {
         }
     }
     let headings = ["motion", "M", "R [km]", "f0 [Hz]", "Td [s]", "PGA [g]", "PGV [m/s]", "D5-95 [s]"];
-    table(&headings, &rows)
+    let mut text = table(&headings, &rows);
+    for one in &report.earthquakes {
+        if let (Some(searched), Some(motions), Some(written)) =
+            (one.mean_ratio_to_rock_spectrum, one.searched_motions, one.written_mean_ratio_to_site_spectrum)
+        {
+            text.push_str(&format!(
+                "\nM {} at {} km: mean spectrum over the code's, T = 0.5 to 1 s: {} of the {motions} motions of the search (rock), {} of the written ones (site {})",
+                significant(one.magnitude, 3),
+                significant(one.distance_m / 1000.0, 3),
+                significant(searched, 3),
+                significant(written, 3),
+                report.site,
+            ));
+        }
+    }
+    text
 }

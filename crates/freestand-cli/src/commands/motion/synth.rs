@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use freestand::code_spectrum::CodeSpectrum;
 use freestand::motion::Motion;
 use freestand::synthesis::{
     GENERATOR, MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions, matched_periods_s, synthesize,
@@ -149,6 +150,19 @@ struct Made {
     resemblance: Option<Resemblance>,
 }
 
+/// A held table has its plateau at T = 0, which is no peak acceleration.
+fn check_peak(args: &PeakArgs, spectrum: &CodeSpectrum) -> Result<(), Failure> {
+    match spectrum {
+        CodeSpectrum::Table(table) if args.match_pga && table.first_period_s() > 0.0 => Err(Problem::new(
+            ProblemKind::Value,
+            format!("--match-pga: the table begins at {} s and has no peak acceleration", table.first_period_s()),
+        )
+        .hint("add a row with a period of 0 s, the peak acceleration, or leave --match-pga out")
+        .into()),
+        _ => Ok(()),
+    }
+}
+
 /// With its peak brought to the target's at T = 0, if so wished.
 fn with_peak(matched: MatchedMotion, args: &PeakArgs, target: impl Fn(f64) -> f64) -> Result<Made, SynthesisError> {
     if !args.match_pga {
@@ -163,6 +177,7 @@ const SCHEMA: &str = "freestand.motion-synth/1";
 
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let asked = args.target.matched_target()?;
+    check_peak(&args.peak, &asked.spectrum)?;
     let inputs: Vec<PathBuf> = args.target.inputs().cloned().collect();
     let files = Files::begin(global, &inputs)?;
     let seed = global.seed.unwrap_or(1);
@@ -214,6 +229,7 @@ fn not_made(error: SynthesisError) -> Failure {
 
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let asked = args.target.matched_target()?;
+    check_peak(&args.peak, &asked.spectrum)?;
     let mut warnings = asked.warnings.clone();
     let read = args.read.read_one(&args.file)?;
     let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
