@@ -22,6 +22,9 @@ use crate::summary::{LevelSummary, level_summary};
 use model::is_same_model;
 pub use request::{Variation, Wish, parse_wish, usual_wishes, variations};
 
+/// Begins the reason of a row whose value does not reach the model: that is an answer, not a failure.
+pub const NOTHING_CHANGES: &str = "nothing changes";
+
 /// One row of `vary.csv`: a level under one variation, or under the study as it is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct VariedLevel {
@@ -105,7 +108,7 @@ pub fn vary(
             // Nobody named this value.
             Ok(None) if variation.is_usual => {}
             Ok(None) => {
-                rows.extend(rows_without(variation, study, &format!("nothing changes: {}", unchanged(variation))))
+                rows.extend(rows_without(variation, study, &format!("{NOTHING_CHANGES}: {}", unchanged(variation))))
             }
             // A stopped run stops all; what else is wrong is of this variation alone.
             Err(error) => {

@@ -13,7 +13,7 @@ use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
-use freestand_study::vary::{Sensitivity, VariedLevel, Wish, parse_wish, usual_wishes, vary};
+use freestand_study::vary::{NOTHING_CHANGES, Sensitivity, VariedLevel, Wish, parse_wish, usual_wishes, vary};
 use serde_json::Value;
 
 use super::Done;
@@ -147,7 +147,8 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
             + &format!("{files} files and motions/ in {}\n", out.display())
     })?;
     let varied = result.sensitivity.iter().flat_map(|sensitivity| &sensitivity.rows);
-    let failed = failed + varied.filter(|row| row.reason.is_some()).count();
+    let is_failure = |reason: &String| !reason.starts_with(NOTHING_CHANGES);
+    let failed = failed + varied.filter(|row| row.reason.as_ref().is_some_and(is_failure)).count();
     let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
     Ok(Done { criterion_met: failed == 0 && !exceeded })
 }

@@ -175,6 +175,9 @@ fn with_peak(matched: MatchedMotion, args: &PeakArgs, target: impl Fn(f64) -> f6
 
 const SCHEMA: &str = "freestand.motion-synth/1";
 
+/// A misfit above this is said: motions for the shapes of codes lie at 3 to 5 %.
+const POOR_FIT_RATIO: f64 = 0.1;
+
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let asked = args.target.matched_target()?;
     check_peak(&args.peak, &asked.spectrum)?;
@@ -305,6 +308,15 @@ fn written(named: impl Iterator<Item = (String, Made)>, files: &Files) -> Result
 }
 
 fn finish(report: SynthReport, files: Files, mut warnings: Vec<String>, printer: &Printer) -> Result<Done, Failure> {
+    for one in report.motions.iter().filter(|one| one.rms_misfit_ratio > POOR_FIT_RATIO) {
+        warnings.push(format!(
+            "{} does not fit its target: rms misfit {} %, worst {} % at {} s",
+            one.name,
+            significant(100.0 * one.rms_misfit_ratio, 3),
+            significant(100.0 * one.worst_misfit_ratio, 3),
+            significant(one.worst_misfit_period_s, 3)
+        ));
+    }
     if let Some(worst) = report.motions.iter().max_by(|a, b| a.pga_g.total_cmp(&b.pga_g))
         && worst.pga_g > 1.05 * worst.target_zpa_g
     {
