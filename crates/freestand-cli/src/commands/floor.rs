@@ -88,9 +88,9 @@ struct BuildingArgs {
     /// Structure, for the period of AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
     #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
     frame: Option<FrameKind>,
-    /// Damping ratio of every mode, where a table does not say it
-    #[arg(long, value_name = "RATIO", default_value = "5 %", allow_hyphen_values = true)]
-    damping: String,
+    /// Damping ratio of every mode, where a table does not say it [default: 5 %]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    damping: Option<String>,
     /// Rayleigh damping with that ratio at two modes, such as "1, 3"
     #[arg(long, value_name = "N, N")]
     rayleigh_modes: Option<String>,
@@ -147,6 +147,14 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     };
     values.finish()?;
     let request = building.request()?;
+    let says_damping = args.building.damping.is_some() || args.building.rayleigh_modes.is_some();
+    let axes = [Some(&request.along), request.across.as_ref()];
+    let states_damping =
+        |axis: &&freestand_study::building::Axis| axis.table.as_ref().is_some_and(|table| table.states_damping);
+    if says_damping && axes.into_iter().flatten().all(|axis| states_damping(&axis)) {
+        let hint = "leave --damping and --rayleigh-modes out, or the column of damping";
+        return Err(Failure::usage("every mode of the table has a damping of its own", hint));
+    }
     let is_storeys = levels.is_none();
     let target = if args.target.is_given() { Some(args.target.target()?) } else { None };
     let request = FloorRequest {
@@ -304,7 +312,7 @@ impl BuildingArgs {
         let storey_height = self.storey_height.as_deref().unwrap_or("3.2 m");
         let storey_height_m = values.positive("--storey-height", Some(storey_height), Dimension::Length).unwrap_or(3.2);
         let period = values.positive("--period", self.period.as_deref(), Dimension::Time);
-        let damping_ratio = values.non_negative("--damping", Some(&self.damping), Dimension::Ratio).unwrap_or(0.05);
+        let damping_ratio = values.non_negative("--damping", self.damping.as_deref(), Dimension::Ratio).unwrap_or(0.05);
         let alpha = self.shear_flexure.as_deref().unwrap_or("5");
         let alpha = values.non_negative("--shear-flexure", Some(alpha), Dimension::Ratio).unwrap_or(5.0);
         let across_period = values.positive("--across-period", self.across_period.as_deref(), Dimension::Time);

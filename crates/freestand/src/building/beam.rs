@@ -1,7 +1,7 @@
 //! A uniform shear beam coupled with a flexural beam.
 //!
 //! `α = H √(GA/EI)` goes from 0 (a flexural cantilever: walls) over 1–5 (dual systems) and 5–20 (frames with walls) to 30
-//! and more (nearly a shear beam: frames).
+//! and more (nearly a shear beam: frames). These ranges are usual ones, from memory, and of no code.
 
 use super::{Building, BuildingError, MAX_MODES, Mode, ModeShape, Model, check_period};
 use std::f64::consts::PI;

@@ -36,7 +36,7 @@ pub enum ModalDoubt {
     },
 }
 
-/// Codes ask for modes with 90 % of the mass (ASCE 7, Eurocode 8); more than all of it is rounding at most.
+/// Codes are used to ask for modes with 90 % of the mass (from memory, not checked); more than all of it is rounding at most.
 const ENOUGH_MASS: std::ops::RangeInclusive<f64> = 0.9..=1.01;
 
 /// From the second mode of a cantilever wall (1.57 − 0.87 = 0.70) to its first (1.57), with some room.
