@@ -77,7 +77,7 @@ pub fn pair_of_one<'f>(
             let message = format!("it is not clear which two components are meant: {}", names(&all));
             Err(Problem::new(ProblemKind::Value, message)
                 .in_file(&file.path)
-                .hint("name two with --components, or give two files"))
+                .hint("name two (--components, or components in a study), or give two files"))
         }
     }
 }
