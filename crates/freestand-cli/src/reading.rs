@@ -38,6 +38,14 @@ pub(crate) struct ReadArgs {
     pub(crate) process: ProcessArgs,
 }
 
+/// The two names of `"1, 2"`.
+pub(crate) fn two_names(text: &str) -> Option<(String, String)> {
+    let (first, second) = text.split_once(',')?;
+    let (first, second) = (first.trim(), second.trim());
+    let are_two = !first.is_empty() && !second.is_empty() && !second.contains(',');
+    are_two.then(|| (first.to_owned(), second.to_owned()))
+}
+
 /// The second horizontal component of records, and the directions in which objects are tried.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Two horizontal components")]
@@ -72,11 +80,9 @@ impl SecondArgs {
         if text.trim().eq_ignore_ascii_case("both") {
             return Second::SameFile(None);
         }
-        match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
-            [one, two] if !one.is_empty() && !two.is_empty() => {
-                Second::SameFile(Some((one.to_owned(), two.to_owned())))
-            }
-            _ => {
+        match two_names(text) {
+            Some(both) => Second::SameFile(Some(both)),
+            None => {
                 let message = format!("--components: two are expected, not \"{text}\"");
                 values.push(problem(message, "write both, or \"1, 2\", or \"N-S, E-W\""));
                 Second::None

@@ -19,7 +19,7 @@ use crate::words::significant;
 
 mod spectra;
 
-pub use spectra::{LevelSpectra, SpectraReport, SpectraRequest, spectra_csv};
+pub use spectra::{LevelSpectra, SpectraReport, SpectraRequest, largest_psa_m_s2, spectra_csv};
 
 /// A building and the levels of it that are asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +42,14 @@ pub struct FloorRequest {
     pub spectra: Option<SpectraRequest>,
     /// A code, whose accelerations of rigid parts stand beside those of the floors.
     pub code: Option<CodeSpectrum>,
+}
+
+/// The ground and every floor of a building as shares of its height: those of its table, or of equal storeys.
+pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
+    match building.floors_ratio() {
+        [] => (0..=storeys).map(|floor| floor as f64 / storeys as f64).collect(),
+        floors => std::iter::once(0.0).chain(floors.iter().copied()).collect(),
+    }
 }
 
 /// What a code gives a rigid part on each level.

@@ -116,8 +116,8 @@ mod tests {
         );
         assert_eq!(problems, []);
         assert_eq!(options.building.storey_height_m, Some(Written { value: 3.2, line: 2 }));
-        assert_eq!(options.building.period_s, Some(Written { value: 1.92, line: 3 }));
-        assert_eq!(options.building.damping, Some(Written { value: 0.05, line: 4 }));
+        assert_eq!(options.building.along.period_s, Some(Written { value: 1.92, line: 3 }));
+        assert_eq!(options.building.along.damping, Some(Written { value: 0.05, line: 4 }));
         assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
         assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
         assert_eq!(

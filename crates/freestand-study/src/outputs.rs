@@ -8,12 +8,11 @@ use serde_json::Value;
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::figures::figures;
 use crate::output::{OutputFolder, document};
-use crate::records::{write_csv, write_pair_csv};
 use crate::report::{provenance, report};
 use crate::rerun::{
     LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed, with_spectrum,
 };
-use crate::result::{HorizontalMotion, LevelResult, StudyResult};
+use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
 use crate::tables::{profile_csv, records_csv, srs_csv, statistics_csv, urs_csv};
@@ -135,14 +134,6 @@ fn rotation_step_deg(study: &Study) -> f64 {
     study.directions_deg.get(1).copied().unwrap_or(90.0)
 }
 
-/// A motion as a file: one component, or two beside each other.
-fn motion_csv(motion: &HorizontalMotion) -> String {
-    match &motion.across {
-        None => write_csv(&motion.along),
-        Some(across) => write_pair_csv(&motion.along, across),
-    }
-}
-
 /// The study, the tables and the motions.
 fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
     let mut files: Vec<File> = vec![
@@ -170,9 +161,9 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
         .map(|(i, name)| {
             let floor = |level: &LevelResult| {
                 let floor = level.floors.get(i)?;
-                Some((floor_name(name, &level.level.name), motion_csv(floor).into_bytes()))
+                Some((floor_name(name, &level.level.name), floor.csv().into_bytes()))
             };
-            let ground = result.ground.get(i).map(|g| (ground_name(name), motion_csv(&g.motion).into_bytes()));
+            let ground = result.ground.get(i).map(|g| (ground_name(name), g.motion.csv().into_bytes()));
             ground.into_iter().chain(result.levels.iter().filter_map(floor)).collect()
         })
         .collect();

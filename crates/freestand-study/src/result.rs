@@ -10,6 +10,7 @@ use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
 
 use crate::floor::CodeParts;
+use crate::records::{write_csv, write_pair_csv};
 use crate::study::Level;
 use crate::vary::Sensitivity;
 
@@ -82,6 +83,14 @@ impl HorizontalMotion {
         match self.across.as_ref().map(velocity) {
             None => along.iter().fold(0.0, |peak: f64, v| peak.max(v.abs())),
             Some(across) => along.iter().zip(&across).map(|(a, b)| a.hypot(*b)).fold(0.0, f64::max),
+        }
+    }
+
+    /// As a file: `time_s,accel_m_s2`, or `time_s,along_m_s2,across_m_s2`.
+    pub fn csv(&self) -> String {
+        match &self.across {
+            None => write_csv(&self.along),
+            Some(across) => write_pair_csv(&self.along, across),
         }
     }
 

@@ -8,11 +8,11 @@ use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 use freestand_study::building::{Axis, AxisModel, AxisRequest, axis};
 use freestand_study::figures::{ProfilePicture, floor_profile_figure, floor_response_figure};
-use freestand_study::floor::{FloorReport, FloorRequest, SpectraReport, SpectraRequest, floors, spectra_csv};
+use freestand_study::floor::{
+    FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floors, spectra_csv,
+};
 use freestand_study::quantity::Dimension;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
-use freestand_study::records::{write_csv, write_pair_csv};
-use freestand_study::result::HorizontalMotion;
 use freestand_study::words::number;
 use freestand_study::{Problem, ProblemKind};
 
@@ -158,7 +158,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let is_storeys = levels.is_none();
     let target = if args.target.is_given() { Some(args.target.target()?) } else { None };
     let request = FloorRequest {
-        levels_ratio: levels.unwrap_or_else(|| every_floor(&request, building.storeys)),
+        levels_ratio: levels.unwrap_or_else(|| every_floor(&request.along.building, building.storeys as usize)),
         is_storeys,
         tail_s,
         upsample: args.upsample.get(),
@@ -202,7 +202,7 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
             // Floors of a table are at any share; those that were asked for keep their digits.
             let ratio = if request.is_storeys { number(level.level_ratio, 4) } else { level.level_ratio.to_string() };
             let name = format!("{folder}level-{ratio}.csv");
-            level.path = files.write(&name, || floor_csv(floor))?;
+            level.path = files.write(&name, || floor.csv())?;
         }
         warnings.extend(done.warnings);
         motions.push(done.report);
@@ -228,13 +228,6 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         files.write("spectra.png", || figure.png)?;
     }
     Ok((report, warnings))
-}
-
-fn floor_csv(floor: &HorizontalMotion) -> String {
-    match &floor.across {
-        Some(across) => write_pair_csv(&floor.along, across),
-        None => write_csv(&floor.along),
-    }
 }
 
 fn profile_figure(
@@ -271,14 +264,6 @@ fn levels(text: &str, values: &mut Values) -> Option<Vec<f64>> {
         values.push(problem.hint(format!("at most {MAX_LEVELS} in one call")));
     }
     Some(levels)
-}
-
-/// The ground and every floor: those of the table, or of equal storeys.
-fn every_floor(axes: &Axes, storeys: u32) -> Vec<f64> {
-    let table = axes.along.building.floors_ratio();
-    let equal = (1..=storeys).map(|k| f64::from(k) / f64::from(storeys));
-    let floors: Vec<f64> = if table.is_empty() { equal.collect() } else { table.to_vec() };
-    std::iter::once(0.0).chain(floors).collect()
 }
 
 /// The flags of the building, read.

@@ -2,7 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand::oscillator::response_spectrum;
-use freestand::signal::rotate::{Pair, directional_spectrum};
+use freestand::signal::rotate::{Pair, RotateError, directional_spectrum};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -41,22 +41,31 @@ pub struct LevelSpectra {
     pub psa_g_p84: Vec<Vec<f64>>,
 }
 
+/// Pseudo-accelerations of a motion \[m/s²\]; of two components, the largest over all directions (RotD100).
+///
+/// # Errors
+/// Damping outside 0 ≤ ζ < 1, a negative period, components that are no pair.
+pub fn largest_psa_m_s2(
+    motion: &HorizontalMotion,
+    damping_ratio: f64,
+    periods_s: &[f64],
+) -> Result<Vec<f64>, RotateError> {
+    match &motion.across {
+        None => Ok(response_spectrum(&motion.along, damping_ratio, periods_s)?.psa_m_s2),
+        Some(across) => {
+            let pair = Pair::new(&motion.along, across)?;
+            Ok(directional_spectrum(&pair, damping_ratio, periods_s, &[100.0])?.rotd_m_s2.swap_remove(0))
+        }
+    }
+}
+
 /// Pseudo-accelerations of one floor, `[damping][period]` \[g\].
 pub(super) fn of_floor(floor: &HorizontalMotion, request: &SpectraRequest) -> Result<Vec<Vec<f64>>, Problem> {
     let refused =
         |error: String| Problem::new(ProblemKind::Value, error).hint("damping from 0 to below 1, periods of 0 or more");
     let one = |&damping_ratio: &f64| -> Result<Vec<f64>, Problem> {
-        let psa_m_s2 = match &floor.across {
-            None => {
-                let spectrum = response_spectrum(&floor.along, damping_ratio, &request.periods_s);
-                spectrum.map_err(|error| refused(error.to_string()))?.psa_m_s2
-            }
-            Some(across) => {
-                let pair = Pair::new(&floor.along, across).map_err(|error| refused(error.to_string()))?;
-                let spectrum = directional_spectrum(&pair, damping_ratio, &request.periods_s, &[100.0]);
-                spectrum.map_err(|error| refused(error.to_string()))?.rotd_m_s2.swap_remove(0)
-            }
-        };
+        let psa_m_s2 =
+            largest_psa_m_s2(floor, damping_ratio, &request.periods_s).map_err(|error| refused(error.to_string()))?;
         Ok(psa_m_s2.iter().map(|a| a / G0_M_S2).collect())
     };
     // The first error in the order of the dampings, whichever thread met one first.

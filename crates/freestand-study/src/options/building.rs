@@ -10,14 +10,8 @@ use crate::quantity::Dimension;
 pub(crate) struct BuildingOptions {
     pub(crate) storeys: Option<Written<u64>>,
     pub(crate) storey_height_m: Option<Written<f64>>,
-    pub(crate) frame: Option<Written<String>>,
-    pub(crate) period_s: Option<Written<f64>>,
-    pub(crate) damping: Option<Written<f64>>,
-    pub(crate) shear_flexure: Option<Written<f64>>,
-    pub(crate) modes: Option<Written<u64>>,
-    pub(crate) storey_table: Option<Written<String>>,
-    pub(crate) mode_table: Option<Written<String>>,
-    pub(crate) rayleigh_modes: Option<Written<[u64; 2]>>,
+    /// What is said of the first axis.
+    pub(crate) along: AxisOptions,
     pub(crate) across: Option<Written<AxisOptions>>,
     pub(crate) levels: Option<Written<Vec<LevelOptions>>>,
 }
@@ -35,22 +29,6 @@ pub(crate) struct AxisOptions {
     pub(crate) rayleigh_modes: Option<Written<[u64; 2]>>,
 }
 
-impl BuildingOptions {
-    /// Those of the first axis.
-    pub(crate) fn along(&self) -> AxisOptions {
-        AxisOptions {
-            frame: self.frame.clone(),
-            period_s: self.period_s.clone(),
-            damping: self.damping.clone(),
-            shear_flexure: self.shear_flexure.clone(),
-            modes: self.modes.clone(),
-            storey_table: self.storey_table.clone(),
-            mode_table: self.mode_table.clone(),
-            rayleigh_modes: self.rayleigh_modes.clone(),
-        }
-    }
-}
-
 /// One entry of `levels`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LevelOptions {
@@ -65,6 +43,22 @@ pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOpti
     BuildingOptions {
         storeys: table.count(reader, "storeys"),
         storey_height_m: table.quantity(reader, "storey_height", Dimension::Length),
+        along: axis(reader, table),
+        across: across(reader, table),
+        levels: levels(reader, table),
+    }
+}
+
+fn across(reader: &mut Reader, table: &mut Section) -> Option<Written<AxisOptions>> {
+    let mut table = table.table(reader, "across")?;
+    let line = table.line;
+    let value = axis(reader, &mut table);
+    table.finish(reader);
+    Some(Written { value, line })
+}
+
+fn axis(reader: &mut Reader, table: &mut Section) -> AxisOptions {
+    AxisOptions {
         frame: table.string(reader, "frame"),
         period_s: table.quantity(reader, "period", Dimension::Time),
         damping: table.ratio(reader, "damping"),
@@ -73,26 +67,7 @@ pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOpti
         storey_table: table.string(reader, "storey_table"),
         mode_table: table.string(reader, "mode_table"),
         rayleigh_modes: two_modes(reader, table),
-        across: across(reader, table),
-        levels: levels(reader, table),
     }
-}
-
-fn across(reader: &mut Reader, table: &mut Section) -> Option<Written<AxisOptions>> {
-    let mut axis = table.table(reader, "across")?;
-    let line = axis.line;
-    let value = AxisOptions {
-        frame: axis.string(reader, "frame"),
-        period_s: axis.quantity(reader, "period", Dimension::Time),
-        damping: axis.ratio(reader, "damping"),
-        shear_flexure: axis.ratio(reader, "shear_flexure"),
-        modes: axis.count(reader, "modes"),
-        storey_table: axis.string(reader, "storey_table"),
-        mode_table: axis.string(reader, "mode_table"),
-        rayleigh_modes: two_modes(reader, &mut axis),
-    };
-    axis.finish(reader);
-    Some(Written { value, line })
 }
 
 /// `rayleigh_modes = [1, 3]`.

@@ -22,8 +22,8 @@ impl Resolver<'_> {
         self.require(&written.storeys, |n| (1..=MAX_STOREYS).contains(&n), "storeys", "a whole number from 1 to 500");
         self.positive(&written.storey_height_m, "storey_height", Dimension::Length);
         let before = self.problems.len();
-        let along = written.along();
-        self.check_axis(&along);
+        let along = &written.along;
+        self.check_axis(along);
         if let Some(across) = &written.across {
             self.check_axis(&across.value);
         }
@@ -35,7 +35,7 @@ impl Resolver<'_> {
             storeys: usize::try_from(or(&written.storeys, 30)).unwrap_or(usize::MAX),
             storey_height_m: or(&written.storey_height_m, 3.2),
         };
-        let first = self.axis(&along, stated, before);
+        let first = self.axis(along, stated, before);
         if let Some((Axis { height_m: Some(height_m), building, .. }, _)) = &first {
             let floors = building.floors_ratio().len();
             stated = Stated { storeys: floors, storey_height_m: height_m / floors as f64 };
@@ -43,8 +43,8 @@ impl Resolver<'_> {
         let height_m = stated.storeys as f64 * stated.storey_height_m;
         // Tried whatever became of the first, so that what is wrong with either is said at once.
         let across = written.across.as_ref();
-        let second = across.map(|across| self.axis(&inherited(&across.value, &along), stated, before));
-        self.check_damping_counts(&along, first.as_ref());
+        let second = across.map(|across| self.axis(&inherited(&across.value, along), stated, before));
+        self.check_damping_counts(along, first.as_ref());
         if let (Some(across), Some(second)) = (across, &second) {
             self.check_damping_counts(&across.value, second.as_ref());
         }

@@ -83,14 +83,14 @@ pub(super) fn model_keys(written: &BuildingOptions) -> [(&'static str, Option<us
     [
         ("storeys", written.storeys.as_ref().map(|w| w.line)),
         ("storey_height", written.storey_height_m.as_ref().map(|w| w.line)),
-        ("frame", written.frame.as_ref().map(|w| w.line)),
-        ("period", written.period_s.as_ref().map(|w| w.line)),
-        ("damping", written.damping.as_ref().map(|w| w.line)),
-        ("shear_flexure", written.shear_flexure.as_ref().map(|w| w.line)),
-        ("modes", written.modes.as_ref().map(|w| w.line)),
-        ("storey_table", written.storey_table.as_ref().map(|w| w.line)),
-        ("mode_table", written.mode_table.as_ref().map(|w| w.line)),
-        ("rayleigh_modes", written.rayleigh_modes.as_ref().map(|w| w.line)),
+        ("frame", written.along.frame.as_ref().map(|w| w.line)),
+        ("period", written.along.period_s.as_ref().map(|w| w.line)),
+        ("damping", written.along.damping.as_ref().map(|w| w.line)),
+        ("shear_flexure", written.along.shear_flexure.as_ref().map(|w| w.line)),
+        ("modes", written.along.modes.as_ref().map(|w| w.line)),
+        ("storey_table", written.along.storey_table.as_ref().map(|w| w.line)),
+        ("mode_table", written.along.mode_table.as_ref().map(|w| w.line)),
+        ("rayleigh_modes", written.along.rayleigh_modes.as_ref().map(|w| w.line)),
         ("across", written.across.as_ref().map(|w| w.line)),
     ]
 }

@@ -3,14 +3,12 @@
 use freestand::G0_M_S2;
 use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
-use freestand::oscillator::response_spectrum;
-use freestand::signal::rotate::{Pair, directional_spectrum};
 use freestand::synthesis::{Misfit, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
 use crate::error::{Problem, ProblemKind, StudyError};
-use crate::floor::code_parts;
+use crate::floor::{code_parts, every_floor, largest_psa_m_s2};
 use crate::result::{FloorProfile, GroundMotion, HorizontalMotion, PseudoSpectrum};
 use crate::simulated::simulator;
 use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, synthetic_name};
@@ -74,15 +72,8 @@ fn simulated_motions(
 /// The 5 % spectrum that is shown.
 pub(super) fn spectrum_of(motion: &HorizontalMotion) -> Result<PseudoSpectrum, StudyError> {
     let periods_s = spectrum_periods_s();
-    let wrong = "a response spectrum";
-    let psa_m_s2 = match &motion.across {
-        None => response_spectrum(&motion.along, SPECTRUM_DAMPING_RATIO, &periods_s).map_err(failed(wrong))?.psa_m_s2,
-        Some(across) => {
-            let pair = Pair::new(&motion.along, across).map_err(failed(wrong))?;
-            let spectrum = directional_spectrum(&pair, SPECTRUM_DAMPING_RATIO, &periods_s, &[100.0]);
-            spectrum.map_err(failed(wrong))?.rotd_m_s2.swap_remove(0)
-        }
-    };
+    let psa_m_s2 =
+        largest_psa_m_s2(motion, SPECTRUM_DAMPING_RATIO, &periods_s).map_err(failed("a response spectrum"))?;
     Ok(PseudoSpectrum { periods_s, psa_m_s2 })
 }
 
@@ -131,10 +122,7 @@ pub(super) fn floor_profile(
     go_on: impl Fn() -> Result<(), StudyError> + Sync,
 ) -> Result<Option<FloorProfile>, StudyError> {
     let Some(building) = &study.building else { return Ok(None) };
-    let levels_ratio: Vec<f64> = match building.along.floors_ratio() {
-        [] => (0..=building.storeys).map(|floor| floor as f64 / building.storeys as f64).collect(),
-        floors => std::iter::once(0.0).chain(floors.iter().copied()).collect(),
-    };
+    let levels_ratio = every_floor(&building.along, building.storeys);
     let peaks = |g: &GroundMotion| -> Result<(Vec<f64>, Vec<f64>), StudyError> {
         go_on()?;
         let floors = floors_under(g, building, &levels_ratio)?;

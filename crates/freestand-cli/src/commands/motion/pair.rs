@@ -7,7 +7,7 @@ use freestand_study::pair::PairFiles;
 use freestand_study::quantity::Dimension;
 
 use crate::failure::problem;
-use crate::reading::ReadArgs;
+use crate::reading::{ReadArgs, two_names};
 use crate::values::Values;
 
 /// Two horizontal components.
@@ -41,14 +41,12 @@ impl PairArgs {
 
     fn called(&self, values: &mut Values) -> Option<(String, String)> {
         let text = self.components.as_deref()?;
-        match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
-            [first, second] if !first.is_empty() && !second.is_empty() => Some((first.to_owned(), second.to_owned())),
-            _ => {
-                let message = format!("--components: two are expected, not \"{text}\"");
-                values.push(problem(message, "write \"1, 2\", or \"N-S, E-W\""));
-                None
-            }
+        let both = two_names(text);
+        if both.is_none() {
+            let message = format!("--components: two are expected, not \"{text}\"");
+            values.push(problem(message, "write \"1, 2\", or \"N-S, E-W\""));
         }
+        both
     }
 }
 
