@@ -1,5 +1,6 @@
 //! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
 
+pub mod assess;
 pub mod building;
 pub mod compliant;
 pub mod cushion;
@@ -12,7 +13,9 @@ mod fixture;
 pub mod floor;
 pub mod input;
 pub mod inspect;
+pub mod inventory;
 pub mod law;
+pub mod library;
 pub mod matched;
 mod options;
 pub mod output;

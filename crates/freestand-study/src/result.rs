@@ -161,7 +161,8 @@ pub enum ObjectResponse {
 }
 
 /// A quantile over motions in which an overturned object ranks above every number.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Ranked {
     /// A number.
     Value(f64),

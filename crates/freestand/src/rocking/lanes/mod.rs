@@ -24,8 +24,8 @@ use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::{
-    Accuracy, Base, Outcome, RockingError, RockingModel, RockingOptions, RockingSummary, SideExtremes, StopReason,
-    Until, rock,
+    Accuracy, Base, Outcome, Restitution, RockingError, RockingModel, RockingOptions, RockingSummary, SideExtremes,
+    StopReason, Until, rock,
 };
 use crate::block::{Block, Pivot};
 use series::{INVERSE, TERMS};
@@ -80,11 +80,50 @@ pub fn rock_many_on(
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    let scalar = |block: &Block| rock(block, base, options).map(|rocking| RockingSummary::from(&rocking));
+    follow(arch, blocks, base, options, |_| options.restitution)
+}
+
+/// [`rock_many`] with a restitution for each block, in place of that of `options`: a portfolio, or draws of one object.
+///
+/// # Errors
+/// As [`rock_many`].
+///
+/// # Example
+/// ```
+/// use freestand::rocking::{Base, Restitution, RockingOptions, Until, rock_each};
+/// use freestand::{block::Block, motion::Motion};
+/// let push = Motion::new(0.01, vec![4.0; 30])?;
+/// let block = Block::uniform(2.0, 0.3)?;
+/// let objects = [(block, Restitution::Value(0.5)), (block, Restitution::Value(0.9))];
+/// let base = Base { horizontal: Some(&push), vertical: None };
+/// let until_rest = RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() };
+/// let found = rock_each(&objects, base, &until_rest);
+/// assert!(found[0].clone()?.impact_count < found[1].clone()?.impact_count);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn rock_each(
+    objects: &[(Block, Restitution)],
+    base: Base,
+    options: &RockingOptions,
+) -> Vec<Result<RockingSummary, RockingError>> {
+    let blocks: Vec<Block> = objects.iter().map(|(block, _)| *block).collect();
+    follow(pulp::Arch::new(), &blocks, base, options, |index| objects[index].1)
+}
+
+fn follow(
+    arch: pulp::Arch,
+    blocks: &[Block],
+    base: Base,
+    options: &RockingOptions,
+    restitution: impl Fn(usize) -> Restitution + Sync,
+) -> Vec<Result<RockingSummary, RockingError>> {
+    let own = |index: usize| RockingOptions { restitution: restitution(index), ..*options };
+    let scalar = |index: usize| rock(&blocks[index], base, &own(index)).map(|rocking| RockingSummary::from(&rocking));
     let Some((shaking, wait)) = prepare(base, options) else {
-        return blocks.par_iter().map(scalar).collect();
+        return (0..blocks.len()).into_par_iter().map(scalar).collect();
     };
-    let plans: Vec<Option<(Plan, Rocker)>> = blocks.par_iter().map(|block| plan(block, &shaking, options)).collect();
+    let plans: Vec<Option<(Plan, Rocker)>> =
+        blocks.par_iter().enumerate().map(|(index, block)| plan(block, &shaking, &own(index))).collect();
     let of_plan = |(block, planned): (usize, &Option<(Plan, Rocker)>)| planned.map(|(plan, _)| (plan, block));
     let mut order: Vec<(Plan, usize)> = plans.iter().enumerate().filter_map(of_plan).collect();
     order.sort_unstable();
@@ -111,13 +150,14 @@ pub fn rock_many_on(
     }
     blocks
         .par_iter()
+        .enumerate()
         .zip(records)
         .zip(&plans)
-        .map(|((block, record), plan)| match plan {
+        .map(|(((index, block), record), plan)| match plan {
             Some((plan, _)) if record.state != State::GivenUp => {
                 Ok(summary(block, &record, shaking.dt_s / plan.parts as f64, wait.is_some()))
             }
-            _ => scalar(block),
+            _ => scalar(index),
         })
         .collect()
 }
