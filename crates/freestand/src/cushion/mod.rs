@@ -430,8 +430,7 @@ impl Cushion {
     ///
     /// # Errors
     /// A factor that is not positive, or that takes the numbers out of range.
-    #[cfg(test)]
-    pub(crate) fn times(&self, factor: f64) -> Result<Self, CushionError> {
+    pub fn times(&self, factor: f64) -> Result<Self, CushionError> {
         Self::new(self.law.times(factor))
     }
 
