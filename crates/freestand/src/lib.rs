@@ -17,6 +17,7 @@
 //! | a cushion from a test of it | [`identify`] |
 //! | what a component feels of a shock: shock response spectra, classical pulses | [`shock_response`] |
 //! | what a shock must exceed to do harm, ASTM D3332 | [`damage_boundary`] |
+//! | fragilities, probabilities over motions, numbered random draws | [`fragility`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
 //!
@@ -59,6 +60,7 @@ pub mod code_spectrum;
 pub mod compliant;
 pub mod cushion;
 pub mod damage_boundary;
+pub mod fragility;
 pub mod identify;
 pub mod impact;
 pub mod measures;

@@ -8,7 +8,7 @@
 //! | [`Nzs1170_5`] | Z, return period, class, fault | Z R (a + b T) | Z R c | T^−0.75 | 1/T, 1/T² beyond 3 s |
 //! | [`SpectrumTable`] | periods and accelerations | log-log or linear between them, refused or held outside | | | |
 //!
-//! [`parts`] has the acceleration that each code gives a rigid part on a floor.
+//! [`parts`] has the acceleration that each code gives a rigid part on a floor, [`part_forces`] the force that it is fixed for.
 //!
 //! # Example
 //! ```
@@ -24,6 +24,7 @@ mod asce7;
 mod eurocode8;
 mod frame_period;
 mod nzs1170_5;
+pub mod part_forces;
 pub mod parts;
 mod table;
 

@@ -95,7 +95,19 @@ pub fn eurocode8_factor_ratio(level_ratio: f64, period_ratio: f64) -> f64 {
 /// # Reference
 /// ASCE 7-16, Eq. (13.3-1); ASCE 7-22, Eqs. (13.3-4) and (13.3-5).
 pub fn asce7_height_factor_ratio(code: &Asce7, level_ratio: f64, building_period_s: Option<f64>) -> f64 {
-    match (code.edition(), building_period_s) {
+    asce7_height_ratio(code.edition(), level_ratio, building_period_s)
+}
+
+/// [`asce7_height_factor_ratio`] of an edition, for a site whose spectrum is another code's.
+///
+/// # Example
+/// ```
+/// use freestand::code_spectrum::{Asce7Edition, parts::asce7_height_ratio};
+/// assert_eq!(asce7_height_ratio(Asce7Edition::Asce7_16, 0.5, None), 2.0);
+/// assert_eq!(asce7_height_ratio(Asce7Edition::Asce7_22, 1.0, None), 3.5);
+/// ```
+pub fn asce7_height_ratio(edition: Asce7Edition, level_ratio: f64, building_period_s: Option<f64>) -> f64 {
+    match (edition, building_period_s) {
         (Asce7Edition::Asce7_16, _) => 1.0 + 2.0 * level_ratio,
         (Asce7Edition::Asce7_22, None) => 1.0 + 2.5 * level_ratio,
         (Asce7Edition::Asce7_22, Some(period_s)) => {

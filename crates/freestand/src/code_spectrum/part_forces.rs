@@ -1,0 +1,270 @@
+//! The horizontal forces that codes ask a part or component to be fixed for, over its weight.
+//!
+//! | code | force over weight | no less than | no more than |
+//! |---|---|---|---|
+//! | AS 1170.4, section 8 | a_floor I_c a_c/R_c | 0.05 | 0.5 |
+//! | ASCE 7-16, 13.3.1 | 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p | 0.3 S_DS I_p | 1.6 S_DS I_p |
+//! | ASCE 7-22, 13.3.1 | 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) | 0.3 S_DS I_p | 1.6 S_DS I_p |
+//! | EN 1998-1, 4.3.5.2 | α S \[3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5\] γ_a/q_a | α S γ_a/q_a | – |
+//! | NZS 1170.5, section 8 | C(0) C_Hi C_i C_ph R_p | – | 3.6 |
+//!
+//! a_floor is [`super::parts::floor_acceleration_g`]. The formulas and limits are recalled: check them in your edition. They are
+//! design forces, reduced for ductility where the code allows it: a computed floor acceleration may be above them.
+
+use super::parts::eurocode8_factor_ratio;
+
+/// Which part of a clause gave the force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Governing {
+    /// The lower limit.
+    Minimum,
+    /// The formula.
+    Formula,
+    /// The upper limit.
+    Maximum,
+}
+
+/// A design force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartForce {
+    /// Force over weight.
+    pub force_ratio: f64,
+    /// What the formula alone gives.
+    pub formula_ratio: f64,
+    /// What governs.
+    pub governing: Governing,
+}
+
+impl PartForce {
+    fn within(formula_ratio: f64, minimum_ratio: f64, maximum_ratio: f64) -> Self {
+        let governing = match formula_ratio {
+            x if x < minimum_ratio => Governing::Minimum,
+            x if x > maximum_ratio => Governing::Maximum,
+            _ => Governing::Formula,
+        };
+        let force_ratio = formula_ratio.min(maximum_ratio).max(minimum_ratio);
+        Self { force_ratio, formula_ratio, governing }
+    }
+}
+
+/// A part by AS 1170.4, section 8.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct As1170_4Part {
+    /// a_c: 1, or 2.5 on flexible mounts.
+    pub amplification_ratio: f64,
+    /// R_c: 1 where the connection or the part is brittle, 2.5 otherwise.
+    pub ductility_ratio: f64,
+    /// I_c: 1, or 1.5 where it is critical to life safety.
+    pub importance_ratio: f64,
+}
+
+/// Force over weight by AS 1170.4: a_floor I_c a_c/R_c from 0.05 to 0.5; a_floor = kpZ Ch(0)(1 + kc hx) \[g\].
+///
+/// # Reference
+/// AS 1170.4-2007, 8.3; recalled.
+///
+/// # Example
+/// The roof of a tower in Melbourne, 0.264 g, a brittle connection; with 2.5 for a ductile one; at four times that hazard:
+/// ```
+/// use freestand::code_spectrum::part_forces::{As1170_4Part, as1170_4_force};
+/// let brittle = As1170_4Part { amplification_ratio: 1.0, ductility_ratio: 1.0, importance_ratio: 1.0 };
+/// let ductile = As1170_4Part { ductility_ratio: 2.5, ..brittle };
+/// assert_eq!(as1170_4_force(0.264, &brittle).force_ratio, 0.264);
+/// assert!((as1170_4_force(0.264, &ductile).force_ratio - 0.1056).abs() < 1e-15);
+/// assert_eq!(as1170_4_force(1.056, &brittle).force_ratio, 0.5);
+/// ```
+pub fn as1170_4_force(floor_acceleration_g: f64, part: &As1170_4Part) -> PartForce {
+    let As1170_4Part { amplification_ratio, ductility_ratio, importance_ratio } = *part;
+    let formula = floor_acceleration_g * importance_ratio * amplification_ratio / ductility_ratio;
+    PartForce::within(formula, 0.05, 0.5)
+}
+
+/// A component by ASCE 7-16, chapter 13.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Asce7_16Part {
+    /// a_p: 1 rigid, 2.5 flexible.
+    pub amplification_ratio: f64,
+    /// R_p.
+    pub response_ratio: f64,
+    /// I_p: 1 or 1.5.
+    pub importance_ratio: f64,
+}
+
+/// Force over weight by ASCE 7-16: 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p, from 0.3 S_DS I_p to 1.6 S_DS I_p.
+///
+/// `height_factor_ratio` is 1 + 2 z/h, [`super::parts::asce7_height_ratio`].
+///
+/// # Reference
+/// ASCE 7-16, Eqs. (13.3-1) to (13.3-3); recalled.
+///
+/// # Example
+/// S_DS = 1 g on the roof, a_p = 1, R_p = 2.5: 0.4 · 3/2.5 = 0.48.
+/// ```
+/// use freestand::code_spectrum::part_forces::{Asce7_16Part, asce7_16_force};
+/// let cabinet = Asce7_16Part { amplification_ratio: 1.0, response_ratio: 2.5, importance_ratio: 1.0 };
+/// assert!((asce7_16_force(1.0, 3.0, &cabinet).force_ratio - 0.48).abs() < 1e-15);
+/// ```
+pub fn asce7_16_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_16Part) -> PartForce {
+    let Asce7_16Part { amplification_ratio, response_ratio, importance_ratio } = *part;
+    let unit = sds_g * importance_ratio;
+    PartForce::within(0.4 * amplification_ratio * height_factor_ratio / response_ratio * unit, 0.3 * unit, 1.6 * unit)
+}
+
+/// A component by ASCE 7-22, chapter 13.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Asce7_22Part {
+    /// C_AR: 1 where resonance is unlikely.
+    pub resonance_ratio: f64,
+    /// R_po.
+    pub strength_ratio: f64,
+    /// R_μ of the building, at least 1.3, the value of an unknown one.
+    pub building_ductility_ratio: f64,
+    /// I_p: 1 or 1.5.
+    pub importance_ratio: f64,
+}
+
+/// Force over weight by ASCE 7-22: 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po), from 0.3 S_DS I_p to 1.6 S_DS I_p; R_μ is no less than
+/// 1.3.
+///
+/// `height_factor_ratio` is H_f, [`super::parts::asce7_height_ratio`].
+///
+/// # Reference
+/// ASCE 7-22, Eqs. (13.3-1) to (13.3-3) and 13.3.1.2; recalled.
+///
+/// # Example
+/// S_DS = 1 g, H_f = 3.5, R_μ = 1.3, C_AR = 1, R_po = 1.5: 0.4 · 3.5/1.3/1.5.
+/// ```
+/// use freestand::code_spectrum::part_forces::{Asce7_22Part, asce7_22_force};
+/// let cabinet = Asce7_22Part {
+///     resonance_ratio: 1.0, strength_ratio: 1.5, building_ductility_ratio: 1.3, importance_ratio: 1.0,
+/// };
+/// assert!((asce7_22_force(1.0, 3.5, &cabinet).force_ratio - 0.717_949).abs() < 5e-7);
+/// ```
+pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part) -> PartForce {
+    let unit = sds_g * part.importance_ratio;
+    let ratio =
+        height_factor_ratio / part.building_ductility_ratio.max(1.3) * part.resonance_ratio / part.strength_ratio;
+    PartForce::within(0.4 * ratio * unit, 0.3 * unit, 1.6 * unit)
+}
+
+/// A non-structural element by Eurocode 8.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eurocode8Part {
+    /// T_a/T_1, the period of the element over that of the building; 0 for a rigid one.
+    pub period_ratio: f64,
+    /// γ_a: 1, or 1.5 where it matters to life safety.
+    pub importance_ratio: f64,
+    /// q_a: 1 or 2.
+    pub behaviour_ratio: f64,
+}
+
+/// Force over weight by Eurocode 8: S_a γ_a/q_a.
+///
+/// # Reference
+/// EN 1998-1:2004, Eqs. (4.24) and (4.25); recalled.
+///
+/// # Example
+/// a_g S = 0.24 g on the roof, rigid, q_a = 2: 0.24 · 2.5/2.
+/// ```
+/// use freestand::code_spectrum::part_forces::{Eurocode8Part, eurocode8_force};
+/// let cabinet = Eurocode8Part { period_ratio: 0.0, importance_ratio: 1.0, behaviour_ratio: 2.0 };
+/// assert!((eurocode8_force(0.24, 1.0, &cabinet).force_ratio - 0.3).abs() < 1e-15);
+/// ```
+pub fn eurocode8_force(ground_acceleration_g: f64, level_ratio: f64, part: &Eurocode8Part) -> PartForce {
+    let unit = ground_acceleration_g * part.importance_ratio / part.behaviour_ratio;
+    PartForce::within(unit * eurocode8_factor_ratio(level_ratio, part.period_ratio), unit, f64::INFINITY)
+}
+
+/// A part by NZS 1170.5, section 8.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nzs1170_5Part {
+    /// C_i(T_p): 2 up to 0.75 s.
+    pub spectral_ratio: f64,
+    /// C_ph: 1 for an elastic part, less for a ductile one.
+    pub response_ratio: f64,
+    /// R_p: 0.9 to 1.1 by its category.
+    pub risk_ratio: f64,
+}
+
+/// Force over weight by NZS 1170.5: a_floor C_i C_ph R_p, no more than 3.6; a_floor = C(0) C_Hi \[g\].
+///
+/// # Reference
+/// NZS 1170.5:2004, 8.5.1; recalled.
+///
+/// # Example
+/// ```
+/// use freestand::code_spectrum::part_forces::{Nzs1170_5Part, nzs1170_5_force};
+/// let elastic = Nzs1170_5Part { spectral_ratio: 2.0, response_ratio: 1.0, risk_ratio: 1.0 };
+/// assert_eq!(nzs1170_5_force(0.5, &elastic).force_ratio, 1.0);
+/// assert_eq!(nzs1170_5_force(2.0, &elastic).force_ratio, 3.6);
+/// ```
+pub fn nzs1170_5_force(floor_acceleration_g: f64, part: &Nzs1170_5Part) -> PartForce {
+    let formula = floor_acceleration_g * part.spectral_ratio * part.response_ratio * part.risk_ratio;
+    PartForce::within(formula, 0.0, 3.6)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CABINET: As1170_4Part =
+        As1170_4Part { amplification_ratio: 1.0, ductility_ratio: 2.5, importance_ratio: 1.5 };
+
+    /// 0.2 · 1.5/2.5 = 0.12; 0.05 below 0.0833 g, 0.5 above 0.8333 g.
+    #[test]
+    fn as_1170_4_within_its_limits() {
+        for (floor_g, force, governing) in
+            [(0.2, 0.12, Governing::Formula), (0.08, 0.05, Governing::Minimum), (0.84, 0.5, Governing::Maximum)]
+        {
+            let got = as1170_4_force(floor_g, &CABINET);
+            assert!((got.force_ratio - force).abs() < 1e-15 && got.governing == governing, "{got:?}");
+        }
+        assert!((as1170_4_force(0.08, &CABINET).formula_ratio - 0.048).abs() < 1e-15);
+    }
+
+    /// S_DS = 0.5 g, I_p = 1.5. Edition 16 with a_p = 2.5, R_p = 2.5: at the ground 0.4 · 0.75 = 0.3; a_p = 1: 0.12, lifted to 0.225;
+    /// R_p = 1: at the roof 0.4 · 2.5 · 3 · 0.75 = 2.25, held to 1.2.
+    #[test]
+    fn asce_7_16_within_its_limits() {
+        let flexible = Asce7_16Part { amplification_ratio: 2.5, response_ratio: 2.5, importance_ratio: 1.5 };
+        let rigid = Asce7_16Part { amplification_ratio: 1.0, ..flexible };
+        let brittle = Asce7_16Part { response_ratio: 1.0, ..flexible };
+        for (height, part, force, governing) in [
+            (1.0, flexible, 0.3, Governing::Formula),
+            (1.0, rigid, 0.225, Governing::Minimum),
+            (3.0, brittle, 1.2, Governing::Maximum),
+        ] {
+            let got = asce7_16_force(0.5, height, &part);
+            assert!((got.force_ratio - force).abs() < 1e-15 && got.governing == governing, "{got:?}");
+        }
+    }
+
+    /// S_DS = 0.5 g: 0.4 · 0.5 · 2.25/1.5 · 2.2/1.5 = 0.44; R_μ below 1.3 is 1.3; C_AR = 1 at the ground on R_μ = 2:
+    /// 0.2/2/1.5 = 0.0667, lifted to 0.15.
+    #[test]
+    fn asce_7_22_within_its_limits() {
+        let part = Asce7_22Part {
+            resonance_ratio: 2.2,
+            strength_ratio: 1.5,
+            building_ductility_ratio: 1.5,
+            importance_ratio: 1.0,
+        };
+        assert!((asce7_22_force(0.5, 2.25, &part).force_ratio - 0.44).abs() < 1e-15);
+        let stiff = |ductility| Asce7_22Part { building_ductility_ratio: ductility, ..part };
+        assert_eq!(asce7_22_force(0.5, 2.25, &stiff(1.0)), asce7_22_force(0.5, 2.25, &stiff(1.3)));
+        let low = asce7_22_force(0.5, 1.0, &Asce7_22Part { resonance_ratio: 1.0, ..stiff(2.0) });
+        assert!((low.force_ratio - 0.15).abs() < 1e-15 && low.governing == Governing::Minimum);
+        let high = asce7_22_force(0.5, 3.5, &Asce7_22Part { resonance_ratio: 2.8, strength_ratio: 1.0, ..stiff(1.3) });
+        assert!((high.force_ratio - 0.8).abs() < 1e-15 && high.governing == Governing::Maximum);
+    }
+
+    /// a_g S = 0.2 g. In resonance at mid-height 3 · 1.5 − 0.5 = 4: 0.8 · 1.5/2 = 0.6. Far above the building's period the
+    /// amplification is 1: 3/10 − 0.5 < 1.
+    #[test]
+    fn eurocode_8_and_its_least() {
+        let part = Eurocode8Part { period_ratio: 1.0, importance_ratio: 1.5, behaviour_ratio: 2.0 };
+        assert!((eurocode8_force(0.2, 0.5, &part).force_ratio - 0.6).abs() < 1e-15);
+        let soft = Eurocode8Part { period_ratio: 4.0, ..part };
+        assert!((eurocode8_force(0.2, 0.0, &soft).force_ratio - 0.15).abs() < 1e-15);
+    }
+}
