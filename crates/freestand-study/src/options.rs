@@ -3,6 +3,7 @@
 //! Nothing stops at the first problem: every reader takes what it can, notes what is wrong and goes on, so that a file
 //! is put right in one round. Unknown keys are found because each reader says which keys it knows.
 
+mod assessment;
 mod building;
 mod cushion;
 mod ground;
@@ -18,12 +19,14 @@ use std::path::Path;
 use toml::de::DeTable;
 
 use crate::error::Problem;
+use assessment::assessment;
 use building::building;
 use ground::ground;
 use objects::objects;
 use outputs::outputs;
 use reader::{Reader, Section, bare_number, example};
 
+pub(crate) use assessment::AssessmentOptions;
 pub(crate) use building::{AxisOptions, BuildingOptions, LevelOptions};
 pub(crate) use cushion::CushionOptions;
 pub(crate) use ground::{ComponentsOption, GroundOptions};
@@ -53,11 +56,12 @@ pub(crate) struct Options {
     pub(crate) building: BuildingOptions,
     pub(crate) objects: ObjectsOptions,
     pub(crate) outputs: OutputsOptions,
+    pub(crate) assessment: AssessmentOptions,
 }
 
 /// Whether a text is TOML and has a table of a study.
 pub(crate) fn has_table_of_ours(text: &str) -> bool {
-    let names = ["ground", "building", "objects", "outputs"];
+    let names = ["ground", "building", "objects", "outputs", "assessment"];
     DeTable::parse(text.trim_start_matches('\u{feff}'))
         .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
 }
@@ -83,6 +87,10 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
     }
     if let Some(mut table) = top.table(&mut reader, "outputs") {
         options.outputs = outputs(&mut reader, &mut table);
+        table.finish(&mut reader);
+    }
+    if let Some(mut table) = top.table(&mut reader, "assessment") {
+        options.assessment = assessment(&mut reader, &mut table);
         table.finish(&mut reader);
     }
     top.finish(&mut reader);

@@ -17,11 +17,12 @@ use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{ExampleHistory, HorizontalMotion, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
 use crate::study::{Level, Study};
-use motions::{floor_profile, floors, ground_motions, spectrum_of};
+use motions::{floor_profile, floors, spectrum_of};
+pub(crate) use motions::{floors_under, ground_motions};
 use warnings::result_warnings;
 
 /// Longest wait for a block to settle after the motion \[s\]; only a restitution of nearly 1 needs more.
-const LONGEST_TAIL_S: f64 = 120.0;
+pub(crate) const LONGEST_TAIL_S: f64 = 120.0;
 
 /// Damping of every spectrum that is shown.
 pub const SPECTRUM_DAMPING_RATIO: f64 = 0.05;

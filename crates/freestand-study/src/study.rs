@@ -34,6 +34,8 @@ pub struct Study {
     pub objects: Objects,
     /// What is written.
     pub outputs: Outputs,
+    /// How an inventory is assessed on its floors.
+    pub assessment: crate::assess::settings::Settings,
     /// What the reader of the result must know: assumptions and doubts, one sentence each.
     pub warnings: Vec<String>,
 }

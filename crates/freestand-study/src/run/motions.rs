@@ -14,7 +14,7 @@ use crate::simulated::simulator;
 use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, synthetic_name};
 
 /// Asks before each motion whether to `go_on`: a thousand of them take minutes.
-pub(super) fn ground_motions(
+pub(crate) fn ground_motions(
     ground: &Ground,
     go_on: impl Fn() -> Result<(), StudyError> + Sync,
 ) -> Result<Vec<GroundMotion>, StudyError> {
@@ -147,7 +147,7 @@ pub(super) fn floor_profile(
 }
 
 /// The motions of every level under one ground motion.
-fn floors_under(
+pub(crate) fn floors_under(
     ground: &GroundMotion,
     building: &BuildingInput,
     ratios: &[f64],

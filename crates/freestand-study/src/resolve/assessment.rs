@@ -1,0 +1,93 @@
+//! `[assessment]` as meant.
+
+use std::path::PathBuf;
+
+use super::{Resolver, or};
+use crate::assess::settings::{Accepted, Settings, Spread};
+use crate::options::{AssessmentOptions, Written};
+
+/// Most draws of the uncertain values for each motion.
+const MOST_DRAWS: u64 = 10_000;
+
+impl Resolver<'_> {
+    pub(super) fn assessment(&mut self, written: &AssessmentOptions) -> Settings {
+        let defaults = Settings::default();
+        let accepted_ratio = self.probability("accepted", &written.accepted, defaults.accepted.other_ratio);
+        let Spread { restitution, stiffness, mass, geometry, model } = defaults.spread;
+        let path = |written: &Option<Written<String>>| -> Option<PathBuf> {
+            written.as_ref().map(|written| self.base_dir.join(&written.value))
+        };
+        let [inventory, library, cushion_library] =
+            [&written.inventory, &written.library, &written.cushion_library].map(path);
+        let settings = Settings {
+            inventory,
+            sheet: written.sheet.as_ref().map(|sheet| sheet.value.clone()),
+            library,
+            cushion_library,
+            accepted: Accepted {
+                other_ratio: accepted_ratio,
+                life_safety_ratio: self.probability(
+                    "accepted_life_safety",
+                    &written.accepted_life_safety,
+                    accepted_ratio,
+                ),
+                property_ratio: self.probability("accepted_property", &written.accepted_property, accepted_ratio),
+                function_ratio: self.probability("accepted_function", &written.accepted_function, accepted_ratio),
+            },
+            seed: or(&written.seed, defaults.seed),
+            draws: self.draws("draws", &written.draws, defaults.draws),
+            most_draws: self.draws("most_draws", &written.most_draws, defaults.most_draws),
+            spread: Spread {
+                restitution: self.spread("restitution_spread", &written.restitution_spread, restitution),
+                stiffness: self.spread("stiffness_spread", &written.stiffness_spread, stiffness),
+                mass: self.spread("mass_spread", &written.mass_spread, mass),
+                geometry: self.spread("geometry_spread", &written.geometry_spread, geometry),
+                model: self.spread("model_spread", &written.model_spread, model),
+            },
+            friction_ratio: self.friction(written, defaults.friction_ratio),
+            pad_strain_ratio: self.pad_strain(&written.pad_strain, defaults.pad_strain_ratio),
+            compliant: or(&written.compliant, defaults.compliant),
+            screen: or(&written.screen, defaults.screen),
+            pages: usize::try_from(or(&written.pages, defaults.pages as u64)).unwrap_or(usize::MAX),
+        };
+        if settings.most_draws < settings.draws {
+            let line = written.most_draws.as_ref().or(written.draws.as_ref()).map(|one| one.line);
+            self.note(line, "most_draws is less than draws", "most_draws is where doubling of draws ends");
+        }
+        settings
+    }
+
+    fn probability(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
+        self.require(written, |value| value > 0.0 && value < 1.0, key, "a probability between 0 and 1");
+        or(written, default)
+    }
+
+    /// Beyond 1 a value is not known at all, and its draws leave what the models are made for.
+    fn spread(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
+        self.require(written, |value| (0.0..=1.0).contains(&value), key, "from 0 (certain) to 1");
+        or(written, default)
+    }
+
+    fn draws(&mut self, key: &str, written: &Option<Written<u64>>, default: u32) -> u32 {
+        self.require(written, |count| (1..=MOST_DRAWS).contains(&count), key, &format!("from 1 to {MOST_DRAWS}"));
+        u32::try_from(or(written, u64::from(default))).unwrap_or(default)
+    }
+
+    fn friction(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
+        for (key, one) in [("friction_low", &written.friction_low), ("friction_high", &written.friction_high)] {
+            self.require(one, |value| (0.0..=10.0).contains(&value), key, "a coefficient of friction");
+        }
+        let range = (or(&written.friction_low, default.0), or(&written.friction_high, default.1));
+        if range.0 > range.1 {
+            let line = written.friction_low.as_ref().or(written.friction_high.as_ref()).map(|one| one.line);
+            let message = format!("friction_low = {} is above friction_high = {}", range.0, range.1);
+            self.note(line, message, "give both, the lower one first");
+        }
+        range
+    }
+
+    fn pad_strain(&mut self, written: &Option<Written<f64>>, default: f64) -> f64 {
+        self.require(written, |value| value > 0.0 && value < 1.0, "pad_strain", "a share of the thickness below 1");
+        or(written, default)
+    }
+}
