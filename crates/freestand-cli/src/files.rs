@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use freestand_study::output::{OutputFolder, document};
+use freestand_study::output::{MANIFEST, OutputFolder, document};
 use freestand_study::streamed::StreamedFile;
 use serde::Serialize;
 
@@ -90,8 +90,6 @@ impl Files {
 
 /// The document that is printed with `--json`, in the output folder.
 pub(crate) const RESULT: &str = "result.json";
-
-const MANIFEST: &str = "manifest.json";
 
 /// A document with the files that were written: by this list the next run knows what it may replace.
 #[derive(Debug, Serialize)]

@@ -12,7 +12,13 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Files by which we know a folder as ours.
-const MANIFESTS: [&str; 2] = ["manifest.json", "summary.json"];
+const MANIFESTS: [&str; 2] = [MANIFEST, "summary.json"];
+
+/// The manifest of most commands.
+pub const MANIFEST: &str = "manifest.json";
+
+/// Schema of a manifest of files that are not all in their place.
+const INCOMPLETE: &str = "freestand.incomplete/1";
 
 /// Begins the name of a staging folder inside a target that exists; a number of the process and of the folder follow.
 const STAGING_PREFIX: &str = ".freestand-partial-";
@@ -180,6 +186,17 @@ impl OutputFolder {
         Ok(self.staging.join(name))
     }
 
+    /// Where a file of the folder is until the commit, its folders made: for one that is linked rather than written.
+    ///
+    /// # Errors
+    /// A name that leaves the folder, or a disk that is full.
+    pub(crate) fn place_for(&self, name: &str) -> Result<PathBuf, Problem> {
+        let path = self.path_of(name)?;
+        let made = path.parent().map_or(Ok(()), fs::create_dir_all);
+        made.map_err(|error| io_problem(&self.target.join(name), "cannot write the file", &error))?;
+        Ok(path)
+    }
+
     /// The names of the files that were written so far, sorted, with `/` between folder and file.
     ///
     /// # Errors
@@ -222,7 +239,7 @@ impl OutputFolder {
         if let Some(manifest) = manifests.first() {
             // Until all is in place, whoever looks (the next run, too) sees old and new as ours and incomplete.
             let all: BTreeSet<&String> = names.iter().chain(listed).collect();
-            let text = serde_json::json!({"schema": "freestand.incomplete/1", "files": all}).to_string();
+            let text = serde_json::json!({"schema": INCOMPLETE, "files": all}).to_string();
             let marker = self.staging.join(".incomplete");
             fs::write(&marker, text)
                 .and_then(|()| fs::rename(&marker, self.target.join(manifest)))
@@ -248,6 +265,23 @@ impl Drop for OutputFolder {
             let _ = fs::remove_dir_all(&self.staging);
         }
     }
+}
+
+/// Begins a long run in `target` itself: the folder is made, and its manifest says that files of these `names` are ours too, so that
+/// whatever a kill leaves is known again.
+///
+/// # Errors
+/// As [`OutputFolder::stage`].
+pub(crate) fn announce(target: &Path, force: bool, names: &[String]) -> Result<(), Problem> {
+    let target = real_path(&absolute(target)?);
+    let listed = match check_replaceable(&target, force)? {
+        Place::Absent => BTreeSet::new(),
+        Place::Folder { listed } => listed,
+    };
+    fs::create_dir_all(&target).map_err(|error| io_problem(&target, "cannot make the folder", &error))?;
+    let ours: BTreeSet<&String> = names.iter().chain(&listed).collect();
+    let text = serde_json::json!({"schema": INCOMPLETE, "files": ours}).to_string();
+    write_file(&target.join(MANIFEST), text.as_bytes(), &[])
 }
 
 /// What stands where the output folder is to be.

@@ -1,5 +1,6 @@
 //! One file for each command.
 
+mod assess;
 mod block;
 mod check;
 mod cushion;
@@ -34,6 +35,7 @@ impl Done {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Run(Box<run::RunArgs>),
+    Assess(Box<assess::AssessArgs>),
     Check(check::CheckArgs),
     Shock(Box<shock::ShockArgs>),
     ShockSpectrum(Box<shock_spectrum::ShockSpectrumArgs>),
@@ -49,6 +51,7 @@ impl Command {
     pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
         match self {
             Self::Run(args) => run::run(args, global, printer),
+            Self::Assess(args) => assess::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
             Self::Shock(args) => shock::run(args, global, printer),
             Self::ShockSpectrum(args) => shock_spectrum::run(args, global, printer),

@@ -10,6 +10,7 @@ mod decision;
 mod group;
 mod hazard;
 mod head;
+mod job;
 mod object;
 mod portfolio;
 mod response;
@@ -29,10 +30,10 @@ use crate::study::Study;
 use group::Member;
 
 pub use head::head;
-pub use portfolio::{Portfolio, assess, progress_names};
+pub use job::{Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
 use result::FloorFacts;
 pub use result::{Assessment, Decision};
-pub use store::PROGRESS;
+use store::PROGRESS;
 
 /// Why a run ended before its end.
 pub(crate) const STOPPED: &str = "the run was stopped before its end";

@@ -18,6 +18,7 @@ use super::uncertainty::key;
 use super::{Context, Row, STOPPED, blank};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::inventory::{Consequences, Inventory, Item};
+use crate::output::OutputFolder;
 use crate::run::{Progress, Step};
 use crate::study::Study;
 
@@ -29,48 +30,48 @@ const LEVELS_AT_ONCE: usize = 32;
 
 /// A finished assessment, or what there is of one that was stopped.
 #[derive(Debug)]
-pub struct Portfolio<'a> {
+pub(super) struct Portfolio<'a> {
     inventory: &'a Inventory,
     store: Store,
     /// By row of the inventory; 0: not assessed.
     ranks: Vec<u32>,
     /// Objects that an earlier run had finished.
-    pub resumed: usize,
+    pub(super) resumed: usize,
     /// Objects that were assessed now.
-    pub computed: usize,
+    pub(super) computed: usize,
     /// Whether it was stopped before its end.
-    pub interrupted: bool,
+    pub(super) interrupted: bool,
     /// Rocking histories that were followed now.
-    pub histories: u64,
+    pub(super) histories: u64,
     /// Objects by decision, in the order of [`Decision::ALL`].
-    pub decisions: [usize; 4],
+    pub(super) decisions: [usize; 4],
     /// Objects by tier.
-    pub tiers: [usize; 4],
+    pub(super) tiers: [usize; 4],
     /// Objects of which some motion could not be followed.
-    pub failed: usize,
+    pub(super) failed: usize,
 }
 
 /// The files of a run in its output folder beside the outputs, while it lasts.
-pub fn progress_names(items: usize) -> Vec<String> {
+pub(super) fn progress_names(items: usize) -> Vec<String> {
     Store::names(items.div_ceil(PART)).map(|name| format!("{}/{name}", super::PROGRESS)).collect()
 }
 
-/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool; finished parts are kept in `folder`, and
-/// with `resume` those of an earlier run with the same inputs are taken as they are.
+/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool; finished parts are kept in a folder under
+/// the key of the inputs, and with `resume` those of an earlier run with the same key are taken as they are.
 ///
 /// The result of an object depends on its own row, the study and the seed: not on the other rows, their order, the number of threads or
 /// interruptions.
 ///
 /// # Errors
 /// A motion that cannot be made, or a folder that cannot be written. A stop is no error: what was finished is the result.
-pub fn assess<'a>(
+pub(super) fn assess<'a>(
     study: &Study,
     inventory: &'a Inventory,
-    folder: &Path,
+    (folder, key): (&Path, &str),
     resume: bool,
     progress: Progress,
 ) -> Result<Portfolio<'a>, StudyError> {
-    let store = Store::open(folder, &fingerprint(study, inventory), resume)?;
+    let store = Store::open(folder, key, resume)?;
     let total = inventory.items.len();
     let wants_to_stop = || progress(Step { stage: "", done: 0, total: 0 }).is_break();
     let mut portfolio = Portfolio {
@@ -136,7 +137,7 @@ fn shake<'a>(
 }
 
 /// Everything that a result depends on, as one number: version, study with its motions, rows with what was looked up for them.
-fn fingerprint(study: &Study, inventory: &Inventory) -> String {
+pub(super) fn fingerprint(study: &Study, inventory: &Inventory) -> String {
     struct Hasher(Sha256);
     impl std::fmt::Write for Hasher {
         fn write_str(&mut self, text: &str) -> std::fmt::Result {
@@ -259,18 +260,8 @@ impl<'a> Portfolio<'a> {
         }
     }
 
-    /// Objects that were assessed.
-    pub fn len(&self) -> usize {
-        self.ranks.len()
-    }
-
-    /// Whether nothing was assessed.
-    pub fn is_empty(&self) -> bool {
-        self.ranks.is_empty()
-    }
-
     /// What was found, in the order of the inventory, read part by part from where it is kept.
-    pub fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Problem>> + '_ {
+    pub(super) fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Problem>> + '_ {
         let assessed = &self.inventory.items[..self.ranks.len()];
         assessed.chunks(PART).enumerate().flat_map(move |(part, items)| {
             let found = self.store.read(part, items.iter().map(|item| item.id.as_str()));
@@ -284,5 +275,22 @@ impl<'a> Portfolio<'a> {
                     .hint("run it again with --resume: what is missing is computed again"))],
             }
         })
+    }
+
+    /// The most urgent objects, in their order.
+    pub(super) fn most_urgent(&self, count: usize) -> Result<Vec<Row<'a>>, Problem> {
+        let urgent = |row: &Result<Row<'a>, Problem>| row.as_ref().map_or(true, |row| row.rank <= count);
+        let mut rows = self.rows().filter(urgent).collect::<Result<Vec<_>, _>>()?;
+        rows.sort_by_key(|row| row.rank);
+        Ok(rows)
+    }
+
+    /// Keeps the finished parts beside the outputs, for a run that goes on.
+    pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
+        let parts = self.ranks.len().div_ceil(PART);
+        for name in Store::names(parts) {
+            self.store.link(&name, &folder.place_for(&format!("{}/{name}", super::PROGRESS))?)?;
+        }
+        Ok(())
     }
 }

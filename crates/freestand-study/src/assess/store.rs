@@ -12,7 +12,7 @@ use crate::error::Problem;
 use crate::output::io_problem;
 
 /// Folder of the parts inside the output folder.
-pub const PROGRESS: &str = "progress";
+pub(super) const PROGRESS: &str = "progress";
 
 /// What the parts are of.
 const PLAN: &str = "plan";
@@ -76,6 +76,14 @@ impl Store {
             Ok(())
         })
         .map_err(|error| io_problem(&self.folder.join(&name), "cannot write a finished part", &error))
+    }
+
+    /// The file of this name in a second place as well: a link, or a copy where the file system has none.
+    pub(super) fn link(&self, name: &str, to: &Path) -> Result<(), Problem> {
+        let from = self.folder.join(name);
+        fs::hard_link(&from, to)
+            .or_else(|_| fs::copy(&from, to).map(|_| ()))
+            .map_err(|error| io_problem(&from, "cannot keep a finished part", &error))
     }
 
     /// A part as it was kept; `None` where it is absent, cut short or of other objects.

@@ -1,0 +1,142 @@
+//! `freestand assess`: an inventory in, the list of what must be restrained out.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use freestand_study::assess::{Decision, Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
+use freestand_study::resolve::{Overrides, builtin, load};
+use freestand_study::run::Step;
+
+use super::Done;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::printer::{Printer, table};
+use crate::stop::Stop;
+
+/// Which objects of an inventory must be restrained, which want a softer pad, which may stay
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  A first inventory to fill in, then its assessment in the built-in building (30 storeys, Melbourne, 500 years):
+    freestand inventory template --csv > objects.csv
+    freestand assess --inventory objects.csv --out assessment
+  In a building and a hazard of your own; the study may also name the inventory:
+    freestand assess hospital.toml --inventory hospital.xlsx --out assessment
+  Go on after Ctrl-C or a crash, in the same folder:
+    freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
+  A table for pandas as well, and the study's keys for what is accepted and how uncertain values are:
+    freestand assess --inventory objects.csv --format csv,parquet
+    docs/assessment.md, [assessment] in a study")]
+pub(crate) struct AssessArgs {
+    /// Hazard, building and settings (TOML) [default: the built-in study]
+    #[arg(value_name = "STUDY.toml")]
+    study: Option<PathBuf>,
+    /// The objects, CSV or XLSX, in place of the study's
+    #[arg(long, value_name = "FILE")]
+    inventory: Option<PathBuf>,
+    /// Sheet of a workbook [default: the first that is an inventory]
+    #[arg(long, value_name = "NAME")]
+    sheet: Option<String>,
+    /// Tolerance library of your own (CSV), over the built-in one
+    #[arg(long, value_name = "FILE")]
+    library: Option<PathBuf>,
+    /// Cushion library of your own (CSV), over the built-in one
+    #[arg(long, value_name = "FILE")]
+    cushion_library: Option<PathBuf>,
+    /// Go on from what an earlier run in the same folder had finished
+    #[arg(long)]
+    resume: bool,
+    /// Tables and reports beside objects.csv, assessment.xlsx and report.html, which are always written
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "csv")]
+    format: Vec<Format>,
+    /// Objects that get a page of the report, the most urgent [default: 200]
+    #[arg(long, value_name = "N")]
+    pages: Option<usize>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// objects.csv, always written
+    Csv,
+    /// objects.parquet
+    Parquet,
+    /// report.pdf, in builds with the feature pdf
+    Pdf,
+}
+
+pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let pdf = if args.format.contains(&Format::Pdf) { Some(typesetter()?) } else { None };
+    let overrides = Overrides { seed: global.seed, ..Overrides::default() };
+    let mut study = match &args.study {
+        Some(path) => load(path, &overrides)?,
+        None => builtin(&overrides)?,
+    };
+    let settings = &mut study.assessment;
+    settings.seed = global.seed.unwrap_or(settings.seed);
+    settings.pages = args.pages.unwrap_or(settings.pages);
+    settings.library = args.library.clone().or(settings.library.take());
+    settings.cushion_library = args.cushion_library.clone().or(settings.cushion_library.take());
+    let inventory = inventory_of(&study, args.inventory.as_deref(), args.sheet.as_deref())?;
+    let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
+    let job = Job { resume: args.resume, force: global.force, parquet: args.format.contains(&Format::Parquet), pdf };
+
+    let stop = Stop::listen();
+    let bar = printer.progress_bar(false);
+    let progress = |step: Step| {
+        if !step.stage.is_empty() {
+            bar.set_length(step.total as u64);
+            bar.set_position(step.done as u64);
+            bar.set_message(step.stage);
+        }
+        if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let report = assess_into(&study, &inventory, &out, &job, &progress);
+    bar.finish_and_clear();
+    let report = report?;
+    printer.result(SCHEMA, &report, &report.warnings, || text(&report))?;
+    if report.interrupted {
+        return Err(Failure::Stopped { printed: true });
+    }
+    Ok(Done { criterion_met: report.failed == 0 })
+}
+
+fn text(report: &JobReport) -> String {
+    let count = |one: &Decision| report.decisions.get(one.name()).map_or_else(String::new, ToString::to_string);
+    let meaning = |one: &Decision| match one {
+        Decision::Restrain => "fix it to the building",
+        Decision::Soften => "put it on a softer pad",
+        Decision::NoVerdict => "something is missing for a verdict",
+        Decision::Leave => "let it stand as it is",
+    };
+    let rows: Vec<Vec<String>> =
+        Decision::ALL.iter().map(|one| vec![one.name().to_owned(), count(one), meaning(one).to_owned()]).collect();
+    let mut text = table(&["decision", "objects", ""], &rows);
+    let done = report.resumed + report.computed;
+    text.push_str(&format!("\n{done} of {} objects", report.objects));
+    if report.resumed > 0 {
+        text.push_str(&format!(", {} of them from an earlier run", report.resumed));
+    }
+    text.push_str(&format!("; {} rocking histories\n", report.histories));
+    if report.failed > 0 {
+        text.push_str(&format!("{} objects could not be followed under every motion\n", report.failed));
+    }
+    if report.interrupted {
+        text.push_str("stopped before its end: go on with --resume\n");
+    }
+    text.push_str(&format!("report.html, assessment.xlsx, objects.csv in {}\n", report.out));
+    text
+}
+
+#[cfg(not(feature = "pdf"))]
+fn typesetter() -> Result<Typeset, Failure> {
+    Err(Failure::usage(
+        "--format pdf needs a build with the feature pdf",
+        "cargo install --path crates/freestand-cli --features pdf, or print report.html from a browser",
+    ))
+}
+
+#[cfg(feature = "pdf")]
+fn typesetter() -> Result<Typeset, Failure> {
+    Ok(|head, pages| freestand_pdf::assessment_pdf(head, pages).map_err(|error| error.to_string()))
+}
