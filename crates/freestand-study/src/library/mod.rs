@@ -1,6 +1,21 @@
 //! What objects stand and what they stand on, with the source of every number: the tolerance library and the cushion library.
+//!
+//! Both are tables in the program that a file of the user's, with the same columns, adds to and overrides by id. An entry says
+//! where its numbers are from; one without a source and a page or clause is `recalled`: it may be shown, it never decides.
+
+mod cushions;
+mod entry;
+mod reader;
+mod sheet;
+mod tolerances;
 
 use serde::{Deserialize, Serialize};
+
+pub use cushions::{CUSHION_COLUMNS, CushionEntry, CushionLibrary};
+pub use entry::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, to_tolerance};
+pub use tolerances::Library;
+
+use crate::cushion::CushionWords;
 
 /// How sure a number is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -41,3 +56,57 @@ pub struct Tolerance {
     /// How sure it is.
     pub confidence: Confidence,
 }
+
+/// What is known beforehand of a cushion: never a measurement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CushionPrior {
+    /// The cushion in the words of [`crate::cushion`]: the geometric mean of the range, with the pads per edge.
+    pub words: CushionWords,
+    /// ln(high/low)/2: the range is read as the one from 16 to 84 %, so that it holds two pads of three.
+    pub log_sd: f64,
+    /// Where it comes from, ready to print.
+    pub source: String,
+}
+
+impl Confidence {
+    /// All, the surest first.
+    pub const ALL: [Self; 5] = [Self::Stated, Self::Primary, Self::Secondary, Self::Assumption, Self::Recalled];
+
+    /// The name in files and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stated => "stated",
+            Self::Primary => "primary",
+            Self::Secondary => "secondary",
+            Self::Assumption => "assumption",
+            Self::Recalled => "recalled",
+        }
+    }
+
+    /// What it means, in a few words.
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::Stated => "stated by the user",
+            Self::Primary => "read at its source",
+            Self::Secondary => "read where it is quoted",
+            Self::Assumption => "a placeholder, chosen and not found",
+            Self::Recalled => "remembered, not read: never decides",
+        }
+    }
+}
+
+/// The ids that were likely meant by one that is not there, three at most.
+fn nearest_ids<'a>(id: &str, ids: &[&'a str]) -> Vec<&'a str> {
+    let wanted = id.to_lowercase();
+    let mut near: Vec<&str> = crate::options::nearest(&wanted, ids).into_iter().collect();
+    let words: Vec<&str> = wanted.split(|c: char| !c.is_alphanumeric()).filter(|word| word.len() > 2).collect();
+    let shared = |candidate: &str| words.iter().filter(|word| candidate.contains(**word)).count();
+    let mut others: Vec<&str> = ids.iter().copied().filter(|id| shared(id) > 0 && !near.contains(id)).collect();
+    others.sort_by_key(|id| std::cmp::Reverse(shared(id)));
+    near.extend(others);
+    near.truncate(3);
+    near
+}
+
+#[cfg(test)]
+mod tests;
