@@ -77,6 +77,7 @@ pub(crate) fn study() -> Study {
             tolerance_m_s2: None,
             friction: None,
         },
+        assessment: crate::assess::settings::Settings::default(),
         outputs: Outputs {
             figures: true,
             report: true,

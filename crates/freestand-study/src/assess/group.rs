@@ -10,6 +10,7 @@ use super::hazard::Floor;
 use super::object::{Body, Subject};
 use super::response::{MotionResponse, Values, axis_motion, lifts, rock_directions};
 use super::result::Assessment;
+use super::screen::Screened;
 use super::settings::Settings;
 use super::uncertainty::{self, Draw, Draws, Outcome, enough, key, shares};
 use super::verdict::{Found, assessment};
@@ -65,8 +66,9 @@ pub(super) fn assess_group(
     members: &[Member],
 ) -> Result<Vec<Assessment>, StudyError> {
     let settings = &context.study.assessment;
-    let all: Vec<usize> = (0..members.len()).collect();
-    let as_is = responses(context, floors, members, &all, Variant::AsIs)?;
+    let mut screened = screen_all(context, floors, members)?;
+    let all: Vec<usize> = (0..members.len()).filter(|i| !screened.contains_key(i)).collect();
+    let mut as_is = responses(context, floors, members, &all, Variant::AsIs)?;
     let rocking: Vec<usize> =
         all.iter().copied().filter(|&i| as_is[&i].iter().flatten().any(|axes| lifts(axes))).collect();
     let mut changed = Vec::new();
@@ -76,16 +78,16 @@ pub(super) fn assess_group(
     let uncertain: Vec<usize> =
         all.iter().copied().filter(|&i| may_lift(&members[i].subject, floors, settings)).collect();
     let mut draws = draw_all(context, floors, members, &uncertain)?;
-    let found: Vec<Found> = all
-        .iter()
-        .map(|i| Found {
-            member: &members[*i],
-            floor: &floors[&members[*i].subject.level_ratio.to_bits()],
-            as_is: &as_is[i],
-            changed: changed.iter().filter_map(|(variant, of)| Some((*variant, of.get(i)?.as_slice()))).collect(),
-            draws: draws.remove(i),
-        })
-        .collect();
+    let mut found = Vec::with_capacity(members.len());
+    for (i, member) in members.iter().enumerate() {
+        let (as_is, draws, is_screened) = match screened.remove(&i) {
+            Some(Screened { as_is, draws }) => (as_is, Some(draws), true),
+            None => (as_is.remove(&i).unwrap_or_default(), draws.remove(&i), false),
+        };
+        let changed = changed.iter().filter_map(|(variant, of)| Some((*variant, of.get(&i)?.as_slice()))).collect();
+        let floor = &floors[&member.subject.level_ratio.to_bits()];
+        found.push(Found { member, floor, as_is, changed, draws, is_screened });
+    }
     let done: Vec<Result<Assessment, StudyError>> = found
         .par_iter()
         .map(|found| {
@@ -94,6 +96,26 @@ pub(super) fn assess_group(
         })
         .collect();
     done.into_iter().collect()
+}
+
+/// The objects that the spectra of their floor decide, where that is wanted.
+fn screen_all(
+    context: &Context,
+    floors: &HashMap<u64, Floor>,
+    members: &[Member],
+) -> Result<HashMap<usize, Screened>, StudyError> {
+    if !context.study.assessment.screen {
+        return Ok(HashMap::new());
+    }
+    // Floor by floor first: a floor's spectra are made on all threads, once.
+    let all: Vec<usize> = (0..members.len()).collect();
+    let mut screened = HashMap::new();
+    for (floor, on_floor) in by_floor(floors, members, &all) {
+        context.go_on()?;
+        let found = on_floor.iter().filter_map(|&i| Some((i, context.spectra.screen(&members[i], floor)?)));
+        screened.extend(found);
+    }
+    Ok(screened)
 }
 
 /// Whether any draw could lift the object: its base by five standard deviations narrower and its centre of gravity by as many
@@ -155,7 +177,7 @@ fn responses(
     Ok(of)
 }
 
-fn as_stated(body: &Body) -> Values<'_> {
+pub(super) fn as_stated(body: &Body) -> Values<'_> {
     Values { mass_kg: body.mass_kg, cushion: &body.cushion }
 }
 

@@ -11,7 +11,7 @@ use super::result::Decision;
 use super::{Head, PROGRESS, Row, head};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::inventory::{Inventory, Lookup, read_inventory};
-use crate::library::{CushionLibrary, ToleranceLibrary};
+use crate::library::{CushionLibrary, Library, to_tolerance};
 use crate::output::{MANIFEST, OutputFolder, announce, document};
 use crate::resolve::motion_paths;
 use crate::run::Progress;
@@ -78,7 +78,7 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
             .hint("name one with --inventory FILE, or in the study: [assessment] inventory = \"objects.csv\"; freestand inventory template prints one")
             .into());
     };
-    let mut tolerances = ToleranceLibrary::builtin();
+    let mut tolerances = Library::builtin();
     if let Some(path) = &settings.library {
         tolerances.add_file(path)?;
     }
@@ -86,7 +86,13 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
     if let Some(path) = &settings.cushion_library {
         cushions.add_file(path)?;
     }
-    read_inventory(path, sheet.or(settings.sheet.as_deref()), &Lookup::of(&tolerances, &cushions))
+    let lookup = Lookup {
+        tolerance: &|id| tolerances.find(id).and_then(to_tolerance),
+        cushion: &|id| cushions.prior(id).ok(),
+        tolerance_names: &tolerances.entries().iter().map(|entry| entry.id.clone()).collect::<Vec<_>>(),
+        cushion_names: &cushions.entries().iter().map(|entry| entry.id.clone()).collect::<Vec<_>>(),
+    };
+    read_inventory(path, sheet.or(settings.sheet.as_deref()), &lookup)
 }
 
 /// Assesses `inventory` on the floors of `study` and writes everything into `target`, on the current thread pool.

@@ -133,7 +133,10 @@ fn shake<'a>(
     let hazard = Hazard::new(study, progress)?;
     let keys = hazard.names.iter().map(|name| key(name)).collect();
     let names = hazard.names.clone();
-    Ok((hazard, Context { study, names, keys, wants_to_stop, histories: AtomicU64::new(0) }))
+    Ok((
+        hazard,
+        Context { study, names, keys, spectra: Default::default(), wants_to_stop, histories: AtomicU64::new(0) },
+    ))
 }
 
 /// Everything that a result depends on, as one number: version, study with its motions, rows with what was looked up for them.

@@ -32,7 +32,7 @@ pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
     }
     let spread = &context.study.assessment.spread;
     let stiffness = found.body().and_then(|body| body.stiffness_spread).unwrap_or(spread.stiffness);
-    let as_is = demands(found, found.as_is, 1.0);
+    let as_is = demands(found, &found.as_is, 1.0);
     let mut bars = Vec::new();
     let mut bar = |parameter: &str, ends: [String; 2], low: Vec<f64>, high: Vec<f64>| {
         bars.push(swing(found, parameter, ends, &as_is, low, high));
@@ -47,7 +47,7 @@ pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
         for (parameter, symbol, sd, power) in factors {
             let [low, high] = [-1.0, 1.0].map(|sign: f64| (sign * sd).exp());
             let ends = [low, high].map(|factor| format!("{} {symbol}", number(factor, 3)));
-            let at = |factor: f64| demands(found, found.as_is, factor.powf(power));
+            let at = |factor: f64| demands(found, &found.as_is, factor.powf(power));
             bar(parameter, ends, at(low), at(high));
         }
     }

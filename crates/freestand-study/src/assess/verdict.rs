@@ -24,10 +24,12 @@ use crate::statistics::{QUANTILES, ranked_quantile};
 pub(super) struct Found<'a> {
     pub(super) member: &'a Member<'a>,
     pub(super) floor: &'a Floor,
-    pub(super) as_is: &'a [MotionResponse],
+    pub(super) as_is: Vec<MotionResponse>,
     pub(super) changed: Vec<(Variant, &'a [MotionResponse])>,
     /// `None`: it cannot lift off, so that nothing was drawn.
     pub(super) draws: Option<Draws>,
+    /// Whether the spectra of the floor stand for its own histories.
+    pub(super) is_screened: bool,
 }
 
 impl Found<'_> {
@@ -97,7 +99,7 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     let order = found.by_severity();
     let deciding = found.deciding_place(order.len()).map(|place| order[place]);
     let governs = deciding.and_then(|motion| governing_criterion(found, motion));
-    let second = second_opinion(context, found, &order, p_exceed.as_ref());
+    let second = if found.is_screened { None } else { second_opinion(context, found, &order, p_exceed.as_ref()) };
     let is_above = |p: Option<&Probability>| p.is_some_and(|p| p.value > member.accepted_ratio);
     let compliant_above = second.as_ref().is_some_and(|(_, p)| *p > member.accepted_ratio);
     let wants_softer = p_overturn.value <= member.accepted_ratio && (is_above(p_exceed.as_ref()) || compliant_above);
@@ -117,6 +119,12 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
         p_compliant: second.as_ref().map(|(_, p)| *p),
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
     });
+    if found.is_screened {
+        assessed.notes.push(
+            "decided by the uplift spectra of its floor: its numbers are those of the nearest block of their grid"
+                .to_owned(),
+        );
+    }
     if response.failed > 0 {
         assessed.notes.push(format!(
             "{} of {} motions could not be followed ({}); they are in no figure",
@@ -125,12 +133,17 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
             response.failure.as_deref().unwrap_or("")
         ));
     }
-    let (chain, sliding, impacts) = deciding.map_or((None, None, None), |motion| closer_look(context, found, motion));
+    let closer = deciding.filter(|_| !found.is_screened).map(|motion| closer_look(context, found, motion));
+    let (chain, sliding, impacts) = closer.unwrap_or_default();
     assessed.decision = decision;
     assessed.why = why;
-    assessed.tier = if found.draws.is_none() { 0 } else { 2 + u8::from(second.is_some()) };
+    assessed.tier = match (&found.draws, found.is_screened) {
+        (None, _) => 0,
+        (Some(_), true) => 1,
+        (Some(_), false) => 2 + u8::from(second.is_some()),
+    };
     assessed.capacity = capacity_check(found, governs);
-    assessed.draws = found.draws.iter().flatten().map(Vec::len).max().unwrap_or(0) as u32;
+    assessed.draws = if found.is_screened { 0 } else { most_draws(found) };
     assessed.p_overturn = Some(p_overturn);
     assessed.p_exceed = p_exceed;
     assessed.sliding = sliding.or_else(|| Some(resting_slide(context, found)));
@@ -146,6 +159,10 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     assessed.response = Some(response);
     assessed.chain = chain;
     assessed
+}
+
+fn most_draws(found: &Found) -> u32 {
+    found.draws.iter().flatten().map(Vec::len).max().unwrap_or(0) as u32
 }
 
 fn response(found: &Found) -> Option<Response> {

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""An inventory of N made-up objects through `freestand assess`: time, peak memory, rocking histories.
+
+    cargo build --release && python3 benches/portfolio.py [N] [--motions 20] [--threads 2] [-- more flags of assess]
+
+The objects are furniture-like, drawn once and for all from a fixed seed: two sides, a mass, a pad, a tolerance for four out of
+five, on 31 floors of the built-in building.
+"""
+
+import argparse
+import json
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+HEADER = (
+    "id,item,quantity,location,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],"
+    "tolerance [g],tolerance_duration [ms],life_safety,notes"
+)
+
+
+def inventory(path: Path, count: int) -> None:
+    """Writes `count` objects."""
+    numbers = random.Random(1)
+    with path.open("w", encoding="utf-8", newline="") as file:
+        print(HEADER, file=file)
+        for i in range(count):
+            height, thickness = numbers.uniform(400, 2400), numbers.uniform(250, 1000)
+            width = thickness * numbers.uniform(1.0, 2.5)
+            mass = 250e-9 * height * thickness * width * numbers.uniform(0.4, 1.6)
+            tolerance, duration = "", ""
+            if numbers.random() < 0.8:
+                tolerance = f"{numbers.uniform(1.5, 30):.2f}"
+                duration = "11" if numbers.random() < 0.3 else ""
+            level, rating = numbers.randrange(31) / 30, numbers.choice("HML")
+            stiffness = 10 ** numbers.uniform(2.5, 4.0)
+            print(
+                f"o{i:07},box,1,room {i % 97},{level:.4f},{height:.0f},{thickness:.0f},{width:.0f},{mass:.1f},"
+                f"{stiffness:.0f},{tolerance},{duration},{rating},",
+                file=file,
+            )
+
+
+def main() -> None:
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("count", nargs="?", type=int, default=10_000)
+    arguments.add_argument("--motions", type=int, default=20)
+    arguments.add_argument("--threads", type=int, default=2)
+    arguments.add_argument("--program", default=str(ROOT / "target/release/freestand"))
+    arguments.add_argument("more", nargs="*")
+    wanted = arguments.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        inventory(folder / "objects.csv", wanted.count)
+        (folder / "study.toml").write_text(f"[ground]\ncount = {wanted.motions}\n", encoding="utf-8")
+        command = [wanted.program, "assess", "study.toml", "--inventory", "objects.csv", "--out", "out", "--json", "-q"]
+        command += ["--threads", str(wanted.threads), *wanted.more]
+        start = time.perf_counter()
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        seconds = time.perf_counter() - start
+        if done.returncode not in (0, 1):
+            sys.exit(done.stderr)
+        peak_mb = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        report = json.loads(done.stdout)
+        size_mb = sum(os.path.getsize(folder / "out" / name) for name in report["files"]) / 1e6
+        print(
+            f"{wanted.count} objects x {wanted.motions} motions on {wanted.threads} threads: {seconds:.1f} s, "
+            f"{peak_mb:.0f} MB at most, {report['histories'] / 1e6:.2f} million histories "
+            f"({1e6 * seconds / max(report['histories'], 1):.1f} µs each, all told), outputs {size_mb:.0f} MB; "
+            f"{report['decisions']}, tiers {report['tiers']}"
+        )
+
+
+if __name__ == "__main__":
+    main()
