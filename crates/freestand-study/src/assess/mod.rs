@@ -1,6 +1,17 @@
 //! The assessment of an inventory: which objects must be restrained, which want a softer pad, which may stay as they are.
 
+pub mod csv;
+#[cfg(test)]
+mod fixture;
+pub mod outputs;
+pub mod overview;
+pub mod parquet;
+pub mod report;
 pub mod result;
+pub mod sources;
+pub mod table;
+pub mod words;
+pub mod workbook;
 
 pub use result::{Assessment, Decision};
 
