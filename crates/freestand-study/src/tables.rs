@@ -23,11 +23,11 @@ fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u
     writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
-fn csv_writer() -> csv::Writer<Vec<u8>> {
+pub(crate) fn csv_writer() -> csv::Writer<Vec<u8>> {
     csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new())
 }
 
-fn broken(error: csv::Error) -> Problem {
+pub(crate) fn broken(error: csv::Error) -> Problem {
     Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"))
 }
 

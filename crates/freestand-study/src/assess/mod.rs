@@ -5,6 +5,17 @@
 //! on a compliant base (tier 3).
 
 mod beside;
+pub mod csv;
+#[cfg(test)]
+mod fixture;
+pub mod outputs;
+pub mod overview;
+pub mod parquet;
+pub mod report;
+pub mod sources;
+pub mod table;
+pub mod words;
+pub mod workbook;
 mod capacity;
 mod decision;
 mod group;

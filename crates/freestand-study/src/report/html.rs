@@ -4,30 +4,30 @@ use crate::words::escape;
 
 /// A cell of a table.
 #[derive(Debug, Clone)]
-pub(super) struct Cell {
+pub(crate) struct Cell {
     html: String,
     class: &'static str,
     columns: usize,
 }
 
 /// A cell of words.
-pub(super) fn words(text: &str) -> Cell {
+pub(crate) fn words(text: &str) -> Cell {
     Cell { html: escape(text), class: "", columns: 1 }
 }
 
 /// A cell of a number, aligned to the right.
-pub(super) fn figure(text: impl AsRef<str>) -> Cell {
+pub(crate) fn figure(text: impl AsRef<str>) -> Cell {
     Cell { html: escape(text.as_ref()), class: "n", columns: 1 }
 }
 
 /// A cell of markup.
-pub(super) fn markup(html: String, class: &'static str) -> Cell {
+pub(crate) fn markup(html: String, class: &'static str) -> Cell {
     Cell { html, class, columns: 1 }
 }
 
 impl Cell {
     /// The same over several columns.
-    pub(super) fn over(mut self, columns: usize) -> Self {
+    pub(crate) fn over(mut self, columns: usize) -> Self {
         self.columns = columns;
         self
     }
@@ -51,12 +51,12 @@ impl Cell {
 }
 
 /// A table that scrolls on a narrow screen: heading rows, then rows whose first cell is a heading.
-pub(super) fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
+pub(crate) fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
     classed_table("plain", caption, headings, rows)
 }
 
 /// The same with a look of its own.
-pub(super) fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
+pub(crate) fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
     let mut html = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">");
     if !caption.is_empty() {
         html.push_str(&format!("<caption>{}</caption>", escape(caption)));
@@ -83,7 +83,7 @@ pub(super) fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], 
 }
 
 /// A table of names and values without a heading row; empty values are left out.
-pub(super) fn properties(caption: &str, rows: &[(&str, String)]) -> String {
+pub(crate) fn properties(caption: &str, rows: &[(&str, String)]) -> String {
     let rows: Vec<Vec<Cell>> = rows
         .iter()
         .filter(|(_, value)| !value.is_empty())
@@ -93,12 +93,12 @@ pub(super) fn properties(caption: &str, rows: &[(&str, String)]) -> String {
 }
 
 /// A paragraph of words.
-pub(super) fn paragraph(text: &str) -> String {
+pub(crate) fn paragraph(text: &str) -> String {
     format!("<p>{}</p>\n", escape(text))
 }
 
 /// A bulleted list of words.
-pub(super) fn list<S: AsRef<str>>(items: &[S]) -> String {
+pub(crate) fn list<S: AsRef<str>>(items: &[S]) -> String {
     let mut html = String::from("<ul>\n");
     for item in items {
         html.push_str(&format!("<li>{}</li>\n", escape(item.as_ref())));
@@ -108,11 +108,11 @@ pub(super) fn list<S: AsRef<str>>(items: &[S]) -> String {
 }
 
 /// A section with its heading, which links lead to.
-pub(super) fn section(id: &str, heading: &str, html: &str) -> String {
+pub(crate) fn section(id: &str, heading: &str, html: &str) -> String {
     format!("<section id=\"{id}\">\n<h2>{}</h2>\n{html}</section>\n", escape(heading))
 }
 
 /// A heading inside a section.
-pub(super) fn heading(text: &str) -> String {
+pub(crate) fn heading(text: &str) -> String {
     format!("<h3>{}</h3>\n", escape(text))
 }

@@ -1,6 +1,6 @@
 //! `report.html`: one file that loads nothing, for the screen and for A4.
 
-mod html;
+pub(crate) mod html;
 mod inputs;
 mod overview;
 mod provenance;
@@ -54,7 +54,7 @@ pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenanc
     document
 }
 
-const CSS: &str = include_str!("style.css");
+pub(crate) const CSS: &str = include_str!("style.css");
 
 #[cfg(test)]
 mod tests;
