@@ -33,6 +33,8 @@ pub(super) struct Case<'a> {
     /// What is missing for a comparison: `tolerance`, `mass`, `cushion`.
     pub(super) missing: &'a [&'static str],
     pub(super) pfa_g: f64,
+    /// Demand over capacity of the hardest motion; without a tolerance, rotation over that of overturning.
+    pub(super) hardest: f64,
     /// Whether the shock alone brings it above, so that a softer pad may help; and whether one does, with what was checked.
     pub(super) softer: Option<(bool, &'a str)>,
     /// The larger probability that the compliant base gives.
@@ -113,14 +115,19 @@ fn in_words(what: &str, p: Probability) -> String {
     format!("{what} with probability {} (95 %: {} to {})", percent(p.value), percent(p.low), percent(p.high))
 }
 
-/// A share in per cent.
+/// A share in per cent; what is below a hundredth of one is not worth its digits.
 pub(super) fn percent(share: f64) -> String {
-    format!("{} %", number(100.0 * share, 3))
+    if share > 0.0 && share < 1e-4 { "under 0.01 %".to_owned() } else { format!("{} %", number(100.0 * share, 3)) }
 }
 
-/// A sentence where the interval holds the accepted probability: more motions could turn the verdict.
+/// Demand over capacity of the hardest motion from which one more motion could be beyond it.
+const CLOSE_DEMAND: f64 = 0.5;
+
+/// A sentence where the interval holds the accepted probability: more motions could turn the verdict. Of an object that no motion brings
+/// anywhere near what it stands, the interval says only how few motions there are.
 fn doubt(p: Probability, case: &Case) -> String {
-    if p.low <= case.accepted_ratio && p.high > case.accepted_ratio {
+    let is_close = p.value > 0.0 || case.hardest >= CLOSE_DEMAND;
+    if is_close && p.low <= case.accepted_ratio && p.high > case.accepted_ratio {
         " The interval holds the accepted probability: more motions could turn the verdict.".to_owned()
     } else {
         String::new()
@@ -142,6 +149,7 @@ mod tests {
             governing: Some("peak"),
             missing: &[],
             pfa_g: 0.2,
+            hardest: 0.9,
             softer: None,
             p_compliant: None,
             tolerance_source: "a test",

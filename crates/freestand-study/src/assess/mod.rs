@@ -5,35 +5,35 @@
 //! on a compliant base (tier 3).
 
 mod beside;
+mod capacity;
 pub mod csv;
+mod decision;
 #[cfg(test)]
 mod fixture;
-pub mod outputs;
-pub mod overview;
-pub mod parquet;
-pub mod report;
-pub mod sources;
-pub mod table;
-pub mod words;
-pub mod workbook;
-mod capacity;
-mod decision;
 mod group;
 mod hazard;
 mod head;
 mod job;
 mod object;
+pub mod outputs;
+pub mod overview;
+pub mod parquet;
 mod portfolio;
+pub mod report;
 mod response;
 pub mod restraint;
 pub mod result;
 mod screen;
 mod second_opinion;
 pub mod settings;
+pub mod sources;
 mod store;
+pub mod table;
 mod tornado;
 mod uncertainty;
 mod verdict;
+pub mod words;
+pub mod workbook;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 

@@ -17,6 +17,10 @@ use crate::words::number;
 /// An object is near the line where its probability is within this factor of the accepted one.
 const NEAR_FACTOR: f64 = 4.0;
 
+/// Demand over capacity from which the ratio of the two models is looked at and used: small rocking on a soft pad is another motion
+/// altogether, but far from any limit.
+const FROM_DEMAND: f64 = 0.5;
+
 /// Motions around the deciding one under which the compliant base is tried.
 const TRIED_MOTIONS: usize = 3;
 
@@ -42,7 +46,8 @@ pub(super) fn second_opinion(
     }
     let mut ratios = Vec::new();
     let (mut motions, mut fallen) = (0, 0);
-    for (motion, axis, one) in tried(found, order) {
+    let is_near = |one: &AxisMotion| one.terms.is_some_and(|terms| terms.ratio(1.0) >= FROM_DEMAND);
+    for (motion, axis, one) in tried(found, order).into_iter().filter(|(.., one)| is_near(one)) {
         let Some(compliant) = follow(found, body, &body.cushion, motion, axis) else { continue };
         motions += 1;
         if compliant.outcome == Outcome::Overturned {
@@ -56,7 +61,8 @@ pub(super) fn second_opinion(
     }
     ratios.sort_unstable_by(f64::total_cmp);
     let shock_ratio = ratios.get(ratios.len() / 2).copied();
-    let by_motion = shares(draws, |one| one.exceeds(|_, _| shock_ratio.unwrap_or(1.0)));
+    let harder = |terms: &Terms| if terms.ratio(1.0) >= FROM_DEMAND { shock_ratio.unwrap_or(1.0) } else { 1.0 };
+    let by_motion = shares(draws, |one| one.exceeds(|_, terms| harder(terms)));
     let p = by_motion.iter().sum::<f64>() / by_motion.len().max(1) as f64;
     let agrees = (p > accepted) == (p_exceed.value > accepted);
     Some((CompliantCheck { motions, overturned: fallen, shock_ratio, agrees }, p))

@@ -115,6 +115,7 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
         governing: governs,
         missing: &missing,
         pfa_g: found.floor.facts.pfa_g_median,
+        hardest: hardest(found),
         softer: softening.as_ref().map(|one| (one.admissible, one.note.as_str())),
         p_compliant: second.as_ref().map(|(_, p)| *p),
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
@@ -161,6 +162,21 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     assessed
 }
 
+/// How far the hardest motion goes.
+fn hardest(found: &Found) -> f64 {
+    let of = |axes: &[AxisMotion]| demand_capacity(axes).unwrap_or_else(|| rotation_ratio(found, axes));
+    found.followed().map(|(_, axes)| of(axes)).fold(0.0, f64::max)
+}
+
+/// Peak rotation over that of overturning, about the axis where it is larger.
+fn rotation_ratio(found: &Found, axes: &[AxisMotion]) -> f64 {
+    if overturned(axes) {
+        return f64::INFINITY;
+    }
+    let alpha = |axis: usize| found.member.subject.axes[axis].block.pivot().slenderness_angle_rad;
+    axes.iter().enumerate().map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i)).fold(0.0, f64::max)
+}
+
 fn most_draws(found: &Found) -> u32 {
     found.draws.iter().flatten().map(Vec::len).max().unwrap_or(0) as u32
 }
@@ -171,13 +187,6 @@ fn response(found: &Found) -> Option<Response> {
         return None;
     }
     let over = |number: &dyn Fn(&AxisMotion) -> f64| quantiles(found.followed().map(|(_, axes)| ranked(axes, number)));
-    let alpha = |axis: usize| found.member.subject.axes[axis].block.pivot().slenderness_angle_rad;
-    let rotation = |axes: &[AxisMotion]| {
-        if overturned(axes) {
-            return f64::INFINITY;
-        }
-        axes.iter().enumerate().map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i)).fold(0.0, f64::max)
-    };
     Some(Response {
         motions,
         failed: found.as_is.len() - motions,
@@ -185,7 +194,7 @@ fn response(found: &Found) -> Option<Response> {
         uplift_share: share(found.followed().map(|(_, axes)| lifts(axes))),
         overturn_share: share(found.followed().map(|(_, axes)| overturned(axes))),
         uplift_m: over(&|one| one.rocking.uplift_m),
-        rotation_ratio: quantiles(found.followed().map(|(_, axes)| rotation(axes))),
+        rotation_ratio: quantiles(found.followed().map(|(_, axes)| rotation_ratio(found, axes))),
         impacts_max: found.followed().flat_map(|(_, axes)| axes.iter().map(|one| one.rocking.impact_count)).max()?,
         axes: (0..found.member.subject.axes.len()).map(|axis| axis_response(found, axis)).collect(),
     })
