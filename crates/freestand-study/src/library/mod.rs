@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::cushion::CushionWords;
+
 /// How sure a number is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -40,4 +42,15 @@ pub struct Tolerance {
     pub source: String,
     /// How sure it is.
     pub confidence: Confidence,
+}
+
+/// What stands under an object where nobody measured it: an entry of the cushion library.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CushionPrior {
+    /// Of one pad, or of all that is under an edge.
+    pub words: CushionWords,
+    /// Half a 16–84 % range of the stiffness in ln k.
+    pub log_sd: f64,
+    /// Where it comes from, ready to print.
+    pub source: String,
 }
