@@ -90,6 +90,11 @@ impl CushionWords {
         self.entries.push((key, text.into()));
     }
 
+    /// Takes a word back.
+    pub fn remove(&mut self, key: &str) {
+        self.entries.retain(|(name, _)| *name != key);
+    }
+
     /// Whether nothing was said.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()

@@ -1,11 +1,36 @@
 //! An inventory: the objects of a building, as a spreadsheet has them, read into SI with everything that is wrong said at once.
 
+mod archive;
+mod cell;
+mod columns;
+mod convert;
+mod csv_file;
+mod encoding;
+mod findings;
+mod header;
+mod item;
+mod layout;
+mod read;
+mod source;
+mod template;
+#[cfg(test)]
+mod tests;
+mod values;
+mod workbook;
+mod write;
+
 use std::path::PathBuf;
 
 use freestand::rocking::Restitution;
 
+pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
+pub use convert::{Converted, Target, convert_bytes, convert_inventory};
+pub use layout::ColumnRead;
+pub use read::{Reading, inspect_inventory, parse_inventory, read_inventory};
+pub use template::{template_csv, template_xlsx};
+
 use crate::cushion::EdgeCushion;
-use crate::library::Tolerance;
+use crate::library::{CushionPrior, Tolerance};
 
 /// FEMA E-74's three consequences, each rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -103,4 +128,23 @@ pub struct Inventory {
     pub items: Vec<Item>,
     /// How the input was read, and what is doubtful.
     pub warnings: Vec<String>,
+}
+
+/// Where the entries that an inventory names are looked up.
+#[derive(Clone, Copy)]
+pub struct Lookup<'a> {
+    /// An entry of the tolerance library.
+    pub tolerance: &'a dyn Fn(&str) -> Option<Tolerance>,
+    /// An entry of the cushion library.
+    pub cushion: &'a dyn Fn(&str) -> Option<CushionPrior>,
+    /// All names of the tolerance library, for hints.
+    pub tolerance_names: &'a [String],
+    /// All names of the cushion library, for hints.
+    pub cushion_names: &'a [String],
+}
+
+impl Lookup<'_> {
+    /// No library: every entry that is named is unknown.
+    pub const NONE: Lookup<'static> =
+        Lookup { tolerance: &|_| None, cushion: &|_| None, tolerance_names: &[], cushion_names: &[] };
 }

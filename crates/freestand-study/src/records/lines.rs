@@ -14,7 +14,7 @@ pub(crate) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
 }
 
 /// As [`load`], of a file of another greatest length \[bytes\]; what is said of a longer one, and the remedy.
-pub(super) fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Result<Vec<u8>, Problem> {
+pub(crate) fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Result<Vec<u8>, Problem> {
     let io = |what: &str, error: &std::io::Error| {
         Problem::new(ProblemKind::Io, format!("{what}: {error}"))
             .in_file(path)

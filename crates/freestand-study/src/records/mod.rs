@@ -52,7 +52,7 @@ pub(crate) use cushion_curve::load_curve;
 pub(crate) use damage_points::{DamageRow, load_damage_points};
 pub use direction::Direction;
 pub(crate) use found::check_step;
-pub(crate) use lines::load;
+pub(crate) use lines::{load, load_up_to};
 pub(crate) use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
 pub(crate) use write::{push_shortest, shortest};
 pub use write::{write_at2, write_csv, write_pair_csv};

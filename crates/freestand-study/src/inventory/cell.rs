@@ -1,0 +1,133 @@
+//! Cells and rows as a file has them, before anybody asks what they mean.
+
+/// The most rows that a sheet can have; a CSV of more is refused too, since it could not be one.
+pub(super) const MAX_ROWS: u32 = 1_048_576;
+/// The most columns of a sheet.
+pub(super) const MAX_COLUMNS: u32 = 16_384;
+/// The most characters of a cell.
+pub(super) const MAX_CELL_CHARS: usize = 32_767;
+
+/// What a cell holds.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Cell {
+    /// Words, or a number as a CSV has it.
+    Text(String),
+    /// A number of a workbook.
+    Number(f64),
+    /// A truth value of a workbook.
+    Bool(bool),
+    /// A date, a time or a duration of a workbook, as ISO 8601 writes it.
+    Date(String),
+    /// `#REF!` and its like.
+    Error(String),
+    /// A formula that was saved without its value.
+    Unevaluated,
+    /// More characters than a spreadsheet takes.
+    TooLong(usize),
+}
+
+impl Cell {
+    /// A text that is not longer than a cell may be.
+    pub(super) fn text(text: String) -> Self {
+        // Bytes are counted first: a character has at least one.
+        if text.len() > MAX_CELL_CHARS && text.chars().count() > MAX_CELL_CHARS {
+            Self::TooLong(text.chars().count())
+        } else {
+            Self::Text(text)
+        }
+    }
+
+    /// As a reader of the sheet sees it; empty where there is nothing to see.
+    pub(super) fn shown(&self) -> String {
+        match self {
+            Self::Text(text) | Self::Date(text) | Self::Error(text) => text.clone(),
+            Self::Number(value) => format!("{value}"),
+            Self::Bool(value) => if *value { "TRUE" } else { "FALSE" }.to_owned(),
+            Self::Unevaluated | Self::TooLong(_) => String::new(),
+        }
+    }
+
+    /// Whether nothing but blanks stands in it.
+    pub(super) fn is_blank(&self) -> bool {
+        matches!(self, Self::Text(text) if text.trim().is_empty())
+    }
+}
+
+/// A row with a cell that is not empty.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Row {
+    /// Counted from 1, as a spreadsheet does.
+    pub(super) number: u32,
+    /// Line of the file, where the file has lines.
+    pub(super) line: Option<usize>,
+    /// The cells that are not empty, with their columns counted from 0, in rising order.
+    pub(super) cells: Vec<(u32, Cell)>,
+    /// How many cells the row has in all, where the file says so.
+    pub(super) width: Option<u32>,
+}
+
+impl Row {
+    /// Whether nothing but blanks stands in it.
+    pub(super) fn is_blank(&self) -> bool {
+        self.cells.iter().all(|(_, cell)| cell.is_blank())
+    }
+
+    /// A cell.
+    pub(super) fn get(&self, column: u32) -> Option<&Cell> {
+        let at = self.cells.binary_search_by_key(&column, |(column, _)| *column).ok()?;
+        self.cells.get(at).map(|(_, cell)| cell)
+    }
+}
+
+/// Whether the reader of rows wants more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Flow {
+    More,
+    Enough,
+}
+
+/// A text that a spreadsheet would take for a formula gets a `'` in CSV; so does one that already has some, so that
+/// [`unguarded`] gives back what was there.
+pub(super) fn guarded(text: &str) -> String {
+    if is_formula_like(text.trim_start_matches('\'')) { format!("'{text}") } else { text.to_owned() }
+}
+
+/// The text that [`guarded`] made this of; any other stays as it is.
+pub(super) fn unguarded(text: &str) -> &str {
+    match text.strip_prefix('\'') {
+        Some(rest) if is_formula_like(rest.trim_start_matches('\'')) => rest,
+        _ => text,
+    }
+}
+
+fn is_formula_like(text: &str) -> bool {
+    text.starts_with(['=', '+', '-', '@'])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_looks_like_a_formula_is_guarded_and_comes_back() {
+        for (text, in_csv) in [
+            ("=1+1", "'=1+1"),
+            ("@x", "'@x"),
+            ("-", "'-"),
+            ("'=1", "''=1"),
+            ("'quoted'", "'quoted'"),
+            ("rack", "rack"),
+            ("", ""),
+            ("'", "'"),
+        ] {
+            assert_eq!(guarded(text), in_csv);
+            assert_eq!(unguarded(in_csv), text);
+        }
+    }
+
+    #[test]
+    fn a_cell_takes_what_a_spreadsheet_takes() {
+        assert_eq!(Cell::text("ü".repeat(MAX_CELL_CHARS)), Cell::Text("ü".repeat(MAX_CELL_CHARS)));
+        assert_eq!(Cell::text("x".repeat(MAX_CELL_CHARS + 1)), Cell::TooLong(MAX_CELL_CHARS + 1));
+    }
+}

@@ -1,0 +1,63 @@
+//! Inventories of a city.
+
+use std::fmt::Write;
+use std::time::Instant;
+
+use super::*;
+
+/// Rows as a register has them: both axes, pads, tolerance, two columns of its own.
+fn register(rows: usize) -> String {
+    let mut text =
+        "id,item,quantity,building,floor,room,LS,PL,FL,level_ratio,height [mm],depth [mm],width [mm],mass [kg],\
+        pad_stiffness [N/mm],pads_per_edge,tolerance [g],tolerance_duration [ms],friction,notes,maker,bought\n"
+            .to_owned();
+    for n in 0..rows {
+        let (height, depth, level) = (1000 + n % 1300, 300 + n % 400, (n % 101) as f64 / 100.0);
+        writeln!(
+            text,
+            "obj-{n},cabinet {},1,Block {},Level {},{},H,M,L,{level},{height},{depth},900,{},2190,2,5,11,0.3-0.5,note {n},maker {},2019",
+            n % 50,
+            n % 7,
+            n % 12,
+            n % 300,
+            80 + n % 200,
+            n % 9
+        )
+        .unwrap();
+    }
+    text
+}
+
+/// The most memory that this process had so far \[MB\], where the system says so.
+fn peak_mb() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    Some(line.split_whitespace().nth(1)?.parse::<u64>().ok()? / 1024)
+}
+
+fn measured(bytes: &[u8], rows: usize) -> Inventory {
+    let started = Instant::now();
+    let inventory = read(bytes).unwrap().inventory;
+    println!("{rows} rows, {} MB: {:?}, peak {:?} MB", bytes.len() >> 20, started.elapsed(), peak_mb());
+    assert_eq!(inventory.items.len(), rows);
+    // It takes a second or two; sixty are what a busy machine may need.
+    assert!(started.elapsed().as_secs() < 60 * (1 + rows as u64 / 200_000), "{:?}", started.elapsed());
+    inventory
+}
+
+#[test]
+fn a_hundred_thousand_rows() {
+    const ROWS: usize = 100_000;
+    let text = register(ROWS);
+    let from_csv = measured(text.as_bytes(), ROWS);
+    let book = convert_bytes(text.into_bytes(), Path::new("objects"), None, Target::Xlsx).unwrap().bytes;
+    println!("converted: peak {:?} MB", peak_mb());
+    assert!(measured(&book, ROWS).items == from_csv.items);
+}
+
+#[test]
+#[ignore = "a gigabyte and a minute: run by hand"]
+fn a_million_rows() {
+    let text = register(1_000_000);
+    measured(text.as_bytes(), 1_000_000);
+}
