@@ -91,10 +91,14 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
                 "{above}; the floor itself exceeds it, which neither a pad nor a fixing lowers: fix it and move it to a lower floor or isolate it."
             ),
         ),
-        (None, _) => (
-            Decision::Restrain,
-            format!("{above}; no pad helps, since the criterion does not depend on its stiffness."),
-        ),
+        (None, governing) => {
+            let what = match governing {
+                Some("edge-lift") => "the lift of the edge",
+                Some("overturning") => "the fall",
+                _ => "the velocity change",
+            };
+            (Decision::Restrain, format!("{above}; no pad helps: {what} does not depend on its stiffness."))
+        }
     }
 }
 

@@ -24,7 +24,7 @@ pub const SCHEMA: &str = "freestand.assess/1";
 const OUTPUTS: [&str; 6] = ["objects.csv", "objects.parquet", "report.html", "report.pdf", "assessment.xlsx", MANIFEST];
 
 /// What is wanted beside the results themselves.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Job {
     /// Go on from the finished parts of an earlier run.
     pub resume: bool,
