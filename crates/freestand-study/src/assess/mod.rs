@@ -1,5 +1,6 @@
 //! The assessment of an inventory: which objects must be restrained, which want a softer pad, which may stay as they are.
 
+pub mod restraint;
 pub mod result;
 
 pub use result::{Assessment, Decision};
