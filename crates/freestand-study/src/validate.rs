@@ -2,6 +2,7 @@
 
 mod codes;
 mod cushion;
+mod fragility;
 mod rocking;
 mod shock;
 mod synthesis;
@@ -117,6 +118,7 @@ pub fn validate() -> Result<Validation, Problem> {
         oscillator_checks()?,
         cushion::checks()?,
         rocking::checks()?,
+        fragility::checks()?,
     ];
     let checks = groups.into_iter().flatten().collect();
     Ok(Validation { table_one_gravity_m_s2: TABLE_ONE_GRAVITY_M_S2, table_one, checks })

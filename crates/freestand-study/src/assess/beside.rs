@@ -8,8 +8,10 @@ use freestand::motion::Motion;
 use freestand::rocking::{Base, Restitution, rock_observed};
 
 use super::Context;
-use super::decision::percent;
+use super::decision::{LIFE_SAFETY, percent};
 use super::response::{lifts, options};
+use super::restraint::{RestraintAxis, RestraintParameters, RestraintQuestion, restraint_forces};
+use super::result::RestraintForce;
 use super::verdict::Found;
 use crate::words::number;
 
@@ -73,8 +75,27 @@ impl Context<'_> {
         lines
     }
 
-    /// The forces to fix it with.
-    pub(super) fn restraint(&self, _found: &Found) -> Vec<super::result::RestraintForce> {
-        Vec::new()
+    /// The forces to fix it with; none where its mass is not known.
+    pub(super) fn restraint(&self, found: &Found) -> Vec<RestraintForce> {
+        let (member, facts) = (found.member, &found.floor.facts);
+        let Some(mass_kg) = member.item.mass_kg else { return Vec::new() };
+        let axes = member.subject.axes.iter().map(|axis| RestraintAxis {
+            name: axis.axis.name().to_owned(),
+            base_m: axis.block.base_width_m(),
+            weight_lever_m: axis.block.cg_from_right_m(),
+        });
+        let building = self.study.building.as_ref();
+        let is_critical = member.accepted_for == LIFE_SAFETY;
+        restraint_forces(&RestraintQuestion {
+            mass_kg,
+            cg_height_m: member.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),
+            axes: axes.collect(),
+            level_ratio: facts.level_ratio,
+            building_height_m: building.map(|building| building.height_m),
+            building_period_s: building.map(|building| building.along.period_s()),
+            spectrum: self.study.ground.code_spectrum().map(|target| target.spectrum.clone()),
+            floor_acceleration_g: Some(facts.pfa_g_max),
+            parameters: if is_critical { RestraintParameters::critical() } else { RestraintParameters::default() },
+        })
     }
 }

@@ -5,6 +5,9 @@ use super::settings::Accepted;
 use crate::inventory::{Consequences, Rating};
 use crate::words::number;
 
+/// What an accepted probability is for where somebody may be hurt.
+pub(super) const LIFE_SAFETY: &str = "life safety";
+
 /// The probability that is accepted for an object, and for what.
 pub(super) fn accepted(all: &Accepted, own: Option<f64>, consequences: &Consequences) -> (f64, &'static str) {
     if let Some(own) = own {
@@ -12,7 +15,7 @@ pub(super) fn accepted(all: &Accepted, own: Option<f64>, consequences: &Conseque
     }
     let high = |rating: Option<Rating>| rating == Some(Rating::High);
     let classes = [
-        (high(consequences.life_safety), all.life_safety_ratio, "life safety"),
+        (high(consequences.life_safety), all.life_safety_ratio, LIFE_SAFETY),
         (high(consequences.property), all.property_ratio, "property"),
         (high(consequences.function), all.function_ratio, "function"),
     ];

@@ -1,8 +1,9 @@
 //! The assessment of an inventory: which objects must be restrained, which want a softer pad, which may stay as they are.
 //!
-//! Cheaper tiers first: an object that no motion of its floor can lift is done with its threshold (tier 0); where that is asked for, one
-//! that is far from the line on the uplift spectra of its floor is done with them (tier 1); every other one is followed about both its axes under every motion, again and again with its uncertain values drawn anew (tier 2); one near the line is tried
-//! on a compliant base (tier 3).
+//! Cheaper tiers first: an object that no motion of its floor can lift is done with its threshold (tier 0); where that is asked
+//! for, one that is far from the line on the uplift spectra of its floor is done with them (tier 1); every other one is followed
+//! about both its axes under every motion, again and again with its uncertain values drawn anew (tier 2); one near the line is
+//! tried on a compliant base (tier 3).
 
 mod beside;
 mod capacity;

@@ -6,6 +6,7 @@
 mod cushions;
 mod entry;
 mod reader;
+mod restitution;
 mod sheet;
 mod tolerances;
 
@@ -13,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 pub use cushions::{CUSHION_COLUMNS, CushionEntry, CushionLibrary};
 pub use entry::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, to_tolerance};
+pub use restitution::{RESTITUTION_FACTORS, RestitutionFactor, restitution_factor};
 pub use tolerances::Library;
 
 use crate::cushion::CushionWords;

@@ -13,6 +13,9 @@ use crate::quantity::{Dimension, Unit, find_unit, shorten};
 const LARGEST_BYTES: u64 = 8 << 20;
 /// Entries beyond this are no library.
 const MOST_ROWS: usize = 10_000;
+const MOST_COLUMNS: usize = 200;
+/// A longer header is no slip of a name of ours.
+const LONGEST_NAME: usize = 60;
 
 /// A column: its name and, of a number, its dimension and the unit of a header that states none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,6 +113,10 @@ pub(super) fn read_sheet(bytes: &[u8], columns: &[Column]) -> Result<Sheet, Stud
         return Err(format("has no header".to_owned()).at_line(1).hint(header_hint(columns)).into());
     };
     let header = header.map_err(|error| csv_problem(&error))?;
+    if header.len() > MOST_COLUMNS {
+        let message = format!("has {} columns, no library has more than {MOST_COLUMNS}", header.len());
+        return Err(format(message).at_line(1).hint(header_hint(columns)).into());
+    }
     let (places, mut problems, warnings) = headers(&header, columns);
     let mut rows = Vec::new();
     for record in records {
@@ -160,7 +167,8 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Probl
     for (at, text) in header.iter().enumerate() {
         let (name, unit) = split_header(text);
         let Some(column) = columns.iter().find(|column| column.name == name) else {
-            let near = nearest(&name, &names).map_or_else(String::new, |near| format!(": did you mean {near}?"));
+            let near = Some(&name).filter(|name| name.len() <= LONGEST_NAME).and_then(|name| nearest(name, &names));
+            let near = near.map_or_else(String::new, |near| format!(": did you mean {near}?"));
             warnings.push(format!("column \"{}\" is not one of a library and is left out{near}", shorten(text)));
             continue;
         };
@@ -171,9 +179,8 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Probl
         match (column.dimension, unit) {
             (Some(Dimension::Ratio) | None, None) => places.push((column.name, at, None)),
             (Some(dimension), None) => {
-                let symbols: Vec<&str> = dimension.units().map(|unit| unit.symbol).take(3).collect();
-                let hint =
-                    format!("write \"{} [{}]\"", column.name, symbols.join("], [").split("],").next().unwrap_or(""));
+                let symbol = dimension.units().next().map_or("", |unit| unit.symbol);
+                let hint = format!("state it in the header, such as \"{} [{symbol}]\"", column.name);
                 note(format!("column {} has no unit", column.name), hint);
             }
             (None | Some(Dimension::Ratio), Some(_)) => {
@@ -181,7 +188,9 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Probl
             }
             (Some(dimension), Some(unit)) => match find_unit(&unit, dimension) {
                 Ok(unit) => places.push((column.name, at, Some(unit))),
-                Err(problem) => problems_push(&mut note, column.name, &problem),
+                Err(problem) => {
+                    note(format!("column {}: {}", column.name, problem.message), problem.hint.unwrap_or_default());
+                }
             },
         }
     }
@@ -191,10 +200,6 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Probl
         }
     }
     (places, problems, warnings)
-}
-
-fn problems_push(note: &mut impl FnMut(String, String), column: &str, problem: &Problem) {
-    note(format!("column {column}: {}", problem.message), problem.hint.clone().unwrap_or_default());
 }
 
 /// `Edge lift [mm]` → `edge_lift` and `mm`.

@@ -181,6 +181,10 @@ fn what_is_no_library_is_refused() {
     let latin = folder.path().join("latin.csv");
     fs::write(&latin, b"id,cl\xe4ss\n").unwrap();
     assert!(Library::with_file(&latin).unwrap_err().to_string().contains("UTF-8"));
+    let wide = user(&"id,".repeat(1000)).unwrap_err();
+    assert!(wide.to_string().contains("columns"), "{wide}");
+    let slips = format!("{}{}", header.replace("peak", "peak [g]"), "a,,b,c,-1,s,sure\n".repeat(9000));
+    assert!(user(&slips).unwrap_err().problems.len() < 210);
     let rows = "a,x,vendor-limit,any,1,s,recalled\n".repeat(10_001);
     assert!(message(&format!("{}{rows}", header.replace("peak", "peak [g]"))).contains("10000"));
 }
