@@ -379,7 +379,34 @@ figures = false
     )
 
 
+def inventory():
+    rows = [
+        ["id", "item", "level_ratio", "height [mm]", "depth (cm)", "mass", "friction", "LS", "maker"],
+        ["a", "rack", "0.5", "1800", "60", "140 kg", "0.3-0.5", "H", "'=1+1"],
+        ["b", 'cabinet, 19"', "50 %", "", "45", "", "", "low", ""],
+    ]
+    quoted = [['"' + cell.replace('"', '""') + '"' if "," in cell else cell for cell in row] for row in rows]
+    put("inventory_csv", "comma.csv", "".join(",".join(row) + "\n" for row in quoted))
+    put("inventory_csv", "semicolon.csv", "".join(";".join(row).replace("0.", "0,") + "\r\n" for row in rows))
+    put("inventory_csv", "utf16.csv", "\n".join("\t".join(row) for row in rows).encode("utf-16"))
+    put("inventory_csv", "form.csv", "Register\n,,,,\nitem,height,depth,level_ratio\nunits,mm,cm,-\nrack,1800,60,1\nTotal,,,\n")
+    xml = ""
+    for n, row in enumerate(rows, 1):
+        cells = "".join(
+            f'<c r="{chr(65 + i)}{n}"><v>{cell}</v></c>'
+            if cell.isdigit()
+            else f'<c r="{chr(65 + i)}{n}" t="inlineStr"><is><t>{cell}</t></is></c>'
+            for i, cell in enumerate(row)
+        )
+        xml += f'<row r="{n}">{cells}</row>'
+    merge = '<mergeCells count="1"><mergeCell ref="I2:I3"/></mergeCells>'
+    put("inventory_xlsx", "plain.xml", f"<worksheet><sheetData>{xml}</sheetData></worksheet>")
+    odd = xml.replace("<v>1800</v>", "<f>900*2</f><v>1800</v>").replace("<v>60</v>", "<f>60</f>")
+    put("inventory_xlsx", "formulas.xml", f'<worksheet><dimension ref="A1:I3"/><sheetData>{odd}</sheetData>{merge}</worksheet>')
+
+
 for write in [peer, columns, smc, japan, taiwan, mexico, cosmos, california, new_zealand, europe, iran, mini_seed, sac]:
     write()
 station_xml()
 ours()
+inventory()

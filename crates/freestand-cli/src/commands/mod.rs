@@ -5,6 +5,7 @@ mod block;
 mod check;
 mod cushion;
 mod floor;
+mod inventory;
 mod motion;
 mod rock;
 mod run;
@@ -44,6 +45,7 @@ pub(crate) enum Command {
     Motion(Box<motion::MotionArgs>),
     Cushion(cushion::CushionArgs),
     Floor(Box<floor::FloorArgs>),
+    Inventory(inventory::InventoryArgs),
     Validate(validate::ValidateArgs),
 }
 
@@ -60,6 +62,7 @@ impl Command {
             Self::Motion(args) => motion::run(args, global, printer),
             Self::Cushion(args) => cushion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),
+            Self::Inventory(args) => inventory::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
         }
     }

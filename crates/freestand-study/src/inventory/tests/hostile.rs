@@ -209,7 +209,7 @@ proptest! {
         let mut bytes = match kind {
             0 => template_csv().unwrap(),
             1 => template_xlsx().unwrap(),
-            // Stored, so that changes reach the XML behind the checksums' back as often as not.
+            // UTF-16 without a mark.
             _ => template_csv().unwrap().iter().flat_map(|&b| [b, 0]).collect(),
         };
         for (at, byte) in changes {

@@ -1,0 +1,5 @@
+//! Inventories as workbooks: the bytes are the XML of the sheet.
+//!
+//! A fuzzer that changes a whole workbook meets checksums and little else.
+#![no_main]
+libfuzzer_sys::fuzz_target!(|sheet: &[u8]| freestand_fuzz::check::check_inventory(freestand_fuzz::workbook(sheet)));
