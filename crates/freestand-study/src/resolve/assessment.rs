@@ -91,3 +91,33 @@ impl Resolver<'_> {
         or(written, default)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::resolve::{Overrides, builtin, resolve};
+
+    /// What the built-in study says in words is what a study has that says nothing.
+    #[test]
+    fn the_built_in_study_states_the_defaults() {
+        assert_eq!(builtin(&Overrides::default()).unwrap().assessment, Settings::default());
+        assert_eq!(resolve("", None, "".as_ref()).unwrap().assessment, Settings::default());
+    }
+
+    #[test]
+    fn what_is_accepted_counts_for_every_class_that_is_not_named() {
+        let text = "[assessment]\naccepted = \"5 %\"\naccepted_life_safety = 0.01\ninventory = \"a/b.csv\"\n";
+        let settings = resolve(text, None, "here".as_ref()).unwrap().assessment;
+        let Accepted { other_ratio, life_safety_ratio, property_ratio, function_ratio } = settings.accepted;
+        assert_eq!((other_ratio, life_safety_ratio, property_ratio, function_ratio), (0.05, 0.01, 0.05, 0.05));
+        assert_eq!(settings.inventory, Some("here/a/b.csv".into()));
+    }
+
+    #[test]
+    fn everything_that_is_wrong_is_said_with_its_line() {
+        let text = "[assessment]\naccepted = 1.5\ndraws = 0\nmost_draws = 4\nmass_spread = -1\nfriction_low = 0.9\npad_strain = 2\nscren = true\n";
+        let problems = resolve(text, None, "".as_ref()).unwrap_err().problems;
+        let lines: Vec<Option<usize>> = problems.iter().map(|problem| problem.line).collect();
+        assert_eq!(lines, [2, 3, 5, 6, 7, 8].map(Some), "{problems:?}");
+    }
+}
