@@ -1,6 +1,5 @@
 //! What has to hold for any bytes whatever; the fuzz targets and the mutation test of freestand-study hold to it.
 
-use freestand_study::inventory::{Lookup, Target, convert_bytes, parse_inventory};
 use freestand_study::records::{ReadOptions, parse_motions};
 use std::path::Path;
 
@@ -47,43 +46,6 @@ fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
             // But no more than one motion may have, however many components there are.
             assert!(total <= MAX_SAMPLES.max(2 * bytes.len()));
             true
-        }
-    }
-}
-
-/// Reads `bytes` as an inventory and converts them both ways.
-///
-/// # Panics
-/// A problem without a file or a remedy, an object that cannot be, or a conversion that reads differently.
-pub fn check_inventory(bytes: Vec<u8>) {
-    let path = Path::new("/nowhere/objects");
-    match parse_inventory(bytes.clone(), path, None, &Lookup::NONE) {
-        Err(error) => {
-            assert!(!error.problems.is_empty());
-            for problem in &error.problems {
-                assert!(problem.path.is_some() && problem.hint.is_some() && !problem.message.is_empty(), "{problem:?}");
-            }
-        }
-        Ok(reading) => {
-            let inventory = reading.inventory;
-            assert!(!inventory.items.is_empty());
-            for item in &inventory.items {
-                assert!(!item.id.is_empty() && item.quantity > 0 && item.carried.len() == inventory.carried.len());
-                let values = [item.height_m, item.thickness_m, item.width_m, item.mass_kg, item.level_ratio];
-                assert!(values.into_iter().flatten().all(|value| value.is_finite() && value >= 0.0), "{item:?}");
-            }
-            // A row without an id is called by its number, which is another one without the titles above.
-            if inventory.items.iter().any(|item| item.id.starts_with("row-")) {
-                return;
-            }
-            for target in [Target::Csv, Target::Xlsx] {
-                // What cannot be written is refused: text that is too long for a cell once it is guarded.
-                if let Ok(converted) = convert_bytes(bytes.clone(), path, None, target) {
-                    let again =
-                        parse_inventory(converted.bytes, path, None, &Lookup::NONE).expect("ours is read again");
-                    assert_eq!(again.inventory.items.len(), inventory.items.len());
-                }
-            }
         }
     }
 }

@@ -2,4 +2,6 @@
 //!
 //! A fuzzer that changes a whole workbook meets checksums and little else.
 #![no_main]
-libfuzzer_sys::fuzz_target!(|sheet: &[u8]| freestand_fuzz::check::check_inventory(freestand_fuzz::workbook(sheet)));
+libfuzzer_sys::fuzz_target!(|sheet: &[u8]| freestand_fuzz::inventory::check_inventory(
+    freestand_fuzz::inventory::workbook(sheet)
+));

@@ -12,6 +12,9 @@
 #[path = "../../../fuzz/src/check.rs"]
 #[allow(unreachable_pub, reason = "the fuzz targets use it from another crate")]
 mod check;
+#[path = "../../../fuzz/src/inventory.rs"]
+#[allow(unreachable_pub, reason = "the fuzz targets use it from another crate")]
+mod inventory;
 
 use check::check_record;
 use freestand_study::records::{ReadOptions, parse_motions};
@@ -70,7 +73,8 @@ fn seeds() -> Vec<(String, PathBuf, Vec<u8>)> {
     for family in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
         let name = family.file_name().unwrap().to_str().unwrap().to_owned();
         // These are no records.
-        if ["processing", "quantity", "station_xml", "study_toml"].contains(&name.as_str()) {
+        let others = ["inventory_csv", "inventory_xlsx", "processing", "quantity", "station_xml", "study_toml"];
+        if others.contains(&name.as_str()) {
             continue;
         }
         for path in std::fs::read_dir(&family).unwrap().map(|entry| entry.unwrap().path()) {
@@ -222,6 +226,23 @@ fn damaged_descriptions_are_refused_or_read_but_never_break() {
     println!("station_xml: {} mutations, {count} of them read", mutations.len());
     // Most of the file is not looked at, and some of it cannot be left out.
     assert!(count > mutations.len() / 10 && count < mutations.len());
+}
+
+/// Inventories, damaged as records are, and converted where they are still read.
+#[test]
+fn damaged_inventories_are_refused_or_read_but_never_break() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds");
+    for (family, as_file) in [("inventory_csv", None), ("inventory_xlsx", Some(inventory::workbook))] {
+        let mut total = 0;
+        for path in std::fs::read_dir(folder.join(family)).unwrap().map(|entry| entry.unwrap().path()) {
+            for mutation in mutations(&std::fs::read(&path).unwrap(), &mut Chance(1)) {
+                inventory::check_inventory(as_file.map_or_else(|| mutation.clone(), |file| file(&mutation)));
+                total += 1;
+            }
+        }
+        println!("{family}: {total} mutations");
+        assert!(total > 500);
+    }
 }
 
 #[test]

@@ -21,6 +21,8 @@ pub(super) struct Place {
     pub(super) heading: String,
     /// The unit of its bare numbers; `None`: each cell states its own.
     pub(super) unit: Option<&'static Unit>,
+    /// Whether its cells mean anything: not under a unit that is none.
+    pub(super) is_readable: bool,
 }
 
 /// What a column of the file is.
@@ -58,13 +60,23 @@ impl Layout {
             match heading(text) {
                 Heading::Ours(column, unit) => {
                     let unit = unit.or_else(|| header.units.get(&index).copied());
-                    layout.take(column, Place { index, heading: text.clone(), unit }, header, findings);
+                    layout.take(
+                        column,
+                        Place { index, heading: text.clone(), unit, is_readable: true },
+                        header,
+                        findings,
+                    );
                 }
                 Heading::BadUnit(column, unit) => {
                     let place = format!("column {} ({})", letters(index as usize), shorten(text));
                     let message = format!("{place}: \"{}\" is no unit of it", shorten(&unit));
                     findings.of_file(header.line, message, unit_hint(column));
-                    layout.take(column, Place { index, heading: text.clone(), unit: None }, header, findings);
+                    layout.take(
+                        column,
+                        Place { index, heading: text.clone(), unit: None, is_readable: false },
+                        header,
+                        findings,
+                    );
                 }
                 Heading::Other => {
                     layout.roles.insert(index, Role::Carried(layout.carried.len()));
@@ -106,10 +118,15 @@ impl Layout {
         for spec in COLUMNS.iter().filter(|spec| spec.is_required) {
             if self.place(spec.column).is_none() {
                 let unit = if spec.unit.is_empty() { String::new() } else { format!(" [{}]", spec.unit) };
-                let hint = format!(
-                    "add a column \"{}{unit}\" ({}); where a value is not known its cell stays empty",
-                    spec.name, spec.meaning
-                );
+                let near = self.carried.iter().take(MAX_MEANT);
+                let near = near.filter(|text| meant(text).is_some_and(|hint| hint.contains(spec.name)));
+                let hint = match near.map(|text| shorten(text)).next() {
+                    Some(near) => format!("is it \"{near}\"? Call it \"{}{unit}\": {}", spec.name, spec.meaning),
+                    None => format!(
+                        "add a column \"{}{unit}\" ({}); where a value is not known its cell stays empty",
+                        spec.name, spec.meaning
+                    ),
+                };
                 findings.of_file(header.line, format!("no column is called {}", spec.name), hint);
             }
         }

@@ -176,7 +176,7 @@ fn all_problems_of_a_file_at_once() {
         "objects.csv:2: row 2, column C (height): \"2300\" needs a unit | write \"2300 m\" or \"2300 mm\", or name the unit in the heading, such as \"height [mm]\"",
         "objects.csv:3: row 3, column D (depth [mm]): must be positive, not -600",
         "objects.csv:3: row 3, column F (base_width [mm]): the base width",
-        "objects.csv:3: row 3, column H (mass [kg]): \"x\" is not a quantity",
+        "objects.csv:3: row 3, column H (mass [kg]): \"x\" is not a quantity | write the number alone, the heading states its unit (kg)",
         "objects.csv:3: row 3, column I (quantity): \"1.5\" is not a whole number from 1",
         "objects.csv:3: row 3, column J (LS): \"severe\" is no rating | write H, M or L",
         "objects.csv:3: row 3, column K (friction): \"0.5-0.3\" is not a positive value or a rising range",
@@ -207,6 +207,10 @@ fn headings_are_checked_as_a_whole() {
     ] {
         assert!(said.iter().any(|problem| problem.starts_with(one)), "{one}\nnot in\n{}", said.join("\n"));
     }
+    // No cell under a unit that is none is complained about once more.
+    assert_eq!(said.len(), 4, "{said:?}");
+    let said = problems("id,level,height [m],thickness [m]\na,3,1,1\n");
+    assert!(said[0].contains("no column is called level_ratio | is it \"level\"? Call it \"level_ratio\""), "{said:?}");
     assert!(problems("a,b\n1,2\n")[0].contains("no row of headings"));
     assert!(problems("id,level_ratio,height [mm],thickness [mm]\n\n")[0].contains("no rows stand under the headings"));
     let reading = read("id,level_ratio,height [mm],thickness [mm],tolerence [g]\na,0,1800,600,5\n").unwrap();

@@ -7,7 +7,7 @@ use super::findings::{At, Doubt, Findings};
 use super::layout::{Layout, Place};
 use super::workbook::Merges;
 use crate::error::{Problem, ProblemKind};
-use crate::quantity::{Dimension, parse, parse_in_unit, shorten};
+use crate::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
 /// A row with what its cells are read by.
 pub(super) struct Values<'r, 'f, 'p> {
@@ -63,7 +63,7 @@ impl Values<'_, '_, '_> {
     /// A cell that is not empty. One that is empty because it is merged with another is a problem.
     pub(super) fn cell(&mut self, column: Column) -> Option<(&Place, &Cell)> {
         let layout = self.layout;
-        let place = layout.place(column)?;
+        let place = layout.place(column).filter(|place| place.is_readable)?;
         if let Some(cell) = self.row.get(place.index).filter(|cell| !cell.is_blank()) {
             return Some((place, cell));
         }
@@ -126,7 +126,7 @@ impl Values<'_, '_, '_> {
         match read {
             Ok(read) => Some(read),
             Err(problem) => {
-                let problem = explained(problem, &text, column, unit.is_none());
+                let problem = explained(problem, &text, column, unit);
                 self.wrong(column, &problem);
                 None
             }
@@ -221,7 +221,7 @@ impl Values<'_, '_, '_> {
                 let message = format!("\"{}\" is not a positive value or a rising range", shorten(text));
                 self.refuse(column, message, "write 0.4, or the lowest and the highest value, such as 0.3-0.5");
             }
-            Err(problem) => self.wrong(column, &explained(problem, text, column, false)),
+            Err(problem) => self.wrong(column, &explained(problem, text, column, None)),
         }
         None
     }
@@ -272,13 +272,18 @@ fn not_a_value(cell: &Cell) -> Option<Problem> {
     Some(value_problem(message).hint(hint))
 }
 
-/// The problem of a quantity, with what helps in a table.
-fn explained(problem: Problem, text: &str, column: Column, is_unit_missing: bool) -> Problem {
+/// The problem of a quantity, with what helps in a table; `unit` is that of the heading.
+fn explained(problem: Problem, text: &str, column: Column, unit: Option<&Unit>) -> Problem {
     if UNKNOWN.contains(&canonical(text).as_str()) {
         return value_problem(format!("\"{}\" is no value", shorten(text)))
             .hint("leave the cell empty where the value is not known");
     }
-    if is_unit_missing && problem.message.ends_with("needs a unit") {
+    if let Some(unit) = unit.filter(|_| problem.message.ends_with("is not a quantity")) {
+        let hint =
+            format!("write the number alone, the heading states its unit ({}); or leave the cell empty", unit.symbol);
+        return problem.hint(hint);
+    }
+    if problem.message.ends_with("needs a unit") {
         let spec = column.spec();
         let heading = format!("or name the unit in the heading, such as \"{} [{}]\"", spec.name, spec.unit);
         let hint = problem.hint.as_ref().map_or_else(|| heading.clone(), |hint| format!("{hint}, {heading}"));
