@@ -11,6 +11,7 @@ mod shock;
 mod shock_spectrum;
 mod spectrum;
 mod spectrum_text;
+mod tolerance;
 mod validate;
 
 use clap::Subcommand;
@@ -42,6 +43,7 @@ pub(crate) enum Command {
     Motion(Box<motion::MotionArgs>),
     Cushion(cushion::CushionArgs),
     Floor(Box<floor::FloorArgs>),
+    Tolerance(tolerance::ToleranceArgs),
     Validate(validate::ValidateArgs),
 }
 
@@ -57,6 +59,7 @@ impl Command {
             Self::Motion(args) => motion::run(args, global, printer),
             Self::Cushion(args) => cushion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),
+            Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
         }
     }
