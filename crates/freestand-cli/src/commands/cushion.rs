@@ -1,7 +1,8 @@
-//! `freestand cushion`: what a pad does, from tests of it, and virtual tests.
+//! `freestand cushion`: what a pad does, from tests of it, virtual tests, and a library of priors.
 
 mod curve;
 mod drop;
+mod library;
 mod recovery;
 mod simulate;
 mod static_test;
@@ -13,13 +14,14 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
 
-/// Cushions: drop tests, static tests, virtual tests
+/// Cushions: drop tests, static tests, virtual tests, a library of priors
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion drop drop-*.csv --mass 0.365kg --height \"100 mm\" --out pad
   freestand cushion static press.csv --load \"350 N\" --machine-compliance \"50 kN/mm\"
-  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --count 5 --out drops")]
+  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --count 5 --out drops
+  freestand cushion list")]
 pub(crate) struct CushionArgs {
     #[command(subcommand)]
     command: CushionCommand,
@@ -32,6 +34,9 @@ enum CushionCommand {
     Simulate(Box<simulate::SimulateArgs>),
     Recovery(recovery::RecoveryArgs),
     Curve(curve::CurveArgs),
+    List(library::ListArgs),
+    Show(library::ShowArgs),
+    Search(library::SearchArgs),
 }
 
 pub(crate) fn run(args: &CushionArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
@@ -41,5 +46,8 @@ pub(crate) fn run(args: &CushionArgs, global: &GlobalArgs, printer: &Printer) ->
         CushionCommand::Simulate(args) => simulate::run(args, global, printer),
         CushionCommand::Recovery(args) => recovery::run(args, global, printer),
         CushionCommand::Curve(args) => curve::run(args, global, printer),
+        CushionCommand::List(args) => library::list(args, global, printer),
+        CushionCommand::Show(args) => library::show(args, global, printer),
+        CushionCommand::Search(args) => library::search(args, global, printer),
     }
 }

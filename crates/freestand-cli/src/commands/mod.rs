@@ -13,6 +13,7 @@ mod shock;
 mod shock_spectrum;
 mod spectrum;
 mod spectrum_text;
+mod tolerance;
 mod validate;
 
 use clap::Subcommand;
@@ -46,6 +47,7 @@ pub(crate) enum Command {
     Cushion(cushion::CushionArgs),
     Floor(Box<floor::FloorArgs>),
     Inventory(inventory::InventoryArgs),
+    Tolerance(tolerance::ToleranceArgs),
     Validate(validate::ValidateArgs),
 }
 
@@ -63,6 +65,7 @@ impl Command {
             Self::Cushion(args) => cushion::run(args, global, printer),
             Self::Floor(args) => floor::run(args, global, printer),
             Self::Inventory(args) => inventory::run(args, global, printer),
+            Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
         }
     }

@@ -1,0 +1,161 @@
+//! `freestand tolerance`: what things stand, each number with its source.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+use freestand_study::library::{Library, ToleranceEntry, to_tolerance};
+use freestand_study::quantity::{Dimension, format_si};
+use freestand_study::words::number;
+use serde::Serialize;
+
+use super::Done;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::files::Files;
+use crate::printer::{Printer, pairs, table};
+
+/// The tolerance library: what kinds of things stand, each number with its source
+///
+/// An entry that is recalled (no source with a page or a clause) may be shown but never decides a verdict; a fragility is the
+/// median of a floor motion at which such things fail, never a tolerance. A library of your own, --library FILE.csv with the same
+/// columns, adds to it and overrides it by id.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand tolerance list
+  freestand tolerance search bookcase
+  freestand tolerance show expansion-card-operating
+  freestand tolerance list --library ours.csv --json
+
+Columns of a library, with units in brackets such as \"peak [g]\":
+  id, class, kind (vendor-limit, test-severity, class, fragility), state (operating, non-operating, packaged, any), axis, peak,
+  peak_high, duration, shape, velocity_change, edge_lift, pfa_median, pfv_median, beta, n_shocks, source, edition, clause, page,
+  licence, notice, confidence (stated, primary, secondary, assumption, recalled), note")]
+pub(crate) struct ToleranceArgs {
+    #[command(subcommand)]
+    command: ToleranceCommand,
+}
+
+#[derive(Debug, Subcommand)]
+enum ToleranceCommand {
+    /// All entries
+    #[command(
+        after_help = "Examples:\n  freestand tolerance list\n  freestand tolerance list --library ours.csv --json"
+    )]
+    List {
+        #[command(flatten)]
+        library: LibraryArgs,
+    },
+    /// One entry with all its fields and its notice
+    #[command(after_help = "Examples:\n  freestand tolerance show p58-bookcase-5-shelves")]
+    Show {
+        /// The entry's id
+        #[arg(value_name = "ID")]
+        id: String,
+        #[command(flatten)]
+        library: LibraryArgs,
+    },
+    /// Entries that have all of these words in id, class, kind, state, source or note
+    #[command(after_help = "Examples:\n  freestand tolerance search disk operating")]
+    Search {
+        /// Words
+        #[arg(value_name = "WORD", required = true)]
+        words: Vec<String>,
+        #[command(flatten)]
+        library: LibraryArgs,
+    },
+}
+
+/// A library of the user's.
+#[derive(Debug, Args)]
+pub(crate) struct LibraryArgs {
+    /// A library of your own over the built-in one: entries of the same id take their place
+    #[arg(long, value_name = "FILE.csv")]
+    pub(crate) library: Option<PathBuf>,
+}
+
+#[derive(Debug, Serialize)]
+struct Listed<'a> {
+    entries: &'a [&'a ToleranceEntry],
+}
+
+pub(crate) fn run(args: &ToleranceArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let from = match &args.command {
+        ToleranceCommand::List { library }
+        | ToleranceCommand::Show { library, .. }
+        | ToleranceCommand::Search { library, .. } => &library.library,
+    };
+    let library = match from {
+        Some(path) => Library::with_file(path)?,
+        None => Library::builtin(),
+    };
+    let entries = match &args.command {
+        ToleranceCommand::List { .. } => library.entries().iter().collect(),
+        ToleranceCommand::Show { id, .. } => vec![library.get(id)?],
+        ToleranceCommand::Search { words, .. } => library.search(words),
+    };
+    let files = Files::begin(global, from.as_slice())?;
+    let text = || match (&args.command, entries.first()) {
+        (ToleranceCommand::Show { .. }, Some(entry)) => shown(entry),
+        (_, None) => "nothing has all of these words\n".to_owned(),
+        _ => listed(&entries),
+    };
+    files.print(printer, "freestand.tolerance/1", &Listed { entries: &entries }, &library.warnings, text)?;
+    Ok(Done::OK)
+}
+
+fn listed(entries: &[&ToleranceEntry]) -> String {
+    let row = |entry: &&ToleranceEntry| {
+        vec![
+            entry.id.clone(),
+            entry.words(),
+            entry.state.name().to_owned(),
+            entry.confidence.name().to_owned(),
+            entry.class.clone(),
+            entry.source_words(),
+        ]
+    };
+    let headings = ["id", "stands", "state", "confidence", "class", "source"];
+    let end = format!("{} entries; those that are recalled decide nothing, medians are no tolerances\n", entries.len());
+    table(&headings, &entries.iter().map(row).collect::<Vec<_>>()) + &end
+}
+
+fn shown(entry: &ToleranceEntry) -> String {
+    let si = |value: Option<f64>, dimension| value.map(|value| format_si(value, dimension));
+    let text = |text: &str| Some(text.to_owned()).filter(|text| !text.is_empty());
+    let decides = match (entry.decides, to_tolerance(entry)) {
+        (true, Some(_)) => "a verdict may rest on it",
+        (false, Some(_)) => "no verdict rests on it",
+        (_, None) => "no tolerance: shown beside a verdict only",
+    };
+    let rows = [
+        ("id", text(&entry.id)),
+        ("class", text(&entry.class)),
+        ("kind", text(entry.kind.name())),
+        ("state", text(entry.state.name())),
+        ("axis", text(&entry.axis)),
+        ("peak", si(entry.peak_m_s2, Dimension::Acceleration)),
+        ("peak, high end", si(entry.peak_high_m_s2, Dimension::Acceleration)),
+        ("duration", si(entry.duration_s, Dimension::Time)),
+        ("shape", entry.shape.map(str::to_owned)),
+        ("velocity change of the pulse", entry.pulse_velocity_change_m_s.map(|v| format!("{} m/s", number(v, 3)))),
+        ("critical velocity change", si(entry.velocity_change_m_s, Dimension::Velocity)),
+        ("edge lift", si(entry.edge_lift_m, Dimension::Length)),
+        ("median peak floor acceleration", si(entry.pfa_median_m_s2, Dimension::Acceleration)),
+        ("median peak floor velocity", si(entry.pfv_median_m_s, Dimension::Velocity)),
+        ("beta", entry.beta.map(|beta| number(beta, 4))),
+        ("shocks", entry.n_shocks.map(|count| count.to_string())),
+        ("source", text(&entry.source)),
+        ("edition", text(&entry.edition)),
+        ("clause", text(&entry.clause)),
+        ("page", text(&entry.page)),
+        ("licence", text(&entry.licence)),
+        ("confidence", Some(format!("{}: {}", entry.confidence.name(), entry.confidence.description()))),
+        ("use", text(decides)),
+        ("note", text(&entry.note)),
+        ("origin", text(&entry.origin)),
+    ];
+    let rows: Vec<(&str, String)> = rows.into_iter().filter_map(|(name, value)| Some((name, value?))).collect();
+    let notice = if entry.notice.is_empty() { String::new() } else { format!("\n{}\n", entry.notice) };
+    pairs(&rows) + &notice
+}
