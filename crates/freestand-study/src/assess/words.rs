@@ -114,7 +114,7 @@ pub const HOW_TO_READ: [&str; 7] = [
     "soften (◆): an acceleration governs, and a softer pad under the object brings the probability below what is accepted; the pad was checked by running the motions again.",
     "no verdict (?): something is missing that a verdict would need; the row says what. What can be said without it is said.",
     "leave (●): the object may stand as it is under the hazard that was assumed.",
-    "Demand over capacity is that of the median motion; above 1 the object is damaged. `Overturned` is beyond every number.",
+    "Demand over capacity is that of the median motion; above 1 the object is damaged. “Overturned” is beyond every number.",
     "The probability counts motions and draws of what is uncertain (stiffness, restitution, mass, geometry, model); overturned counts as exceeded. Its 95 % interval is given behind it.",
     "Shocks are at the landing edge, by Eq. (5) of Al Abadi et al. or Eq. (8) where the landing is halted, from the larger of two energy sources: the rise of the centre of gravity and the velocity before the impact.",
 ];

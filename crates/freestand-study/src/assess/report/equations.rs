@@ -7,7 +7,7 @@ use crate::inventory::Item;
 use crate::report::html::paragraph;
 use crate::words::number;
 
-use super::name;
+use super::words;
 
 /// The landing at the motion that decides, step by step.
 pub(super) fn equations(item: &Item, chain: &Chain) -> String {
@@ -35,9 +35,11 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     if let Some(ratio) = chain.demand_capacity_ratio {
         lines.push(format!("Demand over capacity of this motion: {}.", number(ratio, 4)));
     }
+    html.push_str("<div class=\"eqs\">\n");
     for line in lines {
-        html.push_str(&format!("<p class=\"eq\">{}</p>\n", name(&line)));
+        html.push_str(&format!("<p class=\"eq\">{}</p>\n", words(&line)));
     }
+    html.push_str("</div>\n");
     html
 }
 

@@ -84,10 +84,13 @@ fn words(text: &str) -> String {
 }
 
 fn cut(text: &str, longest: usize) -> String {
-    match text.char_indices().nth(longest) {
+    let shown = match text.char_indices().nth(longest) {
         None => escape(text),
         Some((end, _)) => format!("{} … <i>(cut)</i>", escape(&text[..end])),
-    }
+    };
+    // Marks that turn the direction of writing would turn our own words behind them too.
+    let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    if text.contains(turns) { format!("<bdi>{shown}</bdi>") } else { shown }
 }
 
 /// The anchor of an object's page.

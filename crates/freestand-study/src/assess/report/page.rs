@@ -10,7 +10,7 @@ use crate::inventory::{Inventory, Item, Rating};
 use crate::report::html::{Cell, classed_table, figure, heading, markup, paragraph, table, words as text};
 use crate::words::{fixed, number, percent};
 
-use super::drawing::{sketch, tornado};
+use super::drawing::{Scale, sketch, swing_bar};
 use super::equations::equations;
 use super::summary::badge;
 use super::{anchor, name, words};
@@ -32,9 +32,11 @@ pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Asse
         words(&found.why)
     );
     html.push_str("<div class=\"two\">\n");
-    html.push_str(&pairs(&key_figures(item, found)));
+    html.push_str(&pairs(&verdict_figures(item, found)));
+    html.push_str("<div class=\"thing\">\n");
     html.push_str(&sketch(item));
-    html.push_str("</div>\n");
+    html.push_str(&pairs(&object_figures(item, found)));
+    html.push_str("</div>\n</div>\n");
     html.push_str(&what_it_does(found));
     html.push_str(&what_would_change_it(found));
     html.push_str(&what_to_do(found));
@@ -57,7 +59,8 @@ fn pairs(rows: &[(&str, String)]) -> String {
     classed_table("pairs", "", &[], &rows)
 }
 
-fn key_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
+/// What the verdict rests on.
+fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
     let overturn = found.p_overturn.map_or_else(String::new, probability);
     let exceed = found.p_exceed.map_or_else(String::new, probability);
     let accepted = format!("{} ({})", percent(found.accepted_ratio, 0), found.accepted_for);
@@ -83,9 +86,13 @@ fn key_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
         (None, Some(tolerance)) => rows.push(("Source of its tolerance", tolerance.source.clone())),
         (None, None) => rows.push(("It stands", "not known".to_owned())),
     }
-    rows.push(("Where", place(item)));
-    rows.push(("Quantity", item.quantity.to_string()));
-    rows.push(("Consequences", consequences(item)));
+    rows
+}
+
+/// What the object is, and where it stands.
+fn object_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
+    let mut rows =
+        vec![("Where", place(item)), ("Quantity", item.quantity.to_string()), ("Consequences", consequences(item))];
     if let Some(floor) = &found.floor {
         rows.push((
             "Its floor",
@@ -150,21 +157,22 @@ fn what_it_does(found: &Assessment) -> String {
         }
         html.push_str(&paragraph(&said));
     }
+    let mut said = String::new();
     if let Some(sliding) = &found.sliding {
         let (low, high) = sliding.friction_ratio;
         let origin = if sliding.is_stated { "stated" } else { "assumed" };
-        html.push_str(&paragraph(&format!(
-            "Does it slide: {} (friction {} to {}, {origin}; sliding itself is not followed).",
-            sliding.verdict,
-            number(low, 3),
-            number(high, 3)
-        )));
+        let (low, high) = (number(low, 3), number(high, 3));
+        let _ = write!(
+            said,
+            "Does it slide: {} (friction {low} to {high}, {origin}; sliding itself is not followed). ",
+            sliding.verdict
+        );
     }
     if let Some(clearance_m) = found.clearance_m {
-        html.push_str(&paragraph(&format!(
-            "Clearance that it needs on every side: {} mm.",
-            number((1e3 * clearance_m).ceil(), 6)
-        )));
+        let _ = write!(said, "Clearance that it needs on every side: {} mm.", number((1e3 * clearance_m).ceil(), 6));
+    }
+    if !said.is_empty() {
+        html.push_str(&paragraph(&said));
     }
     html
 }
@@ -225,15 +233,15 @@ fn what_would_change_it(found: &Assessment) -> String {
     if found.tornado.is_empty() {
         return String::new();
     }
-    let (measure, of) = match &found.capacity {
-        Some(_) => ("", "demand over capacity of the median motion"),
-        None => ("g", "shock of the median motion, in g"),
+    let (measure, limit, of) = match &found.capacity {
+        Some(_) => ("", Some(1.0), "demand over capacity of the median motion, the dashed line where it is 1"),
+        None => ("g", None, "shock of the median motion in g"),
     };
     let mut html = heading("What would change it");
     html.push_str(&paragraph(&format!(
-        "Bars: {of}, with one value at either end of its range; the black line is the result as it is. ✱ marks what changes the decision."
+        "Bars: {of}, from one end of a value's range to the other; the black line is the result as it is. ✱ changes the decision."
     )));
-    let _ = writeln!(html, "<div class=\"scroll\">{}</div>", tornado(&found.tornado, measure));
+    let scale = Scale::of(&found.tornado, limit);
     let rows: Vec<Vec<Cell>> = found
         .tornado
         .iter()
@@ -242,14 +250,16 @@ fn what_would_change_it(found: &Assessment) -> String {
                 markup(name(&swing.parameter), ""),
                 markup(name(&swing.low), ""),
                 figure(ranked(swing.at_low, measure)),
-                markup(name(&swing.high), ""),
+                markup(swing_bar(swing, scale), "bar"),
                 figure(ranked(swing.at_high, measure)),
+                markup(name(&swing.high), ""),
                 text(if swing.flips { "✱ another decision" } else { "the same" }),
             ]
         })
         .collect();
-    let headings = vec![text("Value"), text("From"), figure("gives"), text("To"), figure("gives"), text("Decision")];
-    html.push_str(&table("", &[headings], &rows));
+    let headings = ["Value", "From", "gives", "", "gives", "To", "Decision"];
+    let headings = headings.map(|heading| if heading == "gives" { figure(heading) } else { text(heading) });
+    html.push_str(&table("", &[headings.to_vec()], &rows));
     html
 }
 
@@ -272,8 +282,7 @@ fn what_to_do(found: &Assessment) -> String {
         if let Some(shock_g) = softening.edge_acceleration_g {
             let _ = write!(said, " Shock on it: {} g.", number(shock_g, 3));
         }
-        html.push_str(&paragraph(&said));
-        let _ = writeln!(html, "<p>{}</p>", words(&softening.note));
+        let _ = writeln!(html, "<p>{} {}</p>", words(&said), words(&softening.note));
     }
     if !found.restraint.is_empty() {
         html.push_str(&heading("Forces to fix it with"));
@@ -316,15 +325,14 @@ fn what_to_do(found: &Assessment) -> String {
 
 /// Other people's numbers, notes, and what the inventory carries.
 fn beside(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
-    let mut html = String::new();
+    let mut html = String::from("<div class=\"beside\">\n");
     let mut add = |title: &str, lines: &[String]| {
         if !lines.is_empty() {
-            html.push_str(&heading(title));
-            html.push_str("<ul>\n");
+            let _ = writeln!(html, "<div>{}<ul>", heading(title));
             for line in lines {
                 let _ = writeln!(html, "<li>{}</li>", words(line));
             }
-            html.push_str("</ul>\n");
+            html.push_str("</ul></div>\n");
         }
     };
     add("Other numbers beside these", &found.context);
@@ -336,6 +344,7 @@ fn beside(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
     let cells = inventory.carried.iter().zip(&item.carried).filter(|(_, cell)| !cell.is_empty());
     carried.extend(cells.take(MOST_CARRIED).map(|(header, cell)| format!("{header}: {cell}")));
     add("From the inventory", &carried);
+    html.push_str("</div>\n");
     html
 }
 

@@ -71,11 +71,8 @@ fn first(overview: &Overview, pages: usize) -> String {
         return paragraph("No object was assessed.");
     }
     let mut html = String::new();
-    let mut note = format!(
-        "The {} most urgent of {}, restrain before soften before no verdict before leave.",
-        overview.urgent.len(),
-        overview.assessed
-    );
+    let mut note =
+        format!("The {} most urgent of {} objects, by their rank.", overview.urgent.len(), overview.assessed);
     if pages < overview.assessed {
         let _ = write!(
             note,
@@ -86,8 +83,8 @@ fn first(overview: &Overview, pages: usize) -> String {
     html.push_str(&paragraph(&note));
     html.push_str(
         "<table class=\"first\"><thead><tr><th scope=\"col\" class=\"n\">Rank</th><th scope=\"col\">Object</th><th \
-         scope=\"col\">Decision</th><th scope=\"col\" class=\"n\">Demand over capacity</th><th scope=\"col\">Governing</th><th \
-         scope=\"col\">Probability</th><th scope=\"col\" class=\"n\">Median shock</th></tr></thead>\n<tbody>\n",
+         scope=\"col\">Decision</th><th scope=\"col\" class=\"n\">Demand / capacity</th><th scope=\"col\">Governing</th><th \
+         scope=\"col\">P(exceeded), 95 %</th><th scope=\"col\" class=\"n\">Median shock</th></tr></thead>\n<tbody>\n",
     );
     for one in overview.urgent.values() {
         html.push_str(&first_row(one, one.rank <= pages));
@@ -103,20 +100,20 @@ fn first_row(one: &Urgent, has_page: bool) -> String {
     let ratio = one.demand_capacity.map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
     let chance = match (one.probability, one.is_overturn_only) {
         (None, _) => "–".to_owned(),
-        (Some(chance), false) => format!("{} exceeds", probability(chance)),
-        (Some(chance), true) => format!("{} overturns", probability(chance)),
+        (Some(chance), false) => probability(chance),
+        (Some(chance), true) => format!("overturns: {}", probability(chance)),
     };
     let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
     format!(
-        "<tr><td class=\"n\" data-label=\"Rank\">{}</td><th scope=\"row\">{link} {}{many}<br /><small>{}</small></th>\
-         <td data-label=\"Decision\">{}<small class=\"why\">{}</small></td>\
-         <td class=\"n\" data-label=\"Demand over capacity\">{}</td><td data-label=\"Governing\">{}</td>\
-         <td data-label=\"Probability\">{}</td><td class=\"n\" data-label=\"Median shock\">{}</td></tr>\n",
+        "<tr><td class=\"n\" data-label=\"Rank\">{}</td><th scope=\"row\">{link} {}{many}<br /><small>{}</small><small class=\"why\">{}</small></th>\
+         <td data-label=\"Decision\">{}</td>\
+         <td class=\"n\" data-label=\"Demand / capacity\">{}</td><td data-label=\"Governing\">{}</td>\
+         <td data-label=\"P(exceeded), 95 %\">{}</td><td class=\"n\" data-label=\"Median shock\">{}</td></tr>\n",
         one.rank,
         name(&one.item),
         name(&one.place),
+        words(&one.why),
         badge(one.decision),
-        name(&one.why),
         name(&ratio),
         name(one.governing.as_deref().unwrap_or("–")),
         name(&chance),

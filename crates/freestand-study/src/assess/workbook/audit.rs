@@ -173,8 +173,18 @@ impl Audit {
         Ok(())
     }
 
-    pub(super) fn finish(mut self) -> Result<Worksheet, XlsxError> {
+    pub(super) fn finish(mut self, styles: &Styles) -> Result<Worksheet, XlsxError> {
         let last = self.row.saturating_sub(1).max(HEADER_ROW + 1);
+        let notes = [
+            (
+                self.without,
+                "have no landing to follow: they never lift off, overturn at the motion that decides, or lack something.",
+            ),
+            (self.beyond, "are not among the most urgent and stand in the sheet Objects alone."),
+        ];
+        for ((count, note), row) in notes.into_iter().filter(|(count, _)| *count > 0).zip(last + 2..) {
+            put_text(&mut self.sheet, (row, 0), &format!("{count} further objects {note}"), &styles.text)?;
+        }
         self.sheet.autofilter(HEADER_ROW, 0, last, self.places.columns - 1)?;
         Ok(self.sheet)
     }

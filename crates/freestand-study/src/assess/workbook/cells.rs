@@ -16,6 +16,7 @@ pub(super) struct Styles {
     pub(super) title: Format,
     pub(super) heading: Format,
     pub(super) header: Format,
+    pub(super) header_of_numbers: Format,
     pub(super) wrapped: Format,
     pub(super) text: Format,
     pub(super) number: Format,
@@ -36,6 +37,7 @@ impl Styles {
         Self {
             title: Format::new().set_bold().set_font_size(16),
             heading: Format::new().set_bold().set_font_size(12).set_border_bottom(FormatBorder::Thin),
+            header_of_numbers: header.clone().set_background_color(0x00E8_EDF2).set_align(FormatAlign::Right),
             header: header.set_background_color(0x00E8_EDF2),
             wrapped: top.clone().set_text_wrap(),
             text: top.clone(),
@@ -45,7 +47,7 @@ impl Styles {
             formula: number.clone().set_background_color(0x00EE_F5EA),
             value: number.clone(),
             difference: top.clone().set_num_format("0.0E+00"),
-            warning: top.set_bold().set_text_wrap().set_border(FormatBorder::Medium).set_background_color(0x00FF_F2CC),
+            warning: top.set_bold().set_border(FormatBorder::Medium).set_background_color(0x00FF_F2CC),
             number,
         }
     }

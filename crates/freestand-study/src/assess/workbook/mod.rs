@@ -31,8 +31,8 @@ pub const WORKBOOK_NAME: &str = "assessment.xlsx";
 /// Rows of a sheet, of which one is the header.
 const SHEET_ROWS: u32 = 1_048_576;
 
-/// Objects beyond which sheets are kept in temporary files: each takes a kilobyte or two of memory otherwise.
-const LARGE: usize = 20_000;
+/// Objects beyond which sheets are kept in temporary files: each takes some 20 kB of memory otherwise.
+const LARGE: usize = 2_000;
 
 /// The workbook in the making.
 pub(super) struct Book {
@@ -90,7 +90,7 @@ impl Book {
             for sheet in self.objects.finish()? {
                 self.workbook.push_worksheet(sheet);
             }
-            self.workbook.push_worksheet(self.audit.finish()?);
+            self.workbook.push_worksheet(self.audit.finish(styles)?);
             self.workbook.push_worksheet(summary::columns(styles)?);
             self.workbook.push_worksheet(summary::sources(sources, styles)?);
             let file = File::create_new(path)?;

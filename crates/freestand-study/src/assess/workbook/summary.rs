@@ -1,5 +1,7 @@
 //! The sheets of words: summary, dictionary of the columns, sources.
 
+use std::ops::Range;
+
 use rust_xlsxwriter::{ColNum, Format, RowNum, Worksheet, XlsxError};
 
 use crate::assess::Head;
@@ -102,9 +104,13 @@ impl Page<'_> {
         Ok(())
     }
 
-    fn header(&mut self, names: &[&str]) -> Result<(), XlsxError> {
+    /// Headers of a table, over numbers in the columns `numbers`.
+    fn header(&mut self, names: &[&str], numbers: Range<ColNum>) -> Result<(), XlsxError> {
+        self.sheet.set_row_height(self.row, 31)?;
         for (name, column) in names.iter().zip(0..) {
-            self.text(column, name, &self.styles.header)?;
+            let is_number = numbers.contains(&column);
+            let format = if is_number { &self.styles.header_of_numbers } else { &self.styles.header };
+            self.text(column, name, format)?;
         }
         self.row += 1;
         Ok(())
@@ -116,7 +122,7 @@ impl Page<'_> {
 
     fn counts(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Decisions")?;
-        self.header(&["decision", "objects", "pieces", "share of the objects", "what to do"])?;
+        self.header(&["decision", "objects", "pieces", "share of the objects", "what to do"], 1..4)?;
         for decision in Decision::ALL {
             let format = self.styles.text.clone().set_background_color(colours(decision).fill);
             self.text(0, &format!("{} {}", sign(decision), label(decision)), &format)?;
@@ -147,7 +153,7 @@ impl Page<'_> {
 
     fn floors(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Floors, from the top")?;
-        self.header(&["floor", "level_ratio", "pfa_g_median", "restrain", "soften", "no verdict", "leave"])?;
+        self.header(&["floor", "level_ratio", "pfa_g_median", "restrain", "soften", "no verdict", "leave"], 1..7)?;
         for floor in overview.floors() {
             self.text(0, &floor.name, &self.styles.text)?;
             put_number(&mut self.sheet, (self.row, 1), floor.level_ratio, &self.styles.number)?;
@@ -159,7 +165,7 @@ impl Page<'_> {
 
     fn consequences(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Consequences (FEMA E-74)")?;
-        self.header(&["consequence", "rating", "objects", "restrain", "soften", "no verdict", "leave"])?;
+        self.header(&["consequence", "rating", "objects", "restrain", "soften", "no verdict", "leave"], 2..7)?;
         for consequence in &overview.consequences {
             for (counts, rating) in consequence.ratings.iter().zip(RATINGS) {
                 self.text(0, consequence.name, &self.styles.text)?;
@@ -173,16 +179,19 @@ impl Page<'_> {
 
     fn first(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("What to do first (all objects: sheet Objects, column rank)")?;
-        self.header(&[
-            "rank, object",
-            "decision",
-            "where",
-            "demand over capacity",
-            "governing",
-            "probability (95 % interval)",
-            "median shock",
-            "why",
-        ])?;
+        self.header(
+            &[
+                "rank, object",
+                "decision",
+                "where",
+                "demand over capacity",
+                "governing",
+                "probability (95 % interval)",
+                "median shock",
+                "why",
+            ],
+            0..0,
+        )?;
         for one in overview.urgent.values() {
             let format = self.styles.text.clone().set_background_color(colours(one.decision).fill);
             self.text(0, &format!("{}. {} {}", one.rank, one.id, one.item), &self.styles.text)?;
