@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use freestand::block::Block;
-use freestand::rocking::Restitution;
+use freestand::rocking::{Outcome as RockingOutcome, Restitution, RockingSummary};
 use rayon::prelude::*;
 
 use super::hazard::Floor;
@@ -250,7 +250,7 @@ fn draws_on(
             let blocks: Vec<(Block, Restitution)> = drawn.iter().flat_map(blocks).collect();
             let rocked = rock_directions(&blocks, directions);
             context.count(blocks.len());
-            let mut rocked = blocks.iter().zip(rocked);
+            let mut rocked = blocks.iter().map(|(block, _)| block).zip(rocked);
             let outcomes = drawn.iter().map(|(subject, draw)| {
                 let own: Vec<_> = rocked.by_ref().take(subject.axes.len()).collect();
                 outcome(subject, draw, own, floor.pfa_m_s2[motion])
@@ -272,7 +272,7 @@ fn draws_on(
 fn outcome(
     subject: &Subject,
     draw: &Draw,
-    rocked: Vec<(&(Block, Restitution), Result<freestand::rocking::RockingSummary, String>)>,
+    rocked: Vec<(&Block, Result<RockingSummary, String>)>,
     floor_m_s2: f64,
 ) -> Option<Outcome> {
     let body = subject.body.as_ref().and_then(|body| {
@@ -281,9 +281,9 @@ fn outcome(
     });
     let values = body.as_ref().map(|(mass_kg, cushion)| Values { mass_kg: *mass_kg, cushion });
     let mut outcome = Outcome { overturned: false, terms: [None; 2], model: draw.model };
-    for (((block, _), rocking), place) in rocked.into_iter().zip(&mut outcome.terms) {
+    for ((block, rocking), place) in rocked.into_iter().zip(&mut outcome.terms) {
         let one = axis_motion(subject, block, rocking.ok()?, values, floor_m_s2).ok()?;
-        outcome.overturned |= one.rocking.outcome == freestand::rocking::Outcome::Overturned;
+        outcome.overturned |= one.rocking.outcome == RockingOutcome::Overturned;
         *place = one.terms;
     }
     Some(outcome)

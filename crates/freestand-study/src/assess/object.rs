@@ -141,7 +141,8 @@ pub(super) fn hit(block: &Block, rocking: &RockingSummary, mass_kg: f64, cushion
         let impact = landing.impact(mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2);
         let shock_g = |rise_m: f64| landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, G0_M_S2) / G0_M_S2;
         let (uplift_g, velocity_g) = (shock_g(from_uplift), shock_g(from_velocity));
-        if !(uplift_g.max(velocity_g) <= BEYOND_ALL_G) {
+        let is_number = |shock_g: f64| shock_g <= BEYOND_ALL_G;
+        if !is_number(uplift_g) || !is_number(velocity_g) {
             return None;
         }
         found.uplift_g = found.uplift_g.max(uplift_g);

@@ -99,11 +99,15 @@ pub(super) fn assess<'a>(
                 found
             }
             None => {
-                let (hazard, context) = match &mut shaking {
-                    Some(ready) => &*ready,
-                    none => &*none.insert(shake(study, &wants_to_stop, progress)?),
+                let ready = match shaking.take() {
+                    Some(ready) => Ok(ready),
+                    None => shake(study, &wants_to_stop, progress),
                 };
-                match assess_part(hazard, context, items) {
+                let assessed = ready.and_then(|ready| {
+                    let (hazard, context) = shaking.insert(ready);
+                    assess_part(hazard, context, items)
+                });
+                match assessed {
                     Ok(found) => {
                         portfolio.store.write(part, &found)?;
                         portfolio.computed += found.len();

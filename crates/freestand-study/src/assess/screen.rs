@@ -127,7 +127,7 @@ impl Spectra {
             return None;
         }
         let as_is = all.into_iter().next()?;
-        let draws = as_is.iter().map(|motion| motion.iter().map(|axes| outcome(axes)).collect()).collect();
+        let draws = as_is.iter().map(|motion| motion.iter().map(outcome).collect()).collect();
         Some(Screened { as_is, draws })
     }
 }
