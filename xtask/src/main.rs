@@ -1,4 +1,5 @@
 //! `cargo xtask test`: everything that has to hold, with all set-up; what the README names and what CI runs.
+//! `cargo xtask pdf`: the PDF of an assessment and the command line with it, which the checks above leave out.
 //! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a developer's tool talks to the terminal")]
@@ -65,12 +66,55 @@ const CHECKS: &[Check] = &[
     },
 ];
 
+/// Apart: the typesetter alone takes twenty minutes to build. Both packages are named in one command and with one feature, so that
+/// the typesetter is built once.
+const PDF_CHECKS: &[Check] = &[
+    Check {
+        title: "lints, with the feature pdf",
+        command: &[
+            "cargo",
+            "clippy",
+            "--package",
+            "freestand-pdf",
+            "--package",
+            "freestand-cli",
+            "--features",
+            "freestand-cli/pdf",
+            "--all-targets",
+            "--locked",
+            "--",
+            "-D",
+            "warnings",
+        ],
+        environment: &[],
+    },
+    Check {
+        title: "tests, with the feature pdf",
+        command: &[
+            "cargo",
+            "test",
+            "--package",
+            "freestand-pdf",
+            "--package",
+            "freestand-cli",
+            "--features",
+            "freestand-cli/pdf",
+            "--locked",
+            "--lib",
+            "--bins",
+            "--tests",
+        ],
+        environment: &[],
+    },
+];
+
 fn main() -> ExitCode {
     match std::env::args().nth(1).as_deref() {
         Some("test") => test(),
+        Some("pdf") => pdf(),
         Some("validate-shock") => finished(validate_shock(true)),
         _ => {
-            eprintln!("usage: cargo xtask test | validate-shock");
+            eprintln!("usage: cargo xtask test | pdf | validate-shock");
             ExitCode::from(2)
         }
     }
@@ -137,25 +181,8 @@ fn test() -> ExitCode {
         return ExitCode::from(2);
     };
     let start = Instant::now();
-    for check in CHECKS {
-        println!("\n== {} ==", check.title);
-        let began = Instant::now();
-        let status = Command::new(check.command[0])
-            .args(&check.command[1..])
-            .envs(check.environment.iter().copied())
-            .current_dir(&root)
-            .status();
-        match status {
-            Ok(status) if status.success() => println!("== {}: {:.0} s ==", check.title, began.elapsed().as_secs_f64()),
-            Ok(status) => {
-                eprintln!("== {} failed ({status}): {} ==", check.title, check.command.join(" "));
-                return ExitCode::FAILURE;
-            }
-            Err(error) => {
-                eprintln!("== {} cannot run: {}: {error} ==", check.title, check.command[0]);
-                return ExitCode::FAILURE;
-            }
-        }
+    if !all_hold(&root, CHECKS) {
+        return ExitCode::FAILURE;
     }
     println!("\n== shock response spectra beside public packages ==");
     if !validate_shock(false) {
@@ -163,4 +190,37 @@ fn test() -> ExitCode {
     }
     println!("\nall checks passed in {:.0} s", start.elapsed().as_secs_f64());
     ExitCode::SUCCESS
+}
+
+fn pdf() -> ExitCode {
+    let Some(root) = root() else {
+        eprintln!("run it as `cargo xtask pdf`");
+        return ExitCode::from(2);
+    };
+    finished(all_hold(&root, PDF_CHECKS))
+}
+
+/// Runs checks until one does not hold.
+fn all_hold(root: &Path, checks: &[Check]) -> bool {
+    for check in checks {
+        println!("\n== {} ==", check.title);
+        let began = Instant::now();
+        let status = Command::new(check.command[0])
+            .args(&check.command[1..])
+            .envs(check.environment.iter().copied())
+            .current_dir(root)
+            .status();
+        match status {
+            Ok(status) if status.success() => println!("== {}: {:.0} s ==", check.title, began.elapsed().as_secs_f64()),
+            Ok(status) => {
+                eprintln!("== {} failed ({status}): {} ==", check.title, check.command.join(" "));
+                return false;
+            }
+            Err(error) => {
+                eprintln!("== {} cannot run: {}: {error} ==", check.title, check.command[0]);
+                return false;
+            }
+        }
+    }
+    true
 }

@@ -138,5 +138,5 @@ fn typesetter() -> Result<Typeset, Failure> {
 
 #[cfg(feature = "pdf")]
 fn typesetter() -> Result<Typeset, Failure> {
-    Ok(|head, pages| freestand_pdf::assessment_pdf(head, pages).map_err(|error| error.to_string()))
+    Ok(|head, overview, pages| freestand_pdf::assessment_pdf(head, overview, pages).map_err(|error| error.to_string()))
 }

@@ -339,9 +339,9 @@ pub(super) fn written(inventory: &Inventory, assessed: usize, wanted: Wanted) ->
     let out = OutputFolder::stage(&folder.path().join("out"), false, &[]).unwrap();
     let rows = rows(inventory, assessed);
     let mut rows = rows.into_iter().map(Ok::<_, Problem>);
-    let names = write_all(&out, &head(inventory.items.len()), inventory, wanted, &mut rows).unwrap();
+    write_all(&out, &head(inventory.items.len()), inventory, wanted, &mut rows).unwrap();
     out.commit().unwrap();
-    (folder, names)
+    (folder, wanted.names())
 }
 
 /// The bytes of one of the files.

@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::outputs::{Wanted, write_all};
+use super::overview::Overview;
 use super::portfolio::{Portfolio, assess, fingerprint, progress_names};
 use super::result::Decision;
 use super::{Head, PROGRESS, Row, head};
@@ -36,8 +37,8 @@ pub struct Job {
     pub pdf: Option<Typeset>,
 }
 
-/// From the head and the pages to a PDF.
-pub type Typeset = fn(&Head, &[Row<'_>]) -> Result<Vec<u8>, String>;
+/// From the head, the counts and the pages to a PDF.
+pub type Typeset = fn(&Head, &Overview, &[Row<'_>]) -> Result<Vec<u8>, String>;
 
 /// What a job came to; the keys of the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -124,10 +125,10 @@ pub fn assess_into(
     let portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
-    write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
+    let overview = write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
     if let Some(typeset) = job.pdf {
         let pages: Vec<Row> = portfolio.most_urgent(settings.pages)?;
-        let pdf = typeset(&head, &pages).map_err(|reason| {
+        let pdf = typeset(&head, &overview, &pages).map_err(|reason| {
             Problem::new(ProblemKind::Computation, format!("report.pdf cannot be typeset: {reason}"))
         })?;
         folder.write("report.pdf", &pdf)?;
