@@ -7,6 +7,7 @@ use super::columns::{Heading, Holds, heading};
 use super::findings::{At, Findings};
 use super::header::Header;
 use super::source::{Source, load};
+use super::values::pointed;
 use super::write::{Table, Written, csv, xlsx};
 use crate::error::{Problem, StudyError};
 
@@ -129,9 +130,7 @@ fn written(
             // Line ends within a cell are LF in a workbook.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");
-                let is_decimal =
-                    has_decimal_comma && kind == Kind::Numbers && !text.contains('.') && text.contains(',');
-                let text = if is_decimal { text.replace(',', ".") } else { text };
+                let text = if has_decimal_comma && kind == Kind::Numbers { pointed(&text) } else { text };
                 Written::of(&text, kind != Kind::Words)
             }
             Cell::Unevaluated | Cell::TooLong(_) => {
