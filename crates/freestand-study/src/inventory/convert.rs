@@ -4,9 +4,11 @@ use std::path::Path;
 
 use super::cell::{Cell, Flow, Row};
 use super::columns::{Heading, Holds, heading};
+use super::encoding::is_unprintable;
 use super::findings::{At, Findings};
 use super::header::Header;
 use super::source::{Source, load};
+use super::values::pointed;
 use super::write::{Table, Written, csv, xlsx};
 use crate::error::{Problem, StudyError};
 
@@ -126,12 +128,17 @@ fn written(
         let kind = kinds.get(index).copied().unwrap_or(Kind::Carried);
         let one = match cell {
             Cell::Number(value) if value.is_finite() => Written::Number(*value),
+            Cell::Text(text) if text.chars().any(is_unprintable) => {
+                let at = At { row: row.number, line: row.line };
+                let heading = headings.get(index).map_or("", String::as_str);
+                let hint = "write the cell once more".to_owned();
+                findings.of_cell(at, *column, heading, "holds a control character, which no CSV takes", Some(hint));
+                Written::Empty
+            }
             // Line ends within a cell are LF in a workbook.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");
-                let is_decimal =
-                    has_decimal_comma && kind == Kind::Numbers && !text.contains('.') && text.contains(',');
-                let text = if is_decimal { text.replace(',', ".") } else { text };
+                let text = if has_decimal_comma && kind == Kind::Numbers { pointed(&text) } else { text };
                 Written::of(&text, kind != Kind::Words)
             }
             Cell::Unevaluated | Cell::TooLong(_) => {

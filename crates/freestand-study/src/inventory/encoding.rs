@@ -93,6 +93,11 @@ fn utf16(bytes: &[u8]) -> Option<(bool, usize)> {
     }
 }
 
+/// Control characters that no text has; blanks and line ends are none.
+pub(super) fn is_unprintable(c: char) -> bool {
+    c < ' ' && !matches!(c, '\t' | '\n' | '\r')
+}
+
 fn from_utf16(bytes: &[u8], is_big: bool) -> Result<String, Problem> {
     let unit = |pair: &[u8]| match *pair {
         [a, b] if is_big => u16::from_be_bytes([a, b]),
@@ -101,7 +106,7 @@ fn from_utf16(bytes: &[u8], is_big: bool) -> Result<String, Problem> {
     };
     let broken = || format_problem("is damaged UTF-16 text").hint("save the sheet as CSV (UTF-8) or as .xlsx");
     let text = char::decode_utf16(bytes.chunks(2).map(unit)).collect::<Result<String, _>>().map_err(|_| broken())?;
-    if text.contains('\0') { Err(broken()) } else { Ok(text) }
+    if text.chars().any(is_unprintable) { Err(broken()) } else { Ok(text) }
 }
 
 fn from_windows_1252(bytes: &[u8]) -> String {

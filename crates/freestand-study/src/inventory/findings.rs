@@ -127,7 +127,9 @@ impl<'a> Findings<'a> {
     fn value(&mut self, at: At, message: String, hint: Option<String>) {
         let mut problem = Problem::new(ProblemKind::Value, self.in_sheet(message));
         problem.line = at.line;
-        problem.hint = hint;
+        // Some that the parser of quantities finds have no remedy of their own.
+        problem.hint =
+            Some(hint.unwrap_or_else(|| "correct the cell, or leave it empty where the value is not known".to_owned()));
         self.push(problem);
     }
 

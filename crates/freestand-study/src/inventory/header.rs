@@ -29,6 +29,8 @@ pub(super) struct Header {
     pub(super) known: usize,
     /// Rows above that are not empty.
     pub(super) above: usize,
+    /// How many cells the row of headings has, where the file says so; the last may be empty.
+    pub(super) width: Option<u32>,
 }
 
 /// Finds the headings among the first rows of a sheet: the row with the most names that are ours.
@@ -46,6 +48,7 @@ pub(super) fn find(rows: &[Row]) -> Option<Header> {
         units: BTreeMap::new(),
         known: 0,
         above: at,
+        width: main.width,
     };
     // A form has "Location" above "building, floor, room", and "Risk" above "LS, PL, FL".
     let above = at.checked_sub(1).and_then(|above| rows.get(above)).filter(|row| row.number + 1 == main.number);

@@ -101,7 +101,7 @@ fn carried(values: &mut Values<'_, '_, '_>) -> Vec<String> {
     for (index, cell) in &row.cells {
         match values.layout.role(*index) {
             Role::Ours(_) => {}
-            Role::Unnamed if row.width.is_some() && *index >= values.layout.width && !cell.is_blank() => {
+            Role::Unnamed if row.width.is_some() && *index >= values.layout.widest && !cell.is_blank() => {
                 too_many = Some(index + 1);
             }
             Role::Unnamed if cell.is_blank() => {}
@@ -124,7 +124,7 @@ fn carried(values: &mut Values<'_, '_, '_>) -> Vec<String> {
         }
     }
     if let Some(count) = too_many {
-        let message = format!("{count} cells stand under {} headings", values.layout.width);
+        let message = format!("{count} cells stand under {} headings", values.layout.widest);
         let hint = "quote cells that hold the sign between the cells, or give every column a heading";
         let at = values.at();
         values.findings.of_row(at, &message, hint);

@@ -44,16 +44,20 @@ pub(super) struct Layout {
     pub(super) carried: Vec<String>,
     /// One more than the last column that has a heading.
     pub(super) width: u32,
+    /// How many cells a row may have, where the file says so.
+    pub(super) widest: u32,
 }
 
 impl Layout {
     /// Takes the headings apart. What is wrong with them goes into `findings`, what is doubtful into `warnings`.
     pub(super) fn new(header: &Header, findings: &mut Findings<'_>, warnings: &mut Vec<String>) -> Self {
+        let width = header.headings.keys().last().map_or(0, |last| last + 1);
         let mut layout = Self {
             places: vec![None; COLUMNS.len()],
             roles: BTreeMap::new(),
             carried: Vec::new(),
-            width: header.headings.keys().last().map_or(0, |last| last + 1),
+            width,
+            widest: header.width.map_or(width, |cells| cells.max(width)),
         };
         let mut looked_into = 0;
         for (&index, text) in &header.headings {

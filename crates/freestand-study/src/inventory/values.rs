@@ -245,6 +245,16 @@ fn plain_text(text: &str, has_decimal_comma: bool) -> Result<(String, bool), Pro
         .hint("write the decimal sign as a point and nothing between the thousands, such as 1500.5"))
 }
 
+/// A number or a range of a file with decimal commas, as a file without them has it; what is none stays as it is.
+pub(super) fn pointed(text: &str) -> String {
+    let is_plain = |part: &str| plain_text(part, true).is_ok();
+    let is_number = match split_range(text) {
+        Some((low, high)) => is_plain(low) && is_plain(high),
+        None => is_plain(text),
+    };
+    if is_number { text.replace(',', ".") } else { text.to_owned() }
+}
+
 /// What stands in a cell that is no value.
 fn not_a_value(cell: &Cell) -> Option<Problem> {
     let (message, hint) = match cell {
@@ -333,6 +343,11 @@ mod tests {
         assert_eq!(plain_text("0.35", true).unwrap(), ("0.35".to_owned(), false));
         for text in ["1.500,5", "1,500,000"] {
             assert!(plain_text(text, true).is_err());
+        }
+        for (text, with_points) in
+            [("0,3-0,5", "0.3-0.5"), ("0.3-0,5", "0.3-0.5"), ("2,3 m", "2.3 m"), ("1.500,5", "1.500,5"), ("0.5", "0.5")]
+        {
+            assert_eq!(pointed(text), with_points);
         }
         assert!(plain_text("0,35", false).unwrap_err().hint.is_some());
     }
