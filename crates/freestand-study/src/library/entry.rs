@@ -210,7 +210,10 @@ impl ToleranceEntry {
             note: reader.text("note"),
             origin: origin.to_owned(),
         };
-        entry.check(&mut reader);
+        // Cells that cannot be read would be missed once more.
+        if reader.problems.is_empty() {
+            entry.check(&mut reader);
+        }
         if reader.problems.is_empty() { Ok(entry) } else { Err(reader.problems) }
     }
 

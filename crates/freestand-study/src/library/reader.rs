@@ -106,8 +106,8 @@ impl<'s> RowReader<'s> {
     pub(super) fn confidence(&mut self) -> Confidence {
         let words = Confidence::ALL.map(|confidence| (confidence.name(), confidence));
         let confidence = self.word("confidence", &words).unwrap_or(Confidence::Recalled);
-        let says = |column: &str| !self.text(column).is_empty();
-        let is_found = says("source") && (says("page") || says("clause"));
+        let is_located = ["page", "clause"].iter().any(|column| !self.text(column).is_empty());
+        let is_found = is_located && !self.text("source").is_empty();
         if confidence != Confidence::Recalled && !is_found {
             let message = format!("\"{}\" needs a source, with a page or a clause", confidence.name());
             self.note(

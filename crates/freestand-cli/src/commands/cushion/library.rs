@@ -107,7 +107,7 @@ fn listed(entries: &[&CushionEntry]) -> String {
         vec![
             entry.id.clone(),
             entry.range_words(),
-            format_si(entry.stiffness_n_m, Dimension::Stiffness),
+            mean(entry),
             entry.confidence.name().to_owned(),
             entry.item.clone(),
             entry.source_words(),
@@ -116,6 +116,11 @@ fn listed(entries: &[&CushionEntry]) -> String {
     let headings = ["id", "range of one", "mean", "confidence", "item", "source"];
     let rows: Vec<_> = entries.iter().map(row).collect();
     table(&headings, &rows) + &format!("{} entries; priors, none of them a measurement\n", entries.len())
+}
+
+/// Of a range that wide three digits are plenty.
+fn mean(entry: &CushionEntry) -> String {
+    format!("{} N/mm", number(entry.stiffness_n_m / 1e3, 3))
 }
 
 fn shown(entries: &[&CushionEntry]) -> String {
@@ -128,7 +133,7 @@ fn one(entry: &CushionEntry) -> String {
         ("id", text(&entry.id)),
         ("item", text(&entry.item)),
         ("range of one", Some(entry.range_words())),
-        ("geometric mean", Some(format_si(entry.stiffness_n_m, Dimension::Stiffness))),
+        ("geometric mean", Some(mean(entry))),
         ("scatter of ln k", Some(format!("{} (the range is read as 16 to 84 %)", number(entry.log_sd, 3)))),
         ("thickness", entry.thickness_m.map(|t| format_si(t, Dimension::Length))),
         ("pads per edge", Some(format!("{} where nothing else is said", entry.pads_per_edge))),
