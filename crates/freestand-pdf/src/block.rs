@@ -59,7 +59,7 @@ pub(crate) enum Block {
     /// What would change it.
     Tornado { title: &'static str, note: String, rows: Vec<Bar>, as_is_ratio: f64, limit_ratio: Option<f64> },
     /// Eqs. (5)–(7) with their numbers.
-    Chain { title: &'static str, note: String, values: ChainValues },
+    Chain { title: &'static str, note: String, values: Box<ChainValues> },
 }
 
 /// How many objects have a decision.

@@ -301,7 +301,7 @@ pub(crate) fn chain(found: &Assessment) -> Option<Block> {
             chain.axis,
             millimetres(chain.uplift_m)
         ),
-        values: ChainValues {
+        values: Box::new(ChainValues {
             is_uniform: chain.is_uniform && chain.stiffness_n_m.is_some(),
             is_halted: chain.is_halted,
             radius: quantity(chain.half_diagonal_m, 4, "m"),
@@ -316,6 +316,6 @@ pub(crate) fn chain(found: &Assessment) -> Option<Block> {
             impact_velocity_edge: quantity(chain.edge_acceleration_impact_velocity_g, 4, "g"),
             velocity_change: quantity(chain.velocity_change_m_s, 4, "m/s"),
             duration: quantity(1000.0 * chain.pulse_duration_s, 4, "ms"),
-        },
+        }),
     })
 }

@@ -16,13 +16,15 @@ mod block;
 mod details;
 #[cfg(feature = "typeset")]
 mod document;
-#[cfg(all(test, feature = "typeset"))]
+#[cfg(test)]
+#[cfg(feature = "typeset")]
 mod fixture;
 #[cfg(feature = "typeset")]
 mod object;
 #[cfg(feature = "typeset")]
 mod summary;
-#[cfg(all(test, feature = "typeset"))]
+#[cfg(test)]
+#[cfg(feature = "typeset")]
 mod tests;
 #[cfg(feature = "typeset")]
 mod text;

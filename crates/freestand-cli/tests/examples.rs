@@ -1,0 +1,50 @@
+//! The worked examples: their commands run, and their READMEs say what comes out.
+
+#![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// How many objects get each decision, from the command of the README with `more` behind it.
+fn decisions(example: &str, more: &[&str]) -> Vec<(String, u64)> {
+    let out = tempfile::tempdir().unwrap();
+    let done = Command::new(env!("CARGO_BIN_EXE_freestand"))
+        .args(["assess", &format!("examples/{example}/study.toml"), "--quiet", "--json", "--out"])
+        .arg(out.path().join("out"))
+        .args(more)
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    let count = |name: &str| (name.to_owned(), report["decisions"][name].as_u64().unwrap());
+    ["restrain", "soften", "no-verdict", "leave"].map(count).to_vec()
+}
+
+/// The same as the README's table has it.
+fn as_told(example: &str) -> Vec<(String, u64)> {
+    let readme = std::fs::read_to_string(root().join(format!("examples/{example}/README.md"))).unwrap();
+    let row = |line: &str| {
+        let mut cells = line.strip_prefix("| ")?.split(" | ");
+        Some((cells.next()?.to_owned(), cells.next()?.parse().ok()?))
+    };
+    readme.lines().filter_map(row).collect()
+}
+
+#[test]
+fn the_examples_come_out_as_their_readmes_say() {
+    for example in ["hospital", "server-room", "museum"] {
+        assert_eq!(decisions(example, &[]), as_told(example), "{example}");
+    }
+}
+
+/// The workbook was made from the CSV by `inventory convert`.
+#[test]
+fn the_workbook_says_the_same_as_the_text() {
+    let csv = ["--inventory", "examples/server-room/inventory.csv"];
+    assert_eq!(decisions("server-room", &csv), as_told("server-room"));
+}
