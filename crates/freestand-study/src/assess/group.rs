@@ -52,7 +52,7 @@ impl Variant {
             None => subject.restitution,
             Some(factor) => {
                 let ratio = subject.restitution.ratios(block).map_or(0.0, |ratios| ratios[0].max(ratios[1]));
-                Restitution::Value((factor * ratio).min(1.0))
+                Restitution::Value(factor.min(uncertainty::most_restitution(subject, block)) * ratio)
             }
         };
         subject.axes.iter().map(|axis| (axis.scaled(1.0, sides), changed(&axis.block))).collect()

@@ -71,7 +71,7 @@ fn assumptions(study: &Study) -> Vec<String> {
         ),
         format!(
             "Drawn lognormally about the values of the inventory, {draws} to {most_draws} times for each motion: restitution (standard deviation of \
-             its logarithm {}, nothing above 1), stiffness {} (a library entry has its own), mass {}, sides and heights {}, Eq. (5) {}. The \
+             its logarithm {}, nothing above 0.99), stiffness {} (a library entry has its own), mass {}, sides and heights {}, Eq. (5) {}. The \
              last is the coefficient of variation of Table I of Al Abadi et al.: five tests of one cabinet.",
             spread.restitution, spread.stiffness, spread.mass, spread.geometry, spread.model
         ),

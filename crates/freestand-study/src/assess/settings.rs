@@ -52,7 +52,7 @@ pub struct Accepted {
 /// about the value of the inventory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// Restitution of the motion; what would be above 1 is not drawn.
+    /// Restitution of the motion; nothing above 0.99 is drawn.
     pub restitution: f64,
     /// Stiffness; an entry of the cushion library brings its own.
     pub stiffness: f64,

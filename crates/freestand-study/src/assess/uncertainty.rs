@@ -46,9 +46,17 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, record: 
     let (stiffness, mass, model) = (next(own.unwrap_or(stiffness)), next(mass), next(model));
     let (heights, sides) = (next(geometry), [next(geometry), next(geometry)]);
     // Last, since it may be drawn more than once.
-    let limit = 1.0 / subject.axes.iter().map(|one| ratio(subject.restitution, &one.block)).fold(0.0, f64::max);
+    let limit = subject.axes.iter().map(|one| most_restitution(subject, &one.block)).fold(f64::INFINITY, f64::min);
     let restitution = std::iter::repeat_with(|| next(restitution)).take(1000).find(|r| *r <= limit).unwrap_or(1.0);
     Draw { restitution, heights, sides, stiffness, mass, model }
+}
+
+/// Restitution above which nothing is drawn: no landing of an object on a floor is more elastic, and a block that is rocks for minutes.
+const MOST_RESTITUTION: f64 = 0.99;
+
+/// The factor on the restitution of an object that takes it to [`MOST_RESTITUTION`]; 1 for one that is stated to be above.
+pub(super) fn most_restitution(subject: &Subject, block: &Block) -> f64 {
+    (MOST_RESTITUTION / ratio(subject.restitution, block)).max(1.0)
 }
 
 /// The larger of the two ratios of a block.
