@@ -1,6 +1,6 @@
 //! Assessments from end to end: the same bytes whatever happens to the run, probabilities against integrals.
 
-#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests, outside of test functions
+#![expect(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may stop")]
 
 use std::collections::HashMap;
 use std::fmt::Write;
