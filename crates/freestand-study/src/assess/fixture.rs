@@ -95,6 +95,7 @@ pub(super) fn item(index: usize) -> Item {
 
 pub(super) fn inventory(items: Vec<Item>) -> Inventory {
     Inventory {
+        libraries: Vec::new(),
         path: PathBuf::from("ward.xlsx"),
         sha256: "0123456789abcdef".repeat(4),
         sheet: Some("Objects".to_owned()),

@@ -11,8 +11,9 @@ use super::portfolio::{Portfolio, assess, fingerprint, progress_names};
 use super::result::Decision;
 use super::{Head, PROGRESS, Row, head};
 use crate::error::{Problem, ProblemKind, StudyError};
+use crate::input::InputFile;
 use crate::inventory::{Inventory, Lookup, read_inventory};
-use crate::library::{CushionLibrary, Library, to_tolerance};
+use crate::library::Libraries;
 use crate::output::{MANIFEST, OutputFolder, announce, document};
 use crate::resolve::motion_paths;
 use crate::run::Progress;
@@ -79,21 +80,13 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
             .hint("name one with --inventory FILE, or in the study: [assessment] inventory = \"objects.csv\"; freestand inventory template prints one")
             .into());
     };
-    let mut tolerances = Library::builtin();
-    if let Some(path) = &settings.library {
-        tolerances.add_file(path)?;
-    }
-    let mut cushions = CushionLibrary::builtin();
-    if let Some(path) = &settings.cushion_library {
-        cushions.add_file(path)?;
-    }
-    let lookup = Lookup {
-        tolerance: &|id| tolerances.find(id).and_then(to_tolerance),
-        cushion: &|id| cushions.prior(id).ok(),
-        tolerance_names: &tolerances.entries().iter().map(|entry| entry.id.clone()).collect::<Vec<_>>(),
-        cushion_names: &cushions.entries().iter().map(|entry| entry.id.clone()).collect::<Vec<_>>(),
-    };
-    read_inventory(path, sheet.or(settings.sheet.as_deref()), &lookup)
+    let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
+    let read = |lookup: &Lookup| read_inventory(path, sheet.or(settings.sheet.as_deref()), lookup);
+    let mut inventory = libraries.looked_up(read)?;
+    let Libraries { tolerances, cushions } = libraries;
+    inventory.libraries = tolerances.inputs.into_iter().chain(cushions.inputs).collect();
+    inventory.warnings.extend(tolerances.warnings.into_iter().chain(cushions.warnings));
+    Ok(inventory)
 }
 
 /// Assesses `inventory` on the floors of `study` and writes everything into `target`, on the current thread pool.
@@ -120,6 +113,7 @@ pub fn assess_into(
     let names = progress_names(inventory.items.len());
     announce(target, job.force, &names)?;
     let inputs = study.source.iter().cloned().chain(motion_paths(study)).chain([inventory.path.clone()]);
+    let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
     let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
     let portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
@@ -182,7 +176,8 @@ fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str)
         "decisions": report.decisions,
         "tiers": report.tiers,
         "failed": report.failed,
-        "inventory": {"name": inventory.path.file_name().map(|name| name.to_string_lossy()), "sha256": inventory.sha256},
+        "inventory": {"name": file_name(&inventory.path), "sha256": inventory.sha256},
+        "libraries": inventory.libraries.iter().map(input).collect::<Vec<_>>(),
         "study": study.toml,
         "records": recorded,
         "motion_seed": study.ground.seed(),
@@ -190,6 +185,14 @@ fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str)
         "files": report.files,
     });
     document(SCHEMA, &body, &report.warnings)
+}
+
+fn input(file: &InputFile) -> serde_json::Value {
+    json!({"name": file_name(&file.path), "sha256": file.sha256})
+}
+
+fn file_name(path: &Path) -> Option<String> {
+    path.file_name().map(|name| name.to_string_lossy().into_owned())
 }
 
 /// A folder in which all of this was done before; `None` where something is left to do.

@@ -126,6 +126,8 @@ pub struct Inventory {
     pub carried: Vec<String>,
     /// The rows, in the order of the file.
     pub items: Vec<Item>,
+    /// The libraries of the user that its names were looked up in.
+    pub libraries: Vec<crate::input::InputFile>,
     /// How the input was read, and what is doubtful.
     pub warnings: Vec<String>,
 }

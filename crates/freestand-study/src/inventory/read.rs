@@ -126,6 +126,7 @@ pub fn parse_inventory(
     find_duplicates(&items, &layout, &mut findings);
     warnings.extend(findings.finish()?);
     let inventory = Inventory {
+        libraries: Vec::new(),
         path: path.to_path_buf(),
         sha256,
         sheet: source.sheet,

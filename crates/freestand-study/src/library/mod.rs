@@ -17,7 +17,44 @@ pub use entry::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, to_tolerance};
 pub use restitution::{RESTITUTION_FACTORS, RestitutionFactor, restitution_factor};
 pub use tolerances::Library;
 
+use std::path::Path;
+
 use crate::cushion::CushionWords;
+use crate::error::StudyError;
+use crate::inventory::Lookup;
+
+/// Both libraries, with what files of the user put over them.
+#[derive(Debug, Clone)]
+pub struct Libraries {
+    /// What objects stand.
+    pub tolerances: Library,
+    /// What they stand on.
+    pub cushions: CushionLibrary,
+}
+
+impl Libraries {
+    /// The built-in ones, under the files that are named.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or everything that is wrong with it.
+    pub fn with_files(tolerances: Option<&Path>, cushions: Option<&Path>) -> Result<Self, StudyError> {
+        Ok(Self {
+            tolerances: tolerances.map_or_else(|| Ok(Library::builtin()), Library::with_file)?,
+            cushions: cushions.map_or_else(|| Ok(CushionLibrary::builtin()), CushionLibrary::with_file)?,
+        })
+    }
+
+    /// What a reader of inventories looks names up in. A fragility is no tolerance, and is not among the names.
+    pub fn looked_up<T>(&self, read: impl FnOnce(&Lookup) -> T) -> T {
+        let names = self.tolerances.entries().iter().filter(|entry| to_tolerance(entry).is_some());
+        read(&Lookup {
+            tolerance: &|id| self.tolerances.find(id).and_then(to_tolerance),
+            cushion: &|id| self.cushions.prior(id).ok(),
+            tolerance_names: &names.map(|entry| entry.id.clone()).collect::<Vec<_>>(),
+            cushion_names: &self.cushions.entries().iter().map(|entry| entry.id.clone()).collect::<Vec<_>>(),
+        })
+    }
+}
 
 /// How sure a number is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]

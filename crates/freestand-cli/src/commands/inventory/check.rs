@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand_study::cushion::cushion_words;
-use freestand_study::inventory::{Inventory, Item, Lookup, Reading, inspect_inventory};
+use freestand_study::inventory::{Inventory, Item, Reading, inspect_inventory};
+use freestand_study::library::Libraries;
 use freestand_study::quantity::{Dimension, format_si};
 use serde::Serialize;
 
@@ -29,6 +30,12 @@ pub(crate) struct CheckArgs {
     /// Sheet of a workbook [default: the first with headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
+    /// Tolerance library of your own (CSV), over the built-in one
+    #[arg(long, value_name = "LIBRARY.csv")]
+    library: Option<PathBuf>,
+    /// Cushion library of your own (CSV), over the built-in one
+    #[arg(long, value_name = "LIBRARY.csv")]
+    cushion_library: Option<PathBuf>,
 }
 
 /// So many rows are shown.
@@ -89,7 +96,8 @@ struct RowReport {
 
 pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let files = Files::begin(global, std::slice::from_ref(&args.file))?;
-    let reading = inspect_inventory(&args.file, args.sheet.as_deref(), &Lookup::NONE)?;
+    let libraries = Libraries::with_files(args.library.as_deref(), args.cushion_library.as_deref())?;
+    let reading = libraries.looked_up(|lookup| inspect_inventory(&args.file, args.sheet.as_deref(), lookup))?;
     let report = report(&reading);
     files.print(printer, SCHEMA, &report, &reading.inventory.warnings, || text(&report, &reading.inventory))?;
     Ok(Done::OK)
