@@ -57,7 +57,8 @@ fn shaking(study: &Study) -> String {
 }
 
 fn assumptions(study: &Study) -> Vec<String> {
-    let Settings { accepted, spread, friction_ratio, draws, most_draws, pad_strain_ratio, .. } = &study.assessment;
+    let Settings { accepted, spread, friction_ratio, draws, most_draws, pad_strain_ratio, pad_damping_ratio, .. } =
+        &study.assessment;
     let percent = |share: f64| format!("{} %", number(100.0 * share, 3));
     vec![
         "Every probability is that of this shaking: it is not a probability in a year.".to_owned(),
@@ -83,8 +84,10 @@ fn assumptions(study: &Study) -> Vec<String> {
             friction_ratio.0, friction_ratio.1
         ),
         format!(
-            "A softer pad may be pressed to {} of its thickness (20 mm where nobody says it).",
-            percent(*pad_strain_ratio)
+            "A softer pad may be pressed to {} of its thickness (20 mm where nobody says it). On the compliant base a pad of which only the \
+             stiffness is known is damped by {} of critical; without damping objects bounce far higher.",
+            percent(*pad_strain_ratio),
+            percent(*pad_damping_ratio)
         ),
         "Objects stand alone, on a level floor that does not give, and shake in one plane at a time; the floor shakes as if they were not there."
             .to_owned(),

@@ -2,12 +2,12 @@
 
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantAccuracy, CompliantBase, CompliantOptions, CompliantRocking, rock_compliant};
-use freestand::cushion::Cushion;
+use freestand::cushion::{ContactLaw, Cushion};
 use freestand::rocking::{Base, Outcome};
 
 use super::Context;
 use super::capacity::{Capacity, Terms};
-use super::object::{Body, Hit};
+use super::object::Hit;
 use super::response::{AxisMotion, governing, overturned};
 use super::result::{CompliantCheck, Probability, Softening};
 use super::uncertainty::shares;
@@ -26,6 +26,12 @@ const TRIED_MOTIONS: usize = 3;
 
 /// Thickness of a pad of which nobody says it: as the guard against N/m typed for N/mm has it \[m\].
 const ASSUMED_PAD_M: f64 = 0.02;
+
+/// Pads that are tried on the compliant base, each of [`NEXT_PAD`] of the one before.
+const TRIED_PADS: i32 = 8;
+
+/// A step between pads that are sold in hardnesses.
+const NEXT_PAD: f64 = 0.7;
 
 /// How much below its limit the stiffness of a softer pad is taken, so that rounding does not undo it.
 const SOFTER_SHARE: f64 = 0.999;
@@ -48,7 +54,7 @@ pub(super) fn second_opinion(
     let (mut motions, mut fallen) = (0, 0);
     let is_near = |one: &AxisMotion| one.terms.is_some_and(|terms| terms.ratio(1.0) >= FROM_DEMAND);
     for (motion, axis, one) in tried(found, order).into_iter().filter(|(.., one)| is_near(one)) {
-        let Some(compliant) = follow(found, body, &body.cushion, motion, axis) else { continue };
+        let Some(compliant) = follow(context, found, &body.cushion, (motion, axis)) else { continue };
         motions += 1;
         if compliant.outcome == Outcome::Overturned {
             fallen += 1;
@@ -85,10 +91,25 @@ fn tried<'a>(found: &'a Found, order: &[usize]) -> Vec<(usize, usize, &'a AxisMo
     chosen.iter().filter_map(governing).collect()
 }
 
-/// The history on a cushion, in the direction that lifts the object most; `None` where it cannot be followed.
-fn follow(found: &Found, body: &Body, cushion: &Cushion, motion: usize, axis: usize) -> Option<CompliantRocking> {
+/// The history on a cushion, in the direction that lifts the object most; `None` where it cannot be followed. A spring is damped: by
+/// itself it would give back all that it took.
+fn follow(
+    context: &Context,
+    found: &Found,
+    cushion: &Cushion,
+    (motion, axis): (usize, usize),
+) -> Option<CompliantRocking> {
     let block = &found.member.subject.axes[axis].block;
-    let base = CompliantBase::new(body.mass_kg, cushion.clone());
+    let mass_kg = found.body()?.mass_kg;
+    let cushion = match cushion.linear_stiffness_n_m() {
+        Some(stiffness_n_m) => {
+            let critical_n_s_m = 2.0 * (stiffness_n_m * mass_kg).sqrt();
+            let damping_n_s_m = context.study.assessment.pad_damping_ratio * critical_n_s_m;
+            Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).ok()?
+        }
+        None => cushion.clone(),
+    };
+    let base = CompliantBase::new(mass_kg, cushion);
     let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
     let histories = found.floor.motions[motion].iter().filter_map(|direction| {
         rock_compliant(block, &base, Base { horizontal: Some(direction), vertical: None }, &options).ok()
@@ -124,8 +145,27 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
         let middle = 0.5 * (low + high);
         if probability(middle) > accepted { high = middle } else { low = middle }
     }
-    let max_stiffness_n_m = SOFTER_SHARE * stiffness_n_m * low.exp();
-    Some(tried_softer(context, found, order, body, capacity, max_stiffness_n_m))
+    let most_n_m = SOFTER_SHARE * stiffness_n_m * low.exp();
+    let tries = (0..TRIED_PADS).map(|i| most_n_m * NEXT_PAD.powi(i));
+    let mut softest = None;
+    for max_stiffness_n_m in tries {
+        let tried = tried_softer(context, found, order, capacity, (stiffness_n_m, max_stiffness_n_m));
+        if tried.admissible {
+            return Some(tried);
+        }
+        let presses = tried.stroke_m.is_none_or(|stroke_m| stroke_m > limit_m(context, tried.pad_thickness_m));
+        softest = Some(tried);
+        // Still softer ones are pressed still further.
+        if presses {
+            break;
+        }
+    }
+    softest
+}
+
+/// Compression that is admitted.
+fn limit_m(context: &Context, pad_thickness_m: f64) -> f64 {
+    context.study.assessment.pad_strain_ratio * pad_thickness_m
 }
 
 /// The factor on a shock when the stiffness has a factor.
@@ -140,12 +180,11 @@ fn tried_softer(
     context: &Context,
     found: &Found,
     order: &[usize],
-    body: &Body,
     capacity: &Capacity,
-    max_stiffness_n_m: f64,
+    (now_n_m, max_stiffness_n_m): (f64, f64),
 ) -> Softening {
-    let pad_thickness_m = body.pad_thickness_m.unwrap_or(ASSUMED_PAD_M);
-    let limit_m = context.study.assessment.pad_strain_ratio * pad_thickness_m;
+    let stated_m = found.body().and_then(|body| body.pad_thickness_m);
+    let pad_thickness_m = stated_m.unwrap_or(ASSUMED_PAD_M);
     let mut softening = Softening {
         max_stiffness_n_m: Some(max_stiffness_n_m),
         stroke_m: None,
@@ -154,17 +193,15 @@ fn tried_softer(
         admissible: false,
         note: String::new(),
     };
-    let (Ok(cushion), Some(now_n_m)) = (Cushion::linear(max_stiffness_n_m), body.cushion.linear_stiffness_n_m()) else {
-        return softening;
-    };
+    let Ok(cushion) = Cushion::linear(max_stiffness_n_m) else { return softening };
     let factor = max_stiffness_n_m / now_n_m;
     let stiffness = format!("{} N/mm", number(max_stiffness_n_m / 1e3, 3));
-    let assumed = if body.pad_thickness_m.is_none() { " (assumed)" } else { "" };
+    let assumed = if stated_m.is_none() { " (assumed)" } else { "" };
     let mut fallen = 0;
     let (mut stroke_m, mut shock_m_s2, mut ratio) = (0.0f64, 0.0f64, 0.0f64);
     let tried = tried(found, order);
     for (motion, axis, one) in &tried {
-        let Some(compliant) = follow(found, body, &cushion, *motion, *axis) else {
+        let Some(compliant) = follow(context, found, &cushion, (*motion, *axis)) else {
             softening.note = format!("on {stiffness} it does not stand, or its motion cannot be followed");
             return softening;
         };
@@ -190,7 +227,7 @@ fn tried_softer(
             false,
             format!("on {stiffness} it overturns under {fallen} of the {} motions that were run again", tried.len()),
         )
-    } else if stroke_m > limit_m {
+    } else if stroke_m > limit_m(context, pad_thickness_m) {
         let share = number(100.0 * context.study.assessment.pad_strain_ratio, 3);
         (false, format!("at most {stiffness} would do, but it is {pressed}, more than {share} %: it bottoms"))
     } else if ratio > 1.0 {

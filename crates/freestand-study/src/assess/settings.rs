@@ -27,6 +27,8 @@ pub struct Settings {
     pub friction_ratio: (f64, f64),
     /// Compression of a pad over its thickness, at most.
     pub pad_strain_ratio: f64,
+    /// Damping of a pad of which only the stiffness is known, on the compliant base: a spring alone would give back what no pad does.
+    pub pad_damping_ratio: f64,
     /// Whether objects near the line are tried on a compliant base.
     pub compliant: bool,
     /// Whether objects that are far from the line on the spectra of their floor get no histories of their own.
@@ -78,6 +80,7 @@ impl Default for Settings {
             spread: Spread { restitution: 0.1, stiffness: 0.15, mass: 0.1, geometry: 0.02, model: 0.085 },
             friction_ratio: (0.2, 0.8),
             pad_strain_ratio: 0.5,
+            pad_damping_ratio: 0.2,
             compliant: true,
             screen: false,
             pages: 200,

@@ -46,6 +46,7 @@ impl Resolver<'_> {
             },
             friction_ratio: self.friction(written, defaults.friction_ratio),
             pad_strain_ratio: self.pad_strain(&written.pad_strain, defaults.pad_strain_ratio),
+            pad_damping_ratio: self.spread("pad_damping", &written.pad_damping, defaults.pad_damping_ratio),
             compliant: or(&written.compliant, defaults.compliant),
             screen: or(&written.screen, defaults.screen),
             pages: usize::try_from(or(&written.pages, defaults.pages as u64)).unwrap_or(usize::MAX),
