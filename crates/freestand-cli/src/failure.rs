@@ -10,6 +10,8 @@ pub(crate) enum Failure {
     Problems(Vec<Problem>),
     /// The user stopped it; whether part of the result was printed before.
     Stopped { printed: bool },
+    /// The user stopped it, and what was finished has been written.
+    StoppedAfterWriting,
     /// Standard output was closed by its reader.
     BrokenPipe,
 }

@@ -56,6 +56,11 @@ fn main() -> ExitCode {
             printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
         }
+        Err(Failure::StoppedAfterWriting) => {
+            let hint = "what was finished has been written; go on with --resume";
+            printer::print_failure(&Failure::usage("stopped", hint));
+            ExitCode::from(stop::EXIT_STATUS)
+        }
         Err(failure) => {
             printer::print_failure(&failure);
             ExitCode::from(2)

@@ -96,7 +96,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     let report = report?;
     printer.result(SCHEMA, &report, &report.warnings, || text(&report))?;
     if report.interrupted {
-        return Err(Failure::Stopped { printed: true });
+        return Err(Failure::StoppedAfterWriting);
     }
     Ok(Done { criterion_met: report.failed == 0 })
 }

@@ -1,6 +1,5 @@
 //! What stands beside our own numbers: code accelerations, other people's fragilities, forces to fix an object with.
 
-use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
@@ -21,17 +20,17 @@ const P58_BETA: f64 = 0.5;
 /// Median of those fragilities over the velocity of Kaneko and Hayashi: all nine lie at 0.75 to 0.81 of it.
 const P58_SHARE: f64 = 0.8;
 
-impl Context<'_> {
-    /// Largest friction that the rocking takes; 0 where the history cannot be followed.
-    pub(super) fn friction_needed_ratio(&self, block: &Block, motion: &Motion, restitution: Restitution) -> f64 {
-        let base = Base { horizontal: Some(motion), vertical: None };
-        let mut most = 0.0f64;
-        let done = rock_observed(block, base, &options(restitution), |segment| {
-            most = most.max(segment.friction_needed_ratio());
-        });
-        if done.is_ok() && most.is_finite() { most } else { 0.0 }
-    }
+/// Largest friction that the rocking takes; `None` where the history cannot be followed.
+pub(super) fn friction_needed_ratio(block: &Block, motion: &Motion, restitution: Restitution) -> Option<f64> {
+    let base = Base { horizontal: Some(motion), vertical: None };
+    let mut most = 0.0f64;
+    let done = rock_observed(block, base, &options(restitution), |segment| {
+        most = most.max(segment.friction_needed_ratio());
+    });
+    done.ok().map(|_| most)
+}
 
+impl Context<'_> {
     /// Other people's numbers, one sentence each.
     pub(super) fn beside(&self, found: &Found) -> Vec<String> {
         let facts = &found.floor.facts;
@@ -63,15 +62,12 @@ impl Context<'_> {
                 number(facts.pfv_m_s_median, 3)
             ));
         }
-        if let Some(shock) = found.body().map(|_| found.floor.pfa_m_s2.iter().copied().fold(0.0, f64::max)) {
-            let thresholds =
-                found.member.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
-            lines.push(format!(
-                "it lifts off above {} g; the hardest motion of its floor has {} g",
-                number(thresholds.fold(f64::INFINITY, f64::min), 3),
-                number(shock / G0_M_S2, 3)
-            ));
-        }
+        let thresholds = found.member.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
+        lines.push(format!(
+            "it lifts off above {} g; the hardest motion of its floor has {} g",
+            number(thresholds.fold(f64::INFINITY, f64::min), 3),
+            number(facts.pfa_g_max, 3)
+        ));
         lines
     }
 

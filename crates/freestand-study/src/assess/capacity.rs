@@ -4,7 +4,6 @@
 use std::sync::OnceLock;
 
 use freestand::G0_M_S2;
-use freestand::damage_boundary::DamageBoundary;
 use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use rayon::prelude::*;
 
@@ -16,7 +15,6 @@ use crate::words::number;
 pub(super) struct Capacity {
     pub(super) peak_m_s2: Option<f64>,
     pub(super) duration_s: Option<f64>,
-    pub(super) boundary: Option<DamageBoundary>,
     pub(super) velocity_change_m_s: Option<f64>,
     pub(super) edge_lift_m: Option<f64>,
     pub(super) decides: bool,
@@ -30,36 +28,68 @@ pub(super) struct Demand {
     pub(super) duration_s: f64,
 }
 
-/// Demand over capacity in three parts: `max(min(acceleration · f, velocity_change), lift, floor)`, where f is a factor on the
-/// shock of the edge.
+/// Demand over capacity in its parts: `max(min(acceleration · f, velocity_change), spectrum · s, lift, floor)`, where f and s are
+/// [`Factors`] on the shock of the edge.
 ///
-/// The acceleration is that of a peak or a spectrum, or A/A_c of a damage boundary, whose other leg Δv/V_c caps it: neither that nor a
-/// lift depends on the stiffness.
+/// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps it: neither that nor a lift depends on the
+/// stiffness. The spectrum is that of a survived pulse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Terms {
     pub(super) acceleration: f64,
     pub(super) velocity_change: f64,
+    pub(super) spectrum: f64,
     pub(super) lift: f64,
     pub(super) floor: f64,
     /// Duration of the pulse \[s\], which a spectrum depends on; 0 where it does not rock.
     pub(super) duration_s: f64,
 }
 
+/// Factors on the peak of a shock, and on what its spectrum is over that of the survived pulse.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Factors {
+    pub(super) peak: f64,
+    pub(super) spectrum: f64,
+}
+
+impl Factors {
+    pub(super) const ONE: Self = Self::of(1.0);
+
+    /// A harder shock of the same duration.
+    pub(super) const fn of(harder: f64) -> Self {
+        Self { peak: harder, spectrum: harder }
+    }
+
+    pub(super) fn times(self, harder: f64) -> Self {
+        Self { peak: self.peak * harder, spectrum: self.spectrum * harder }
+    }
+}
+
 impl Terms {
     pub(super) const OVERTURNED: Self = Self {
         acceleration: f64::INFINITY,
         velocity_change: f64::INFINITY,
+        spectrum: f64::INFINITY,
         lift: f64::INFINITY,
         floor: f64::INFINITY,
         duration_s: 0.0,
     };
 
-    /// Demand over capacity with a factor on the shock of the edge.
-    pub(super) fn ratio(&self, factor: f64) -> f64 {
+    /// Demand over capacity.
+    pub(super) fn ratio(&self) -> f64 {
+        self.ratio_by(Factors::ONE)
+    }
+
+    /// Demand over capacity with factors on the shock of the edge.
+    pub(super) fn ratio_by(&self, factors: Factors) -> f64 {
         if self.lift.is_infinite() {
             return f64::INFINITY;
         }
-        (self.acceleration * factor).min(self.velocity_change).max(self.lift).max(self.floor)
+        self.edge(factors.peak).max(self.spectrum * factors.spectrum).max(self.lift).max(self.floor)
+    }
+
+    /// The part of a peak or a damage boundary.
+    fn edge(&self, factor: f64) -> f64 {
+        (self.acceleration * factor).min(self.velocity_change)
     }
 
     /// The part that governs.
@@ -67,14 +97,14 @@ impl Terms {
         if self.lift.is_infinite() {
             return "overturning";
         }
-        let ratio = self.ratio(1.0);
-        if ratio == self.floor && self.floor > 0.0 {
-            "floor-acceleration"
-        } else if ratio == self.lift && self.lift > 0.0 {
-            "edge-lift"
-        } else {
-            capacity.edge_criterion()
-        }
+        let parts = [
+            (self.edge(1.0), capacity.edge_criterion()),
+            (self.spectrum, "spectrum"),
+            (self.lift, "edge-lift"),
+            (self.floor, "floor-acceleration"),
+        ];
+        let largest = parts.into_iter().reduce(|most, next| if next.0 > most.0 { next } else { most });
+        largest.map_or(capacity.edge_criterion(), |(_, name)| name)
     }
 }
 
@@ -82,11 +112,9 @@ impl Capacity {
     /// `None`: nothing that a shock could be compared with.
     pub(super) fn new(tolerance: &Tolerance) -> Option<Self> {
         let Tolerance { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m, .. } = *tolerance;
-        let boundary = peak_m_s2.zip(velocity_change_m_s).and_then(|(a, v)| DamageBoundary::new(a, v).ok());
         (peak_m_s2.is_some() || edge_lift_m.is_some() || velocity_change_m_s.is_some()).then(|| Self {
             peak_m_s2,
             duration_s,
-            boundary,
             velocity_change_m_s,
             edge_lift_m,
             decides: tolerance.confidence.decides(),
@@ -95,12 +123,12 @@ impl Capacity {
 
     /// The criterion of the shock of the edge.
     pub(super) fn edge_criterion(&self) -> &'static str {
-        match (self.boundary.is_some(), self.duration_s.is_some(), self.peak_m_s2.is_some()) {
-            (true, _, _) => "damage-boundary",
-            (false, true, true) => "spectrum",
-            (false, _, true) => "peak",
-            (false, _, false) if self.velocity_change_m_s.is_some() => "velocity-change",
-            _ => "edge-lift",
+        match (self.peak_m_s2, self.velocity_change_m_s, self.duration_s) {
+            (Some(_), Some(_), _) => "damage-boundary",
+            (Some(_), None, Some(_)) => "spectrum",
+            (Some(_), None, None) => "peak",
+            (None, Some(_), _) => "velocity-change",
+            (None, None, _) => "edge-lift",
         }
     }
 
@@ -121,27 +149,30 @@ impl Capacity {
     ) -> Option<Terms> {
         let lift = self.edge_lift_m.map_or(0.0, |survived_m| uplift_m / survived_m);
         let floor = self.peak_m_s2.map_or(0.0, |peak| floor_m_s2 / peak);
-        let still = Terms { acceleration: 0.0, velocity_change: f64::INFINITY, lift, floor, duration_s: 0.0 };
+        let still =
+            Terms { acceleration: 0.0, velocity_change: f64::INFINITY, spectrum: 0.0, lift, floor, duration_s: 0.0 };
         if is_at_rest || !self.needs_shock() {
             return Some(still);
         }
         let demand = demand?;
         let change = self.velocity_change_m_s.map(|limit| demand.velocity_change_m_s / limit);
-        // A boundary and a survived pulse: both must be exceeded for the one, the spectrum decides for the other.
-        let (acceleration, velocity_change) = match (self.peak_m_s2, self.duration_s, change) {
-            (Some(peak), _, Some(change)) => (demand.edge_m_s2 / peak, change),
-            (Some(peak), Some(_), None) => (demand.edge_m_s2 / peak * severity_ratio(demand.duration_s), f64::INFINITY),
-            (Some(peak), None, None) => (demand.edge_m_s2 / peak, f64::INFINITY),
+        let peak = self.peak_m_s2.map(|peak| demand.edge_m_s2 / peak);
+        // A peak that is part of a boundary or of a pulse does not count by itself.
+        let (acceleration, velocity_change) = match (peak, self.duration_s, change) {
+            (Some(peak), _, Some(change)) => (peak, change),
+            (Some(_), Some(_), None) | (None, _, None) => (0.0, f64::INFINITY),
+            (Some(peak), None, None) => (peak, f64::INFINITY),
             (None, _, Some(change)) => (f64::INFINITY, change),
-            (None, _, None) => return Some(still),
         };
-        Some(Terms { acceleration, velocity_change, lift, floor, duration_s: demand.duration_s })
+        let survived = peak.zip(self.duration_s);
+        let spectrum = survived.map_or(0.0, |(peak, _)| peak * severity_ratio(demand.duration_s));
+        Some(Terms { acceleration, velocity_change, spectrum, lift, floor, duration_s: demand.duration_s })
     }
 
     /// Severity of a pulse of a duration over the survived one at the same peak; 1 where no duration is known.
     pub(super) fn severity_ratio(&self, duration_s: f64) -> f64 {
         match self.duration_s {
-            Some(survived_s) if self.boundary.is_none() && duration_s > 0.0 => severity_ratio(duration_s / survived_s),
+            Some(survived_s) if duration_s > 0.0 => severity_ratio(duration_s / survived_s),
             _ => 1.0,
         }
     }
@@ -207,7 +238,7 @@ mod tests {
         let demand = Demand { edge_m_s2: edge_g * G0_M_S2, velocity_change_m_s: change, duration_s };
         let severity = |duration_s: f64| capacity.severity_ratio(duration_s);
         let terms = capacity.terms(Some(demand), false, lift_m, 0.3 * G0_M_S2, severity).unwrap();
-        (terms.ratio(1.0), terms.governing(&capacity))
+        (terms.ratio(), terms.governing(&capacity))
     }
 
     /// SHOCK.md 3d: the paper's cabinet (4.1 g, 17.8 ms, 0.5 m/s) passes a disk of 70 g, 0.874 m/s and fails a card of 5 g, 0.343 m/s on
@@ -220,6 +251,16 @@ mod tests {
         let (both, name) = ratio(&card, 6.0, 0.7, 0.0178, 0.0);
         assert!((both - 1.2).abs() < 1e-12 && name == "damage-boundary");
         assert!((ratio(&card, 60.0, 0.2, 0.0178, 0.0).0 - 0.2 / 0.343).abs() < 1e-12);
+    }
+
+    /// 4.5 g of 5 g and 0.5 m/s of 1 m/s are within the boundary, but 17.8 ms are harder than the 11 ms that were survived.
+    #[test]
+    fn a_boundary_does_not_hide_a_survived_pulse() {
+        let both = tolerance(Some(5.0), Some(0.011), Some(1.0), None);
+        let (most, name) = ratio(&both, 4.5, 0.5, 0.0178, 0.0);
+        assert!(most > 0.9 && name == "spectrum", "{most} {name}");
+        let pulse = tolerance(Some(5.0), Some(0.011), None, None);
+        assert_eq!(ratio(&pulse, 4.5, 0.5, 0.0178, 0.0).0, most);
     }
 
     #[test]
@@ -249,7 +290,7 @@ mod tests {
 
     #[test]
     fn a_fall_is_beyond_every_number() {
-        assert_eq!(Terms::OVERTURNED.ratio(1e-9), f64::INFINITY);
+        assert_eq!(Terms::OVERTURNED.ratio_by(Factors::of(1e-9)), f64::INFINITY);
         let capacity = Capacity::new(&tolerance(Some(5.0), None, None, None)).unwrap();
         assert_eq!(Terms::OVERTURNED.governing(&capacity), "overturning");
     }

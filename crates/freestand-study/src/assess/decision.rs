@@ -38,8 +38,14 @@ pub(super) struct Case<'a> {
     pub(super) pfa_g: f64,
     /// Demand over capacity of the hardest motion; without a tolerance, rotation over that of overturning.
     pub(super) hardest: f64,
+    /// Share of the motions or draws whose histories could not be followed.
+    pub(super) unknown_ratio: f64,
+    /// Whether its pads are pressed beyond their thickness, where the shock is no longer what was computed.
+    pub(super) bottoms: bool,
     /// Whether the shock alone brings it above, so that a softer pad may help; and whether one does, with what was checked.
     pub(super) softer: Option<(bool, &'a str)>,
+    /// Why no softer pad was found.
+    pub(super) beyond_pads: &'a str,
     /// The larger probability that the compliant base gives.
     pub(super) p_compliant: Option<f64>,
     pub(super) tolerance_source: &'a str,
@@ -74,6 +80,19 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
     }
     let compliant = case.p_compliant.filter(|p| *p > case.accepted_ratio && p_exceed.value <= case.accepted_ratio);
     if p_exceed.value <= case.accepted_ratio && compliant.is_none() {
+        if p_exceed.value + case.unknown_ratio > case.accepted_ratio {
+            let share = percent(case.unknown_ratio);
+            return (
+                Decision::NoVerdict,
+                format!("{rocking}; {exceed}, but {share} of its histories could not be followed."),
+            );
+        }
+        if case.bottoms {
+            let why = format!(
+                "{rocking}; {exceed} on a straight line, but its pads are pressed beyond their thickness: give their law."
+            );
+            return (Decision::NoVerdict, why);
+        }
         return (
             Decision::Leave,
             format!("{rocking}; {exceed}, within the accepted {limit}.{}", doubt(p_exceed, case)),
@@ -94,14 +113,7 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
                 "{above}; the floor itself exceeds it, which neither a pad nor a fixing lowers: fix it and move it to a lower floor or isolate it."
             ),
         ),
-        (None, governing) => {
-            let what = match governing {
-                Some("edge-lift") => "the lift of the edge",
-                Some("overturning") => "the fall",
-                _ => "the velocity change",
-            };
-            (Decision::Restrain, format!("{above}; no pad helps: {what} does not depend on its stiffness."))
-        }
+        (None, _) => (Decision::Restrain, format!("{above}; no pad helps: {}.", case.beyond_pads)),
     }
 }
 
@@ -157,7 +169,10 @@ mod tests {
             missing: &[],
             pfa_g: 0.2,
             hardest: 0.9,
+            unknown_ratio: 0.0,
+            bottoms: false,
             softer: None,
+            beyond_pads: "",
             p_compliant: None,
             tolerance_source: "a test",
         }
@@ -179,6 +194,8 @@ mod tests {
             Decision::Restrain
         );
         assert_eq!(decided(Case { p_compliant: Some(0.2), ..case() }), Decision::Restrain);
+        assert_eq!(decided(Case { unknown_ratio: 0.2, ..case() }), Decision::NoVerdict);
+        assert_eq!(decided(Case { bottoms: true, ..case() }), Decision::NoVerdict);
         assert_eq!(decided(Case { p_exceed: None, missing: &["tolerance"], ..case() }), Decision::NoVerdict);
         // A recalled tolerance decides neither way, but a fall needs none.
         assert_eq!(decided(Case { decides: false, ..case() }), Decision::NoVerdict);

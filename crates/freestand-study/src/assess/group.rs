@@ -216,7 +216,7 @@ fn draw_all(
         open.retain(|i| {
             let is_enough = |by_motion: Vec<f64>| enough(&by_motion, to, members[*i].accepted_ratio);
             let Some(draws) = of.get(i) else { return false };
-            !(is_enough(shares(draws, |one| one.overturned)) && is_enough(shares(draws, |one| one.exceeds(|_, _| 1.0))))
+            !(is_enough(shares(draws, |one| one.overturned)) && is_enough(shares(draws, |one| one.exceeds())))
         });
         (from, to) = (to, (2 * to).min(settings.most_draws));
     }

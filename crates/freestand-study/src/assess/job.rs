@@ -106,7 +106,7 @@ pub fn assess_into(
     let key = fingerprint(study, inventory);
     let head = head(study, inventory);
     if job.resume
-        && let Some(report) = finished(target, &key, inventory, job)
+        && let Some(report) = finished(target, &key, (study, inventory), job)
     {
         return Ok(report);
     }
@@ -160,13 +160,26 @@ fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Pa
     }
 }
 
-/// What does not hang on how the run went: the same inputs give the same bytes, however often it was stopped.
-fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str) -> Result<String, Problem> {
+/// Everything that was read, and what outputs depend on beside the results.
+fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
     let recorded: Vec<_> = study
         .ground
         .recorded(&study.levels)
         .map(|motion| json!({"name": motion.name, "sha256": motion.sha256}))
         .collect();
+    json!({
+        "inventory": {"name": file_name(&inventory.path), "sha256": inventory.sha256},
+        "libraries": inventory.libraries.iter().map(input).collect::<Vec<_>>(),
+        "study": study.toml,
+        "records": recorded,
+        "motion_seed": study.ground.seed(),
+        "draw_seed": study.assessment.seed,
+        "pages": study.assessment.pages,
+    })
+}
+
+/// What does not hang on how the run went: the same inputs give the same bytes, however often it was stopped.
+fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str) -> Result<String, Problem> {
     let body = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "key": key,
@@ -176,12 +189,7 @@ fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str)
         "decisions": report.decisions,
         "tiers": report.tiers,
         "failed": report.failed,
-        "inventory": {"name": file_name(&inventory.path), "sha256": inventory.sha256},
-        "libraries": inventory.libraries.iter().map(input).collect::<Vec<_>>(),
-        "study": study.toml,
-        "records": recorded,
-        "motion_seed": study.ground.seed(),
-        "draw_seed": study.assessment.seed,
+        "inputs": inputs(study, inventory),
         "files": report.files,
     });
     document(SCHEMA, &body, &report.warnings)
@@ -196,10 +204,14 @@ fn file_name(path: &Path) -> Option<String> {
 }
 
 /// A folder in which all of this was done before; `None` where something is left to do.
-fn finished(target: &Path, key: &str, inventory: &Inventory, job: &Job) -> Option<JobReport> {
+fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), job: &Job) -> Option<JobReport> {
     let manifest: serde_json::Value = serde_json::from_slice(&std::fs::read(target.join(MANIFEST)).ok()?).ok()?;
     let has = |name: &str, value: serde_json::Value| manifest.get(name).is_some_and(|found| *found == value);
-    if !(has("schema", json!(SCHEMA)) && has("key", json!(key)) && has("complete", json!(true))) {
+    if !(has("schema", json!(SCHEMA))
+        && has("key", json!(key))
+        && has("complete", json!(true))
+        && has("inputs", inputs(study, inventory)))
+    {
         return None;
     }
     let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;

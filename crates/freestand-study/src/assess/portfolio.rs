@@ -13,6 +13,7 @@ use super::group::{Member, assess_group};
 use super::hazard::Hazard;
 use super::object::Subject;
 use super::result::{Assessment, Decision};
+use super::settings::Settings;
 use super::store::Store;
 use super::uncertainty::key;
 use super::{Context, Row, STOPPED, blank};
@@ -24,6 +25,9 @@ use crate::study::Study;
 
 /// Objects of a part: some seconds of work, which is what a kill may cost.
 const PART: usize = 256;
+
+/// Draws whose outcomes are held at once: some 250 MB.
+const MOST_OUTCOMES: usize = 2_000_000;
 
 /// Levels whose motions are held at once: 32 floors of 20 motions of a minute are some 100 MB.
 const LEVELS_AT_ONCE: usize = 32;
@@ -153,7 +157,10 @@ pub(super) fn fingerprint(study: &Study, inventory: &Inventory) -> String {
         }
     }
     let mut hasher = Hasher(Sha256::new());
-    let Study { ground, directions_deg, building, levels, assessment, .. } = study;
+    let Study { ground, directions_deg, building, levels, .. } = study;
+    // Where files are, and how many pages are printed, is nothing to the results.
+    let assessment =
+        Settings { inventory: None, library: None, cushion_library: None, pages: 0, ..study.assessment.clone() };
     let version = env!("CARGO_PKG_VERSION");
     // A hasher takes every text.
     let _ =
@@ -198,8 +205,12 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
                 found[*place] = Some(Assessment { why, ..blank(item, limit, None) });
             }
         }
-        for (place, assessed) in places.into_iter().zip(assess_group(context, &floors, &members)?) {
-            found[place] = Some(assessed);
+        // Many draws under many motions are many numbers: fewer objects at a time then.
+        let at_once = (MOST_OUTCOMES / (context.names.len() * settings.most_draws as usize).max(1)).max(1);
+        for (places, members) in places.chunks(at_once).zip(members.chunks(at_once)) {
+            for (place, assessed) in places.iter().zip(assess_group(context, &floors, members)?) {
+                found[*place] = Some(assessed);
+            }
         }
     }
     Ok(found.into_iter().flatten().collect())
@@ -253,7 +264,12 @@ impl<'a> Portfolio<'a> {
             if let Some(tier) = self.tiers.get_mut(usize::from(one.tier)) {
                 *tier += 1;
             }
-            self.failed += usize::from(one.response.as_ref().is_some_and(|response| response.failed > 0));
+            let is_failed = match (&one.response, &one.floor) {
+                (Some(response), _) => response.failed > 0,
+                // Its floor is known, and no motion of it could be followed.
+                (None, floor) => floor.is_some(),
+            };
+            self.failed += usize::from(is_failed);
         }
     }
 

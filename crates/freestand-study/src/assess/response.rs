@@ -118,11 +118,13 @@ pub(super) fn lifts(axes: &[AxisMotion]) -> bool {
     axes.iter().any(|one| one.rocking.outcome != Outcome::NoUplift)
 }
 
-/// The axis that governs: that which overturns, then that with the harder shock, then that which rises higher.
+/// The axis that governs: that which overturns, then that with the larger demand over capacity, with the harder shock, with the higher
+/// rise.
 pub(super) fn governing(axes: &[AxisMotion]) -> Option<(usize, &AxisMotion)> {
     let rank = |one: &AxisMotion| {
         let shock_g = one.hit.as_ref().map_or(0.0, Hit::larger_g);
-        (one.rocking.outcome == Outcome::Overturned, shock_g, one.rocking.cg_rise_m)
+        let ratio = one.terms.map_or(0.0, |terms| terms.ratio());
+        (one.rocking.outcome == Outcome::Overturned, ratio, shock_g, one.rocking.cg_rise_m)
     };
     axes.iter().enumerate().reduce(|most, next| if rank(next.1) > rank(most.1) { next } else { most })
 }
@@ -137,5 +139,5 @@ pub(super) fn demand_capacity(axes: &[AxisMotion]) -> Option<f64> {
     if overturned(axes) {
         return Some(f64::INFINITY);
     }
-    axes.iter().map(|one| Some(one.terms?.ratio(1.0))).try_fold(0.0, |most: f64, ratio| Some(most.max(ratio?)))
+    axes.iter().map(|one| Some(one.terms?.ratio())).try_fold(0.0, |most: f64, ratio| Some(most.max(ratio?)))
 }

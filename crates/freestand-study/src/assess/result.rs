@@ -168,7 +168,7 @@ pub struct Shock {
     pub ceiling_g: f64,
     /// Stiffness under one edge \[N/m\]; `None` for a law that has none.
     pub stiffness_n_m: Option<f64>,
-    /// Impacts above the tolerance under the worst motion that it survives; `None` without a peak tolerance.
+    /// Impacts above the peak that it stands, under the hardest motion that it survives; `None` without such a peak.
     pub impacts_above_tolerance: Option<usize>,
 }
 
@@ -232,7 +232,7 @@ pub struct CompliantCheck {
     pub agrees: bool,
 }
 
-/// A bar of the tornado: P(exceed), or P(overturn) without a tolerance, with one value at either end of its range.
+/// A bar of the tornado: one value at either end of its range, the others as they are.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Swing {
     /// `stiffness`, `restitution`, `mass`, `motion`, `model`, `geometry`.
@@ -247,7 +247,7 @@ pub struct Swing {
     pub at_high: Ranked,
     /// As it is.
     pub as_is: Ranked,
-    /// Whether the decision is another one at either end.
+    /// Whether at either end more motions than are accepted are beyond what is stood, or no more are.
     pub flips: bool,
 }
 

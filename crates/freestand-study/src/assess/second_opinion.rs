@@ -6,11 +6,11 @@ use freestand::cushion::{ContactLaw, Cushion};
 use freestand::rocking::{Base, Outcome};
 
 use super::Context;
-use super::capacity::{Capacity, Terms};
+use super::capacity::{Capacity, Factors, Terms};
 use super::object::Hit;
 use super::response::{AxisMotion, governing, overturned};
 use super::result::{CompliantCheck, Probability, Softening};
-use super::uncertainty::shares;
+use super::uncertainty::{Outcome as Draw, shares};
 use super::verdict::Found;
 use crate::words::number;
 
@@ -33,6 +33,9 @@ const TRIED_PADS: i32 = 8;
 /// A step between pads that are sold in hardnesses.
 const NEXT_PAD: f64 = 0.7;
 
+/// Factor on a stiffness that leaves no pad.
+const SOFTEST: f64 = 1e-6;
+
 /// How much below its limit the stiffness of a softer pad is taken, so that rounding does not undo it.
 const SOFTER_SHARE: f64 = 0.999;
 
@@ -51,13 +54,13 @@ pub(super) fn second_opinion(
         return None;
     }
     let mut ratios = Vec::new();
-    let (mut motions, mut fallen) = (0, 0);
-    let is_near = |one: &AxisMotion| one.terms.is_some_and(|terms| terms.ratio(1.0) >= FROM_DEMAND);
+    let (mut motions, mut fallen) = (0, Vec::new());
+    let is_near = |one: &AxisMotion| one.terms.is_some_and(|terms| terms.ratio() >= FROM_DEMAND);
     for (motion, axis, one) in tried(found, order).into_iter().filter(|(.., one)| is_near(one)) {
         let Some(compliant) = follow(context, found, &body.cushion, (motion, axis)) else { continue };
         motions += 1;
         if compliant.outcome == Outcome::Overturned {
-            fallen += 1;
+            fallen.push(motion);
         } else if let Some(paper_g) = one.hit.as_ref().map(Hit::larger_g).filter(|g| *g > 0.0) {
             ratios.push(compliant.peak_edge_acceleration_m_s2() / G0_M_S2 / paper_g);
         }
@@ -67,11 +70,19 @@ pub(super) fn second_opinion(
     }
     ratios.sort_unstable_by(f64::total_cmp);
     let shock_ratio = ratios.get(ratios.len() / 2).copied();
-    let harder = |terms: &Terms| if terms.ratio(1.0) >= FROM_DEMAND { shock_ratio.unwrap_or(1.0) } else { 1.0 };
-    let by_motion = shares(draws, |one| one.exceeds(|_, terms| harder(terms)));
+    let harder = |terms: &Terms| {
+        let is_near = terms.ratio() >= FROM_DEMAND;
+        if is_near { Factors::of(shock_ratio.unwrap_or(1.0)) } else { Factors::ONE }
+    };
+    // Where it falls, every draw counts as exceeded.
+    let share = |(motion, own): (usize, &Vec<Draw>)| {
+        let exceeded = own.iter().filter(|one| one.exceeds_by(harder)).count();
+        if fallen.contains(&motion) { 1.0 } else { exceeded as f64 / own.len() as f64 }
+    };
+    let by_motion: Vec<f64> = draws.iter().enumerate().filter(|(_, own)| !own.is_empty()).map(share).collect();
     let p = by_motion.iter().sum::<f64>() / by_motion.len().max(1) as f64;
     let agrees = (p > accepted) == (p_exceed.value > accepted);
-    Some((CompliantCheck { motions, overturned: fallen, shock_ratio, agrees }, p))
+    Some((CompliantCheck { motions, overturned: fallen.len(), shock_ratio, agrees }, p))
 }
 
 /// The motions that the object survives nearest to the one that decides, each with the axis that governs.
@@ -133,11 +144,11 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
     let accepted = found.member.accepted_ratio;
     let probability = |log_factor: f64| {
         let by_motion =
-            shares(draws, |one| one.exceeds(|_, terms| harder * softened(capacity, terms, log_factor.exp())));
+            shares(draws, |one| one.exceeds_by(|terms| softened(capacity, terms, log_factor.exp()).times(harder)));
         by_motion.iter().sum::<f64>() / by_motion.len().max(1) as f64
     };
     // A millionth of the stiffness is no pad: what is above the limit there does not hang on the stiffness.
-    let (mut low, mut high) = (1e-6f64.ln(), 0.0);
+    let (mut low, mut high) = (SOFTEST.ln(), 0.0);
     if probability(low) > accepted {
         return None;
     }
@@ -163,16 +174,43 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
     softest
 }
 
+/// Why no pad helps an object whose probability stays above the accepted one on the softest of all: what most of the draws that exceed
+/// then exceed.
+pub(super) fn beyond_pads(found: &Found) -> &'static str {
+    let (Some(body), Some(capacity), Some(draws)) = (found.body(), found.capacity(), found.draws.as_ref()) else {
+        return "nothing is known of its pads";
+    };
+    if body.cushion.linear_stiffness_n_m().is_none() {
+        return "its cushion is no spring, and softer ones are not looked for";
+    }
+    let soft = |terms: &Terms| softened(capacity, terms, SOFTEST);
+    let count = |holds: &dyn Fn(&Terms) -> bool| {
+        let left = draws.iter().flatten().filter(|one| !one.overturned && one.exceeds_by(soft));
+        left.filter(|one| one.terms.iter().flatten().any(holds)).count()
+    };
+    let fallen = draws.iter().flatten().filter(|one| one.overturned).count();
+    let parts = [
+        (fallen, "it falls, and that does not depend on the stiffness"),
+        (count(&|terms| terms.lift > 1.0), "the lift of its edge does not depend on the stiffness"),
+        (count(&|terms| terms.floor > 1.0), "the acceleration of the floor itself is more than it stands"),
+        (
+            count(&|terms| terms.lift <= 1.0 && terms.floor <= 1.0),
+            "the velocity change, which does not depend on the stiffness, is too much by itself",
+        ),
+    ];
+    parts.into_iter().reduce(|most, next| if next.0 > most.0 { next } else { most }).map_or("", |(_, why)| why)
+}
+
 /// Compression that is admitted.
 fn limit_m(context: &Context, pad_thickness_m: f64) -> f64 {
     context.study.assessment.pad_strain_ratio * pad_thickness_m
 }
 
-/// The factor on a shock when the stiffness has a factor.
-fn softened(capacity: &Capacity, terms: &Terms, stiffness_factor: f64) -> f64 {
-    let shock = stiffness_factor.sqrt();
-    let longer_s = terms.duration_s / shock;
-    shock * capacity.severity_ratio(longer_s) / capacity.severity_ratio(terms.duration_s)
+/// The factors on a shock when k/m has a factor: the peak goes with its root, and the pulse lasts longer by as much.
+pub(super) fn softened(capacity: &Capacity, terms: &Terms, stiffness_factor: f64) -> Factors {
+    let peak = stiffness_factor.sqrt();
+    let longer_s = terms.duration_s / peak;
+    Factors { peak, spectrum: peak * capacity.severity_ratio(longer_s) / capacity.severity_ratio(terms.duration_s) }
 }
 
 /// The motions again on the softer pad: it must not fall, nor be harder than it stands, nor press the pad too far.
@@ -191,7 +229,7 @@ fn tried_softer(
         pad_thickness_m,
         edge_acceleration_g: None,
         admissible: false,
-        note: String::new(),
+        note: "no spring of such a stiffness".to_owned(),
     };
     let Ok(cushion) = Cushion::linear(max_stiffness_n_m) else { return softening };
     let factor = max_stiffness_n_m / now_n_m;
@@ -212,7 +250,7 @@ fn tried_softer(
         if let (Some(terms), Some(hit)) = (one.terms, one.hit) {
             // The criterion of Eq. (5) at this stiffness, with the shock of the compliant base in its place.
             let by_paper_m_s2 = hit.larger_g() * G0_M_S2 * factor.sqrt();
-            ratio = ratio.max(terms.ratio(softened(capacity, &terms, factor) * edge_m_s2 / by_paper_m_s2));
+            ratio = ratio.max(terms.ratio_by(softened(capacity, &terms, factor).times(edge_m_s2 / by_paper_m_s2)));
         }
     }
     softening.stroke_m = (!tried.is_empty()).then_some(stroke_m);

@@ -1,53 +1,74 @@
 //! What would change the verdict: one value at a time at either end of its range.
 
 use super::Context;
+use super::capacity::Factors;
 use super::group::Variant;
-use super::response::{AxisMotion, MotionResponse, lifts, overturned};
+use super::response::{AxisMotion, MotionResponse, demand_capacity, lifts, overturned};
 use super::result::{Ranked, Swing};
+use super::second_opinion::softened;
 use super::verdict::{Found, larger_g};
 use crate::statistics::ranked_quantile;
 use crate::words::number;
 
-/// What is compared: demand over capacity where there is a tolerance, else the shock in g, else the lift in m.
-fn demand(found: &Found, axes: &[AxisMotion], factor: f64) -> f64 {
+/// What is changed of a shock.
+#[derive(Debug, Clone, Copy)]
+enum Change {
+    Nothing,
+    /// k/m by a factor.
+    Stiffness(f64),
+    /// The shock by a factor.
+    Model(f64),
+}
+
+/// From a factor on a value to what it changes.
+type Changed = fn(f64) -> Change;
+
+/// What is compared: demand over capacity where there is a tolerance, else the shock in g.
+fn demand(found: &Found, axes: &[AxisMotion], change: Change) -> f64 {
     if overturned(axes) {
         return f64::INFINITY;
     }
-    let one = |one: &AxisMotion| match (one.terms, found.body()) {
-        (Some(terms), _) => terms.ratio(factor),
-        (None, Some(_)) => larger_g(one) * factor,
-        (None, None) => one.rocking.uplift_m,
+    let one = |one: &AxisMotion| match (one.terms, found.capacity(), change) {
+        (Some(terms), _, Change::Nothing) => terms.ratio(),
+        (Some(terms), _, Change::Model(factor)) => terms.ratio_by(Factors::of(factor)),
+        (Some(terms), Some(capacity), Change::Stiffness(factor)) => terms.ratio_by(softened(capacity, &terms, factor)),
+        (_, _, Change::Nothing) => larger_g(one),
+        (_, _, Change::Model(factor)) => larger_g(one) * factor,
+        (_, _, Change::Stiffness(factor)) => larger_g(one) * factor.sqrt(),
     };
     axes.iter().map(one).fold(0.0, f64::max)
 }
 
-fn demands(found: &Found, motions: &[MotionResponse], factor: f64) -> Vec<f64> {
-    motions.iter().filter_map(|one| Some(demand(found, one.as_ref().ok()?, factor))).collect()
+fn demands(found: &Found, motions: &[MotionResponse], change: Change) -> Vec<f64> {
+    motions.iter().filter_map(|one| Some(demand(found, one.as_ref().ok()?, change))).collect()
 }
 
-/// The bars, the widest first; none for an object that stays on the floor.
+/// The bars, the widest first; none for an object that stays on the floor, or of which there is no shock to compare.
 pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
-    if !found.followed().any(|(_, axes)| lifts(axes)) {
+    let is_comparable = match found.capacity() {
+        Some(_) => found.followed().all(|(_, axes)| demand_capacity(axes).is_some()),
+        None => found.body().is_some(),
+    };
+    if !is_comparable || !found.followed().any(|(_, axes)| lifts(axes)) {
         return Vec::new();
     }
     let spread = &context.study.assessment.spread;
     let stiffness = found.body().and_then(|body| body.stiffness_spread).unwrap_or(spread.stiffness);
-    let as_is = demands(found, &found.as_is, 1.0);
+    let as_is = demands(found, &found.as_is, Change::Nothing);
     let mut bars = Vec::new();
     let mut bar = |parameter: &str, ends: [String; 2], low: Vec<f64>, high: Vec<f64>| {
         bars.push(swing(found, parameter, ends, &as_is, low, high));
     };
     if found.body().is_some() {
-        let factors = [
-            // A shock goes with √(k/m); a harder model is one factor.
-            ("stiffness", "k", stiffness, 0.5),
-            ("mass", "m", spread.mass, -0.5),
-            ("model", "Eq. (5)", spread.model, 1.0),
+        let factors: [(&str, &str, f64, Changed); 3] = [
+            ("stiffness", "k", stiffness, Change::Stiffness),
+            ("mass", "m", spread.mass, |factor| Change::Stiffness(1.0 / factor)),
+            ("model", "Eq. (5)", spread.model, Change::Model),
         ];
-        for (parameter, symbol, sd, power) in factors {
+        for (parameter, symbol, sd, change) in factors {
             let [low, high] = [-1.0, 1.0].map(|sign: f64| (sign * sd).exp());
             let ends = [low, high].map(|factor| format!("{} {symbol}", number(factor, 3)));
-            let at = |factor: f64| demands(found, &found.as_is, factor.powf(power));
+            let at = |factor: f64| demands(found, &found.as_is, change(factor));
             bar(parameter, ends, at(low), at(high));
         }
     }
@@ -59,7 +80,7 @@ pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
     for (parameter, symbol, sd, low, high) in pairs {
         if let (Some(low), Some(high)) = (of(low), of(high)) {
             let ends = [-sd, sd].map(|ln| format!("{} {symbol}", number(ln.exp(), 3)));
-            bar(parameter, ends, demands(found, low, 1.0), demands(found, high, 1.0));
+            bar(parameter, ends, demands(found, low, Change::Nothing), demands(found, high, Change::Nothing));
         }
     }
     bars.push(motion_bar(&as_is));
@@ -75,8 +96,9 @@ fn swing(
     mut at_low: Vec<f64>,
     mut at_high: Vec<f64>,
 ) -> Swing {
-    // Whether more of the motions than are accepted are beyond what is stood; without a tolerance, overturn.
-    let limit = if found.capacity().is_some() { 1.0 } else { f64::MAX };
+    // Whether more of the motions than are accepted are beyond what is stood; without a tolerance that decides, overturn.
+    let decides = found.capacity().is_some_and(|capacity| capacity.decides);
+    let limit = if decides { 1.0 } else { f64::MAX };
     let is_above = |values: &[f64]| {
         let above = values.iter().filter(|value| **value > limit).count();
         above as f64 / values.len().max(1) as f64 > found.member.accepted_ratio

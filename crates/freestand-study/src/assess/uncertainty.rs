@@ -5,7 +5,7 @@ use freestand::fragility::{draw_stream, lognormal_draw, probability_interval};
 use freestand::rocking::Restitution;
 use sha2::{Digest, Sha256};
 
-use super::capacity::Terms;
+use super::capacity::{Factors, Terms};
 use super::object::{AxisGeometry, Subject};
 use super::result::Probability;
 use super::settings::{Settings, Spread};
@@ -86,10 +86,14 @@ pub(super) struct Outcome {
 }
 
 impl Outcome {
-    /// Whether a criterion is exceeded with factors on the shocks about each axis; overturned counts as exceeded.
-    pub(super) fn exceeds(&self, factor: impl Fn(usize, &Terms) -> f64) -> bool {
-        let above = |(axis, terms): (usize, &Terms)| terms.ratio(self.model * factor(axis, terms)) > 1.0;
-        self.overturned || self.terms.iter().enumerate().filter_map(|(i, one)| Some((i, one.as_ref()?))).any(above)
+    /// Whether a criterion is exceeded, with factors on the shocks about each axis; overturned counts as exceeded.
+    pub(super) fn exceeds_by(&self, factors: impl Fn(&Terms) -> Factors) -> bool {
+        self.overturned || self.terms.iter().flatten().any(|one| one.ratio_by(factors(one).times(self.model)) > 1.0)
+    }
+
+    /// Whether a criterion is exceeded; overturned counts as exceeded.
+    pub(super) fn exceeds(&self) -> bool {
+        self.exceeds_by(|_| Factors::ONE)
     }
 }
 

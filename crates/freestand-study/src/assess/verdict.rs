@@ -1,11 +1,13 @@
 //! From the histories of one object to everything that is said of it.
 
 use freestand::G0_M_S2;
-use freestand::impact::{ImpactModel, Landing};
-use freestand::rocking::{Base, Outcome as RockingOutcome, rock};
+use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
+use freestand::motion::Motion;
+use freestand::rocking::{Base, Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::spectra::landings;
 
 use super::Context;
+use super::beside::friction_needed_ratio;
 use super::capacity::Capacity;
 use super::decision::{Case, decide};
 use super::group::{Member, Variant};
@@ -15,7 +17,7 @@ use super::response::{AxisMotion, MotionResponse, demand_capacity, governing, li
 use super::result::{
     Assessment, AxisResponse, CapacityCheck, Chain, Decision, Probability, Ranked, Response, Shock, Sliding,
 };
-use super::second_opinion::{second_opinion, softer};
+use super::second_opinion::{beyond_pads, second_opinion, softer};
 use super::tornado::tornado;
 use super::uncertainty::{Draws, probability, shares};
 use crate::statistics::{QUANTILES, ranked_quantile};
@@ -106,6 +108,7 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     let harder = second.as_ref().filter(|_| !is_above(p_exceed.as_ref())).and_then(|(check, _)| check.shock_ratio);
     let softening = if wants_softer { softer(context, found, &order, harder.unwrap_or(1.0)) } else { None };
     let missing = missing(found);
+    let unknown_ratio = unknown_ratio(context, found, response.failed);
     let (decision, why) = decide(&Case {
         accepted_ratio: member.accepted_ratio,
         lifts: lift,
@@ -116,7 +119,10 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
         missing: &missing,
         pfa_g: found.floor.facts.pfa_g_median,
         hardest: hardest(found),
+        unknown_ratio,
+        bottoms: bottoms(found),
         softer: softening.as_ref().map(|one| (one.admissible, one.note.as_str())),
+        beyond_pads: if wants_softer && softening.is_none() { beyond_pads(found) } else { "" },
         p_compliant: second.as_ref().map(|(_, p)| *p),
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
     });
@@ -134,8 +140,14 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
             response.failure.as_deref().unwrap_or("")
         ));
     }
-    let closer = deciding.filter(|_| !found.is_screened).map(|motion| closer_look(context, found, motion));
-    let (chain, sliding, impacts) = closer.unwrap_or_default();
+    let looked_at = deciding.filter(|_| !found.is_screened);
+    let chain = looked_at.and_then(|motion| chain(context, found, motion));
+    let survived = order
+        .iter()
+        .rev()
+        .copied()
+        .find(|&motion| found.as_is[motion].as_ref().is_ok_and(|axes| !overturned(axes) && lifts(axes)));
+    let impacts = survived.filter(|_| !found.is_screened).and_then(|motion| impacts_above(found, motion));
     assessed.decision = decision;
     assessed.why = why;
     assessed.tier = match (&found.draws, found.is_screened) {
@@ -147,7 +159,7 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     assessed.draws = if found.is_screened { 0 } else { most_draws(found) };
     assessed.p_overturn = Some(p_overturn);
     assessed.p_exceed = p_exceed;
-    assessed.sliding = sliding.or_else(|| Some(resting_slide(context, found)));
+    assessed.sliding = sliding(context, found, &order);
     assessed.softening = softening;
     assessed.compliant = second.map(|(check, _)| check);
     assessed.tornado = tornado(context, found);
@@ -160,6 +172,22 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     assessed.response = Some(response);
     assessed.chain = chain;
     assessed
+}
+
+/// Share of the motions, or of the draws, whose histories could not be followed.
+fn unknown_ratio(context: &Context, found: &Found, failed: usize) -> f64 {
+    let motions = failed as f64 / found.as_is.len().max(1) as f64;
+    let Some(draws) = found.draws.as_ref().filter(|_| !found.is_screened) else { return motions };
+    let wanted = context.names.len() * most_draws(found) as usize;
+    let done: usize = draws.iter().map(Vec::len).sum();
+    motions.max(1.0 - done as f64 / wanted.max(1) as f64)
+}
+
+/// Whether a motion that it survives presses its pads to more than the thickness that is stated.
+fn bottoms(found: &Found) -> bool {
+    let Some(thickness_m) = found.body().and_then(|body| body.pad_thickness_m) else { return false };
+    let pressed = |one: &AxisMotion| one.hit.as_ref().is_some_and(|hit| hit.compression_m > thickness_m);
+    found.followed().any(|(_, axes)| axes.iter().any(pressed))
 }
 
 /// How far the hardest motion goes.
@@ -261,7 +289,7 @@ fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
     match &found.draws {
         Some(draws) => (
             probability(&shares(draws, |one| one.overturned)).unwrap_or(never),
-            if comparable { probability(&shares(draws, |one| one.exceeds(|_, _| 1.0))) } else { None },
+            if comparable { probability(&shares(draws, |one| one.exceeds())) } else { None },
         ),
         // It stays on the floor: what remains is the floor's own acceleration, of which only a peak can say whether it is stood.
         None => {
@@ -292,7 +320,7 @@ fn governing_criterion(found: &Found, motion: usize) -> Option<&'static str> {
         return Some("overturning");
     }
     let terms = axes.iter().filter_map(|one| one.terms);
-    let worst = terms.reduce(|most, next| if next.ratio(1.0) > most.ratio(1.0) { next } else { most })?;
+    let worst = terms.reduce(|most, next| if next.ratio() > most.ratio() { next } else { most })?;
     Some(worst.governing(capacity))
 }
 
@@ -311,36 +339,46 @@ fn capacity_check(found: &Found, governing: Option<&'static str>) -> Option<Capa
     })
 }
 
-/// What only a whole history tells, of the motion that decides: the equations in numbers, the friction that rocking takes, and how many
-/// impacts are above the tolerance.
-fn closer_look(context: &Context, found: &Found, motion: usize) -> (Option<Chain>, Option<Sliding>, Option<usize>) {
-    let subject = &found.member.subject;
-    let Some(Ok(axes)) = found.as_is.get(motion) else { return (None, None, None) };
-    let Some((axis, one)) = governing(axes) else { return (None, None, None) };
-    if one.rocking.outcome == RockingOutcome::NoUplift {
-        return (None, None, None);
-    }
-    let chain = chain(context, found, motion, axis, one);
-    let (geometry, capacity) = (&subject.axes[axis], found.capacity());
-    let (mut friction_ratio, mut impacts) = (0.0f64, None);
-    for direction in &found.floor.motions[motion] {
+/// Impacts above the peak that the object stands, about the axis that governs; `None` where no peak is known.
+fn impacts_above(found: &Found, motion: usize) -> Option<usize> {
+    let (body, peak) = (found.body()?, found.capacity()?.peak_m_s2?);
+    let axes = found.as_is.get(motion)?.as_ref().ok()?;
+    let block = &found.member.subject.axes[governing(axes)?.0].block;
+    let landing = Landing::rocking(block, ImpactModel::Paper);
+    let above = |impact: &RockingImpact| {
+        let omega_rad_s = impact.omega_before_rad_s;
+        let shock = landing.impact_at_omega(body.mass_kg, &body.cushion, omega_rad_s, G0_M_S2);
+        shock.edge_acceleration_m_s2 > peak
+    };
+    let in_direction = |direction: &Motion| {
         let base = Base { horizontal: Some(direction), vertical: None };
-        let Ok(history) = rock(&geometry.block, base, &options(subject.restitution)) else { continue };
-        friction_ratio =
-            friction_ratio.max(context.friction_needed_ratio(&geometry.block, direction, subject.restitution));
-        if let (Some(body), Some(peak)) = (found.body(), capacity.and_then(|capacity| capacity.peak_m_s2)) {
-            let landing = Landing::rocking(&geometry.block, ImpactModel::Paper);
-            let above = history.impacts.iter().filter(|impact| {
-                let shock = landing.impact_at_omega(body.mass_kg, &body.cushion, impact.omega_before_rad_s, G0_M_S2);
-                shock.edge_acceleration_m_s2 > peak
-            });
-            impacts = Some(impacts.unwrap_or(0).max(above.count()));
-        }
-    }
-    (chain, Some(sliding(context, found, friction_ratio)), impacts)
+        let history = rock(block, base, &options(found.member.subject.restitution)).ok()?;
+        Some(history.impacts.iter().filter(|impact| above(impact)).count())
+    };
+    found.floor.motions[motion].iter().filter_map(in_direction).max()
 }
 
-fn sliding(context: &Context, found: &Found, needed_ratio: f64) -> Sliding {
+/// Whether it slides: by the friction that rocking and its impacts take under the hardest motion, or that a floor takes which shakes under
+/// an object at rest; `None` where that is not known.
+fn sliding(context: &Context, found: &Found, order: &[usize]) -> Option<Sliding> {
+    let rocks = |motion: usize| found.as_is[motion].as_ref().is_ok_and(|axes| lifts(axes));
+    let Some(motion) = order.iter().rev().copied().find(|&motion| rocks(motion)) else {
+        return Some(slides(context, found, found.floor.facts.pfa_g_max));
+    };
+    if found.is_screened {
+        return None;
+    }
+    let subject = &found.member.subject;
+    let (axis, _) = governing(found.as_is[motion].as_ref().ok()?)?;
+    let block = &subject.axes[axis].block;
+    let restitution = subject.restitution.ratios(block).ok()?[0];
+    let directions = found.floor.motions[motion].iter();
+    let rocking = directions.map(|direction| friction_needed_ratio(block, direction, subject.restitution));
+    let most = rocking.collect::<Option<Vec<f64>>>()?.into_iter().fold(0.0, f64::max);
+    Some(slides(context, found, most.max(impact_friction_needed_ratio(block, restitution))))
+}
+
+fn slides(context: &Context, found: &Found, needed_ratio: f64) -> Sliding {
     let stated = found.member.item.friction_ratio;
     let (low, high) = stated.unwrap_or(context.study.assessment.friction_ratio);
     let verdict = if low >= needed_ratio {
@@ -353,14 +391,11 @@ fn sliding(context: &Context, found: &Found, needed_ratio: f64) -> Sliding {
     Sliding { verdict: verdict.to_owned(), friction_ratio: (low, high), is_stated: stated.is_some() }
 }
 
-/// An object that stays on the floor slides where the floor's acceleration is more than μ g.
-fn resting_slide(context: &Context, found: &Found) -> Sliding {
-    sliding(context, found, found.floor.facts.pfa_g_max)
-}
-
-fn chain(context: &Context, found: &Found, motion: usize, axis: usize, one: &AxisMotion) -> Option<Chain> {
+/// Eqs. (5)–(7) about the axis that governs; `None` where it overturns, or stays on the floor.
+fn chain(context: &Context, found: &Found, motion: usize) -> Option<Chain> {
+    let (axis, one) = governing(found.as_is.get(motion)?.as_ref().ok()?)?;
     let (body, geometry) = (found.body()?, &found.member.subject.axes[axis]);
-    if one.rocking.outcome == RockingOutcome::Overturned {
+    if one.rocking.outcome != RockingOutcome::Rocked {
         return None;
     }
     let landing = Landing::rocking(&geometry.block, ImpactModel::Paper);
@@ -386,7 +421,7 @@ fn chain(context: &Context, found: &Found, motion: usize, axis: usize, one: &Axi
         velocity_change_m_s: shock.velocity_change_m_s,
         pulse_duration_s: shock.pulse_duration_s,
         uplift_m: one.rocking.uplift_m,
-        demand_capacity_ratio: one.terms.map(|terms| terms.ratio(1.0)),
+        demand_capacity_ratio: one.terms.map(|terms| terms.ratio()),
     })
 }
 

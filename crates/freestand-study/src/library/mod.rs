@@ -1,7 +1,8 @@
 //! What objects stand and what they stand on, with the source of every number: the tolerance library and the cushion library.
 //!
 //! Both are tables in the program that a file of the user's, with the same columns, adds to and overrides by id. An entry says
-//! where its numbers are from; one without a source and a page or clause is `recalled`: it may be shown, it never decides.
+//! where its numbers are from; one without a source and a page or clause is `recalled`. A tolerance that is recalled may be shown, it
+//! never decides; a cushion is a range from which stiffnesses are drawn, and its page says that it is one.
 
 mod cushions;
 mod entry;

@@ -239,7 +239,7 @@ fn what_would_change_it(found: &Assessment) -> String {
     };
     let mut html = heading("What would change it");
     html.push_str(&paragraph(&format!(
-        "Bars: {of}, from one end of a value's range to the other; the black line is the result as it is. ✱ changes the decision."
+        "Bars: {of}, from one end of a value's range to the other; the black line is the result as it is. ✱ crosses the limit: more motions than are accepted then exceed it, or no more do."
     )));
     let scale = Scale::of(&found.tornado, limit);
     let rows: Vec<Vec<Cell>> = found
@@ -253,7 +253,7 @@ fn what_would_change_it(found: &Assessment) -> String {
                 markup(swing_bar(swing, scale), "bar"),
                 figure(ranked(swing.at_high, measure)),
                 markup(name(&swing.high), ""),
-                text(if swing.flips { "✱ another decision" } else { "the same" }),
+                text(if swing.flips { "✱ crosses the limit" } else { "the same side" }),
             ]
         })
         .collect();
