@@ -184,17 +184,16 @@ pub(super) fn beyond_pads(found: &Found) -> &'static str {
         return "its cushion is no spring, and softer ones are not looked for";
     }
     let soft = |terms: &Terms| softened(capacity, terms, SOFTEST);
-    let count = |holds: &dyn Fn(&Terms) -> bool| {
-        let left = draws.iter().flatten().filter(|one| !one.overturned && one.exceeds_by(soft));
-        left.filter(|one| one.terms.iter().flatten().any(holds)).count()
-    };
+    let left: Vec<&Draw> = draws.iter().flatten().filter(|one| !one.overturned && one.exceeds_by(soft)).collect();
+    let count = |holds: fn(&Terms) -> bool| left.iter().filter(|one| one.terms.iter().flatten().any(holds)).count();
     let fallen = draws.iter().flatten().filter(|one| one.overturned).count();
+    let (lifted, shaken) = (count(|terms| terms.lift > 1.0), count(|terms| terms.floor > 1.0));
     let parts = [
         (fallen, "it falls, and that does not depend on the stiffness"),
-        (count(&|terms| terms.lift > 1.0), "the lift of its edge does not depend on the stiffness"),
-        (count(&|terms| terms.floor > 1.0), "the acceleration of the floor itself is more than it stands"),
+        (lifted, "the lift of its edge does not depend on the stiffness"),
+        (shaken, "the acceleration of the floor itself is more than it stands"),
         (
-            count(&|terms| terms.lift <= 1.0 && terms.floor <= 1.0),
+            left.len().saturating_sub(lifted + shaken),
             "the velocity change, which does not depend on the stiffness, is too much by itself",
         ),
     ];

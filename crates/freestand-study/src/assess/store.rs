@@ -8,7 +8,7 @@ use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use super::result::Assessment;
-use crate::error::Problem;
+use crate::error::{Problem, ProblemKind};
 use crate::output::io_problem;
 
 /// Folder of the parts inside the output folder.
@@ -17,22 +17,34 @@ pub(super) const PROGRESS: &str = "progress";
 /// What the parts are of.
 const PLAN: &str = "plan";
 
+/// Locked by the run that writes.
+const LOCK: &str = "lock";
+
 /// A folder of parts.
 #[derive(Debug)]
 pub(super) struct Store {
     folder: PathBuf,
+    /// Held while we live: two runs in one folder would read each other's parts.
+    _lock: fs::File,
 }
 
 impl Store {
     /// Opens the folder for a run with this `key`; parts of another run are cleared, those of the same one kept only if `resume`.
     pub(super) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
-        let store = Self { folder: folder.to_path_buf() };
         let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
+        fs::create_dir_all(folder).map_err(failed)?;
+        let lock = fs::File::create(folder.join(LOCK)).map_err(failed)?;
+        // Where files cannot be locked at all, nobody can be told apart.
+        if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
+            return Err(Problem::new(ProblemKind::Io, "another assessment writes into this folder")
+                .in_file(folder)
+                .hint("wait for it, or name another folder with --out"));
+        }
+        let store = Self { folder: folder.to_path_buf(), _lock: lock };
         let is_same = fs::read_to_string(folder.join(PLAN)).is_ok_and(|found| found == key);
         if !(is_same && resume) {
             store.clear().map_err(failed)?;
         }
-        fs::create_dir_all(folder).map_err(failed)?;
         if !(is_same && resume) {
             store.put(PLAN, |file| file.write_all(key.as_bytes())).map_err(failed)?;
         }
@@ -41,7 +53,7 @@ impl Store {
 
     /// The files of a run in `parts` parts, by their names in the folder.
     pub(super) fn names(parts: usize) -> impl Iterator<Item = String> {
-        std::iter::once(PLAN.to_owned()).chain((0..parts).map(part_name))
+        [LOCK, PLAN].map(str::to_owned).into_iter().chain((0..parts).map(part_name))
     }
 
     fn clear(&self) -> io::Result<()> {

@@ -150,6 +150,9 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     let impacts = survived.filter(|_| !found.is_screened).and_then(|motion| impacts_above(found, motion));
     assessed.decision = decision;
     assessed.why = why;
+    if lift && p_exceed.is_some() && member.item.cushion_source.is_some() {
+        assessed.why.push_str(" Its stiffness is a range of the cushion library, not a measurement.");
+    }
     assessed.tier = match (&found.draws, found.is_screened) {
         (None, _) => 0,
         (Some(_), true) => 1,
@@ -289,7 +292,7 @@ fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
     match &found.draws {
         Some(draws) => (
             probability(&shares(draws, |one| one.overturned)).unwrap_or(never),
-            if comparable { probability(&shares(draws, |one| one.exceeds())) } else { None },
+            if comparable { probability(&shares(draws, |one| one.exceeds())) } else { floor_alone(found) },
         ),
         // It stays on the floor: what remains is the floor's own acceleration, of which only a peak can say whether it is stood.
         None => {
@@ -301,6 +304,15 @@ fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
             (probability(&zeros).unwrap_or(never), floor.and_then(|by_motion| probability(&by_motion)))
         }
     }
+}
+
+/// Of an object of which no shock is known, the probability that its floor alone exceeds what it stands, where that is more than is
+/// accepted: whatever the shock, it only adds to it.
+fn floor_alone(found: &Found) -> Option<Probability> {
+    let peak_m_s2 = found.capacity()?.peak_m_s2?;
+    let above = |(motion, _): (usize, _)| f64::from(u8::from(found.floor.pfa_m_s2[motion] > peak_m_s2));
+    let by_motion: Vec<f64> = found.followed().map(above).collect();
+    probability(&by_motion).filter(|p| p.value > found.member.accepted_ratio)
 }
 
 fn missing(found: &Found) -> Vec<&'static str> {
@@ -320,8 +332,11 @@ fn governing_criterion(found: &Found, motion: usize) -> Option<&'static str> {
         return Some("overturning");
     }
     let terms = axes.iter().filter_map(|one| one.terms);
-    let worst = terms.reduce(|most, next| if next.ratio() > most.ratio() { next } else { most })?;
-    Some(worst.governing(capacity))
+    let worst = terms.reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
+    match worst {
+        Some(worst) => Some(worst.governing(capacity)),
+        None => floor_alone(found).map(|_| "floor-acceleration"),
+    }
 }
 
 fn capacity_check(found: &Found, governing: Option<&'static str>) -> Option<CapacityCheck> {

@@ -69,7 +69,7 @@ pub enum Confidence {
     Secondary,
     /// A placeholder that the user knows to be one.
     Assumption,
-    /// Remembered, without a source and a page: may be shown, never decides.
+    /// Remembered, without a source and a page: a tolerance of it may be shown, it never decides.
     Recalled,
 }
 
@@ -130,7 +130,7 @@ impl Confidence {
             Self::Primary => "read at its source",
             Self::Secondary => "read where it is quoted",
             Self::Assumption => "a placeholder, chosen and not found",
-            Self::Recalled => "remembered, not read: never decides",
+            Self::Recalled => "remembered, not read: no tolerance of it decides",
         }
     }
 }
