@@ -6,7 +6,7 @@ use freestand::block::Block;
 use freestand::rocking::{Outcome as RockingOutcome, Restitution, RockingSummary};
 use rayon::prelude::*;
 
-use super::hazard::Floor;
+use super::hazard::{Floor, Floors};
 use super::object::{Body, Subject};
 use super::response::{MotionResponse, Values, axis_motion, lifts, rock_directions};
 use super::result::Assessment;
@@ -62,7 +62,7 @@ impl Variant {
 /// Assesses the members, all on floors of `floors`; a result does not depend on who else is a member.
 pub(super) fn assess_group(
     context: &Context,
-    floors: &HashMap<u64, Floor>,
+    floors: &Floors,
     members: &[Member],
 ) -> Result<Vec<Assessment>, StudyError> {
     let settings = &context.study.assessment;
@@ -99,11 +99,7 @@ pub(super) fn assess_group(
 }
 
 /// The objects that the spectra of their floor decide, where that is wanted.
-fn screen_all(
-    context: &Context,
-    floors: &HashMap<u64, Floor>,
-    members: &[Member],
-) -> Result<HashMap<usize, Screened>, StudyError> {
+fn screen_all(context: &Context, floors: &Floors, members: &[Member]) -> Result<HashMap<usize, Screened>, StudyError> {
     if !context.study.assessment.screen {
         return Ok(HashMap::new());
     }
@@ -120,7 +116,7 @@ fn screen_all(
 
 /// Whether any draw could lift the object: its base by five standard deviations narrower and its centre of gravity by as many
 /// higher than the inventory says.
-fn may_lift(subject: &Subject, floors: &HashMap<u64, Floor>, settings: &Settings) -> bool {
+fn may_lift(subject: &Subject, floors: &Floors, settings: &Settings) -> bool {
     let margin = (5.0 * settings.spread.geometry).exp();
     let Some(floor) = floors.get(&subject.level_ratio.to_bits()) else { return false };
     let pfa_m_s2 = floor.pfa_m_s2.iter().copied().fold(0.0, f64::max);
@@ -136,7 +132,7 @@ type Responses = HashMap<usize, Vec<MotionResponse>>;
 
 fn responses(
     context: &Context,
-    floors: &HashMap<u64, Floor>,
+    floors: &Floors,
     members: &[Member],
     which: &[usize],
     variant: Variant,
@@ -182,7 +178,7 @@ pub(super) fn as_stated(body: &Body) -> Values<'_> {
 }
 
 /// The members on each floor, in the order of the floors' levels.
-fn by_floor<'a>(floors: &'a HashMap<u64, Floor>, members: &[Member], which: &[usize]) -> Vec<(&'a Floor, Vec<usize>)> {
+fn by_floor<'a>(floors: &'a Floors, members: &[Member], which: &[usize]) -> Vec<(&'a Floor, Vec<usize>)> {
     let mut levels: Vec<(u64, Vec<usize>)> = Vec::new();
     for &i in which {
         let bits = members[i].subject.level_ratio.to_bits();
@@ -191,13 +187,13 @@ fn by_floor<'a>(floors: &'a HashMap<u64, Floor>, members: &[Member], which: &[us
             None => levels.push((bits, vec![i])),
         }
     }
-    levels.into_iter().filter_map(|(bits, on_floor)| Some((floors.get(&bits)?, on_floor))).collect()
+    levels.into_iter().filter_map(|(bits, on_floor)| Some((floors.get(&bits)?.as_ref(), on_floor))).collect()
 }
 
 /// Draws until they are enough, each object by itself.
 fn draw_all(
     context: &Context,
-    floors: &HashMap<u64, Floor>,
+    floors: &Floors,
     members: &[Member],
     which: &[usize],
 ) -> Result<HashMap<usize, Draws>, StudyError> {

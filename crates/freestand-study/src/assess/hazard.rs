@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
@@ -11,7 +12,7 @@ use crate::error::{Problem, ProblemKind, StudyError};
 use crate::result::{GroundMotion, HorizontalMotion};
 use crate::run::{Progress, Step, floors_under, ground_motions};
 use crate::statistics::ranked_quantile;
-use crate::study::Study;
+use crate::study::{Level, Study};
 
 use super::result::FloorFacts;
 
@@ -24,7 +25,15 @@ pub(super) struct Hazard<'a> {
     study: &'a Study,
     pub(super) names: Vec<String>,
     ground: Vec<GroundMotion>,
+    /// Floors that were made, for the parts that follow.
+    held: Mutex<Floors>,
 }
+
+/// Floors by the bits of their level.
+pub(super) type Floors = HashMap<u64, Arc<Floor>>;
+
+/// Floors that are held at once: 32 of 20 motions of a minute are some 100 MB.
+pub(super) const MOST_FLOORS: usize = 32;
 
 /// The motions of one floor, one for each motion of the ground, and one of these for each direction that is tried.
 #[derive(Debug)]
@@ -45,11 +54,22 @@ impl<'a> Hazard<'a> {
             ControlFlow::Break(()) => Err(stopped()),
         };
         let ground = ground_motions(&study.ground, go_on)?;
-        Ok(Self { study, names: study.ground.names(&study.levels), ground })
+        Ok(Self { study, names: study.ground.names(&study.levels), ground, held: Mutex::default() })
     }
 
-    /// The floors of these levels; a level of which the study has no motion is missing.
-    pub(super) fn floors(&self, levels: &[f64]) -> Result<HashMap<u64, Floor>, StudyError> {
+    /// The floors of these levels, at most [`MOST_FLOORS`]; a level of which the study has no motion is missing.
+    pub(super) fn floors(&self, levels: &[f64]) -> Result<Floors, StudyError> {
+        let mut held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
+        let missing: Vec<f64> = levels.iter().copied().filter(|level| !held.contains_key(&level.to_bits())).collect();
+        if held.len() + missing.len() > MOST_FLOORS {
+            held.retain(|bits, _| levels.iter().any(|level| level.to_bits() == *bits));
+        }
+        held.extend(self.made(&missing)?);
+        let of = |level: &f64| Some((level.to_bits(), Arc::clone(held.get(&level.to_bits())?)));
+        Ok(levels.iter().filter_map(of).collect())
+    }
+
+    fn made(&self, levels: &[f64]) -> Result<Floors, StudyError> {
         let by_level: Vec<(f64, Vec<HorizontalMotion>)> = match &self.study.building {
             Some(building) => {
                 let mut by_level: Vec<(f64, Vec<HorizontalMotion>)> =
@@ -65,13 +85,17 @@ impl<'a> Hazard<'a> {
             }
             None => levels.iter().filter_map(|&level| Some((level, self.given(level)?))).collect(),
         };
-        by_level.into_iter().map(|(level, motions)| Ok((level.to_bits(), self.floor(level, &motions)?))).collect()
+        let made = |(level, motions): (f64, Vec<HorizontalMotion>)| {
+            Ok((level.to_bits(), Arc::new(self.floor(level, &motions)?)))
+        };
+        by_level.into_iter().map(made).collect()
     }
 
     /// The motions that the study gives for a level.
     fn given(&self, level_ratio: f64) -> Option<Vec<HorizontalMotion>> {
-        let near = |ratio: f64| (ratio - level_ratio).abs() <= SAME_LEVEL;
-        let level = self.study.levels.iter().find(|level| level.level_ratio.is_some_and(near))?;
+        let away = |level: &&Level| level.level_ratio.map_or(f64::INFINITY, |ratio| (ratio - level_ratio).abs());
+        let nearest = self.study.levels.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        let level = nearest.filter(|level| away(level) <= SAME_LEVEL)?;
         Some(level.motions.iter().map(crate::study::RecordedMotion::as_used).collect())
     }
 

@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 
 use super::decision::accepted;
 use super::group::{Member, assess_group};
-use super::hazard::Hazard;
+use super::hazard::{Hazard, MOST_FLOORS};
 use super::object::Subject;
 use super::result::{Assessment, Decision};
 use super::settings::Settings;
@@ -28,9 +28,6 @@ const PART: usize = 256;
 
 /// Draws whose outcomes are held at once: some 250 MB.
 const MOST_OUTCOMES: usize = 2_000_000;
-
-/// Levels whose motions are held at once: 32 floors of 20 motions of a minute are some 100 MB.
-const LEVELS_AT_ONCE: usize = 32;
 
 /// A finished assessment, or what there is of one that was stopped.
 #[derive(Debug)]
@@ -187,7 +184,7 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
         }
     }
     let by_level: Vec<(u64, Vec<(usize, Subject)>)> = by_level.into_iter().collect();
-    for group in by_level.chunks(LEVELS_AT_ONCE) {
+    for group in by_level.chunks(MOST_FLOORS) {
         context.go_on()?;
         let levels: Vec<f64> = group.iter().map(|(bits, _)| f64::from_bits(*bits)).collect();
         let floors = hazard.floors(&levels)?;
