@@ -87,42 +87,38 @@ fn the_same_bytes_on_any_number_of_threads() {
     assert_eq!((&one, &one), (&of(2), &of(7)));
 }
 
-/// Interrupted in the middle of a part, between parts, and gone on with: the bytes of a run that nobody disturbed, and no part twice.
+/// Stopped while the motions are made, in the middle of the second part, and there again; then gone on with: the bytes of a run that
+/// nobody disturbed, and no part twice.
 #[test]
 fn a_run_that_was_stopped_goes_on() {
-    let (study, rows) = (
-        study("draws = 2\nmost_draws = 2\npages = 3\n".replace("draws = 2\nmost_draws = 2\n", "").as_str()),
-        rows(600),
-    );
+    let (study, rows) = (study("pages = 3\n"), rows(300));
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
     run(&study, &rows, &whole, &Job::default(), &no_progress);
-    let mut resumed = Vec::new();
-    for stop_after in [3usize, 40, 90] {
+    let go_on = Job { resume: true, ..Job::default() };
+    let stopped_in = |place: usize| {
         let calls = AtomicUsize::new(0);
-        let stops = |_: Step| {
-            if calls.fetch_add(1, Ordering::Relaxed) >= stop_after {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
+        let stops = |step: Step| {
+            // Counted from the first call of the part on.
+            let is_there = calls.load(Ordering::Relaxed) > 0 || (step.stage == "objects" && step.done >= place);
+            let stop = (is_there || place == 0) && calls.fetch_add(1, Ordering::Relaxed) >= 3;
+            if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let report = run(&study, &rows, &out, &Job { resume: true, ..Job::default() }, &stops);
+        let report = run(&study, &rows, &out, &go_on, &stops);
+        // What was finished is there to be looked at, and says that it is not all.
         let done = report.resumed + report.computed;
-        resumed.push((report.interrupted, report.resumed, done));
-        if report.interrupted {
-            // What was finished is there to be looked at, and says that it is not all.
-            assert_eq!(column(&out, "decision").values().filter(|decision| !decision.is_empty()).count(), done);
-        }
-    }
-    assert!(resumed[0].0, "{resumed:?}");
-    let before = resumed.last().unwrap().2;
-    let report = run(&study, &rows, &out, &Job { resume: true, ..Job::default() }, &no_progress);
-    assert_eq!((report.resumed, report.computed, report.interrupted), (before, 300 - before, false), "{resumed:?}");
+        assert_eq!(column(&out, "decision").values().filter(|decision| !decision.is_empty()).count(), done);
+        (report.interrupted, report.resumed, report.computed)
+    };
+    assert_eq!(stopped_in(0), (true, 0, 0));
+    assert_eq!(stopped_in(256), (true, 0, 256));
+    assert_eq!(stopped_in(256), (true, 256, 0));
+    let report = run(&study, &rows, &out, &go_on, &no_progress);
+    assert_eq!((report.resumed, report.computed, report.interrupted), (256, 44, false));
     assert_eq!(contents(&whole), contents(&out));
     assert!(!out.join("progress").exists());
     // Once more: nothing is left to do.
-    let report = run(&study, &rows, &out, &Job { resume: true, ..Job::default() }, &no_progress);
+    let report = run(&study, &rows, &out, &go_on, &no_progress);
     assert_eq!((report.resumed, report.computed), (300, 0));
 }
 
