@@ -92,7 +92,7 @@ pub fn rock_many_on(
 /// ```
 /// use freestand::rocking::{Base, Restitution, RockingOptions, Until, rock_each};
 /// use freestand::{block::Block, motion::Motion};
-/// let push = Motion::new(0.01, vec![4.0; 30])?;
+/// let push = Motion::new(0.01, vec![4.0; 8])?;
 /// let block = Block::uniform(2.0, 0.3)?;
 /// let objects = [(block, Restitution::Value(0.5)), (block, Restitution::Value(0.9))];
 /// let base = Base { horizontal: Some(&push), vertical: None };
