@@ -15,22 +15,10 @@ use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock_many};
 use freestand::synthesis::{SynthesisOptions, synthesize};
 use freestand_study::library::Library;
+use freestand_study::validate::FURNITURE;
 use rayon::prelude::*;
 
 const MOTIONS: u64 = 20;
-
-/// Height and depth \[in\].
-const FURNITURE: [(&str, f64, f64); 9] = [
-    ("p58-bookcase-2-shelves", 29.0, 12.625),
-    ("p58-bookcase-3-shelves", 41.0, 12.625),
-    ("p58-bookcase-4-shelves", 56.0, 12.625),
-    ("p58-bookcase-5-shelves", 71.0, 12.625),
-    ("p58-bookcase-6-shelves", 81.25, 12.625),
-    ("p58-vertical-file-2-drawers", 24.0, 15.0),
-    ("p58-vertical-file-4-drawers", 52.0, 15.0),
-    ("p58-lateral-file-2-drawers", 52.5, 18.6),
-    ("p58-lateral-file-4-drawers", 67.75, 18.6),
-];
 
 /// Peak floor velocities: 0.1 to 5 m/s, eight to a doubling.
 fn levels_m_s() -> Vec<f64> {

@@ -7,6 +7,8 @@ mod rocking;
 mod shock;
 mod synthesis;
 
+pub use fragility::FURNITURE;
+
 use freestand::block::{Block, SQUAT_SLENDERNESS};
 use freestand::building::{Building, Damping, Storey};
 use freestand::compliant::{CompliantBase, CompliantOptions, Start, rock_compliant};

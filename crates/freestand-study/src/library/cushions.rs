@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::entry::source_words;
 use super::reader::RowReader;
 use super::sheet::{self, Column, Sheet, SheetRow};
-use super::tolerances::{BUILT_IN, in_file, matches_all, unique, unknown};
+use super::tolerances::{BUILT_IN, matches_all, put_over, unique, unknown};
 use super::{Confidence, CushionPrior, nearest_ids};
 use crate::cushion::{CushionWords, KeyStyle};
 use crate::error::{Problem, StudyError};
@@ -154,16 +154,8 @@ impl CushionLibrary {
     /// # Errors
     /// As [`Self::with_file`]; the library then stays as it was.
     pub fn add_file(&mut self, path: &Path) -> Result<(), StudyError> {
-        let (bytes, input) = sheet::load(path)?;
-        let origin = path.display().to_string();
-        let (entries, warnings) = read_entries(&bytes, &origin).map_err(|error| in_file(error, path))?;
-        for entry in entries {
-            match self.entries.iter_mut().find(|known| known.id == entry.id) {
-                Some(known) => *known = entry,
-                None => self.entries.push(entry),
-            }
-        }
-        self.warnings.extend(warnings.into_iter().map(|warning| format!("{origin}: {warning}")));
+        let (input, warnings) = put_over(&mut self.entries, path, read_entries, |entry| &entry.id)?;
+        self.warnings.extend(warnings);
         self.inputs.push(input);
         Ok(())
     }

@@ -7,7 +7,6 @@
 mod cushions;
 mod entry;
 mod reader;
-mod restitution;
 mod sheet;
 mod tolerances;
 
@@ -15,7 +14,6 @@ use serde::{Deserialize, Serialize};
 
 pub use cushions::{CUSHION_COLUMNS, CushionEntry, CushionLibrary};
 pub use entry::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, to_tolerance};
-pub use restitution::{RESTITUTION_FACTORS, RestitutionFactor, restitution_factor};
 pub use tolerances::Library;
 
 use std::path::Path;

@@ -49,16 +49,8 @@ impl Library {
     /// # Errors
     /// As [`Self::with_file`]; the library then stays as it was.
     pub fn add_file(&mut self, path: &Path) -> Result<(), StudyError> {
-        let (bytes, input) = sheet::load(path)?;
-        let origin = path.display().to_string();
-        let (entries, warnings) = read_entries(&bytes, &origin).map_err(|error| in_file(error, path))?;
-        for entry in entries {
-            match self.entries.iter_mut().find(|known| known.id == entry.id) {
-                Some(known) => *known = entry,
-                None => self.entries.push(entry),
-            }
-        }
-        self.warnings.extend(warnings.into_iter().map(|warning| format!("{origin}: {warning}")));
+        let (input, warnings) = put_over(&mut self.entries, path, read_entries, |entry| &entry.id)?;
+        self.warnings.extend(warnings);
         self.inputs.push(input);
         Ok(())
     }
@@ -98,6 +90,28 @@ impl Library {
 }
 
 pub(super) const BUILT_IN: &str = "built-in";
+
+/// Entries of a table and what is doubtful about them, from its bytes and its name.
+pub(super) type ReadEntries<E> = fn(&[u8], &str) -> Result<(Vec<E>, Vec<String>), StudyError>;
+
+/// Puts the entries of a user's file over those that are known, by their ids: the file, and what is doubtful about it.
+pub(super) fn put_over<E>(
+    known: &mut Vec<E>,
+    path: &Path,
+    read: ReadEntries<E>,
+    id: fn(&E) -> &str,
+) -> Result<(InputFile, Vec<String>), StudyError> {
+    let (bytes, input) = sheet::load(path)?;
+    let origin = path.display().to_string();
+    let (entries, warnings) = read(&bytes, &origin).map_err(|error| in_file(error, path))?;
+    for entry in entries {
+        match known.iter_mut().find(|one| id(one) == id(&entry)) {
+            Some(one) => *one = entry,
+            None => known.push(entry),
+        }
+    }
+    Ok((input, warnings.into_iter().map(|warning| format!("{origin}: {warning}")).collect()))
+}
 
 /// Whether every word stands in one of the texts, in any case.
 pub(super) fn matches_all(words: &[String], texts: &[&str]) -> bool {

@@ -8,7 +8,7 @@ use crate::error::Problem;
 use crate::library::Library;
 
 /// Height and depth \[in\] of the furniture whose medians of peak floor velocity FEMA P-58 gives.
-const FURNITURE: [(&str, f64, f64); 9] = [
+pub const FURNITURE: [(&str, f64, f64); 9] = [
     ("p58-bookcase-2-shelves", 29.0, 12.625),
     ("p58-bookcase-3-shelves", 41.0, 12.625),
     ("p58-bookcase-4-shelves", 56.0, 12.625),
