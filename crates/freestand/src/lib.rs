@@ -54,7 +54,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod block;
 pub mod building;
 pub mod code_spectrum;
 pub mod compliant;
@@ -64,15 +63,11 @@ pub mod fragility;
 pub mod identify;
 pub mod impact;
 pub mod measures;
-pub mod motion;
 pub mod oscillator;
-mod polynomial;
 mod quadrature;
-pub mod rocking;
 pub mod shock_response;
 pub mod signal;
 pub mod spectra;
 pub mod synthesis;
 
-/// Standard acceleration of gravity, the unit "g" \[m/s²\].
-pub const G0_M_S2: f64 = 9.80665;
+pub use freestand_rocking::{G0_M_S2, block, motion, rocking};

@@ -28,7 +28,7 @@ use crate::polynomial::{first_root, roots, value};
 /// # Example
 /// Free rocking from half of the balance angle: a quarter period is 1.3185044/p for α = 0.2 (Housner 1963).
 /// ```
-/// use freestand::{block::Block, rocking::{rock, Base, RockingOptions, Until}};
+/// use freestand_rocking::{block::Block, rocking::{rock, Base, RockingOptions, Until}};
 /// let block = Block::uniform(2.0 * 0.2f64.cos(), 2.0 * 0.2f64.sin())?;
 /// let p = block.pivot().frequency_parameter_rad_s(9.80665);
 /// let options = RockingOptions { initial_rotation_rad: 0.1, until: Until::Time(2.0), ..Default::default() };

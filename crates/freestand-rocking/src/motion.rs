@@ -53,10 +53,10 @@ impl Motion {
     ///
     /// # Example
     /// ```
-    /// let motion = freestand::motion::Motion::new(0.5, vec![0.0, -2.0, 1.0])?;
+    /// let motion = freestand_rocking::motion::Motion::new(0.5, vec![0.0, -2.0, 1.0])?;
     /// assert_eq!(motion.duration_s(), 1.0);
     /// assert_eq!(motion.peak_m_s2(), 2.0);
-    /// # Ok::<(), freestand::motion::MotionError>(())
+    /// # Ok::<(), freestand_rocking::motion::MotionError>(())
     /// ```
     pub fn new(dt_s: f64, accel_m_s2: Vec<f64>) -> Result<Self, MotionError> {
         if !(dt_s > 0.0 && dt_s.is_finite()) {
@@ -95,9 +95,9 @@ impl Motion {
     ///
     /// # Example
     /// ```
-    /// let motion = freestand::motion::Motion::new(0.5, vec![1.0, -2.0, 4.0])?;
+    /// let motion = freestand_rocking::motion::Motion::new(0.5, vec![1.0, -2.0, 4.0])?;
     /// assert_eq!(motion.mean_m_s2(), 1.0);
-    /// # Ok::<(), freestand::motion::MotionError>(())
+    /// # Ok::<(), freestand_rocking::motion::MotionError>(())
     /// ```
     pub fn mean_m_s2(&self) -> f64 {
         mean(&self.accel_m_s2)
@@ -127,7 +127,7 @@ impl Motion {
     ///
     /// It is the same motion still: a response to it has the same values at the old samples, and its peaks are looked for
     /// between them as well. What a digitised record was between its samples is
-    /// [`upsampled_sinc`](crate::signal::resample::upsampled_sinc).
+    /// `freestand::signal::resample::upsampled_sinc`.
     pub fn upsampled(&self, factor: usize) -> Self {
         let factor = factor.max(1);
         let mut accel_m_s2 = Vec::with_capacity((self.accel_m_s2.len() - 1) * factor + 1);

@@ -58,7 +58,7 @@ const SMALL_TILE: usize = 128;
 ///
 /// # Example
 /// ```
-/// use freestand::{block::Block, motion::Motion, rocking::{Base, Outcome, RockingOptions, rock_many}};
+/// use freestand_rocking::{block::Block, motion::Motion, rocking::{Base, Outcome, RockingOptions, rock_many}};
 /// let pulse = Motion::new(0.01, (0..100).map(|i| 4.0 * (0.0628 * f64::from(i)).sin()).collect())?;
 /// let blocks = [Block::uniform(2.0, 0.3)?, Block::uniform(1.0, 0.9)?];
 /// let base = Base { horizontal: Some(&pulse), vertical: None };
@@ -90,8 +90,8 @@ pub fn rock_many_on(
 ///
 /// # Example
 /// ```
-/// use freestand::rocking::{Base, Restitution, RockingOptions, Until, rock_each};
-/// use freestand::{block::Block, motion::Motion};
+/// use freestand_rocking::rocking::{Base, Restitution, RockingOptions, Until, rock_each};
+/// use freestand_rocking::{block::Block, motion::Motion};
 /// let push = Motion::new(0.01, vec![4.0; 8])?;
 /// let block = Block::uniform(2.0, 0.3)?;
 /// let objects = [(block, Restitution::Value(0.5)), (block, Restitution::Value(0.9))];

@@ -121,11 +121,11 @@ impl Block {
     /// # Example
     /// The cabinet of Al Abadi et al., 2.3 m × 0.6 m:
     /// ```
-    /// let cabinet = freestand::block::Block::uniform(2.3, 0.6)?;
+    /// let cabinet = freestand_rocking::block::Block::uniform(2.3, 0.6)?;
     /// let edge = cabinet.pivot();
     /// assert!((edge.half_diagonal_m - 1.188486).abs() < 1e-6);
     /// assert!((edge.balance_rise_m() - 0.03849).abs() < 1e-5); // 38.5 mm
-    /// # Ok::<(), freestand::block::BlockError>(())
+    /// # Ok::<(), freestand_rocking::block::BlockError>(())
     /// ```
     pub fn uniform(height_m: f64, thickness_m: f64) -> Result<Self, BlockError> {
         let (h, t) = (length("height", height_m)?, length("thickness", thickness_m)?);

@@ -1,0 +1,18 @@
+//! The rocking of free-standing blocks: the part of freestand that takes longest to compile and changes least.
+//!
+//! | what | module |
+//! |---|---|
+//! | the object, as a rigid block on two edges | [`block`] |
+//! | equally spaced samples of acceleration | [`motion`] |
+//! | rotation against time: the scalar solver and the vector kernel | [`rocking`] |
+//!
+//! The crate `freestand` holds the rest of the science and re-exports these modules. Signs and units are described there.
+//! There are no files, clock, environment or output here.
+
+pub mod block;
+pub mod motion;
+mod polynomial;
+pub mod rocking;
+
+/// Standard acceleration of gravity, the unit "g" \[m/s²\].
+pub const G0_M_S2: f64 = 9.80665;
