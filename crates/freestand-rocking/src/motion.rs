@@ -160,7 +160,7 @@ impl Motion {
 }
 
 /// The mean of at least one value.
-pub(crate) fn mean(values: &[f64]) -> f64 {
+pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
