@@ -1,0 +1,3 @@
+pub fn print(_root: &std::path::Path, _rest: &[String]) -> Result<(), String> {
+    Ok(())
+}
