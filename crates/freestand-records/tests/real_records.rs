@@ -19,7 +19,7 @@ fn shared() -> Option<PathBuf> {
     let folder = std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace.join("../shared"), PathBuf::from);
     let found = folder.join("records/index.json").is_file();
     if !found {
-        println!("skipped: no records in {}", folder.display());
+        println!("skipped: recorded motions are not in $FREESTAND_SHARED/records (../shared)");
     }
     found.then_some(folder)
 }
