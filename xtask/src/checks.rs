@@ -46,6 +46,8 @@ pub fn all(root: &Path) -> bool {
         if !validate_shock::is_installed(root) {
             return Outcome::Skipped("`cargo xtask validate-shock` fetches pyyeti and endaq and compares".to_owned());
         }
+        // The tests have just built the program. With other targets cargo would choose other features of dependencies
+        // and build everything again.
         of(validate_shock::compare(root))
     });
     print!("\n{}", table(&rows, &tests));
