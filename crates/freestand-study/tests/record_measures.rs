@@ -9,10 +9,10 @@
     reason = "the lint configuration exempts test functions, but not the helpers of an integration test"
 )]
 
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::Processing;
 use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, SpectrumRequest, info, spectrum};
-use freestand_study::processing::Processing;
 use freestand_study::recorded::{MotionFiles, read_recorded};
-use freestand_study::records::ReadOptions;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
