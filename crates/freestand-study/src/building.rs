@@ -7,7 +7,7 @@ use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoub
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{number, percent};
-use freestand_records::formats::{load_table, read_modes, read_storeys};
+use freestand_records::tables::{load_table, read_modes, read_storeys};
 
 /// Modes that are kept where nobody says how many.
 pub const DEFAULT_MODES: usize = 10;

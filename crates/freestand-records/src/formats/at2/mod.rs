@@ -1,11 +1,11 @@
 //! PEER AT2: prose, a unit, a line with NPTS and DT, then the values in any number a line.
 
-use super::fortran::{bad_field, fields, scan};
-use super::gaps::Markers;
-use super::lines::{Line, lines};
-use super::prints::Prints;
-use super::units::{Stated, decide, not_known, requested, unit_in_prose};
-use super::{Direction, Found, ReadOptions, Reading};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading};
+use crate::text::digit_style::DigitStyle;
+use crate::text::fortran::{bad_field, fields, scan};
+use crate::text::gaps::Markers;
+use crate::text::lines::{Line, lines};
+use crate::text::units::{Stated, decide, not_known, requested, unit_in_prose};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 use std::path::Path;
@@ -160,11 +160,12 @@ fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
     // Of no values, the line that says so.
-    let (mut line_of_first_value, mut prints, mut markers) = (counts.line, Prints::default(), Markers::default());
+    let (mut line_of_first_value, mut digit_style, mut markers) =
+        (counts.line, DigitStyle::default(), Markers::default());
     for line in lines(bytes).skip(counts.line) {
         let before = values.len();
         fields(line.bytes, |number| {
-            prints.see(&number, line.number);
+            digit_style.see(&number, line.number);
             values.push(number.value);
         })
         .map_err(|bad| bad_field(&bad, line.number))?;
@@ -177,7 +178,7 @@ fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result
     }
     notes.extend(markers.judge(&values)?);
     if values.len() == counts.npts {
-        notes.extend(prints.note());
+        notes.extend(digit_style.note());
         return Ok((values, line_of_first_value));
     }
     let hint = if values.len() == 2 * counts.npts {
@@ -208,7 +209,7 @@ fn name_and_station(title: &str, path: &Path) -> (String, Option<String>) {
             return (component.to_owned(), Some((*station).to_owned()));
         }
     }
-    (super::file_stem(path), None)
+    (crate::motion_file::file_stem(path), None)
 }
 
 #[cfg(test)]

@@ -2,11 +2,11 @@
 //!
 //! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line that ends the record.
 
-use super::format::Format;
-use super::fortran::{Number, fields, is_missing_value, scan};
-use super::lines::{Line, Lines, lines};
-use super::units::TENTHS_OF_G;
-use super::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::{Number, fields, is_missing_value, scan};
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::units::TENTHS_OF_G;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;

@@ -1,15 +1,15 @@
 //! Motions in columns: with or without a time column, a header, units.
 
-use super::dialect::Separator;
-use super::even_grid::on_even_grid;
-use super::fortran::is_missing_value;
-use super::gaps::{gap, ordinary_note};
-use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
-use super::sampling::{Uneven, even_step, time_step};
-use super::stated_step::{count_in_words, dt_in_comment, step_in_prose};
-use super::table::{self, Table};
-use super::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
-use super::{Component, Direction, ReadOptions, Reading, motion};
+use crate::motion_file::{Component, Direction, ReadOptions, Reading, motion};
+use crate::text::dialect::Separator;
+use crate::text::even_grid::{Uneven, on_even_grid};
+use crate::text::fortran::is_missing_value;
+use crate::text::gaps::{gap, ordinary_note};
+use crate::text::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
+use crate::text::sampling::{even_step, time_step};
+use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
+use crate::text::table::{self, Table};
+use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
@@ -90,7 +90,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             let lines = own.into_iter().chain(others.map(|(line, text)| (*line, text.as_str())));
             not_known(lines).filter(|_| stated.is_none()).unwrap_or(problem)
         })?;
-        notes.extend(column.prints.note());
+        notes.extend(column.digit_style.note());
         let mut values = column.values;
         if let Some(row) = gap(&values, is_missing_value) {
             return Err(missing(&values[row].to_string(), table.line_of_row(bytes, row)));
@@ -108,7 +108,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         }
         let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
-            "" if count == 1 => super::file_stem(path),
+            "" if count == 1 => crate::motion_file::file_stem(path),
             // Numbered as --component counts them, which is not how the columns are counted.
             "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),

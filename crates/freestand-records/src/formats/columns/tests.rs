@@ -1,6 +1,6 @@
 use super::*;
-use crate::formats::headings::heading;
 use crate::formats::{MotionFile, parse_motions, write_at2, write_csv};
+use crate::text::headings::heading;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 
@@ -231,7 +231,7 @@ fn a_number_of_values_that_does_not_fit_is_no_value() {
         assert!(parse(&text, &options).is_ok(), "{text}");
     }
     let whole = series(300, |value| format!("{:.0}", value * 1e3));
-    let file = parse(&format!("300\n{whole}"), &super::ReadOptions { unit: Some("mm/s2".into()), ..options.clone() });
+    let file = parse(&format!("300\n{whole}"), &ReadOptions { unit: Some("mm/s2".into()), ..options.clone() });
     let file = file.unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), 301);
     assert!(file.notes[0].contains("the first row, 300, is read as a value"), "{:?}", file.notes);

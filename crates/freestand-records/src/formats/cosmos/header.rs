@@ -1,11 +1,11 @@
 //! What stands above the values of a COSMOS channel: text, whole numbers and reals.
 
 use super::Series;
-use crate::formats::ReadOptions;
-use crate::formats::format::Format;
-use crate::formats::fortran::{is_missing_value, scan};
-use crate::formats::lines::Lines;
 use crate::formats::volumes::{first_integer, step_in};
+use crate::motion_file::ReadOptions;
+use crate::text::fixed_width::Format;
+use crate::text::fortran::{is_missing_value, scan};
+use crate::text::lines::Lines;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 

@@ -5,12 +5,12 @@
 
 mod header;
 
-use super::format::{Block, Format};
-use super::fortran::is_missing_value;
-use super::lines::{Line, Lines, lines};
-use super::units::record_unit;
 use super::volumes::first_integer;
-use super::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::is_missing_value;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::units::record_unit;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, shorten};
@@ -106,7 +106,7 @@ fn finish(
     if !refused.is_empty() {
         notes.push(format!("{} series of other quantities than acceleration are left out", refused.len()));
     }
-    super::tell_apart(&mut components);
+    crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
 

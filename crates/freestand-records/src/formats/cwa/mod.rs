@@ -1,13 +1,13 @@
 //! The free format of Taiwan's weather service (CWB, since 2023 CWA): time and three components in columns, in gal.
 
-use super::format::Format;
-use super::fortran::scan;
-use super::head::{Head, leading_number};
-use super::lines::lines;
-use super::rows::{self, Rows};
-use super::sampling::step_of_rate;
-use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::scan;
+use crate::text::head::{Head, leading_number};
+use crate::text::lines::lines;
+use crate::text::rows::{self, Rows};
+use crate::text::sampling::step_of_rate;
+use crate::text::units::{Stated, decide, record_unit, requested};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`, then one value a line.
 
-use super::keyed::{Header, entry, read_rows};
-use super::lines::lines;
-use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::text::keyed::{Header, entry, read_rows};
+use crate::text::lines::lines;
+use crate::text::units::{Stated, decide, record_unit, requested};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
@@ -26,7 +26,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let header = Header::read(&mut rest);
     refuse_other_series(&header)?;
     let unit = unit(&header, options)?;
-    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options)?;
+    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options.dt_s)?;
     let mut notes = Vec::new();
     let declared = header.count("NDATA")?;
     let rows = read_rows(&mut rest, 1, declared, &mut notes)?;

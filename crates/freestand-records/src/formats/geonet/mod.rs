@@ -3,10 +3,10 @@
 //! For each component 16 lines of text, 40 integers (10I8), 60 reals (10F8) and the accelerations (10F8); a V2A file
 //! has the velocities and displacements behind them. Source: GeoNet, "Strong motion file formats".
 
-use super::format::{Block, Format};
-use super::fortran::{fields, is_missing_value};
-use super::lines::{Line, Lines, lines};
-use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::{fields, is_missing_value};
+use crate::text::lines::{Line, Lines, lines};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;

@@ -1,13 +1,12 @@
 //! K-NET and KiK-net ASCII, of the National Research Institute for Earth Science and Disaster Resilience (NIED), Japan:
 //! one component a file, in counts that keep the instrument's offset.
 
-use super::fortran::{fields, scan};
-use super::found::peak_note_of;
-use super::head::{Head, leading_number};
-use super::lines::{Lines, lines};
-use super::sampling::step_of_rate;
-use super::units::{missing, record_unit};
-use super::{Direction, Found, ReadOptions, Reading, file_stem};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note_of};
+use crate::text::fortran::{fields, scan};
+use crate::text::head::{Head, leading_number};
+use crate::text::lines::{Lines, lines};
+use crate::text::sampling::step_of_rate;
+use crate::text::units::{missing, record_unit};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, shorten};
 use std::path::Path;
@@ -175,7 +174,7 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
     for line in rest {
         let before = values.len();
         fields(line.bytes, |number| values.push(number.value))
-            .map_err(|bad| super::fortran::bad_field(&bad, line.number))?;
+            .map_err(|bad| crate::text::fortran::bad_field(&bad, line.number))?;
         if let Some(odd) = values[before..].iter().find(|value| value.abs() >= 1e30) {
             return Err(missing(&odd.to_string(), line.number));
         }

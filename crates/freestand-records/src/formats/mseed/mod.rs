@@ -2,16 +2,18 @@
 
 mod record;
 mod series;
+mod station_xml;
 mod steim;
 
 pub(super) use record::Source;
 
-use super::station_xml::{Sensed, Stations};
-use super::{Component, Direction, Found, ReadOptions, Reading, units, without_line};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, without_line};
+use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Unit;
 use record::{Record, header_order, is_version3, version2, version3};
 use series::{Series, join};
+use station_xml::{Sensed, Stations};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
@@ -126,7 +128,7 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
     let named = |way: &fn(&Source) -> String| channels.iter().map(|series| way(&series.source)).collect::<Vec<_>>();
     let differ = |names: &Vec<String>| names.iter().collect::<HashSet<_>>().len() == names.len();
     let names = ways.iter().map(named).find(differ).unwrap_or_else(|| named(&ways[2]));
-    let or_file = |name: String| if name.is_empty() { super::file_stem(path) } else { name };
+    let or_file = |name: String| if name.is_empty() { crate::motion_file::file_stem(path) } else { name };
     names.into_iter().map(or_file).collect()
 }
 

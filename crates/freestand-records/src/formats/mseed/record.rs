@@ -1,7 +1,7 @@
 //! The headers of miniSEED 2 and 3: which channel, when, how fast, and where the samples are.
 
-use super::super::binary::{Order, as_written, field};
-use super::super::instant::Instant;
+use crate::formats::binary::{Order, as_written, field};
+use crate::formats::instant::Instant;
 use freestand_input::problem::{Problem, ProblemKind};
 
 /// Who recorded.

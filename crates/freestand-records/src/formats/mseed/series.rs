@@ -1,8 +1,8 @@
 //! The records of one channel, put together in the order of time.
 
-use super::super::instant::Instant;
 use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
+use crate::formats::instant::Instant;
 use freestand_input::problem::{Problem, ProblemKind};
 
 /// A channel without gaps.

@@ -1,6 +1,6 @@
 //! Steim-1 and Steim-2: differences of 32-bit integers, packed into frames of 64 bytes (SEED 2.4 manual, appendix B).
 
-use super::super::binary::Order;
+use crate::formats::binary::Order;
 
 const FRAME: usize = 64;
 

@@ -2,8 +2,9 @@
 
 use super::binary::{Order, as_written, field};
 use super::instant::Instant;
-use super::lines::lines;
-use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note, units, without_line};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note, without_line};
+use crate::text::lines::lines;
+use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
 use std::path::Path;
 
@@ -99,7 +100,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let text = |word: usize, bytes: usize| header.text(word, bytes);
     let channel = text(600, 8);
     let component = Found {
-        name: channel.clone().unwrap_or_else(|| super::file_stem(path)),
+        name: channel.clone().unwrap_or_else(|| crate::motion_file::file_stem(path)),
         station: match (text(608, 8), text(440, 8)) {
             (Some(network), Some(station)) => Some(format!("{network}.{station}")),
             (network, station) => station.or(network),

@@ -1,13 +1,13 @@
 //! ASA, the standard acceleration file of Mexico's networks (UNAM, CICESE): a long Spanish header, then a column for each
 //! channel, in gal.
 
-use super::format::Format;
-use super::fortran::{fields, scan};
-use super::head::Head;
-use super::lines::{Line, Lines, lines};
-use super::rows;
-use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::{fields, scan};
+use crate::text::head::Head;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::rows;
+use crate::text::units::{Stated, decide, record_unit, requested};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;

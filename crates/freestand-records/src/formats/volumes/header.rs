@@ -1,9 +1,9 @@
 //! What stands above the series of a channel: text, whole numbers, and what they say.
 
 use super::{MOST_REALS, is_numbers, not_acceleration, unannounced};
-use crate::formats::fortran::{number, scan};
-use crate::formats::lines::{Line, Lines};
-use crate::formats::units::{TENTHS_OF_G, record_unit, unit_in_prose};
+use crate::text::fortran::{number, scan};
+use crate::text::lines::{Line, Lines};
+use crate::text::units::{TENTHS_OF_G, record_unit, unit_in_prose};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit};
 

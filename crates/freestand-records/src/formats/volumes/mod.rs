@@ -9,13 +9,14 @@ mod header;
 
 pub(super) use header::{first_integer, is_full_integer_row, step_in};
 
-use super::format::{Block, Format};
-use super::fortran::is_missing_value;
-use super::lines::{Line, Lines, lines};
-use super::units::{decide, requested};
-use super::{
-    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, pairs, peak_note,
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, peak_note,
 };
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::is_missing_value;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::pairs;
+use crate::text::units::{decide, requested};
 use freestand::G0_M_S2;
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -94,7 +95,7 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
     notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} is left out")));
     notes.extend(channels_note(&last_text, channel));
     notes.extend(network.end_mark.and_then(|mark| end_note(bytes, mark)));
-    super::tell_apart(&mut components);
+    crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
 
@@ -204,7 +205,7 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);
-    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options, room)?;
+    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options.uneven_dt_s, room)?;
     let block = Block { values, first_line };
     // The step given by the user is for files that state none; here the times state it.
     found(header, channel, header.unit()?, (dt_s, first_line), block, options)

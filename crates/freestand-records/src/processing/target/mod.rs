@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::formats::{SpectrumRow, load_spectrum, parse_spectrum};
+use crate::tables::{SpectrumRow, load_spectrum, parse_spectrum};
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
