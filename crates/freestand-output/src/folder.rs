@@ -1,7 +1,7 @@
 //! Output that is either complete or not there: nothing half-written is ever found under the name that was asked for.
 
 use crate::paths::{
-    STAGING_PREFIX, beside, clear_leftovers, io_problem, no_name, real_path, refuse_input, unique_suffix,
+    STAGING_PREFIX, clear_leftovers, io_problem, no_name, prefix_beside, real_path, refuse_input, staging_prefix,
 };
 use crate::streamed::StreamedFile;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -10,6 +10,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
+use tempfile::TempDir;
 
 /// Files by which we know a folder as ours.
 const MANIFESTS: [&str; 2] = [MANIFEST, "summary.json"];
@@ -43,11 +44,11 @@ pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), P
 #[derive(Debug)]
 pub struct OutputFolder {
     target: PathBuf,
-    staging: PathBuf,
+    /// Removed when dropped, unless it became the target.
+    staging: TempDir,
     force: bool,
     /// What the work was read from, and so must outlive it.
     inputs: Vec<PathBuf>,
-    committed: bool,
     /// Held while we live, so that nobody takes the staging folder for a leftover.
     _lock: Option<fs::File>,
 }
@@ -71,19 +72,20 @@ impl OutputFolder {
             refuse_input(&inputs, &target.join(name), ANOTHER_FOLDER)?;
         }
         // A folder that exists may be a mount point, or stand where nothing else may be written: we stay inside it.
-        let staging = match place {
+        let (folder, prefix) = match place {
             Place::Absent => {
-                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot make the folder", &error))?;
-                beside(&target, "partial").ok_or_else(|| no_name(&target))?
+                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot create the folder", &error))?;
+                (parent, prefix_beside(&target).ok_or_else(|| no_name(&target))?)
             }
-            Place::Folder { .. } => target.join(format!("{STAGING_PREFIX}{}", unique_suffix())),
+            Place::Folder { .. } => (target.as_path(), staging_prefix().into()),
         };
-        // One left over from a killed run that had our process number is ours to clear.
-        remove_if_there(&staging).map_err(|error| io_problem(&staging, "cannot clear the folder", &error))?;
-        fs::create_dir(&staging).map_err(|error| io_problem(&target, "cannot write the output folder", &error))?;
-        // Where a folder cannot be locked, the number of the process alone says whose it is.
-        let lock = fs::File::open(&staging).ok().filter(|folder| folder.try_lock().is_ok());
-        Ok(Self { target, staging, force, inputs, committed: false, _lock: lock })
+        let staging = tempfile::Builder::new().prefix(&prefix).tempdir_in(folder).map_err(|error| {
+            // tempfile's message names the temporary folder, which tells the user nothing.
+            io_problem(&target, "cannot write the output folder", &error.kind().into())
+        })?;
+        // Where a folder cannot be locked, the process number alone says whose it is.
+        let lock = fs::File::open(staging.path()).ok().filter(|folder| folder.try_lock().is_ok());
+        Ok(Self { target, staging, force, inputs, _lock: lock })
     }
 
     /// Whether files of these names may be put into the folder. To be asked before long work.
@@ -157,7 +159,7 @@ impl OutputFolder {
         if !stays_inside(name) {
             return Err(Problem::new(ProblemKind::Value, format!("\"{name}\" is no name inside the output folder")));
         }
-        Ok(self.staging.join(name))
+        Ok(self.staging.path().join(name))
     }
 
     /// Where a file of the folder is until the commit, its folders made: for one that is linked rather than written.
@@ -177,7 +179,7 @@ impl OutputFolder {
     /// A staging folder that somebody has taken away.
     pub fn names(&self) -> Result<Vec<String>, Problem> {
         let mut names = Vec::new();
-        collect_names(&self.staging, "", &mut names)
+        collect_names(self.staging.path(), "", &mut names)
             .map_err(|error| io_problem(&self.target, "cannot read the output folder", &error))?;
         names.sort_unstable();
         Ok(names)
@@ -193,11 +195,10 @@ impl OutputFolder {
         self.check(&names)?;
         match check_replaceable(&self.target, self.force)? {
             Place::Absent => {
-                fs::rename(&self.staging, &self.target)
+                fs::rename(self.staging.path(), &self.target)
                     .map_err(|error| io_problem(&self.target, "cannot put the folder in place", &error))?;
-                self.committed = true;
+                self.staging.disable_cleanup(true);
             }
-            // The emptied staging folder is left for `drop` to remove.
             Place::Folder { listed } => self.move_in(&names, &listed)?,
         }
         Ok(self.target.clone())
@@ -214,7 +215,7 @@ impl OutputFolder {
             // Until all is in place, whoever looks (the next run, too) sees old and new as ours and incomplete.
             let all: BTreeSet<&String> = names.iter().chain(listed).collect();
             let text = serde_json::json!({"schema": INCOMPLETE, "files": all}).to_string();
-            let marker = self.staging.join(".incomplete");
+            let marker = self.staging.path().join(".incomplete");
             fs::write(&marker, text)
                 .and_then(|()| fs::rename(&marker, self.target.join(manifest)))
                 .map_err(|error| failed(manifest, error))?;
@@ -226,18 +227,10 @@ impl OutputFolder {
             let to = self.target.join(name);
             to.parent()
                 .map_or(Ok(()), fs::create_dir_all)
-                .and_then(|()| fs::rename(self.staging.join(name), &to))
+                .and_then(|()| fs::rename(self.staging.path().join(name), &to))
                 .map_err(|error| failed(name, error))?;
         }
         Ok(())
-    }
-}
-
-impl Drop for OutputFolder {
-    fn drop(&mut self) {
-        if !self.committed {
-            let _ = fs::remove_dir_all(&self.staging);
-        }
     }
 }
 
@@ -366,13 +359,6 @@ fn absolute(path: &Path) -> Result<PathBuf, Problem> {
     match (path.file_name(), path.parent()) {
         (Some(_), _) => Ok(path),
         _ => fs::canonicalize(&path).map_err(|error| io_problem(&path, "cannot look at the output folder", &error)),
-    }
-}
-
-fn remove_if_there(path: &Path) -> io::Result<()> {
-    match fs::remove_dir_all(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        other => other,
     }
 }
 
@@ -656,7 +642,7 @@ mod tests {
         for name in ["", "..", "../x", "/etc/x", "a/../../x", "."] {
             assert!(folder.write(name, b"x").is_err(), "{name}");
         }
-        assert_eq!(names(&folder.staging).len(), 0);
+        assert_eq!(names(folder.staging.path()).len(), 0);
         assert!(OutputFolder::stage(Path::new("/"), true, &[]).is_err());
     }
 }
