@@ -96,7 +96,7 @@ pub fn io_problem(path: &Path, what: &str, error: &io::Error) -> Problem {
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "check the permissions, or choose another place"
         }
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make room on the disk, or choose another place",
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free space on the disk, or choose another place",
         _ => "choose another place",
     };
     Problem::new(ProblemKind::Io, format!("{what}: {error}")).in_file(path).hint(hint)

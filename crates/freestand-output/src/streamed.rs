@@ -34,7 +34,7 @@ impl StreamedFile {
         refuse_input(&inputs, path, "name another file to write")?;
         let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
         if path.is_dir() {
-            return Err(Problem::new(ProblemKind::Io, "is a folder, a file is to be written there")
+            return Err(Problem::new(ProblemKind::Io, "is a folder, but a file is to be written there")
                 .in_file(path)
                 .hint("name a file"));
         }

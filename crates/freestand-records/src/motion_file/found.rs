@@ -57,10 +57,11 @@ impl Found {
             && (unit.to_si(1.0) - self.unit.to_si(1.0)).abs() > 1e-12 * self.unit.to_si(1.0)
             && unit.symbol != self.unit.symbol
         {
-            let message = format!("the record is in {} as the file says, not in {}", self.unit.symbol, unit.symbol);
+            let message =
+                format!("the record is in {} according to the file, not in {}", self.unit.symbol, unit.symbol);
             return Err(Problem::new(ProblemKind::Value, message)
                 .at_line(self.line)
-                .hint("leave out the unit (--unit, or unit in the study), or correct the file if it is wrong"));
+                .hint("leave out `unit`, or correct the file if it is wrong"));
         }
         let at_step = |problem: Problem| problem.at_line(self.line_of_step);
         check_step(self.dt_s, ProblemKind::Format).map_err(at_step)?;
@@ -68,9 +69,9 @@ impl Found {
             // One part in a million is a difference in printing, not in meaning.
             && (dt_s - self.dt_s).abs() > 1e-6 * self.dt_s
         {
-            let message = format!("the time step is {} s as the header says, not {dt_s} s", self.dt_s);
+            let message = format!("the time step is {} s according to the header, not {dt_s} s", self.dt_s);
             return Err(at_step(Problem::new(ProblemKind::Value, message))
-                .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"));
+                .hint("leave out `dt`, or correct the file if it is wrong"));
         }
         for value in &mut self.values {
             *value = self.unit.to_si(*value);
@@ -141,8 +142,8 @@ pub(crate) fn extreme_note(component: &Component) -> Option<String> {
     (peak_m_s2 > HIGHEST_M_S2).then(|| {
         let (name, peak_g) = (shorten(&component.name), peak_m_s2 / freestand::G0_M_S2);
         format!(
-            "{name}: value {} is {peak_g:.1} g, more than the ground or a floor does: is the unit right ({}), or a digit or a \
-             decimal point damaged?",
+            "{name}: value {} is {peak_g:.1} g, more than any ground or floor motion: check the unit ({}) and look for a \
+             damaged digit or decimal point",
             at + 1,
             component.unit
         )
@@ -174,7 +175,8 @@ pub(crate) fn channels_note(header: &[String], found: usize) -> Option<String> {
         let (before, _) = upper.split_once("CHNS OF")?;
         before.rsplit(['(', ' ']).find(|word| !word.is_empty())?.parse().ok()
     })?;
-    (found < stated).then(|| format!("the header states {stated} channels, the file has {found}: it may be cut off"))
+    (found < stated)
+        .then(|| format!("the header states {stated} channels, but the file has {found}: it may be cut off"))
 }
 
 /// What is to be said where no line with `mark` (in lower case) ends the last channel.
@@ -184,7 +186,7 @@ pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<String> {
     let lines = bytes.rsplit(|b| matches!(b, b'\n' | b'\r')).map(|bytes| Line { number: 0, bytes });
     let mut last = lines.filter(|line| !line.is_blank()).take(MOST).take_while(Line::is_text);
     let is_there = last.any(|line| line.text().to_ascii_lowercase().contains(mark));
-    (!is_there).then(|| format!("no line \"{mark}\" ends the last channel: the file may be cut off"))
+    (!is_there).then(|| format!("the last channel does not end with a line \"{mark}\": the file may be cut off"))
 }
 
 /// Samples in m/s² as a motion.

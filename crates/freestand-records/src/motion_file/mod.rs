@@ -117,7 +117,11 @@ impl MotionFile {
     /// Notes a StationXML that was named and had no use.
     pub(crate) fn with_unused(mut self, options: &ReadOptions) -> Self {
         if let Some(xml) = options.station_xml.as_ref().filter(|_| self.station_xml().is_empty()) {
-            self.notes.push(format!("{} is not used: a {} record needs no StationXML", xml.display(), self.format));
+            self.notes.push(format!(
+                "{} was not used: a {} record does not need a StationXML file",
+                xml.display(),
+                self.format
+            ));
         }
         self
     }
@@ -151,7 +155,7 @@ impl MotionFile {
         };
         Err(Problem::new(ProblemKind::Value, problem)
             .in_file(&self.path)
-            .hint("choose one by name or number (--component, or component in the study)"))
+            .hint("choose one by name or number with `component`"))
     }
 
     fn listing(&self) -> String {

@@ -11,8 +11,8 @@ use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{self, Dimension, shorten};
 
-const STOREYS: &str = "one row a storey from the ground up, under \"storey,height [m],mass [t],stiffness [kN/mm]\"";
-const MODES: &str = "one row a mode, under \"mode,period [s],participation,damping [%],effective mass [%],3.2 m,6.4 m\" \
+const STOREYS: &str = "one row per storey from the ground up, under \"storey,height [m],mass [t],stiffness [kN/mm]\"";
+const MODES: &str = "one row per mode, under \"mode,period [s],participation,damping [%],effective mass [%],3.2 m,6.4 m\" \
                      and so on: the shape at each floor under its height";
 
 /// The rows of a table of storeys, and their lines.
@@ -47,8 +47,8 @@ pub fn read_storeys(bytes: &[u8]) -> Result<StoreyTable, Problem> {
     let height = cells.needed(Dimension::Length, "the height of a storey")?;
     let name = cells.headings.get(height).map_or("", |heading| heading.name.as_str());
     if name.to_lowercase().contains("elev") {
-        let message = format!("the column \"{}\" is no height of a storey", shorten(name));
-        let hint = "write the height of each storey alone: its elevation less that of the storey below";
+        let message = format!("the column \"{}\" is not the height of a storey", shorten(name));
+        let hint = "write the height of each storey: its elevation minus that of the storey below";
         return Err(wrong(cells.line, message).hint(hint));
     }
     let mass = cells.needed(Dimension::Mass, "the mass of a floor")?;
@@ -82,7 +82,7 @@ fn check_upwards<'a>(rows: impl Iterator<Item = (usize, &'a str)>) -> Result<(),
         if let (Some(below), Some(here)) = (below, here)
             && here <= below
         {
-            let message = format!("storey {here} stands behind storey {below}");
+            let message = format!("storey {here} follows storey {below}");
             return Err(wrong(line, message).hint("sort the rows from the ground up, each storey once"));
         }
         below = here.or(below);
@@ -141,8 +141,8 @@ pub fn read_modes(bytes: &[u8]) -> Result<ModeTable, Problem> {
         if let ModeColumn::Floor(height_m) = kind {
             floors.push((index, height_m));
         } else if kinds.iter().any(|&(_, other)| other == kind) {
-            let message = format!("the column \"{}\" says again what another says", shorten(&heading.name));
-            return Err(wrong(cells.line, message).hint("leave one of them in the file"));
+            let message = format!("the column \"{}\" repeats another", shorten(&heading.name));
+            return Err(wrong(cells.line, message).hint("keep only one of them in the file"));
         }
         kinds.push((index, kind));
     }
@@ -183,7 +183,7 @@ fn check_heights(floors: &[(usize, f64)], line: usize) -> Result<(), Problem> {
     for &(_, height_m) in floors {
         // The negation catches what is no number, too.
         if height_m.partial_cmp(&below_m) != Some(std::cmp::Ordering::Greater) {
-            let message = format!("the floor at {height_m} m does not stand above the one before it, at {below_m} m");
+            let message = format!("the floor at {height_m} m is not above the one before it, at {below_m} m");
             let hint = "write the floors from the lowest above the ground to the roof, without the ground";
             return Err(Problem::new(ProblemKind::Format, message).at_line(line).hint(hint));
         }
@@ -235,12 +235,12 @@ mod tests {
             (read_storeys(format!("{storeys}1,3,4\n").as_bytes()).map(drop), "line 2: 3 cells under 4"),
             (read_storeys(format!("{storeys}1,3,4,x\n").as_bytes()).map(drop), "the stiffness is \"x\""),
             (read_storeys(format!("{storeys}1,3,4,\n").as_bytes()).map(drop), "the stiffness is \"\""),
-            (read_storeys(format!("{storeys}L2,3,4,5\nL1,3,4,5\n").as_bytes()).map(drop), "line 3: storey 1 stands"),
+            (read_storeys(format!("{storeys}L2,3,4,5\nL1,3,4,5\n").as_bytes()).map(drop), "line 3: storey 1 follows"),
             (read_modes(b"period [s],participation\n1,2\n").map(drop), "no column holds the shape"),
             (read_modes(b"period [s],3 m\n1,2\n").map(drop), "no column holds a participation"),
             (read_modes(b"period,participation,3 m\n1,2,1\n").map(drop), "the column \"period\" is not known"),
             (read_modes(b"period [s],participation,UX,3 m\n1,2,1,1\n").map(drop), "\"UX\" is not known"),
-            (read_modes(b"period [s],participation,6 m,3 m\n1,2,1,1\n").map(drop), "the floor at 3 m does not"),
+            (read_modes(b"period [s],participation,6 m,3 m\n1,2,1,1\n").map(drop), "the floor at 3 m is not"),
             (read_modes(format!("{modes}1,1,1,0.5,inf\n").as_bytes()).map(drop), "line 2: the shape is \"inf\""),
         ];
         for (result, said) in cases {

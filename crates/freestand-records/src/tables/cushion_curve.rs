@@ -9,7 +9,7 @@ use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
 
-const HINT: &str = "name the columns with their units, such as \
+const HINT: &str = "name the columns and their units, such as \
                     \"static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]\"";
 
 /// One drop on a cushion; `None` where the file has no such column.
@@ -51,8 +51,8 @@ fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
         let Some((one, column)) = found.next() else { return Ok(None) };
         if let Some((other, _)) = found.next() {
             let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
-            let problem = Problem::new(ProblemKind::Format, format!("{names} both are {}", dimension.with_article()));
-            return Err(problem.at_line(line).hint("leave one of them in the file"));
+            let problem = Problem::new(ProblemKind::Format, format!("{names} are both {}", dimension.with_article()));
+            return Err(problem.at_line(line).hint("keep only one of them in the file"));
         }
         Ok(Some(column.values.iter().map(|&value| one.unit.map_or(value, |unit| unit.to_si(value))).collect()))
     };

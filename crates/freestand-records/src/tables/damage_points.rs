@@ -9,7 +9,7 @@ use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
 
-const HINT: &str = "name the columns with their units, such as \
+const HINT: &str = "name the columns and their units, such as \
                     \"velocity change [m/s],peak acceleration [g],damaged,method\"";
 
 /// One shock of a test; `None` where the file does not say.
@@ -62,7 +62,9 @@ fn columns(line: &Line<'_>) -> Result<Columns, Problem> {
         let first = found.next();
         if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
             let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
-            return Err(wrong(line.number, format!("{names} are both {what}")).hint("leave one of them in the file"));
+            return Err(
+                wrong(line.number, format!("{names} are both {what}")).hint("keep only one of them in the file")
+            );
         }
         Ok(first.map(|(index, _)| index))
     };
@@ -96,7 +98,7 @@ fn row(line: &Line<'_>, columns: &Columns) -> Result<DamageRow, Problem> {
     let cells = quoted_cells(&line.text(), columns.separator);
     if cells.len() != columns.headings.len() {
         let message = format!("{} cells under {} headings", cells.len(), columns.headings.len());
-        return Err(wrong(line.number, message).hint("write one point a line"));
+        return Err(wrong(line.number, message).hint("write one point per line"));
     }
     let cell = |index: usize| cells.get(index).map_or("", String::as_str);
     let number = |index: usize, what: &str| -> Result<f64, Problem> {
@@ -123,7 +125,7 @@ fn row(line: &Line<'_>, columns: &Columns) -> Result<DamageRow, Problem> {
         "A" => Some('A'),
         "B" => Some('B'),
         other => {
-            let message = format!("\"{}\" is no method of ASTM D3332", shorten(other));
+            let message = format!("\"{}\" is not a method of ASTM D3332", shorten(other));
             let hint = "write A (short pulses, critical velocity change) or B (critical acceleration)";
             return Err(wrong(line.number, message).hint(hint));
         }
@@ -167,7 +169,7 @@ mod tests {
             ("velocity change [m/s],peak [g]\n1,2\n", "whether there was damage"),
             ("v [m/s],w [m/s],peak [g],damaged\n1,1,2,0\n", "both a velocity change"),
             (&format!("{NAMES}1,2,maybe,A\n"), "line 2: \"maybe\" does not say"),
-            (&format!("{NAMES}1,2,0,A\n1,2,0,C\n"), "line 3: \"C\" is no method"),
+            (&format!("{NAMES}1,2,0,A\n1,2,0,C\n"), "line 3: \"C\" is not a method"),
             (&format!("{NAMES}1,-2,0,A\n"), "line 2: the peak acceleration is \"-2\""),
             (&format!("{NAMES}1,nan,0,A\n"), "not a positive number"),
             (&format!("{NAMES}1,2,0\n"), "3 cells under 4 headings"),

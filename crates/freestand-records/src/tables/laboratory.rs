@@ -38,7 +38,7 @@ pub fn load_static(path: &Path) -> Result<ForceDisplacement, Problem> {
 
 fn read_static(bytes: &[u8]) -> Result<ForceDisplacement, Problem> {
     let mut table = table::read(bytes)?;
-    let wanted = "name the columns with their units, such as \"displacement [mm],force [N]\"";
+    let wanted = "name the columns and their units, such as \"displacement [mm],force [N]\"";
     let Some((headings, line)) = headings_of(&table) else {
         return Err(Problem::new(ProblemKind::Format, "the columns have no names").hint(wanted));
     };
@@ -53,7 +53,7 @@ fn read_static(bytes: &[u8]) -> Result<ForceDisplacement, Problem> {
         };
         if let Some((_, other)) = found.next() {
             let names = format!("\"{}\" and \"{}\"", shorten(&heading.name), shorten(&other.name));
-            return Err(problem(format!("{names} are both a {what}")).hint("leave one of them in the file"));
+            return Err(problem(format!("{names} are both a {what}")).hint("keep only one of them in the file"));
         }
         let values = table.columns.get_mut(index).map(|column| std::mem::take(&mut column.values)).unwrap_or_default();
         Ok(heading.unit.map_or_else(Vec::new, |unit| values.iter().map(|value| unit.to_si(*value)).collect()))

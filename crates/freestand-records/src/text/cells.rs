@@ -42,7 +42,7 @@ impl Cells {
         let headings: Vec<Heading> = quoted_cells(&text, separator).iter().map(|cell| heading(cell)).collect();
         let rows = rest.map(|line| row(&line, separator, headings.len())).collect::<Result<Vec<_>, _>>()?;
         if rows.is_empty() {
-            return Err(wrong(header.number, "no rows stand under the headings").hint(hint));
+            return Err(wrong(header.number, "no rows follow the headings").hint(hint));
         }
         Ok(Self { separator, headings, line: header.number, rows, hint })
     }
@@ -53,7 +53,7 @@ impl Cells {
         let first = found.next();
         if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
             let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
-            return Err(wrong(self.line, format!("{names} are both {what}")).hint("leave one of them in the file"));
+            return Err(wrong(self.line, format!("{names} are both {what}")).hint("keep only one of them in the file"));
         }
         Ok(first.map(|(index, _)| index))
     }
@@ -89,7 +89,7 @@ fn row(line: &Line<'_>, separator: u8, headings: usize) -> Result<Row, Problem> 
     let cells = quoted_cells(&line.text(), separator);
     if cells.len() != headings {
         return Err(wrong(line.number, format!("{} cells under {headings} headings", cells.len()))
-            .hint("write one row a line, with a cell for each heading"));
+            .hint("write one row per line, with a cell for each heading"));
     }
     Ok(Row { line: line.number, cells })
 }

@@ -48,8 +48,8 @@ impl DigitStyle {
     pub(crate) fn note(&self) -> Option<String> {
         self.odd_one().map(|line| {
             format!(
-                "line {line}: a number has more or fewer characters behind its point than every other: the file may be \
-                 damaged or cut off there"
+                "line {line}: a number has more or fewer characters after its decimal point than all others: \
+                 the file may be damaged or cut off there"
             )
         })
     }

@@ -24,13 +24,13 @@ pub(crate) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64, most: usi
     let points = times_s.len().min(values.len());
     if let Some(row) = (1..points).find(|&i| !rises(i)) {
         let message = format!("the time does not increase: {} after {}", times_s[row], times_s[row - 1]);
-        return Err(uneven(row, message, "a record has one value at one time: repair the record"));
+        return Err(uneven(row, message, "a record has one value at each time: repair the record"));
     }
     // The last point is on the grid if it is missed by rounding only.
     let steps = ((last - first) / dt_s + ON_GRID).floor();
     if !(dt_s > 0.0 && steps < most as f64) {
         let message = format!("the record from {first} s to {last} s is too long for steps of {dt_s} s");
-        return Err(uneven(0, message, "ask for a longer step (--resample)"));
+        return Err(uneven(0, message, "choose a longer step with `resample`"));
     }
     let mut samples = Vec::with_capacity(steps as usize + 1);
     // The point at or before the sample.

@@ -94,10 +94,10 @@ impl Format {
             if found > wanted {
                 return Err(Problem::new(
                     ProblemKind::Format,
-                    format!("{found} values of {what} stand on a line that has {wanted}"),
+                    format!("{found} values of {what} on a line that should have {wanted}"),
                 )
                 .at_line(line.number)
-                .hint("the number of values in the header does not fit the file"));
+                .hint("the number of values in the header does not match the file"));
             }
         }
         line_width.check()?;

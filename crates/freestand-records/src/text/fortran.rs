@@ -128,7 +128,7 @@ pub(crate) fn bad_field(bad: &BadField, line: usize) -> Problem {
         BadField::NotANumber(text) => {
             Problem::new(ProblemKind::Format, format!("\"{}\" is not a number", shorten(text)))
                 .at_line(line)
-                .hint("the file may be damaged; a line that is a comment must begin with #")
+                .hint("the file may be damaged; comment lines must begin with #")
         }
     }
 }

@@ -21,7 +21,7 @@ pub(crate) fn gap(values: &[f64], is_marker: impl Fn(f64) -> bool) -> Option<usi
 
 /// What is to be said of a value that may stand for a missing one and is read as it is.
 pub(crate) fn ordinary_note(value: f64, line: usize) -> String {
-    format!("line {line}: {value} is read as a value, for others are as large; it may stand for a missing one")
+    format!("line {line}: {value} is read as a value because others are as large; it may mark a missing value")
 }
 
 /// The values of a column that may stand for missing ones, noticed line by line and judged in the end.

@@ -50,7 +50,7 @@ impl Head {
 /// No number.
 pub(crate) fn leading_number(key: &str, (line, text): (usize, &str)) -> Result<f64, Problem> {
     scan(text.as_bytes()).map(|number| number.value).filter(|value| value.is_finite()).ok_or_else(|| {
-        Problem::new(ProblemKind::Format, format!("\"{}\" is no number for \"{key}\"", shorten(text)))
+        Problem::new(ProblemKind::Format, format!("\"{}\" is not a number for \"{key}\"", shorten(text)))
             .at_line(line)
             .hint("the header is damaged: fetch the file again")
     })

@@ -39,10 +39,10 @@ impl LineWidth {
         match self.first_short.filter(|_| self.has_blank && self.filled > self.short) {
             None => Ok(()),
             Some((line, length, full)) => {
-                let message = format!("the line has {length} characters, its numbers fill {full}");
+                let message = format!("the line has {length} characters, but its numbers need {full}");
                 Err(Problem::new(ProblemKind::Format, message).at_line(line).hint(
-                    "a character is missing or the file is cut off: fetch it again, or set the numbers flush right in the \
-                     columns of the other lines",
+                    "a character is missing or the file is cut off: fetch it again, or align the numbers with \
+                     those of the other lines",
                 ))
             }
         }

@@ -4,7 +4,7 @@ use freestand_input::problem::{Problem, ProblemKind};
 
 const UNPACK: &str = "unpack it first";
 const CONVERT: &str = "convert the record to miniSEED, AT2, or CSV with time and acceleration columns";
-const NAME_RECORD: &str = "name the record file; a StationXML goes to --station-xml";
+const NAME_RECORD: &str = "name the record file; name a StationXML file with `station_xml`";
 
 /// What else people have in hand: where a signature stands, the signature, what it is, what to do.
 const OTHERS: &[(usize, &[u8], &str, &str)] = &[
@@ -14,7 +14,7 @@ const OTHERS: &[(usize, &[u8], &str, &str)] = &[
     (0, b"\xFD7zXZ\x00", "an xz file", UNPACK),
     (0, b"7z\xBC\xAF", "a 7-zip file", UNPACK),
     (257, b"ustar", "a tar file", UNPACK),
-    (0, b"\xD0\xCF\x11\xE0", "an Excel or Word file of old", "save the worksheet as CSV"),
+    (0, b"\xD0\xCF\x11\xE0", "an old Excel or Word file", "save the worksheet as CSV"),
     (0, b"\x89HDF\r\n\x1A\n", "an HDF5 file (ASDF, MATLAB 7.3)", CONVERT),
     (0, b"MATLAB 5.0", "a MATLAB file", CONVERT),
     (0, b"\x93NUMPY", "a NumPy file", CONVERT),
@@ -51,7 +51,7 @@ pub(crate) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
         return Err(Problem::new(ProblemKind::Format, format!("is {kind}")).hint(*remedy));
     }
     if bytes.contains(&0) {
-        return Err(Problem::new(ProblemKind::Format, "is a binary file; no binary format is recognised in it")
+        return Err(Problem::new(ProblemKind::Format, "is a binary file of an unknown format")
             .hint("convert the record to AT2, or to CSV with time and acceleration columns"));
     }
     Ok(())

@@ -125,16 +125,15 @@ impl Pairs {
         let most = MOST_UNASKED.min(MOST_FOR_A_POINT * self.times_s.len() as f64);
         let Some(dt_s) = step.filter(|dt_s| asked_s.is_some() || span_s / dt_s <= most) else {
             let message =
-                format!("the record of {span_s} s is unevenly sampled, and too long for the step of its times");
+                format!("the record is unevenly sampled and, with {span_s} s, too long for the step of its times");
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(self.first_line)
-                .hint("give the step to which it is to be interpolated, such as \"0.005 s\" (--resample)"));
+                .hint("give a step for interpolation, such as `resample = \"0.005 s\"`"));
         };
         let values = on_even_grid(&self.times_s, &self.values, dt_s, room).map_err(|uneven| self.problem(uneven))?;
         let points = self.times_s.len();
-        let note = format!(
-            "{name}: {points} points at uneven times are read as the straight lines between them, in steps of {dt_s} s"
-        );
+        let note =
+            format!("{name}: {points} points at uneven times were interpolated on straight lines to steps of {dt_s} s");
         Ok((dt_s, values, Some(note)))
     }
 
@@ -181,7 +180,7 @@ mod tests {
         assert!(pairs(long).evenly("up", None, 1000).err().unwrap().to_string().contains("does not increase"));
         let long = "0.000 1.0 0.001 2.0\n99999.999 1.0\n";
         let problem = pairs(long).evenly("up", None, 1000).err().unwrap();
-        assert!(problem.hint.unwrap().contains("--resample"));
+        assert!(problem.hint.unwrap().contains("`resample = "));
         let damaged = pairs("0.000 1.0 0.001 2.0\n1000000000.0 1.0\n");
         assert!(damaged.evenly("up", Some(1e-6), 1000).err().unwrap().to_string().contains("too long for steps"));
     }

@@ -15,7 +15,7 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
     }
     Err(Problem::new(ProblemKind::Format, format!("the sampling rate is {rate_hz} Hz"))
         .at_line(line)
-        .hint("this header line must have the samples per second, such as 100 or 200: correct it"))
+        .hint("this header line must give samples per second, such as 100 or 200: correct it"))
 }
 
 /// The step of equally spaced `times`, in their own unit; the last digit that any of them prints counts
@@ -81,7 +81,7 @@ fn falling(times: &[f64], row: usize) -> Uneven {
     Uneven {
         row,
         message: format!("the time does not increase: {} after {}", times[row], times[row - 1]),
-        hint: "the first column must be the time; where there is none, give the step (--dt, or dt in the study)",
+        hint: "the first column must be the time; without a time column, give `dt`",
     }
 }
 
@@ -97,7 +97,7 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
         return Uneven {
             row: found,
             message: format!("the times are printed too coarsely for a step of about {}", number(mean)),
-            hint: "drop the time column and give the step (--dt, or dt in the study)",
+            hint: "remove the time column and give `dt`",
         };
     }
     let row = times.windows(2).position(|pair| is_odd(pair[1] - pair[0])).map_or(found, |i| i + 1);

@@ -71,10 +71,10 @@ fn is_row(line: &Line<'_>) -> bool {
 /// Reads a table.
 pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
     if let Some(line) = lines(bytes).find(|line| line.bytes.len() > LONGEST_ROW) {
-        let message = format!("a line of {} MB is no row of a table", line.bytes.len() >> 20);
+        let message = format!("a line of {} MB is not a row of a table", line.bytes.len() >> 20);
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(line.number)
-            .hint("write one row a line, or the values of one series under an AT2 header (NPTS, DT)"));
+            .hint("write one row per line, or the values of one series under an AT2 header (NPTS, DT)"));
     }
     let (mut header, mut comments) = (Vec::new(), Vec::new());
     let mut rest = lines(bytes);
@@ -83,7 +83,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
         let Some(line) = rest.next().filter(|line| line.number <= HEADER_LINES) else {
             return Err(Problem::new(ProblemKind::Format, "no row of numbers was found; the format is not recognised")
                 .hint(
-                    "formats read: PEER AT2, those of the agencies, and text with columns of time and acceleration",
+                    "known formats: PEER AT2, those of the agencies, and text with columns of time and acceleration",
                 ));
         };
         if line.is_comment() {
@@ -219,7 +219,7 @@ fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: 
                 values += 1;
                 broken.get_or_insert(bad);
             }
-            // A lone dash or point stands for a missing value; dashes below other words underline them.
+            // A lone dash or point marks a missing value; dashes below other words underline them.
             Err(bad @ BadField::NotANumber(text)) if is_damaged_number(text, own.len() == 1, header.len() == 1) => {
                 broken.get_or_insert(bad);
             }
@@ -230,7 +230,7 @@ fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: 
     match broken {
         // "1st" and "2nd" above two columns are names; a name alone above its column does not begin with a digit.
         Some(bad) if values > 0 || own.len() == 1 => {
-            Err(bad_field(bad, *line).hint("correct the number, or put # in front of the line if it is a comment"))
+            Err(bad_field(bad, *line).hint("correct the number, or begin the line with # if it is a comment"))
         }
         _ => Ok(()),
     }
@@ -294,9 +294,9 @@ fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
 }
 
 fn ragged(line: usize, found: usize, expected: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("the first row has {expected} values, this one {found}"))
+    Problem::new(ProblemKind::Format, format!("the first row has {expected} values, this one has {found}"))
         .at_line(line)
-        .hint("every row must have the same columns; one series with several values a line needs an AT2 header (NPTS, DT)")
+        .hint("every row must have the same columns; one series with several values per line needs an AT2 header (NPTS, DT)")
 }
 
 /// A whole number above a column of decimals, larger than all of them, is the number of values, which does not fit.
@@ -308,7 +308,8 @@ fn check_first_row(table: &Table) -> Result<(), Problem> {
     if !(is_count && others.iter().all(|other| other.abs() < first)) {
         return Ok(());
     }
-    let message = format!("the first row, {first}, seems to be the number of values, but {} follow", others.len());
+    let message =
+        format!("the first row, {first}, seems to be the number of values, but {} values follow", others.len());
     Err(Problem::new(ProblemKind::Format, message)
         .at_line(table.line_of_first_value)
         .hint("the file may be cut off: fetch it again; if the row is a value, write it with a decimal point"))

@@ -88,7 +88,7 @@ pub(crate) fn not_known<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> Op
     Some(
         Problem::new(ProblemKind::Value, format!("the unit \"{}\" is not known", shorten(&text)))
             .at_line(line)
-            .hint("say what it is, such as g, m/s2 or cm/s2 (--unit, or unit in the study)"),
+            .hint("state a known one with `unit`: g, m/s2, cm/s2 or another"),
     )
 }
 
@@ -129,14 +129,14 @@ pub(crate) fn decide(
         // gal and cm/s2 are one unit: compare what they are worth.
         (Some(stated), Some(requested)) if stated.unit.to_si(1.0) != requested.to_si(1.0) => Err(Problem::new(
             ProblemKind::Value,
-            format!("{what} is in {} as the file says, not in {}", stated.unit.symbol, requested.symbol),
+            format!("{what} is in {} according to the file, not in {}", stated.unit.symbol, requested.symbol),
         )
         .at_line(stated.line)
-        .hint("leave out the unit (--unit, or unit in the study), or correct the file if it is wrong")),
+        .hint("leave out `unit`, or correct the file if it is wrong")),
         (Some(stated), _) => Ok(stated.unit),
         (None, Some(requested)) => Ok(requested),
         (None, None) => Err(Problem::new(ProblemKind::Value, format!("the unit of {what} is not stated in the file"))
-            .hint("give it, such as g, m/s2 or cm/s2 (--unit, or unit in the study)")),
+            .hint("state it with `unit`: g, m/s2, cm/s2 or another")),
     }
 }
 
@@ -144,7 +144,7 @@ fn not_acceleration(stated: Stated, what: &str) -> Problem {
     Problem::new(
         ProblemKind::Format,
         format!(
-            "{what} is {} ({}), an acceleration is expected",
+            "{what} is {} ({}); an acceleration is expected",
             stated.unit.dimension.with_article(),
             stated.unit.symbol
         ),
@@ -155,7 +155,7 @@ fn not_acceleration(stated: Stated, what: &str) -> Problem {
 
 /// A value that stands for one that is missing.
 pub(crate) fn missing(text: &str, line: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("\"{}\" stands for a missing value", shorten(text)))
+    Problem::new(ProblemKind::Format, format!("\"{}\" marks a missing value", shorten(text)))
         .at_line(line)
         .hint("a motion with gaps cannot be used: repair the record or cut it before the gap")
 }
@@ -219,7 +219,7 @@ mod tests {
         assert_eq!(decide(cm, None, "it").unwrap().symbol, "cm/s2");
         assert_eq!(decide(cm, requested(Some("g")).unwrap(), "it").unwrap_err().line, Some(3));
         assert_eq!(decide(None, requested(Some("g")).unwrap(), "it").unwrap().symbol, "g");
-        assert!(decide(None, None, "it").unwrap_err().hint.unwrap().contains("--unit"));
+        assert!(decide(None, None, "it").unwrap_err().hint.unwrap().contains("`unit`"));
         assert!(requested(Some("mm")).is_err());
     }
 }

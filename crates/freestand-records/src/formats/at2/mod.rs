@@ -62,7 +62,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let counts = header.last().ok_or("is missing").and_then(|text| read_counts(text)).map_err(|what| {
         Problem::new(ProblemKind::Format, format!("the number of values or the time step {what}"))
             .at_line(header_line)
-            .hint("the header line reads like \"NPTS=  4000, DT= .01000 SEC\"")
+            .hint("the header line should read like \"NPTS=  4000, DT= .01000 SEC\"")
     })?;
     let counts = Counts { line: header_line, ..counts };
 
@@ -102,7 +102,7 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
             {
                 return Err(Problem::new(
                     ProblemKind::Format,
-                    format!("is a {name}, an acceleration record is expected"),
+                    format!("is a {name}; an acceleration record is expected"),
                 )
                 .at_line(i + 1)
                 .hint("use the AT2 file of the same record"));
@@ -182,11 +182,11 @@ fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result
         return Ok((values, line_of_first_value));
     }
     let hint = if values.len() == 2 * counts.npts {
-        "if these are columns of time and acceleration, put # in front of the line with NPTS"
+        "if these are columns of time and acceleration, begin the line that names NPTS with #"
     } else {
-        "the file may be cut off: fetch it again, or correct NPTS if the values are complete"
+        "the file may be cut off: fetch it again, or correct NPTS if no value is missing"
     };
-    let message = format!("the header declares {} values, the file has {}", counts.npts, values.len());
+    let message = format!("the header declares {} values, but the file has {}", counts.npts, values.len());
     Err(Problem::new(ProblemKind::Format, message).at_line(counts.line).hint(hint))
 }
 

@@ -35,7 +35,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         notes.push(format!("the header does not say how many values there are; {} were found", values.len()));
     }
     if header.text("BASELINE_CORRECTION").to_ascii_uppercase().contains("NOT REMOVED") {
-        notes.push("the header says that the baseline is not removed: the values may have an offset".to_owned());
+        notes.push("the header says that the baseline was not removed: the values may have an offset".to_owned());
     }
     let (name, direction) = name_and_direction(&header, path);
     let component = Found {
@@ -66,7 +66,7 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let upper = stated.value.to_ascii_uppercase();
     let is_other = ["SPECTR", "VELOCITY", "DISPLACEMENT"].iter().any(|word| upper.contains(word));
     if is_other || !upper.contains("ACCEL") {
-        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&stated.value));
+        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&stated.value));
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(stated.line)
             .hint("use the acceleration file (ACC) of the same record"));

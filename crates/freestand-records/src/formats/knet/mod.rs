@@ -113,7 +113,7 @@ impl Header {
         parse_scale(text).ok_or_else(|| {
             Problem::new(ProblemKind::Format, format!("the scale factor is \"{}\"", shorten(text)))
                 .at_line(line)
-                .hint("it reads like 3920(gal)/6182761: so much acceleration for so many counts")
+                .hint("it should read like 3920(gal)/6182761: acceleration/counts")
         })
     }
 }
@@ -194,14 +194,14 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
     let difference = (found as f64 - expected).abs();
     if difference > 1.0 {
         let message = format!(
-            "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values; the file has {found}"
+            "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values, but the file has {found}"
         );
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(line)
-            .hint("the file may be cut off: fetch it again, or correct the duration if the values are complete"));
+            .hint("the file may be cut off: fetch it again, or correct the duration if no value is missing"));
     }
     Ok((difference == 1.0)
-        .then(|| format!("{found} values were read, {duration_s} s at {rate_hz} Hz would be {expected}")))
+        .then(|| format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}")))
 }
 
 #[cfg(test)]

@@ -70,7 +70,7 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else { return Ok(()) };
     let lower = title.key.to_ascii_lowercase();
     if ["veloc", "displ", "spectr"].iter().any(|word| lower.contains(word)) {
-        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&title.key));
+        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&title.key));
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(title.line)
             .hint("use the acceleration file (.acc) of the same record"));

@@ -46,7 +46,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     if format == "other" {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("holds \"{}\", an acceleration record is expected", shorten(text[0].trim())),
+            format!("holds \"{}\"; an acceleration record is expected", shorten(text[0].trim())),
         )
         .at_line(1)
         .hint("use the acceleration file of the same record"));
@@ -60,7 +60,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     if found < comments {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("the header declares {comments} comment lines, {found} lines follow"),
+            format!("the header declares {comments} comment lines, but {found} lines follow"),
         )
         .at_line(integers.first_line + 15 / INTEGERS.per_line)
         .hint("the file is damaged or cut off: fetch it again"));

@@ -101,7 +101,7 @@ fn end<'a>(mut tail: Lines<'a>, rest: &mut Lines<'a>, notes: &mut Vec<String>) -
         if let Some(line) = tail.find(is_numbers) {
             return Err(unannounced(&line));
         }
-        notes.push(format!("line {}: the text behind the last channel is not read", first.number));
+        notes.push(format!("line {}: the text after the last channel was ignored", first.number));
     }
     *rest = tail;
     Ok(())

@@ -12,7 +12,7 @@ use std::path::Path;
 const MAX_BYTES: u64 = 16 << 20;
 
 /// How a spectrum may be written, for every fault of its table.
-const HINT: &str = "a spectrum is text with a row for each period, below headings with units such as \"period [s]; PSA [g]\"; \
+const HINT: &str = "a spectrum is a text with one row per period, below headings with units such as \"period [s]; PSA [g]\"; \
                     decimal commas need a ; between the columns, and comments begin with #";
 
 /// One period of a spectrum.
@@ -36,7 +36,7 @@ pub fn load_spectrum(path: &Path) -> Result<Vec<u8>, Problem> {
     load_up_to(
         path,
         MAX_BYTES,
-        "is longer than 16 MiB, a spectrum is expected",
+        "is longer than 16 MiB; a spectrum is expected",
         "name a table of periods and accelerations",
     )
 }
@@ -52,7 +52,7 @@ pub fn parse_spectrum(mut bytes: Vec<u8>) -> Result<Vec<SpectrumRow>, Problem> {
     let wrong =
         |message: &str| Problem::new(ProblemKind::Format, message).at_line(table.line_of_first_value).hint(HINT);
     if table.has_row_of_counts || table.columns.len() < 2 {
-        return Err(wrong("is no table of periods and accelerations"));
+        return Err(wrong("is not a table of periods and accelerations"));
     }
     let Some((mut headings, line)) = headings_of(&table) else {
         return Err(wrong("the units of period and acceleration are not stated: there are no headings"));
@@ -96,10 +96,12 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
         [one] => match headings.get(one) {
             // T is a time in a record and a period here, by habit; no other word for a time is.
             Some(heading) if is_time_name(&heading.name) && !named(heading) => {
-                let message =
-                    format!("\"{}\" is no period: this seems to be a record, not a spectrum", shorten(&heading.name));
+                let message = format!(
+                    "\"{}\" is not a period: this seems to be a record, not a spectrum",
+                    shorten(&heading.name)
+                );
                 Err(Problem::new(ProblemKind::Format, message)
-                    .hint("name a file of periods and pseudo-accelerations; freestand motion spectrum --out writes that of a record"))
+                    .hint("name a file of periods and pseudo-accelerations; the command motion spectrum writes that of a record"))
             }
             _ => Ok(one),
         },
@@ -107,11 +109,11 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
             if let Some(heading) = headings.iter().find(|heading| heading.unit.is_none() && named(heading)) {
                 return Err(unit_is_open(heading, "T [s]"));
             }
-            Err(Problem::new(ProblemKind::Format, "no column holds a time, the periods are expected")
-                .hint("write the periods under a heading such as \"T [s]\"; of a frequency, take the inverse"))
+            Err(Problem::new(ProblemKind::Format, "no column holds periods")
+                .hint("write the periods under a heading such as \"T [s]\"; convert frequencies to periods"))
         }
-        _ => Err(Problem::new(ProblemKind::Format, "several columns hold a time, one of periods is expected")
-            .hint("leave one column of periods")),
+        _ => Err(Problem::new(ProblemKind::Format, "several columns hold a time; one column of periods is expected")
+            .hint("keep only one column of periods")),
     }
 }
 
@@ -133,7 +135,7 @@ fn acceleration_column(headings: &[Heading]) -> Result<usize, Problem> {
                 let (name, other) = (shorten(&heading.name), unit.dimension.with_article());
                 Err(Problem::new(
                     ProblemKind::Format,
-                    format!("\"{name}\" is {other} ({}), an acceleration is expected", unit.symbol),
+                    format!("\"{name}\" is {other} ({}); an acceleration is expected", unit.symbol),
                 )
                 .hint("write the pseudo-acceleration under a heading such as \"PSA [g]\""))
             }
@@ -150,7 +152,7 @@ fn acceleration_column(headings: &[Heading]) -> Result<usize, Problem> {
                 ProblemKind::Format,
                 format!("several columns hold a spectral acceleration: {}", names.join(", ")),
             )
-            .hint("leave the one that is meant, or call it PSA"))
+            .hint("keep the right one, or call it PSA"))
         }
     }
 }

@@ -75,7 +75,7 @@ fn what_is_no_spectrum_is_refused_with_line_and_remedy() {
         ("T [s];Sa [g]\n0,2;0,5\n1,5;o,3\n", Some(3), "\"o,3\" is not a number"),
         ("T [s],Sa [g]\n0.2,0.5\n1.5,\n", Some(3), "a value is missing"),
         ("T [s],Sa [g]\n", None, "no row of numbers"),
-        ("T [s]\n0.2\n", Some(2), "is no table of periods and accelerations"),
+        ("T [s]\n0.2\n", Some(2), "is not a table of periods and accelerations"),
         ("", None, "the file is empty"),
         ("\u{0}\u{1}", None, "binary"),
     ] {

@@ -37,7 +37,7 @@ impl Entry {
 
     fn problem(&self, what: &str) -> Problem {
         let (key, value) = (shorten(&self.key), shorten(&self.value));
-        Problem::new(ProblemKind::Format, format!("{key} is \"{value}\", {what} is expected"))
+        Problem::new(ProblemKind::Format, format!("{key} is \"{value}\"; {what} is expected"))
             .at_line(self.line)
             .hint("correct the header if it is wrong, or fetch the file again")
     }
@@ -90,14 +90,14 @@ impl Header {
         let Some((value, line)) = self.number(key)? else {
             return given_s.map(|dt_s| (dt_s, 1)).ok_or_else(|| {
                 Problem::new(ProblemKind::Value, format!("the header has no time step ({key})"))
-                    .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")
+                    .hint("give the time step, such as `dt = \"0.01 s\"`")
             });
         };
         let unit = self.get(key).and_then(|entry| entry.key.split_once('(')).map_or("s", |(_, unit)| unit);
         match unit.trim_end_matches(')').trim().to_ascii_lowercase().as_str() {
             "s" | "sec" | "secs" | "second" | "seconds" => Ok((value, line)),
             "ms" | "msec" => Ok((value / 1000.0, line)),
-            other => Err(Problem::new(ProblemKind::Format, format!("\"{}\" is no unit of time", shorten(other)))
+            other => Err(Problem::new(ProblemKind::Format, format!("\"{}\" is not a unit of time", shorten(other)))
                 .at_line(line)
                 .hint("the step must be in s or ms")),
         }
@@ -151,7 +151,7 @@ pub(crate) fn read_rows(
         if let Err(bad) = fields(line.bytes, each) {
             // Behind the last value there may be a footer.
             if row.is_empty() && declared.is_some_and(|(count, _)| count == rows.count()) {
-                notes.push(format!("line {} stands behind the last value and was not read", line.number));
+                notes.push(format!("line {} follows the last value and was ignored", line.number));
                 break;
             }
             return Err(bad_field(&bad, line.number));
@@ -168,8 +168,8 @@ pub(crate) fn read_rows(
 
 /// The header promises another number of values than there are.
 fn wrong_count(declared: usize, found: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("the header declares {declared} values, the file has {found}"))
-        .hint("the file may be cut off: fetch it again, or correct the number if the values are complete")
+    Problem::new(ProblemKind::Format, format!("the header declares {declared} values, but the file has {found}"))
+        .hint("the file may be cut off: fetch it again, or correct the number if no value is missing")
 }
 
 /// Refuses numbers behind the last value that the header declares, and notes any other text there.
@@ -183,7 +183,7 @@ pub(crate) fn refuse_more_values(rest: &mut Lines<'_>, notes: &mut Vec<String>) 
             .at_line(line.number)
             .hint("correct the number in the header if the values belong to the record"));
     }
-    notes.push(format!("line {} stands behind the last value and was not read", line.number));
+    notes.push(format!("line {} follows the last value and was ignored", line.number));
     Ok(())
 }
 

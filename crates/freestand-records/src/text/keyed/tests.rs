@@ -28,7 +28,7 @@ fn steps_have_units_and_counts_are_whole() {
     assert_eq!(step_of("dt (ms): 5", Some(0.02)), Ok((0.005, 1)));
     assert!(step("other: 5").unwrap_err().contains("no time step (dt)"));
     assert_eq!(step_of("other: 5", Some(0.02)), Ok((0.02, 1)));
-    assert!(step("dt (min): 5").unwrap_err().contains("no unit of time"));
+    assert!(step("dt (min): 5").unwrap_err().contains("not a unit of time"));
     assert!(step("dt: O.01").unwrap_err().contains("a number is expected"));
     for text in ["n: 1.5", "n: -3", "n: 1e20", "n: NaN"] {
         assert!(read(text).0.count("n").is_err(), "{text}");
@@ -50,11 +50,11 @@ fn rows_are_counted_and_a_footer_is_noted() {
     assert_eq!(rows("1 -2\n3 4\nthe end\n", Some(2)), Ok((expected, 1, 1)));
     for (text, declared, message) in [
         ("1 2\n3 4\nthe end\n", Some(3), "line 3: \"the\" is not a number"),
-        ("1 2\n3 4\n", Some(3), "line 99: the header declares 3 values, the file has 2"),
-        ("1 2\n3 4\n", Some(1), "line 99: the header declares 1 values, the file has 2"),
-        ("1 2\n3\n", Some(2), "line 2: a row has 2 values, this one 1"),
-        ("1 2\n3 -999\n", Some(2), "line 2: \"-999\" stands for a missing value"),
-        ("1 2\n3 NaN\n", Some(2), "line 2: \"NaN\" stands for a missing value"),
+        ("1 2\n3 4\n", Some(3), "line 99: the header declares 3 values, but the file has 2"),
+        ("1 2\n3 4\n", Some(1), "line 99: the header declares 1 values, but the file has 2"),
+        ("1 2\n3\n", Some(2), "line 2: the other rows have 2 values, this one has 1"),
+        ("1 2\n3 -999\n", Some(2), "line 2: \"-999\" marks a missing value"),
+        ("1 2\n3 NaN\n", Some(2), "line 2: \"NaN\" marks a missing value"),
         ("\n", None, "line 1: no row of numbers follows the header"),
     ] {
         let found = rows(text, declared).expect_err(text);

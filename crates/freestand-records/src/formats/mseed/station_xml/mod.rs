@@ -125,7 +125,7 @@ impl Inventory {
         let refused = |message: String| {
             Problem::new(ProblemKind::Format, message)
                 .in_file(path)
-                .hint("fetch the station's description as StationXML, level response or channel (--station-xml)")
+                .hint("fetch the station's description as StationXML, level response or channel")
         };
         if bytes.len() > MAX_BYTES {
             return Err(refused("is longer than 512 MiB".to_owned()));
@@ -180,7 +180,7 @@ impl Inventory {
             } else {
                 (
                     format!("does not describe {name}"),
-                    format!("it describes {}; name another (--station-xml)", self.listing()),
+                    format!("it describes {}; name another file with `station_xml`", self.listing()),
                 )
             };
             return Err(Problem::new(ProblemKind::Value, what).in_file(&self.file.path).hint(hint));
@@ -197,7 +197,7 @@ impl Inventory {
         if let Some(other) = matching.find(|other| other.sensitivity != epoch.sensitivity) {
             let line = self.line_of(other.at);
             return Err(refused(format!(
-                "two epochs hold at {start}, with different sensitivities; the other on line {line}"
+                "two epochs with different sensitivities cover {start}; the other is on line {line}"
             ))
             .hint("keep the right one in the file"));
         }
@@ -214,7 +214,7 @@ impl Inventory {
             "{name}: counts are divided by the sensitivity in {file}, {words}; the response of the instrument is not removed"
         )];
         if epoch.end.is_some_and(|until| until < end) {
-            notes.push(format!("{name}: the record runs on behind the epoch in {file} that its start lies in"));
+            notes.push(format!("{name}: the record continues past the end of its epoch in {file}"));
         }
         Ok(Sensed::Acceleration(Scaling { counts_per_m_s2, direction: epoch.direction(), notes }))
     }
@@ -263,7 +263,7 @@ impl Epoch {
             };
             return Err(Refusal::Wrong(
                 format!("the channel has {what}"),
-                "fetch the description with level=response, or give the unit (--unit)",
+                "fetch the description with level=response, or state the unit with `unit`",
             ));
         };
         sensitivity.counts_per_m_s2(&self.source)
@@ -288,7 +288,7 @@ impl Sensitivity {
         let (input, output) = (shorten(&self.input), shorten(&self.output));
         let Some(value) = self.value.filter(|value| *value != 0.0 && value.is_finite()) else {
             let message = "the InstrumentSensitivity has no value".to_owned();
-            return Err(Refusal::Wrong(message, "correct it, or give the unit (--unit)"));
+            return Err(Refusal::Wrong(message, "correct it, or state the unit with `unit`"));
         };
         if !self.output.to_lowercase().contains("count") {
             let message = format!("the sensitivity is of \"{output}\", not of counts");
@@ -300,26 +300,26 @@ impl Sensitivity {
             }
             Some(unit) if unit.dimension == Dimension::Length => {
                 let Some(frequency_hz) = self.frequency_hz.filter(|f| *f > 0.0 && f.is_finite()) else {
-                    let message = format!("the sensitivity is to displacement ({input}), and its frequency is missing");
-                    return Err(Refusal::Wrong(message, "correct it, or give the unit (--unit)"));
+                    let message = format!("the sensitivity is to displacement ({input}), but its frequency is missing");
+                    return Err(Refusal::Wrong(message, "correct it, or state the unit with `unit`"));
                 };
                 // Instrument code N: an accelerometer, whatever its sensitivity is written in.
                 if source.channel.chars().nth(1) != Some('N') {
-                    let message = format!("the sensitivity is to displacement ({input}), an accelerometer is expected");
+                    let message = format!("the sensitivity is to displacement ({input}); an accelerometer is expected");
                     return Err(Refusal::Other(message));
                 }
                 let omega_rad_s = std::f64::consts::TAU * frequency_hz;
                 let words = format!(
-                    "{value} counts/({input}) at {frequency_hz} Hz: at that frequency a displacement of 1 is an acceleration of (2 pi f)^2"
+                    "{value} counts/({input}) at {frequency_hz} Hz: at that frequency, a displacement of 1 means an acceleration of (2 pi f)^2"
                 );
                 Ok((value / unit.to_si(1.0) / (omega_rad_s * omega_rad_s), words))
             }
             Some(unit) => {
                 let what = unit.dimension.with_article();
-                Err(Refusal::Other(format!("the instrument senses {what} ({input}), an acceleration is expected")))
+                Err(Refusal::Other(format!("the instrument senses {what} ({input}); an acceleration is expected")))
             }
             None => Err(Refusal::Other(format!(
-                "the instrument senses \"{input}\", an acceleration such as M/S**2 is expected"
+                "the instrument senses \"{input}\"; an acceleration such as M/S**2 is expected"
             ))),
         }
     }
