@@ -30,42 +30,30 @@ Examples:
   freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 --out motions")]
 pub(crate) struct SimulateArgs {
     /// Moment magnitude; with --city: that one instead of 5.5, 6, 6.5 and 7
-    #[arg(long, value_name = "M", allow_hyphen_values = true, required_unless_present = "city")]
+    #[arg(long, value_name = "M", required_unless_present = "city")]
     magnitude: Option<String>,
     /// Distance from the source to the site
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, required_unless_present = "city")]
+    #[arg(long, value_name = "LENGTH", required_unless_present = "city")]
     distance: Option<String>,
     /// Look for the distances at which the mean spectrum meets this place's rock spectrum (AS 1170.4)
     #[arg(long, value_name = "NAME", conflicts_with = "distance")]
     city: Option<String>,
     /// Return period in years, with --city [default: 500]
-    #[arg(long, value_name = "YEARS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "YEARS")]
     return_period: Option<u32>,
     /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
     #[arg(long, value_name = "CLASS", default_value = "Be")]
     site: String,
     /// How many motions of each earthquake
-    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
     #[command(flatten)]
     source: SourceArgs,
     /// Time step
-    #[arg(
-        long,
-        value_name = "TIME",
-        default_value = "0.005 s",
-        allow_hyphen_values = true,
-        help_heading = "The motion"
-    )]
+    #[arg(long, value_name = "TIME", default_value = "0.005 s", help_heading = "The motion")]
     time_step: String,
     /// Corner of the acausal low cut
-    #[arg(
-        long,
-        value_name = "FREQUENCY",
-        default_value = "0.05 Hz",
-        allow_hyphen_values = true,
-        help_heading = "The motion"
-    )]
+    #[arg(long, value_name = "FREQUENCY", default_value = "0.05 Hz", help_heading = "The motion")]
     low_cut: String,
 }
 
@@ -77,10 +65,10 @@ struct SourceArgs {
     #[arg(long, value_name = "NAME", default_value = "victoria")]
     preset: String,
     /// Stress drop, such as "200 bar" or "23 MPa" [default: the preset's]
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "PRESSURE")]
     stress_drop: Option<String>,
     /// κ0, the loss near the surface [default: the preset's]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    #[arg(long, value_name = "TIME")]
     kappa: Option<String>,
     /// Shape of the source spectrum [default: the preset's]
     #[arg(long, value_enum)]
