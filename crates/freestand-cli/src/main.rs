@@ -5,6 +5,7 @@ mod commands;
 mod cushion;
 mod failure;
 mod files;
+mod keys;
 mod printer;
 mod processing;
 mod reading;

@@ -182,7 +182,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let mut inputs = args.read.inputs(&args.motion);
     inputs.extend(args.second.across.iter().cloned());
     inputs.extend(args.building.tables().cloned());
-    inputs.extend(args.target.inputs().cloned());
+    inputs.extend(args.target.inputs());
     let files = Files::begin(global, &inputs)?;
     let (report, mut warnings) = report(&read, &request, &files)?;
     warnings.extend(target.into_iter().flat_map(|target| target.warnings));

@@ -140,7 +140,7 @@ const MODELS: Choices<ImpactModel> = &[
 
 pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;
-    let inputs: Vec<PathBuf> = args.cushion.inputs().chain(&args.damage_boundary).cloned().collect();
+    let inputs: Vec<PathBuf> = args.cushion.inputs().into_iter().chain(args.damage_boundary.clone()).collect();
     let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
     if let Some(boundary) = report.damage_boundary.filter(|_| files.wanted()) {

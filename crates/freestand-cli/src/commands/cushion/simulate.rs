@@ -112,7 +112,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     if global.out.is_none() && args.count > 1 {
         return Err(Failure::usage("several tests need a folder", "give --out DIR"));
     }
-    let inputs: Vec<_> = args.cushion.inputs().cloned().collect();
+    let inputs = args.cushion.inputs();
     let files = Files::begin(global, &inputs)?;
     let mut tests = Vec::new();
     let mut first = String::new();

@@ -93,7 +93,7 @@ pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printe
         vertical_sa_g,
         parts,
     };
-    let inputs: Vec<_> = args.target.inputs().cloned().collect();
+    let inputs = args.target.inputs();
     let files = Files::begin(global, &inputs)?;
     let mut columns: Vec<(&str, &[f64])> = vec![("period_s", &report.periods_s), ("sa_g", &report.sa_g)];
     columns.extend(report.vertical_sa_g.as_deref().map(|vertical| ("vertical_sa_g", vertical)));

@@ -169,7 +169,7 @@ const POOR_FIT_RATIO: f64 = 0.1;
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let asked = args.target.matched_target()?;
     check_peak(&args.peak, &asked.spectrum)?;
-    let inputs: Vec<PathBuf> = args.target.inputs().cloned().collect();
+    let inputs = args.target.inputs();
     let files = Files::begin(global, &inputs)?;
     let seed = global.seed.unwrap_or(1);
     let options = options(&args.layout)?;
@@ -223,7 +223,7 @@ pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer
     check_peak(&args.peak, &asked.spectrum)?;
     let mut warnings = asked.warnings.clone();
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
+    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(&args.target.inputs())))?;
     let (record, target) = (&read.motion.motion, |period_s| asked.spectrum.sa_g(period_s));
     let matched = match_record(record, &asked, args.method).map_err(|problem| problem.in_file(&args.file))?;
     let mut made = with_peak(matched, &args.peak, target)

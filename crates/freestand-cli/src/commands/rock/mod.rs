@@ -96,7 +96,7 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         return Err(Failure::usage(format!("--{flag} is of a compliant base"), "add --base compliant"));
     }
     let (request, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut report = rock(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);
