@@ -58,7 +58,7 @@ pub struct VirtualDrop {
 }
 
 /// Most samples of a virtual record.
-const MOST_SAMPLES: usize = 5_000_000;
+const MAX_SAMPLES: usize = 5_000_000;
 /// Finer steps than the samples where a filter works.
 const OVERSAMPLING: usize = 8;
 
@@ -83,7 +83,7 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     let finer = if o.filter_corner_hz.is_some() { OVERSAMPLING } else { 1 };
     // As a float: a count beyond all integers must not wrap around.
     let wanted = (end_s / dt_s).ceil() + 1.0;
-    if wanted.is_nan() || wanted * finer as f64 > MOST_SAMPLES as f64 {
+    if wanted.is_nan() || wanted * finer as f64 > MAX_SAMPLES as f64 {
         return None;
     }
     let count = wanted as usize;
@@ -189,9 +189,9 @@ pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<
     let o = options;
     let mut random = ChaCha12Rng::seed_from_u64(o.seed);
     random.set_stream(o.index);
-    let most_m = cushion.static_compression_m(o.max_force_n);
+    let max_m = cushion.static_compression_m(o.max_force_n);
     // ∫sin(πd/D) dd = 2D/π.
-    let loss_n = o.hysteresis_ratio * cushion.stored_energy_j(most_m) * std::f64::consts::PI / (2.0 * most_m);
+    let loss_n = o.hysteresis_ratio * cushion.stored_energy_j(max_m) * std::f64::consts::PI / (2.0 * max_m);
     let points = o.points.max(2);
     let up = (0..points).map(|i| (i as f64 / (points - 1) as f64, false));
     let down = (0..points - 1).rev().map(|i| (i as f64 / (points - 1) as f64, true));
@@ -204,7 +204,7 @@ pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<
     };
     let mut out: Vec<(f64, f64)> = slack.into_iter().map(|d| read(d, 0.0)).collect();
     for (share, is_out) in up.chain(down) {
-        let d = share * most_m;
+        let d = share * max_m;
         let loss = if is_out { loss_n * (std::f64::consts::PI * share).sin() } else { 0.0 };
         out.push(read(o.toe_m + d, (cushion.force_n(d, 0.0) - loss).max(0.0)));
     }
