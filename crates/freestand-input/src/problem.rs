@@ -125,6 +125,11 @@ impl Problems {
         self.problems.is_empty()
     }
 
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.problems.len()
+    }
+
     /// Adds a problem.
     pub fn push(&mut self, problem: Problem) {
         self.problems.push(problem);
@@ -140,12 +145,15 @@ impl Problems {
         self.keep(result.map_err(|problem| problem.named(key)))
     }
 
-    /// The value, where nothing was wrong.
+    /// The value, where nothing was wrong; a value that is missing has its problem here.
     ///
     /// # Errors
     /// All that is wrong.
-    pub fn finish<T>(self, value: T) -> Result<T, Self> {
-        if self.is_empty() { Ok(value) } else { Err(self) }
+    pub fn finish<T>(self, value: Option<T>) -> Result<T, Self> {
+        match value {
+            Some(value) if self.is_empty() => Ok(value),
+            _ => Err(self),
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::columns::letters;
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 
@@ -143,7 +144,7 @@ impl<'a> Findings<'a> {
     /// A problem that is ready.
     pub(super) fn push(&mut self, problem: Problem) {
         if self.problems.len() < MAX_PROBLEMS {
-            self.problems.push(problem.in_file(self.path));
+            self.problems.push(problem.shown(KeyStyle::File).in_file(self.path));
         } else {
             self.more += 1;
         }

@@ -18,8 +18,8 @@ pub use tolerances::Library;
 
 use std::path::Path;
 
+use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
-use freestand_study::cushion::CushionWords;
 
 /// Both libraries, with what files of the user put over them.
 #[derive(Debug, Clone)]
@@ -98,7 +98,7 @@ pub struct Tolerance {
 #[derive(Debug, Clone, PartialEq)]
 pub struct CushionPrior {
     /// The cushion in the words of [`freestand_study::cushion`]: the geometric mean of the range, with the pads per edge.
-    pub words: CushionWords,
+    pub words: Words,
     /// ln(high/low)/2: the range is read as the one from 16 to 84 %, so that it holds two pads of three.
     pub log_sd: f64,
     /// Where it comes from, ready to print.

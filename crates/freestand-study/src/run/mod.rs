@@ -26,7 +26,7 @@ use warnings::result_warnings;
 pub const LONGEST_TAIL_S: f64 = 120.0;
 
 /// Damping of every spectrum that is shown.
-pub const SPECTRUM_DAMPING_RATIO: f64 = 0.05;
+pub use freestand::oscillator::DAMPING_RATIO as SPECTRUM_DAMPING_RATIO;
 
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
