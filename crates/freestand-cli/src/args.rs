@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use freestand_study::study::DEFAULT_SEED;
 
 /// Flags of every command.
 #[derive(Debug, Clone, Args)]
@@ -32,6 +33,18 @@ pub(crate) struct GlobalArgs {
     /// Write into an output folder that holds other files
     #[arg(long, global = true)]
     pub(crate) force: bool,
+}
+
+impl GlobalArgs {
+    /// The seed, where nothing else states one.
+    pub(crate) fn seed(&self) -> u64 {
+        self.seed.unwrap_or(DEFAULT_SEED)
+    }
+
+    /// The output folder of a command that always writes one.
+    pub(crate) fn folder(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"))
+    }
 }
 
 /// Arguments, and which of their flags were given.

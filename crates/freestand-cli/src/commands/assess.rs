@@ -78,7 +78,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     settings.library = args.library.clone().or(settings.library.take());
     settings.cushion_library = args.cushion_library.clone().or(settings.cushion_library.take());
     let inventory = inventory_of(&study, args.inventory.as_deref(), args.sheet.as_deref())?;
-    let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
+    let out = global.folder();
     let job = Job { resume: args.resume, force: global.force, parquet: args.format.contains(&Format::Parquet), pdf };
 
     let stop = Stop::listen();

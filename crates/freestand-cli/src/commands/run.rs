@@ -99,7 +99,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
     };
-    let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
+    let out = global.folder();
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = Stop::listen();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKind};
+use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockSpectrumOptions};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse, parse_grid};
 use freestand_study::shock_spectrum::{
@@ -128,7 +128,7 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
 fn request(args: &ShockSpectrumArgs, values: &mut Values) -> ShockSpectrumRequest {
     let damping = values.read(&args.damping);
     let q = values.read(&args.q);
-    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(0.05);
+    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(ShockSpectrumOptions::default().damping_ratio);
     if damping_ratio >= 1.0 {
         let flag = if q.is_some() { "--q" } else { "--damping" };
         let message = format!("{flag}: a damping ratio of {damping_ratio} is not below 1");

@@ -4,7 +4,10 @@ use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 
 use super::{MAX_STOREYS, Resolver, or};
-use crate::building::{Axis, AxisModel, AxisRequest, MOST_MODES, axis};
+use crate::building::{
+    Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
+    DEFAULT_STOREYS, MOST_MODES, axis,
+};
 use crate::options::{AxisOptions, BuildingOptions};
 use crate::study::BuildingInput;
 use freestand_input::problem::Problem;
@@ -33,8 +36,8 @@ impl Resolver<'_> {
             self.exclusive((key, table), ("storey_height", &written.storey_height_m));
         }
         let mut stated = Stated {
-            storeys: usize::try_from(or(&written.storeys, 30)).unwrap_or(usize::MAX),
-            storey_height_m: or(&written.storey_height_m, 3.2),
+            storeys: usize::try_from(or(&written.storeys, DEFAULT_STOREYS.into())).unwrap_or(usize::MAX),
+            storey_height_m: or(&written.storey_height_m, DEFAULT_STOREY_HEIGHT_M),
         };
         let first = self.axis(along, stated, before);
         if let Some((Axis { height_m: Some(height_m), building, .. }, _)) = &first {
@@ -137,10 +140,16 @@ impl Resolver<'_> {
             (None, Some(name)) => (AxisModel::ModeTable(self.base_dir.join(&name.value)), "from the table".to_owned()),
             (None, None) => {
                 let (period_s, note) = self.period(written, stated.storeys as f64 * stated.storey_height_m)?;
-                (AxisModel::Beam { period_s, shear_flexure_ratio: or(&written.shear_flexure, 5.0) }, note)
+                (
+                    AxisModel::Beam {
+                        period_s,
+                        shear_flexure_ratio: or(&written.shear_flexure, DEFAULT_SHEAR_FLEXURE_RATIO),
+                    },
+                    note,
+                )
             }
         };
-        let damping_ratio = or(&written.damping, 0.05);
+        let damping_ratio = or(&written.damping, DEFAULT_DAMPING_RATIO);
         let damping = match &written.rayleigh_modes {
             None => Damping::Uniform(damping_ratio),
             Some(modes) => {

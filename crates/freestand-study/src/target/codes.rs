@@ -14,7 +14,7 @@ use freestand_input::words::nearest;
 use freestand_input::words::number;
 
 /// Return period where none is given \[years\].
-const USUAL_YEARS: u32 = 500;
+pub const DEFAULT_YEARS: u32 = 500;
 
 /// A fact of a report.
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
@@ -137,7 +137,7 @@ fn return_period(
 ) -> Option<u32> {
     let key = "return_period_years";
     if reader.words.get(key).is_none() {
-        return Some(USUAL_YEARS);
+        return Some(DEFAULT_YEARS);
     }
     let years = reader.whole(key)?;
     match known(years) {

@@ -13,6 +13,8 @@ use freestand_study::laboratory::drop_test::{
     DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_csv,
 };
 
+use freestand_study::laboratory::virtual_test::VELOCITY_ERROR_RATIO;
+
 use super::static_test::{Boundary, Impactor, name};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -49,9 +51,9 @@ pub(crate) struct DropArgs {
     /// Speed at the first touch; without it and without a height the pulse itself must tell
     #[arg(long, positive = Dimension::Velocity)]
     impact_velocity: Option<Given>,
-    /// Standard deviation of the impact velocity, as a ratio
-    #[arg(long, value_name = "RATIO", read = velocity_error, default_value = "1 %")]
-    velocity_error: Given,
+    /// Standard deviation of the impact velocity, as a ratio [default: 1 %]
+    #[arg(long, value_name = "RATIO", read = velocity_error)]
+    velocity_error: Option<Given>,
     /// Gravity during the contact; 0 m/s2 where the zero line is not that of a free fall [default: 1 g]
     #[arg(long, non_negative = Dimension::Acceleration)]
     gravity: Option<Given>,
@@ -133,7 +135,7 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         mass_kg: values.read(&args.mass),
         height_m: values.read(&args.height),
         impact_velocity_m_s: values.read(&args.impact_velocity),
-        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or_default(),
+        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or(VELOCITY_ERROR_RATIO),
         gravity_m_s2: values.read(&args.gravity).unwrap_or(G0_M_S2),
         filter_corner_hz: values.read(&args.corner),
         law: args.law,
@@ -144,7 +146,7 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         sphere_radius_m: values.read(&args.sphere_radius),
         boundary: name(args.boundary.as_ref()),
         thickness_m: values.read(&args.pad_thickness),
-        seed: global.seed.unwrap_or(1),
+        seed: global.seed(),
     };
     values.finish()?;
     Ok(request)

@@ -1,6 +1,7 @@
 //! `freestand motion rotd`: response spectra over all horizontal directions.
 
 use clap::Args;
+use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{RotdReport, RotdRequest, rotd};
@@ -32,9 +33,9 @@ pub(crate) struct RotdArgs {
     /// Percentiles over the directions: 50 is the median, 100 the largest
     #[arg(long, value_name = "LIST", read = percentiles, default_value = "50, 100")]
     percentiles: Given<Vec<f64>>,
-    /// Damping ratio
-    #[arg(long, non_negative = Dimension::Ratio, default_value = "5 %")]
-    damping: Given,
+    /// Damping ratio [default: 5 %]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    damping: Option<Given>,
     /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
     #[arg(long, grid = Dimension::Time)]
     periods: Option<Given<Vec<f64>>>,
@@ -48,7 +49,7 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;
-    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(0.05), periods_s, percentiles })?;
+    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(DAMPING_RATIO), periods_s, percentiles })?;
     let files = Files::begin(global, &args.pair.inputs())?;
     let csv = report.csv()?;
     files.write("rotd.csv", || csv)?;

@@ -9,10 +9,13 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
+use freestand_study::resolve::MAX_MOTIONS;
 use freestand_study::simulated::{
-    Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_rock, simulate,
+    DEFAULT_SITE, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_rock,
+    simulate,
 };
-use freestand_study::target::Target;
+use freestand_study::study::DEFAULT_MOTIONS;
+use freestand_study::target::{DEFAULT_YEARS, Target};
 
 use super::plot::failed;
 use crate::args::GlobalArgs;
@@ -43,11 +46,11 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_name = "YEARS")]
     return_period: Option<u32>,
     /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
-    #[arg(long, value_name = "CLASS", default_value = "Be")]
+    #[arg(long, value_name = "CLASS", default_value = DEFAULT_SITE.name())]
     site: String,
     /// How many motions of each earthquake
-    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
-    count: u32,
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
+    count: u64,
     #[command(flatten)]
     source: Keys<SourceKeys>,
 }
@@ -100,8 +103,6 @@ impl KeySet for SourceKeys {
 }
 
 const SCHEMA: &str = "freestand.motion-simulate/1";
-/// Return period where none is given.
-const USUAL_YEARS: u32 = 500;
 
 pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     // `requires` of clap is silent here: --city itself excludes --distance.
@@ -111,7 +112,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
             "give --city, or leave it out",
         ));
     }
-    let years = args.return_period.unwrap_or(USUAL_YEARS);
+    let years = args.return_period.unwrap_or(DEFAULT_YEARS);
     let rock = args.city.as_deref().map(|city| city_rock(city, years)).transpose()?;
     let request = request(args, global, rock.as_ref().and_then(Target::kpz_g))?;
     let files = Files::begin(global, &[])?;
@@ -146,15 +147,7 @@ fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Resu
         (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
         (None, ..) => return Err(Failure::usage("--magnitude and --distance belong together", "or give --city")),
     };
-    Ok(SimulatedRequest {
-        preset,
-        changes,
-        earthquakes,
-        site,
-        count: u64::from(args.count),
-        seed: global.seed.unwrap_or(1),
-        options,
-    })
+    Ok(SimulatedRequest { preset, changes, earthquakes, site, count: args.count, seed: global.seed(), options })
 }
 
 /// The flags as a study has them in `point_source`.

@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{SpectrumReport, SpectrumRequest, spectrum};
@@ -29,9 +30,9 @@ pub(crate) struct SpectrumArgs {
     /// Record file
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Damping ratio, or a list of them
-    #[arg(long, value_name = "RATIO", read = dampings, default_value = "5 %")]
-    damping: Given<Vec<f64>>,
+    /// Damping ratio, or a list of them [default: 5 %]
+    #[arg(long, value_name = "RATIO", read = dampings)]
+    damping: Option<Given<Vec<f64>>>,
     /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
     #[arg(long, grid = Dimension::Time)]
     periods: Option<Given<Vec<f64>>>,
@@ -54,7 +55,7 @@ struct Document<'a> {
 
 pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let damping_ratios = values.read(&args.damping).unwrap_or_default();
+    let damping_ratios = values.read(&args.damping).unwrap_or_else(|| vec![DAMPING_RATIO]);
     let periods_s = super::periods(&args.periods, &mut values);
     values.finish()?;
     let target = args.plot.target(global)?;

@@ -16,7 +16,8 @@ use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchMethod, match_record};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::recorded::name_of;
-use freestand_study::study::synthetic_name;
+use freestand_study::resolve::MAX_MOTIONS;
+use freestand_study::study::{DEFAULT_MOTIONS, synthetic_name};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -42,8 +43,8 @@ pub(crate) struct SynthArgs {
     #[command(flatten)]
     target: TargetArgs,
     /// How many motions
-    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
-    count: u32,
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
+    count: u64,
     #[command(flatten)]
     layout: LayoutArgs,
     #[command(flatten)]
@@ -54,15 +55,15 @@ pub(crate) struct SynthArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The motion")]
 struct LayoutArgs {
-    /// Time step, at most 0.01 s
-    #[arg(long, positive = Dimension::Time, default_value = "0.005 s")]
-    time_step: Given,
-    /// Length of the shaking with its tapers, at least 10 s
-    #[arg(long, positive = Dimension::Time, default_value = "40 s")]
-    shaking: Given,
-    /// Duration of the window that shapes the noise; D5-95 is about as long
-    #[arg(long, positive = Dimension::Time, default_value = "10 s")]
-    envelope: Given,
+    /// Time step, at most 0.01 s [default: 0.005 s]
+    #[arg(long, positive = Dimension::Time)]
+    time_step: Option<Given>,
+    /// Length of the shaking with its tapers, at least 10 s [default: 40 s]
+    #[arg(long, positive = Dimension::Time)]
+    shaking: Option<Given>,
+    /// Duration of the window that shapes the noise; D5-95 is about as long [default: 10 s]
+    #[arg(long, positive = Dimension::Time)]
+    envelope: Option<Given>,
 }
 
 #[derive(Debug, Args)]
@@ -171,11 +172,11 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
     check_peak(&args.peak, &asked.spectrum)?;
     let inputs = args.target.inputs();
     let files = Files::begin(global, &inputs)?;
-    let seed = global.seed.unwrap_or(1);
+    let seed = global.seed();
     let options = options(&args.layout)?;
     let target = |period_s| asked.spectrum.sa_g(period_s);
     // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
-    let made: Vec<Made> = (0..u64::from(args.count))
+    let made: Vec<Made> = (0..args.count)
         .into_par_iter()
         .map(|index| with_peak(synthesize(target, seed, index, &options)?, &args.peak, target))
         .collect::<Result<_, SynthesisError>>()

@@ -37,9 +37,9 @@ pub(crate) struct CompliantArgs {
     /// The feet never slip while they carry (what holds without --friction)
     #[arg(long, conflicts_with = "friction")]
     no_slip: bool,
-    /// Contact elements, evenly from edge to edge; more than 2 share the cushions of both edges
-    #[arg(long, value_name = "N", default_value_t = 2)]
-    contacts: usize,
+    /// Contact elements, evenly from edge to edge [default: 2]; more than 2 share the cushions of both edges
+    #[arg(long, value_name = "N")]
+    contacts: Option<usize>,
     /// Let go from this rise of the centre of gravity, tilted to the right
     #[arg(long, positive = Dimension::Length, conflicts_with = "initial_rotation")]
     cg_rise: Option<Given>,
@@ -137,7 +137,8 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         }
     }
     let gravity_m_s2 = gravity.unwrap_or(G0_M_S2);
-    let base = CompliantBase { contacts: flags.contacts, friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    let base = CompliantBase { contacts: flags.contacts.unwrap_or(base.contacts), ..base };
     let normal_n_m = base.normal_stiffness_n_m(gravity_m_s2);
     let tangential_stiffness_ratio = tangential.map(|k| k / normal_n_m).or(ratio).unwrap_or(ASSUMED_TANGENTIAL_RATIO);
     let base = CompliantBase { tangential_stiffness_ratio, ..base };
