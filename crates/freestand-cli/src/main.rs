@@ -28,11 +28,14 @@ use values::with_negative_values;
 #[derive(Debug, Parser)]
 #[command(name = "freestand", version, propagate_version = false, subcommand_required = true)]
 #[command(after_help = "\
-Quantities carry their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
-Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run; 130 stopped by Ctrl-C.
+Write quantities with their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
+Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run;
+130 stopped by Ctrl-C.
 
 Examples:
-  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
+  freestand run
+  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
+    --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
   freestand motion info record.AT2
   freestand validate")]
 struct Cli {
