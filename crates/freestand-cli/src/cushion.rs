@@ -74,7 +74,8 @@ impl CushionArgs {
         }
     }
 
-    /// What stands under one edge of an object of `mass_kg`; `None` where no flag says anything, or a wrong thing.
+    /// What stands under one edge of an object of `mass_kg`; `None` where no flag says anything, or
+    /// a wrong thing.
     pub(crate) fn edge(&self, mass_kg: Option<f64>, values: &mut Values) -> Result<Option<EdgeCushion>, Failure> {
         let words = self.words(values)?;
         Ok(self.resolved(&words, mass_kg, values))

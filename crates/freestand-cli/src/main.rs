@@ -22,7 +22,7 @@ use args::GlobalArgs;
 use commands::Command;
 use failure::Failure;
 use printer::Printer;
-use values::with_negative_values;
+use values::finished;
 
 /// How hard an earthquake knocks a free-standing object, and whether it falls.
 #[derive(Debug, Parser)]
@@ -74,7 +74,7 @@ fn main() -> ExitCode {
 }
 
 fn try_main() -> Result<ExitCode, Failure> {
-    let matches = with_negative_values(Cli::command()).try_get_matches();
+    let matches = finished(Cli::command()).try_get_matches();
     let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) if !error.use_stderr() => {

@@ -47,7 +47,8 @@ pub(crate) struct ProcessArgs {
     /// Order of the filters, from 1 to 10 [default: 4]
     #[arg(long, value_name = "N", read = filter_order, hide_short_help = true)]
     pub(crate) filter_order: Option<Given<u32>>,
-    /// New time step, by band-limited interpolation (by straight lines if samples are unevenly spaced)
+    /// New time step, by band-limited interpolation (by straight lines if samples are unevenly
+    /// spaced)
     #[arg(long, any = Dimension::Time, hide_short_help = true)]
     pub(crate) resample: Option<Given>,
     /// Scale to this peak acceleration, such as "0.3 g"

@@ -27,7 +27,8 @@ pub(crate) struct ReadArgs {
     /// Component to read from a file with several, by name or by number (from 1)
     #[arg(long, value_name = "NAME|NUMBER")]
     pub(crate) component: Option<String>,
-    /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same folder]
+    /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same
+    /// folder]
     #[arg(long, value_name = "FILE")]
     pub(crate) station_xml: Option<PathBuf>,
     /// Do not remove the mean of raw records (counts, miniSEED, SAC)
@@ -71,7 +72,8 @@ pub(crate) struct SecondArgs {
     /// Files with the second component, one for each file of the first
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "components")]
     pub(crate) across: Vec<PathBuf>,
-    /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15 deg]
+    /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
+    /// deg]
     #[arg(long, positive = Dimension::Angle)]
     pub(crate) rotation_step: Option<Given>,
 }
@@ -100,7 +102,8 @@ impl SecondArgs {
     }
 }
 
-/// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the command's own.
+/// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the
+/// command's own.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct VerticalArgs {
     /// Factor that multiplies the vertical samples [default: 1]
@@ -112,7 +115,8 @@ pub(crate) struct VerticalArgs {
 }
 
 impl VerticalArgs {
-    /// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
+    /// Unit, step, baseline and filters hold for both records; scale, component and direction do
+    /// not.
     pub(crate) fn reading(&self, horizontal: &ReadArgs) -> ReadArgs {
         let unscaled =
             ProcessArgs { scale_to: None, scale_to_sa: None, scale_to_spectrum: None, ..horizontal.process.clone() };
@@ -161,7 +165,8 @@ impl ReadArgs {
         }
     }
 
-    /// The files that are read: records, the StationXML that is named, and the target that they are scaled to.
+    /// The files that are read: records, the StationXML that is named, and the target that they are
+    /// scaled to.
     pub(crate) fn inputs<'a>(&self, records: impl IntoIterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
         let others = self.station_xml.iter().cloned().chain(self.process.target_path());
         records.into_iter().cloned().chain(others).collect()

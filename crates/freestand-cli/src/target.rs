@@ -28,7 +28,8 @@ impl KeySet for TargetKeys {
                 key(
                     "code",
                     "CODE",
-                    "Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or a table with --spectrum]",
+                    "Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or the table of \
+                     --spectrum]",
                 ),
                 key(
                     "edition",

@@ -53,11 +53,12 @@ pub(crate) struct FloorArgs {
     /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor
     #[arg(long, value_name = "GRID|all", read = levels, default_value = "0.5, 1.0")]
     levels: Given<Option<Vec<f64>>>,
-    /// Length of the zeros appended to the record, in which the building comes to rest [default: 0 s]
+    /// Length of the zeros appended to the record, in which the building comes to rest [default: 0
+    /// s]
     #[arg(long, non_negative = Dimension::Time)]
     tail: Option<Given>,
-    /// Find peaks of the floors at N points in each sample interval; the ground stays linear between
-    /// its samples
+    /// Find peaks of the floors at N points in each sample interval; the ground stays linear
+    /// between its samples
     #[arg(long, value_name = "N", default_value = "1", value_parser = at_least_one)]
     upsample: NonZeroUsize,
     /// Also give response spectra of the levels
@@ -66,7 +67,7 @@ pub(crate) struct FloorArgs {
     /// Damping ratios of the spectra [default: 5 %]
     #[arg(long, grid = Dimension::Ratio, value_name = "LIST", requires = "spectra")]
     spectrum_damping: Option<Given<Vec<f64>>>,
-    /// Periods of the spectra, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
+    /// Periods of the spectra: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, grid = Dimension::Time, requires = "spectra")]
     periods: Option<Given<Vec<f64>>>,
     #[command(flatten)]
@@ -90,7 +91,8 @@ struct BuildingArgs {
     /// Fundamental period [default: from the height, by AS 1170.4]
     #[arg(long, positive = Dimension::Time, conflicts_with = "frame")]
     period: Option<Given>,
-    /// Structure, for the period by AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
+    /// Structure, for the period by AS 1170.4: steel-moment, concrete-moment, steel-braced, other
+    /// [default: other]
     #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
     frame: Option<FrameKind>,
     /// Damping ratio of every mode for which a table states none [default: 5 %]
@@ -109,8 +111,8 @@ struct BuildingArgs {
     /// Table of storeys from the ground up: height, mass and stiffness with their units
     #[arg(long, value_name = "FILE", conflicts_with_all = BEAM, conflicts_with = "mode_table")]
     storey_table: Option<PathBuf>,
-    /// Table of modes: period, participation factor, and the shape at each floor in a column headed by
-    /// its height
+    /// Table of modes: period, participation factor, and the shape at each floor in a column headed
+    /// by its height
     #[arg(long, value_name = "FILE", conflicts_with_all = BEAM, conflicts_with = "modes")]
     mode_table: Option<PathBuf>,
     /// Fundamental period along the second axis [default: the same as along the first]

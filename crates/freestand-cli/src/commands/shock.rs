@@ -174,7 +174,8 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let component_frequency_hz = values.read(&args.component_frequency);
     let component_capacity_m_s2 = values.read(&args.component_capacity);
     let cushion = args.cushion.words(&mut values)?;
-    // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
+    // What is wrong with its values is told with the rest; what is missing or contradicts itself,
+    // where all is known.
     if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some())
         && let Err(problems) = cushion.resolve(mass)
     {

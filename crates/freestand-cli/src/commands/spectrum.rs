@@ -47,8 +47,8 @@ pub(crate) struct SpectrumArgs {
     /// Records of the horizontal acceleration of the floor
     #[arg(long, value_name = "FILE", required = true, num_args = 1..)]
     motion: Vec<PathBuf>,
-    /// Records of the vertical acceleration of the floor, positive upward: one for each --motion, with
-    /// the same step and length
+    /// Records of the vertical acceleration of the floor, positive upward: one for each --motion,
+    /// with the same step and length
     #[arg(long, value_name = "FILE", num_args = 1..)]
     vertical: Vec<PathBuf>,
     #[command(flatten)]
@@ -70,13 +70,14 @@ pub(crate) struct SpectrumArgs {
     rocking: RockingArgs,
     /// Report how strongly each object amplifies an error of the motion
     ///
-    /// Every object is calculated again under 1.000001 times the horizontal motion, which doubles the
-    /// work. `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6: 1 to a
-    /// few tens is usual; with 1000, an error of 0.1 % in the record makes the result meaningless. An
-    /// object is `sensitive` if the ratio is above 10 (the peak changes by more than 1e-5), if its
-    /// fastest impacts change as much, or if its outcome differs between the two motions; the ratio is
-    /// then empty, as it is for objects that do not rock or that overturn under both. An object that
-    /// overturns under both is `sensitive` if its history before that differs by more than 0.1 %.
+    /// Every object is calculated again under 1.000001 times the horizontal motion, which doubles
+    /// the work. `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6:
+    /// 1 to a few tens is usual; with 1000, an error of 0.1 % in the record makes the result
+    /// meaningless. An object is `sensitive` if the ratio is above 10 (the peak changes by more
+    /// than 1e-5), if its fastest impacts change as much, or if its outcome differs between the two
+    /// motions; the ratio is then empty, as it is for objects that do not rock or that overturn
+    /// under both. An object that overturns under both is `sensitive` if its history before that
+    /// differs by more than 0.1 %.
     #[arg(long, help_heading = "The rocking")]
     sensitivity: bool,
     /// File to write the rows to (CSV)
@@ -202,7 +203,8 @@ fn validity_warnings(request: &SpectrumRequest) -> Vec<String> {
     squat.into_iter().chain(soft.iter().map(ToString::to_string)).collect()
 }
 
-/// Reads all records before any work: the fault of the last one is found at once. They are what stays in memory.
+/// Reads all records before any work: the fault of the last one is found at once. They are what
+/// stays in memory.
 fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     let mut reading = Reading::default();
     for read in args.read.read_all(&args.motion)? {

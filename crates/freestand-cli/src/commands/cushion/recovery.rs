@@ -12,18 +12,20 @@ use crate::failure::Failure;
 use crate::printer::{Printer, optional, table};
 use crate::values::{Given, Reads, Values};
 
-/// How well drop tests recover stiffness, exponent and damping: bias and coverage over rate, noise, bias, zero shift and law
+/// How well drop tests recover stiffness, exponent and damping, by sampling rate, noise, bias,
+/// zero shift and law
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion recovery
   freestand cushion recovery --drops 200 --samples-per-contact \"25, 50, 100, 200\" --noise \"0, 0.5 %, 2 %\"
 
-The pads are those of the worked example (0.365 kg from 100 mm): 2190 N/mm; 2e7 N/m^1.5; 2190 N/mm with a damping of 10 %;
-2e7 N/m^1.5 with 0.3 s/m. Every drop is one test with an interval of its own, told an impact velocity that is off by 1 %, at
-random. A bias of the whole record is taken out with the zero line and must change nothing; a shift at the peak does.")]
+The pads, under 0.365 kg from 100 mm: 2190 N/mm; 2e7 N/m^1.5; 2190 N/mm with a damping of 10 %;
+2e7 N/m^1.5 with 0.3 s/m. Every drop is a test of its own, with its own interval; the impact velocity
+that the test is told has a random error of 1 %. A bias of the whole record is removed with the zero
+line and must not change the result; a shift at the peak does.")]
 pub(crate) struct RecoveryArgs {
-    /// Drops in each cell [default: 100]
+    /// Number of drops for each combination [default: 100]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     drops: Option<u32>,
     /// Samples per contact [default: 25, 50, 200]
@@ -35,7 +37,7 @@ pub(crate) struct RecoveryArgs {
     /// Bias of the whole record [default: 0 g, 5 g]
     #[arg(long, grid = Dimension::Acceleration, value_name = "LIST")]
     bias: Option<Given<Vec<f64>>>,
-    /// Shift of the zero line at the peak, as a share of it [default: 0]
+    /// Shift of the zero line at the peak, as a share of the peak [default: 0]
     #[arg(long, grid = Dimension::Ratio, value_name = "LIST")]
     zero_shift: Option<Given<Vec<f64>>>,
 }

@@ -17,55 +17,58 @@ use crate::files::Files;
 use crate::printer::{Printer, optional, print_text, table};
 use crate::values::{Given, Reads, Values};
 
-/// Virtual drop tests (and static tests) of a cushion, with all that is wrong with real ones
+/// Virtual drop tests and static tests of a cushion, with the imperfections of real ones
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --noise 0.5% --bias 1g --count 5 --out drops
+  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm \\
+    --noise 0.5% --bias 1g --count 5 --out drops
   freestand cushion simulate --law hertz --stiffness \"2e7 N/m^1.5\" --mass 0.365kg --height 100mm > drop.csv
-  freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% --mass 0.365kg --height 100mm --bounces 1
+  freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% \\
+    --mass 0.365kg --height 100mm --bounces 1
   freestand cushion simulate --static --stiffness \"1100 N/mm\" --load \"1 kN\" --hysteresis 15% > press.csv
 
-Without --out the one file goes to standard output. The first touch falls between two samples; noise, touch and number of
-the drop follow from --seed.")]
+Without --out, the file is printed. The first touch lies between two samples. Its place and the noise
+depend on --seed and on the number of the test.")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     cushion: CushionArgs,
-    /// Mass that falls
+    /// Mass of the impactor
     #[arg(long, positive = Dimension::Mass)]
     mass: Option<Given>,
-    /// Height of the fall
+    /// Drop height
     #[arg(long, positive = Dimension::Length)]
     height: Option<Given>,
     /// Samples per second [default: 50 per contact]
     #[arg(long, positive = Dimension::Frequency)]
     sample_rate: Option<Given>,
-    /// Standard deviation of white noise as a share of the peak (of the largest force in a static test) [default: 0]
+    /// Standard deviation of white noise, as a share of the peak (in a static test, of the largest
+    /// force) [default: 0]
     #[arg(long, non_negative = Dimension::Ratio)]
     noise: Option<Given>,
-    /// Added to every sample
+    /// Bias added to every sample [default: 0 g]
     #[arg(long, any = Dimension::Acceleration)]
     bias: Option<Given>,
-    /// Shift of the zero line after the peak, as a share of it [default: 0]
+    /// Shift of the zero line after the peak, as a share of the peak [default: 0]
     #[arg(long, any = Dimension::Ratio)]
     zero_shift: Option<Given>,
-    /// Corner of a low-pass of two poles before the converter
+    /// Corner frequency of a two-pole low-pass filter before the converter [default: no filter]
     #[arg(long, positive = Dimension::Frequency)]
     filter_corner: Option<Given>,
     /// Time before the first touch [default: 3 contacts]
     #[arg(long, non_negative = Dimension::Time)]
     pre_trigger: Option<Given>,
-    /// Bounces after the first contact
+    /// Number of bounces after the first contact
     #[arg(long, value_name = "N", default_value = "0", value_parser = clap::value_parser!(u32).range(0..=20))]
     bounces: u32,
     /// Gravity during the contact [default: 1 g]
     #[arg(long, non_negative = Dimension::Acceleration)]
     gravity: Option<Given>,
-    /// How many tests
+    /// Number of tests
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
 
-    /// A static test
+    /// Simulate static tests instead of drops
     #[arg(long = "static", help_heading = "Static tests")]
     is_static: bool,
     /// Largest force [default: 1 kN]
@@ -74,10 +77,10 @@ pub(crate) struct SimulateArgs {
     /// Energy lost as a share of the energy put in [default: 0]
     #[arg(long, non_negative = Dimension::Ratio, help_heading = "Static tests")]
     hysteresis: Option<Given>,
-    /// Slack before the pad is touched
+    /// Slack before the pad is touched [default: 0 mm]
     #[arg(long, non_negative = Dimension::Length, requires = "is_static", help_heading = "Static tests")]
     slack: Option<Given>,
-    /// Stiffness of the machine
+    /// Stiffness of the machine [default: rigid]
     #[arg(long, positive = Dimension::Stiffness, requires = "is_static", help_heading = "Static tests")]
     machine_compliance: Option<Given>,
 }

@@ -15,13 +15,15 @@ use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::values::{Given, Reads, Values};
 
-/// Response spectra over all horizontal directions (RotDnn), larger and geometric mean of two components
+/// Response spectra over all horizontal directions (RotDnn)
+///
+/// Also gives the larger and the geometric mean of the two components.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion rotd record.v2 --periods \"0.05 s:3 s:60\"
   freestand motion rotd north.AT2 east.AT2 --percentiles \"0, 50, 100\" --damping 2% --json")]
-// Two components have no one factor to a target: these are known but refused.
+// Two components have no common factor to a target: these are known but refused.
 #[command(
     mut_arg("scale_to", |arg| arg.hide(true)),
     mut_arg("scale_to_sa", |arg| arg.hide(true)),
@@ -36,7 +38,7 @@ pub(crate) struct RotdArgs {
     /// Damping ratio [default: 5 %]
     #[arg(long, non_negative = Dimension::Ratio)]
     damping: Option<Given>,
-    /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
+    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, grid = Dimension::Time)]
     periods: Option<Given<Vec<f64>>>,
 }

@@ -1,4 +1,5 @@
-//! `freestand motion simulate`: motions from a magnitude and a distance, or from a city and a return period.
+//! `freestand motion simulate`: motions from a magnitude and a distance, or from a city and a
+//! return period.
 
 use clap::Args;
 use freestand::code_spectrum::SiteClass;
@@ -9,7 +10,6 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
-use freestand_study::resolve::MAX_MOTIONS;
 use freestand_study::simulated::{
     DEFAULT_SITE, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_rock,
     simulate,
@@ -17,6 +17,7 @@ use freestand_study::simulated::{
 use freestand_study::study::DEFAULT_MOTIONS;
 use freestand_study::target::{DEFAULT_YEARS, Target};
 
+use super::motions;
 use super::plot::failed;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -25,31 +26,36 @@ use crate::files::Files;
 use crate::keys::{Key, KeySet, Keys, key, switch};
 use crate::printer::{Printer, significant, table};
 
-/// Motions of a stochastic point source: a magnitude at a distance, or those that a city's code spectrum stands for
+/// Ground motions simulated with a stochastic point source
+///
+/// For a magnitude at a distance, or for earthquakes that agree with the code spectrum of a city.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion simulate --magnitude 6 --distance \"30 km\" --count 10 --seed 1 --out motions
-  freestand motion simulate --magnitude 6.5 --distance \"45 km\" --preset se-australia --stress-drop \"50 MPa\" --json
+  freestand motion simulate --magnitude 6.5 --distance \"45 km\" \\
+    --preset se-australia --stress-drop \"50 MPa\" --json
   freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 --out motions")]
 pub(crate) struct SimulateArgs {
-    /// Moment magnitude; with --city: that one instead of 5.5, 6, 6.5 and 7
+    /// Moment magnitude [default with --city: 5.5, 6, 6.5 and 7]
     #[arg(long, value_name = "M", required_unless_present = "city")]
     magnitude: Option<String>,
     /// Distance from the source to the site
     #[arg(long, value_name = "LENGTH", required_unless_present = "city")]
     distance: Option<String>,
-    /// Look for the distances at which the mean spectrum meets this place's rock spectrum (AS 1170.4)
+    /// Find the distances at which the mean spectrum agrees with the rock spectrum of this city
+    /// (AS 1170.4)
     #[arg(long, value_name = "NAME", conflicts_with = "distance")]
     city: Option<String>,
-    /// Return period in years, with --city [default: 500]
+    /// Return period in years; needs --city [default: 500]
     #[arg(long, value_name = "YEARS")]
     return_period: Option<u32>,
-    /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
+    /// Site class of AS 1170.4; for other classes than Be, amplitudes are multiplied by the ratio
+    /// of the code spectra
     #[arg(long, value_name = "CLASS", default_value = DEFAULT_SITE.name())]
     site: String,
-    /// How many motions of each earthquake
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
+    /// Number of motions of each earthquake
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
     count: u64,
     #[command(flatten)]
     source: Keys<SourceKeys>,
@@ -66,28 +72,30 @@ impl KeySet for SourceKeys {
                 key(
                     "preset",
                     "NAME",
-                    "Parameters that belong together: victoria (or melbourne), intraplate, se-australia [default: victoria]",
+                    "Set of parameters: victoria (or melbourne), intraplate, se-australia [default: victoria]",
                 ),
                 key(
                     "stress_drop",
                     "PRESSURE",
                     "Stress drop, such as \"200 bar\" or \"23 MPa\" [default: the preset's]",
                 ),
-                key("kappa", "TIME", "κ0, the loss near the surface [default: the preset's]"),
+                key("kappa", "TIME", "κ0, the attenuation near the surface [default: the preset's]"),
                 key(
                     "source_spectrum",
                     "SHAPE",
-                    "Shape of the source spectrum: single-corner (Brune), two-corner (Atkinson and Boore 1995) [default: the preset's]",
+                    "Shape of the source spectrum: single-corner (Brune), two-corner (Atkinson and Boore 1995) \
+                     [default: the preset's]",
                 ),
                 key(
                     "path_duration",
                     "NAME",
-                    "Duration along the path: boore (0.05 s for each km), atkinson-boore (1995) [default: the preset's]",
+                    "Duration along the path: boore (0.05 s per km), atkinson-boore (1995) [default: the preset's]",
                 ),
                 key(
                     "window",
                     "NAME",
-                    "How shaking rises and falls: lam (Lam, Wilson and Hutchinson 2000), saragoni-hart (1974) [default: the preset's]",
+                    "Window of the shaking: lam (Lam, Wilson and Hutchinson 2000), saragoni-hart (1974) \
+                     [default: the preset's]",
                 ),
                 switch("hard_rock", "No amplification by the crust"),
             ],
@@ -96,7 +104,7 @@ impl KeySet for SourceKeys {
             "The motion",
             &[
                 key("time_step", "TIME", "Time step [default: 0.005 s]"),
-                key("low_cut", "FREQUENCY", "Corner of the acausal low cut [default: 0.05 Hz]"),
+                key("low_cut", "FREQUENCY", "Corner frequency of the acausal high-pass filter [default: 0.05 Hz]"),
             ],
         ),
     ];

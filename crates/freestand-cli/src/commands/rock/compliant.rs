@@ -38,8 +38,8 @@ pub(crate) struct CompliantArgs {
     /// The edges never slip while loaded (the default without --friction)
     #[arg(long, conflicts_with = "friction")]
     no_slip: bool,
-    /// Number of contact elements, evenly spaced from edge to edge; more than 2 share the cushions of
-    /// both edges [default: 2]
+    /// Number of contact elements, evenly spaced from edge to edge; more than 2 share the cushions
+    /// of both edges [default: 2]
     #[arg(long, value_name = "N")]
     contacts: Option<usize>,
     /// Start at rest at this rise of the centre of gravity, rotated to the right

@@ -84,7 +84,8 @@ pub(crate) struct RockArgs {
     /// Gravity [default: 1 g]
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The rocking")]
     gravity: Option<Given>,
-    /// Time at which to stop; the floor does not move after the last sample [default: the last sample]
+    /// Time at which to stop; the floor does not move after the last sample [default: the last
+    /// sample]
     #[arg(long, positive = Dimension::Time, help_heading = "The rocking")]
     duration: Option<Given>,
     /// File to write the history to (CSV)
