@@ -7,7 +7,7 @@ use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoub
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{number, percent};
-use freestand_records::formats::{load_table, read_modes, read_storeys};
+use freestand_records::tables::{load_table, read_modes, read_storeys};
 
 /// Storeys of a building, where nobody says how many.
 pub const DEFAULT_STOREYS: u32 = 30;
