@@ -10,7 +10,7 @@ use freestand::cushion::{CurveError, StressEnergy, StressEnergyFit};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::facts::Facts;
-use freestand_records::formats::load_curve;
+use freestand_records::tables::load_curve;
 
 /// A design; `None` where a value is not given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -10,7 +10,7 @@ use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
-use freestand_records::formats::laboratory::load_static;
+use freestand_records::tables::laboratory::load_static;
 
 /// A warning is given where the toe is below zero by this many standard errors
 const NOISE_ERRORS: f64 = 3.0;

@@ -9,7 +9,7 @@ use freestand::damage_boundary::KNEE_RATIO;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_records::formats::{DamageRow, load_damage_points};
+use freestand_records::tables::{DamageRow, load_damage_points};
 
 /// The longest pulse of Method A \[s\].
 const MAX_METHOD_A_S: f64 = 3e-3;

@@ -20,8 +20,8 @@ use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
-use freestand_records::formats::laboratory::comments;
 use freestand_records::formats::{ReadOptions, parse_motions};
+use freestand_records::tables::laboratory::comments;
 
 pub use pool::{PooledReport, cushion_toml};
 
