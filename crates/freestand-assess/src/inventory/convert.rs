@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use freestand_input::problem::{Problem, Problems};
+
 use super::cell::{Cell, Flow, Row};
 use super::columns::{Heading, Holds, heading};
 use super::encoding::is_unprintable;
@@ -10,7 +12,6 @@ use super::header::Header;
 use super::source::{Source, load};
 use super::values::pointed;
 use super::write::{Table, Written, csv, xlsx};
-use freestand_input::problem::{Problem, Problems};
 
 /// A format that is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

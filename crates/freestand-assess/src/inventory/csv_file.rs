@@ -1,7 +1,8 @@
 //! The rows of a CSV.
 
-use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row, unguarded};
 use freestand_input::problem::{Problem, ProblemKind};
+
+use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row, unguarded};
 
 /// The longest row \[bytes\]; all columns of a sheet with a few words each are shorter.
 const MAX_ROW_BYTES: u64 = 4 << 20;

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use super::columns::letters;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
+
+use super::columns::letters;
 
 /// So many problems are listed; nobody reads more at once.
 const MAX_PROBLEMS: usize = 200;

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use freestand_input::quantity::{Dimension, Unit, lookup};
+
 use super::cell::{Cell, Row};
 use super::columns::{COLUMNS, Column, Heading, Holds, canonical, heading};
-use freestand_input::quantity::{Dimension, Unit, lookup};
 
 /// How many rows that are not empty may stand above the headings, and these with them.
 pub(super) const SEARCHED_ROWS: usize = 100;

@@ -4,13 +4,6 @@ use freestand::block::{Block, BlockError};
 use freestand::impact::stiffness_warnings;
 use freestand::rocking::Restitution;
 
-use super::cell::Cell;
-use super::columns::{COLUMNS, Column, canonical};
-use super::findings::Doubt;
-use super::layout::Role;
-use super::template::EXAMPLE;
-use super::values::Values;
-use super::{Consequences, Item};
 use crate::library::Lookup;
 use crate::library::{Confidence, Tolerance};
 use freestand_input::keys::KeyStyle;
@@ -18,6 +11,14 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
 use freestand_study::cushion::{CushionWords, EdgeCushion, KeyProblem};
 use freestand_study::shape::Shape;
+
+use super::cell::Cell;
+use super::columns::{COLUMNS, Column, canonical};
+use super::findings::Doubt;
+use super::layout::Role;
+use super::template::EXAMPLE;
+use super::values::Values;
+use super::{Consequences, Item};
 
 /// Lower than any object that rocks, 20 mm: metres in a column of millimetres.
 const SMALLEST_HEIGHT_M: f64 = 0.02;

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use freestand_input::quantity::{Dimension, Unit, shorten};
+
 use super::columns::{COLUMNS, Column, Heading, Holds, heading, letters, meant};
 use super::findings::Findings;
 use super::header::Header;
-use freestand_input::quantity::{Dimension, Unit, shorten};
 
 /// The most columns that are carried through; an asset register has some dozen.
 pub(super) const MAX_CARRIED: usize = 256;

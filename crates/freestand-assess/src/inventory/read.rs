@@ -3,6 +3,11 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use crate::library::Lookup;
+use freestand_input::file::sha256_hex;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::shorten;
+
 use super::cell::{Flow, Row};
 use super::columns::Column;
 use super::findings::{At, Doubt, Findings};
@@ -11,10 +16,6 @@ use super::layout::{ColumnRead, Layout};
 use super::source::{Source, load};
 use super::values::{Signs, Values};
 use super::{Inventory, Item};
-use crate::library::Lookup;
-use freestand_input::file::sha256_hex;
-use freestand_input::problem::Problems;
-use freestand_input::quantity::shorten;
 
 /// Cells that are carried through, over all rows: half a gigabyte if they are empty.
 const MAX_CARRIED_CELLS: usize = 20_000_000;

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
+use freestand_input::file::load_up_to;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+
 use super::cell::{Flow, Row};
 use super::header::{self, Header, SEARCHED_ROWS, required_names};
 use super::workbook::{Formulas, Merges, Workbook};
 use super::{csv_file, encoding};
-use freestand_input::file::load_up_to;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::shorten;
 
 /// Largest file \[bytes\].
 const MAX_BYTES: u64 = 512 << 20;

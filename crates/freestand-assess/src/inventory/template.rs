@@ -2,9 +2,10 @@
 
 use rust_xlsxwriter::{Format, FormatAlign, Workbook, XlsxError};
 
+use freestand_input::problem::Problem;
+
 use super::columns::{COLUMNS, Column, ColumnSpec, Holds};
 use super::write::{Table, Written, csv, xlsx};
-use freestand_input::problem::Problem;
 
 /// Begins the ids of the example rows.
 pub(super) const EXAMPLE: &str = "example-";

@@ -1,13 +1,14 @@
 //! The cells of one row as values: each that cannot be one is a problem with its place.
 
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
+
 use super::Rating;
 use super::cell::{Cell, Row};
 use super::columns::{Column, Holds, canonical};
 use super::findings::{At, Doubt, Findings};
 use super::layout::{Layout, Place};
 use super::workbook::Merges;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
 /// A row with what its cells are read by.
 pub(super) struct Values<'r, 'f, 'p> {

@@ -5,11 +5,12 @@ use std::io::Cursor;
 
 use calamine::{DataRef, Dimensions, ExcelDateTime, Reader, SheetVisible, Xlsx, XlsxError};
 
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+
 use super::archive;
 use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row};
 use super::columns::letters;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::shorten;
 
 /// A workbook that was opened.
 pub(super) struct Workbook {

@@ -4,10 +4,11 @@ use rust_xlsxwriter::{
     DataValidation, DocProperties, ExcelDateTime, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError,
 };
 
-use super::cell::{MAX_CELL_CHARS, MAX_ROWS, guarded};
-use super::columns::{Column, Heading, Holds, heading};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
+
+use super::cell::{MAX_CELL_CHARS, MAX_ROWS, guarded};
+use super::columns::{Column, Heading, Holds, heading};
 
 /// Name of the sheet that the objects stand in.
 pub(super) const SHEET: &str = "Inventory";

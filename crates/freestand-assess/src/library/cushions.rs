@@ -4,16 +4,17 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::entry::source_words;
-use super::reader::RowReader;
-use super::sheet::{self, Column, Sheet, SheetRow};
-use super::tolerances::{BUILT_IN, matches_all, put_over, unique, unknown};
-use super::{Confidence, CushionPrior, nearest_ids};
 use freestand_input::file::InputFile;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_study::cushion::CushionWords;
+
+use super::entry::source_words;
+use super::reader::RowReader;
+use super::sheet::{self, Column, Sheet, SheetRow};
+use super::tolerances::{BUILT_IN, matches_all, put_over, unique, unknown};
+use super::{Confidence, CushionPrior, nearest_ids};
 
 /// The columns of a cushion library.
 pub const CUSHION_COLUMNS: [Column; 12] = [

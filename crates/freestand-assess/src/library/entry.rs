@@ -4,13 +4,14 @@ use freestand::G0_M_S2;
 use freestand::shock_response::{Pulse, PulseShape};
 use serde::Serialize;
 
-use super::reader::RowReader;
-use super::sheet::{Column, Sheet, SheetRow};
-use super::{Confidence, Tolerance};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 use freestand_study::shock_spectrum::pulse_name;
+
+use super::reader::RowReader;
+use super::sheet::{Column, Sheet, SheetRow};
+use super::{Confidence, Tolerance};
 
 /// The columns of a tolerance library; numbers state their unit in brackets, such as `peak [g]`.
 pub const TOLERANCE_COLUMNS: [Column; 23] = [

@@ -1,9 +1,10 @@
 //! Cells of a library row into values, with every slip kept.
 
-use super::Confidence;
-use super::sheet::{Sheet, SheetRow};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, parse, parse_in_unit, shorten};
+
+use super::Confidence;
+use super::sheet::{Sheet, SheetRow};
 
 /// Reads one row.
 pub(super) struct RowReader<'s> {

@@ -1,7 +1,8 @@
 use std::fs;
 
-use super::*;
 use freestand_input::problem::Problems;
+
+use super::*;
 
 #[test]
 fn the_builtin_libraries_are_read_whole() {

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use super::entry::{TOLERANCE_COLUMNS, ToleranceEntry};
-use super::{nearest_ids, sheet};
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+
+use super::entry::{TOLERANCE_COLUMNS, ToleranceEntry};
+use super::{nearest_ids, sheet};
 
 /// What many kinds of things stand, each entry with its source.
 #[derive(Debug, Clone, Default, PartialEq)]
