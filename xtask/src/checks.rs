@@ -46,6 +46,8 @@ pub fn all(root: &Path) -> bool {
         if !validate_shock::is_installed(root) {
             return Outcome::Skipped("`cargo xtask validate-shock` fetches pyyeti and endaq and compares".to_owned());
         }
+        // The tests have just built the program. With other targets cargo would choose other features of dependencies
+        // and build everything again.
         of(validate_shock::compare(root))
     });
     print!("\n{}", table(&rows, &tests));
@@ -83,8 +85,21 @@ fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Resul
 struct Tests {
     skipped: BTreeMap<String, Vec<String>>,
     ignored: BTreeMap<String, Vec<String>>,
-    /// Whether the output of tests that passed is being read, and of which one.
-    passed: Option<String>,
+    part: Part,
+    /// The test whose output is being read.
+    test: String,
+}
+
+/// Parts of what the test harness prints.
+#[derive(Default, PartialEq)]
+enum Part {
+    /// A line for each test, and totals.
+    #[default]
+    Results,
+    /// The output of tests that passed.
+    Successes,
+    /// The output of tests that failed.
+    Failures,
 }
 
 impl Tests {
@@ -114,24 +129,31 @@ impl Tests {
 
     /// Takes a line of the test harness in; whether it is for people, who want to see failures and totals.
     fn shows(&mut self, line: &str) -> bool {
-        if line == "failures:" || line.starts_with("test result: ") {
-            self.passed = None;
-        } else if line == "successes:" {
-            self.passed = Some(String::new());
-        } else if let Some(test) = &mut self.passed {
-            if let Some(name) = line.strip_prefix("---- ").and_then(|line| line.strip_suffix(" stdout ----")) {
-                test.replace_range(.., name);
-            } else if let Some(reason) = line.strip_prefix("skipped: ") {
-                self.skipped.entry(reason.to_owned()).or_default().push(test.clone());
-            }
-        } else if let Some((test, reason)) = line.strip_prefix("test ").and_then(|line| line.split_once(" ... ignored"))
-        {
-            let reason = reason.strip_prefix(", ").unwrap_or("no reason given");
-            self.ignored.entry(reason.to_owned()).or_default().push(test.to_owned());
-            return false;
+        match line {
+            "successes:" => self.part = Part::Successes,
+            "failures:" => self.part = Part::Failures,
+            _ if line.starts_with("test result: ") => self.part = Part::Results,
+            _ => {}
         }
-        let is_noise = line.is_empty() || line.starts_with("running ") || line.ends_with(" ... ok");
-        self.passed.is_none() && !is_noise
+        match self.part {
+            Part::Failures => true,
+            Part::Successes => {
+                if let Some(name) = line.strip_prefix("---- ").and_then(|line| line.strip_suffix(" stdout ----")) {
+                    name.clone_into(&mut self.test);
+                } else if let Some(reason) = line.strip_prefix("skipped: ") {
+                    self.skipped.entry(reason.to_owned()).or_default().push(self.test.clone());
+                }
+                false
+            }
+            Part::Results => {
+                let ignored = line.strip_prefix("test ").and_then(|line| line.split_once(" ... ignored"));
+                if let Some((test, reason)) = ignored {
+                    let reason = reason.strip_prefix(", ").unwrap_or("no reason given");
+                    self.ignored.entry(reason.to_owned()).or_default().push(test.to_owned());
+                }
+                ignored.is_none() && !line.is_empty() && !line.starts_with("running ") && !line.ends_with(" ... ok")
+            }
+        }
     }
 }
 
@@ -191,10 +213,13 @@ mod tests {
             [
                 "test a::fails ... FAILED",
                 "failures:",
+                "",
                 "---- a::fails stdout ----",
                 "skipped: part of a failure",
+                "",
                 "failures:",
                 "    a::fails",
+                "",
                 "test result: FAILED. 1 passed; 1 failed; 2 ignored"
             ]
         );

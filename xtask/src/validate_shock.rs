@@ -19,7 +19,7 @@ pub fn is_installed(root: &Path) -> bool {
     import.is_ok_and(|output| output.status.success())
 }
 
-/// Fetches the packages where they are missing, and compares.
+/// Fetches the packages where they are missing, builds the program and compares.
 pub fn fetch_and_compare(root: &Path) -> Result<(), String> {
     if !is_installed(root) {
         let failed = |error| format!("pyyeti and endaq cannot be installed, so nothing was compared: {error}");
@@ -28,13 +28,12 @@ pub fn fetch_and_compare(root: &Path) -> Result<(), String> {
         let install = [&["-m", "pip", "install", "--quiet"][..], &PACKAGES[..]].concat();
         run(root, python(root), &install).map_err(failed)?;
     }
+    run(root, "cargo", &["build", "--locked", "--package", "freestand-cli"])?;
     compare(root)
 }
 
-/// Builds the program and compares it with the packages.
+/// Compares the program, as it was built last, with the packages.
 pub fn compare(root: &Path) -> Result<(), String> {
-    // The profile of the tests: `cargo xtask test` has built the program with it.
-    run(root, "cargo", &["build", "--locked", "--profile", "test", "--package", "freestand-cli"])?;
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let binary = target.join(if cfg!(windows) { "debug/freestand.exe" } else { "debug/freestand" });
     run(root, python(root), &["validation/shock_response/compare.py", &binary.to_string_lossy()])

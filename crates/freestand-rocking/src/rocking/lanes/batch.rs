@@ -7,66 +7,38 @@ use std::f64::consts::FRAC_PI_2;
 
 use pulp::Simd;
 
-use super::math::{Masks, Math, Numbers};
+use super::math::{Column, Masks, Math, Numbers};
 use super::ranks::{ABREAST, Ranks};
 use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::Interval;
 use super::unroll::{unroll, unroll_down};
 
-/// Vectors whose operations stand side by side.
-const W: usize = 2;
-
 /// Lanes of a batch.
-pub(super) const BATCH: usize = 4 * ABREAST;
+pub(super) const BATCH: usize = 2 * ABREAST;
 
 pub(super) const CALM: f64 = 0.0;
 pub(super) const LANDING: f64 = 1.0;
 pub(super) const INTRICATE: f64 = 2.0;
 
-/// One number of every lane.
-#[derive(Clone, Copy)]
-#[repr(align(64))]
-pub(super) struct Column(pub(super) [f64; BATCH]);
-
-impl Default for Column {
-    fn default() -> Self {
-        Self([0.0; BATCH])
-    }
-}
-
-impl Column {
-    #[inline(always)]
-    fn get<S: Simd>(&self, i: usize) -> Numbers<S, W> {
-        let (vectors, _) = S::as_simd_f64s(&self.0);
-        [vectors[W * i], vectors[W * i + 1]]
-    }
-
-    #[inline(always)]
-    fn set<S: Simd>(&mut self, i: usize, value: Numbers<S, W>) {
-        let (vectors, _) = S::as_mut_simd_f64s(&mut self.0);
-        [vectors[W * i], vectors[W * i + 1]] = value;
-    }
-}
-
 /// Lanes with an event in the step.
 #[derive(Default)]
 pub(super) struct Batch {
-    pub(super) y: Column,
-    pub(super) w: Column,
-    alpha: Column,
-    x2: Column,
-    side: Column,
-    pub(super) best: Column,
-    pub(super) tau: Column,
+    pub(super) y: Column<BATCH>,
+    pub(super) w: Column<BATCH>,
+    alpha: Column<BATCH>,
+    x2: Column<BATCH>,
+    side: Column<BATCH>,
+    pub(super) best: Column<BATCH>,
+    pub(super) tau: Column<BATCH>,
     /// The part of the step that was left.
-    pub(super) rest: Column,
-    pub(super) event: Column,
+    pub(super) rest: Column<BATCH>,
+    pub(super) event: Column<BATCH>,
     /// 1 where y may have its largest maximum so far inside the step.
-    summit: Column,
+    summit: Column<BATCH>,
     /// Terms of y.
-    pub(super) c: [Column; TERMS],
+    pub(super) c: [Column<BATCH>; TERMS],
     /// Terms of y without the zero that it starts from.
-    q: [Column; TERMS],
+    q: [Column<BATCH>; TERMS],
 }
 
 impl Batch {
@@ -74,32 +46,26 @@ impl Batch {
     pub(super) fn gather(&mut self, moving: &Ranks, batch: &[u32]) {
         for (i, &lane) in batch.iter().enumerate() {
             let (rank, place) = moving.rank(lane as usize);
-            self.y.0[i] = rank.y[place];
-            self.w.0[i] = rank.w[place];
-            self.alpha.0[i] = rank.alpha[place];
-            self.x2.0[i] = rank.x2[place];
-            self.side.0[i] = rank.side[place];
-            self.best.0[i] = rank.best[place];
-            self.tau.0[i] = rank.tau[place];
+            self.y[i] = rank.y[place];
+            self.w[i] = rank.w[place];
+            self.alpha[i] = rank.alpha[place];
+            self.x2[i] = rank.x2[place];
+            self.side[i] = rank.side[place];
+            self.best[i] = rank.best[place];
+            self.tau[i] = rank.tau[place];
         }
-        for i in batch.len()..batch.len().next_multiple_of(W * ABREAST) {
+        for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
             // A block that nothing moves.
-            (self.y.0[i], self.w.0[i], self.x2.0[i], self.best.0[i], self.tau.0[i]) =
-                (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
+            (self.y[i], self.w[i], self.x2[i], self.best[i], self.tau[i]) = (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
         }
     }
 
     /// To the next event of each of the first lanes, or to the end of the step.
     #[inline(always)]
-    pub(super) fn solve<S: Simd, const K: usize, const LINEARISED: bool>(
-        &mut self,
-        m: Math<S, W>,
-        ground: Interval,
-        lanes: usize,
-    ) {
-        let vectors = lanes.div_ceil(W * S::F64_LANES);
+    pub(super) fn solve<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: Interval, lanes: usize) {
+        let vectors = lanes.div_ceil(2 * S::F64_LANES);
         for i in 0..vectors {
-            self.expand::<S, K, LINEARISED>(m, ground, i);
+            self.expand::<S, K>(m, ground, i);
         }
         for i in 0..vectors {
             if m.any(m.gt(self.summit.get::<S>(i), m.splat(0.0))) {
@@ -113,14 +79,15 @@ impl Batch {
 
     /// The series of a vector of lanes, and what happens in the rest of the step.
     #[inline(always)]
-    fn expand<S: Simd, const K: usize, const LINEARISED: bool>(&mut self, m: Math<S, W>, ground: Interval, i: usize) {
+    fn expand<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: Interval, i: usize) {
         let (u_start, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v_start, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
         let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
-        let [y, w, tau, best] = [&self.y, &self.w, &self.tau, &self.best].map(|numbers| numbers.get::<S>(i));
+        let (y, w) = (self.y.get::<S>(i), self.w.get::<S>(i));
+        let (tau, best) = (self.tau.get::<S>(i), self.best.get::<S>(i));
         let rest = m.sub(one, tau);
         let rest2 = m.mul(rest, rest);
-        let [alpha, x2, side] = [&self.alpha, &self.x2, &self.side].map(|numbers| numbers.get::<S>(i));
+        let (alpha, x2, side) = (self.alpha.get::<S>(i), self.x2.get::<S>(i), self.side.get::<S>(i));
         let edge = Edge { alpha, x2: m.mul(rest2, x2) };
         let local = Ground {
             su: m.mul(side, m.fma(tau, u_change, u_start)),
@@ -133,7 +100,7 @@ impl Batch {
         // At the very instant at which the threshold is passed nothing pulls down, whatever rounding says.
         let lifted = |pull| m.select(m.and(lifting, m.gt(pull, zero)), zero, pull);
         let w = m.mul(w, rest);
-        let series = Series::<S, W, K>::new::<LINEARISED, true>(m, y, w, edge, local, lifted);
+        let series = Series::<S, K>::new::<true>(m, y, w, edge, local, lifted);
 
         let bend = series.bend(m);
         let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
@@ -192,7 +159,7 @@ impl Batch {
 
     /// Raises the largest y to a maximum inside the step.
     #[inline(always)]
-    fn climb<S: Simd, const K: usize>(&mut self, m: Math<S, W>, i: usize) {
+    fn climb<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
         let mut slope = [m.splat(0.0); TERMS];
         unroll!(N, {
             if N < K {
@@ -213,7 +180,7 @@ impl Batch {
 
     /// To the landing, or to the end of the step.
     #[inline(always)]
-    fn fall<S: Simd, const K: usize>(&mut self, m: Math<S, W>, i: usize) {
+    fn fall<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
         let (zero, one) = (m.splat(0.0), m.splat(1.0));
         let (event, rest, tau) = (self.event.get::<S>(i), self.rest.get::<S>(i), self.tau.get::<S>(i));
         let landing = m.and(m.ge(event, m.splat(LANDING)), m.ge(m.splat(LANDING), event));
@@ -253,7 +220,7 @@ const LAST_MOVE: f64 = 3e-6;
 /// The root in (0, 1] of a polynomial that is positive before it and not positive behind it, in the lanes wanted: by Halley's
 /// method within a bracket. A lane that has converged stays, whatever its neighbours do.
 #[inline(always)]
-fn root<S: Simd, const K: usize>(m: Math<S, W>, q: &[Numbers<S, W>; TERMS], wanted: Masks<S, W>) -> Numbers<S, W> {
+fn root<S: Simd, const K: usize>(m: Math<S>, q: &[Numbers<S>; TERMS], wanted: Masks<S>) -> Numbers<S> {
     /// Halvings of the bracket, to 2⁻⁶⁰ of a step, where nothing else leads on.
     const MOST: usize = 60;
     let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));

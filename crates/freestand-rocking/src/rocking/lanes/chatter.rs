@@ -12,8 +12,6 @@ pub(super) struct Pull {
 pub(super) struct Acting {
     pub(super) e: Pull,
     pub(super) d: Pull,
-    /// 1, or 0 where cos y is taken as 1.
-    pub(super) cosine: f64,
 }
 
 /// A flight from the floor back to it: how long, and the speed of the impact.
@@ -59,13 +57,12 @@ impl Acting {
         if epsilon.abs() > SMALL_EPSILON {
             return None;
         }
-        let bent = self.cosine * e;
         // y/x.
         let (c0, c1) = (w, -0.5 * e);
         let c2 = (d * w - e1) / 6.0;
-        let c3 = (d1 * w + d * c1 + 0.5 * bent * w * w) / 12.0;
-        let c4 = (d * c2 + d1 * c1 - 0.5 * bent * w * e) / 20.0;
-        let c5 = (d * c3 + d1 * c2 + 0.125 * bent * e * e) / 30.0;
+        let c3 = (d1 * w + d * c1 + 0.5 * e * w * w) / 12.0;
+        let c4 = (d * c2 + d1 * c1 - 0.5 * e * w * e) / 20.0;
+        let c5 = (d * c3 + d1 * c2 + 0.125 * e * e * e) / 30.0;
         // The landing under E alone, and what D adds for a pull that does not change; then one step of Newton's method.
         let ballistic = 2.0 * w * inverse;
         let x = ballistic * (flight_ratio(epsilon) + d * ballistic * ballistic / 12.0);
@@ -80,7 +77,7 @@ impl Acting {
 
     /// The same, later.
     pub(super) fn after(self, time: f64) -> Self {
-        Self { e: self.e.after(time), d: self.d.after(time), ..self }
+        Self { e: self.e.after(time), d: self.d.after(time) }
     }
 }
 

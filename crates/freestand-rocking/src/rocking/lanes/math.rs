@@ -2,130 +2,173 @@
 //! everywhere, in software where the processor cannot, and nothing else is. (What is worked out once for a block or at rare
 //! events uses the platform's sine and logarithm.)
 
+use std::ops::{Deref, DerefMut};
+
 use pulp::Simd;
 
-/// An operation on each vector, written out for one and for two.
+/// An operation on each of two vectors.
 macro_rules! each {
-    ($i:ident, $w:ident, $operation:expr) => {{
-        const { assert!($w == 1 || $w == 2) };
-        let first = {
-            let $i = 0;
-            $operation
-        };
-        let mut all = [first; $w];
-        if $w > 1 {
-            all[$w - 1] = {
-                let $i = $w - 1;
+    ($i:ident, $operation:expr) => {
+        [
+            {
+                let $i = 0;
                 $operation
-            };
-        }
-        all
-    }};
+            },
+            {
+                let $i = 1;
+                $operation
+            },
+        ]
+    };
 }
 
-/// W vectors of numbers, whose operations stand side by side: chains of one hide the time that those of the other take.
-pub(super) type Numbers<S, const W: usize> = [<S as Simd>::f64s; W];
+/// Two vectors of numbers, whose operations stand side by side: chains of one hide the time that those of the other take.
+pub(super) type Numbers<S> = [<S as Simd>::f64s; 2];
 
 /// One truth for each.
-pub(super) type Masks<S, const W: usize> = [<S as Simd>::m64s; W];
+pub(super) type Masks<S> = [<S as Simd>::m64s; 2];
 
-/// Operations of one generation of vector units on W vectors.
-#[derive(Clone, Copy)]
-pub(super) struct Math<S, const W: usize>(pub(super) S);
+/// One number of each of N lanes.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Column<const N: usize>(pub(super) [f64; N]);
 
-impl<S: Simd, const W: usize> Math<S, W> {
+impl<const N: usize> Column<N> {
+    /// Pairs of vectors in a column.
+    pub(super) const fn pairs<S: Simd>() -> usize {
+        N / (2 * S::F64_LANES)
+    }
+
     #[inline(always)]
-    pub(super) fn splat(self, a: f64) -> Numbers<S, W> {
-        [self.0.splat_f64s(a); W]
+    pub(super) fn get<S: Simd>(&self, i: usize) -> Numbers<S> {
+        let (vectors, _) = S::as_simd_f64s(&self.0);
+        vectors.as_chunks().0[i]
+    }
+
+    #[inline(always)]
+    pub(super) fn set<S: Simd>(&mut self, i: usize, value: Numbers<S>) {
+        let (vectors, _) = S::as_mut_simd_f64s(&mut self.0);
+        vectors.as_chunks_mut().0[i] = value;
+    }
+}
+
+impl<const N: usize> Default for Column<N> {
+    fn default() -> Self {
+        Self([0.0; N])
+    }
+}
+
+impl<const N: usize> Deref for Column<N> {
+    type Target = [f64; N];
+
+    fn deref(&self) -> &[f64; N] {
+        &self.0
+    }
+}
+
+impl<const N: usize> DerefMut for Column<N> {
+    fn deref_mut(&mut self) -> &mut [f64; N] {
+        &mut self.0
+    }
+}
+
+/// Operations of one generation of vector units on two vectors.
+#[derive(Clone, Copy)]
+pub(super) struct Math<S>(pub(super) S);
+
+impl<S: Simd> Math<S> {
+    #[inline(always)]
+    pub(super) fn splat(self, a: f64) -> Numbers<S> {
+        [self.0.splat_f64s(a); 2]
     }
 
     /// a + b.
     #[inline(always)]
-    pub(super) fn add(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.add_f64s(a[i], b[i]))
+    pub(super) fn add(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.add_f64s(a[i], b[i]))
     }
 
     /// a − b.
     #[inline(always)]
-    pub(super) fn sub(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.sub_f64s(a[i], b[i]))
+    pub(super) fn sub(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.sub_f64s(a[i], b[i]))
     }
 
     /// a b.
     #[inline(always)]
-    pub(super) fn mul(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.mul_f64s(a[i], b[i]))
+    pub(super) fn mul(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.mul_f64s(a[i], b[i]))
     }
 
     /// a / b.
     #[inline(always)]
-    pub(super) fn div(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.div_f64s(a[i], b[i]))
+    pub(super) fn div(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.div_f64s(a[i], b[i]))
     }
 
     /// a b + c, rounded once.
     #[inline(always)]
-    pub(super) fn fma(self, a: Numbers<S, W>, b: Numbers<S, W>, c: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.mul_add_f64s(a[i], b[i], c[i]))
+    pub(super) fn fma(self, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.mul_add_f64s(a[i], b[i], c[i]))
     }
 
     /// c − a b, rounded once.
     #[inline(always)]
-    pub(super) fn fnma(self, a: Numbers<S, W>, b: Numbers<S, W>, c: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.negate_mul_add_f64s(a[i], b[i], c[i]))
+    pub(super) fn fnma(self, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.negate_mul_add_f64s(a[i], b[i], c[i]))
     }
 
     #[inline(always)]
-    pub(super) fn abs(self, a: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.abs_f64s(a[i]))
+    pub(super) fn abs(self, a: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.abs_f64s(a[i]))
     }
 
     #[inline(always)]
-    pub(super) fn sqrt(self, a: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.sqrt_f64s(a[i]))
+    pub(super) fn sqrt(self, a: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.sqrt_f64s(a[i]))
     }
 
     /// a > b, false where one is not a number.
     #[inline(always)]
-    pub(super) fn gt(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Masks<S, W> {
-        each!(i, W, self.0.greater_than_f64s(a[i], b[i]))
+    pub(super) fn gt(self, a: Numbers<S>, b: Numbers<S>) -> Masks<S> {
+        each!(i, self.0.greater_than_f64s(a[i], b[i]))
     }
 
     /// a ≥ b, false where one is not a number.
     #[inline(always)]
-    pub(super) fn ge(self, a: Numbers<S, W>, b: Numbers<S, W>) -> Masks<S, W> {
-        each!(i, W, self.0.greater_than_or_equal_f64s(a[i], b[i]))
+    pub(super) fn ge(self, a: Numbers<S>, b: Numbers<S>) -> Masks<S> {
+        each!(i, self.0.greater_than_or_equal_f64s(a[i], b[i]))
     }
 
     #[inline(always)]
-    pub(super) fn and(self, a: Masks<S, W>, b: Masks<S, W>) -> Masks<S, W> {
-        each!(i, W, self.0.and_m64s(a[i], b[i]))
+    pub(super) fn and(self, a: Masks<S>, b: Masks<S>) -> Masks<S> {
+        each!(i, self.0.and_m64s(a[i], b[i]))
     }
 
     #[inline(always)]
-    pub(super) fn or(self, a: Masks<S, W>, b: Masks<S, W>) -> Masks<S, W> {
-        each!(i, W, self.0.or_m64s(a[i], b[i]))
+    pub(super) fn or(self, a: Masks<S>, b: Masks<S>) -> Masks<S> {
+        each!(i, self.0.or_m64s(a[i], b[i]))
     }
 
     #[inline(always)]
-    pub(super) fn not(self, a: Masks<S, W>) -> Masks<S, W> {
-        each!(i, W, self.0.not_m64s(a[i]))
+    pub(super) fn not(self, a: Masks<S>) -> Masks<S> {
+        each!(i, self.0.not_m64s(a[i]))
     }
 
     #[inline(always)]
-    pub(super) fn select(self, mask: Masks<S, W>, yes: Numbers<S, W>, no: Numbers<S, W>) -> Numbers<S, W> {
-        each!(i, W, self.0.select_f64s(mask[i], yes[i], no[i]))
+    pub(super) fn select(self, mask: Masks<S>, yes: Numbers<S>, no: Numbers<S>) -> Numbers<S> {
+        each!(i, self.0.select_f64s(mask[i], yes[i], no[i]))
     }
 
     #[inline(always)]
-    pub(super) fn any(self, mask: Masks<S, W>) -> bool {
+    pub(super) fn any(self, mask: Masks<S>) -> bool {
         mask.iter().any(|mask| self.0.first_true_m64s(*mask) < S::F64_LANES)
     }
 
     /// sin y and cos y for 0 ≤ |y| ≤ π/2 to 9e-16: interpolation of sin y/y and cos y in y² at Chebyshev nodes of
     /// [0, (π/2)²], with the leading coefficients of the Taylor series, so that small angles keep their digits.
     #[inline(always)]
-    pub(super) fn sin_cos(self, y: Numbers<S, W>) -> (Numbers<S, W>, Numbers<S, W>) {
+    pub(super) fn sin_cos(self, y: Numbers<S>) -> (Numbers<S>, Numbers<S>) {
         let t = self.mul(y, y);
         let t2 = self.mul(t, t);
         let t4 = self.mul(t2, t2);
@@ -142,7 +185,7 @@ impl<S: Simd, const W: usize> Math<S, W> {
 
     /// Two terms of a polynomial: pairs, and pairs of pairs, make a shorter chain than one term after the other.
     #[inline(always)]
-    fn pair(self, c: &[f64], i: usize, t: Numbers<S, W>) -> Numbers<S, W> {
+    fn pair(self, c: &[f64], i: usize, t: Numbers<S>) -> Numbers<S> {
         self.fma(self.splat(c[i + 1]), t, self.splat(c[i]))
     }
 }
@@ -175,12 +218,12 @@ mod tests {
 
     #[test]
     fn sine_and_cosine_are_those_of_the_platform() {
-        let m = Math::<_, 1>(pulp::Scalar::new());
+        let m = Math(pulp::Scalar::new());
         let mut worst: f64 = 0.0;
         for i in 1..=10_000 {
             let y = std::f64::consts::FRAC_PI_2 * f64::from(i) / 10_000.0;
             for y in [y, -y, 1e-8 * y] {
-                let ([sin], [cos]) = m.sin_cos([y]);
+                let ([sin, _], [cos, _]) = m.sin_cos([y; 2]);
                 // Relative to the sine: that of a small angle keeps its digits.
                 worst = worst.max((sin / y.sin() - 1.0).abs()).max((cos - y.cos()).abs());
             }

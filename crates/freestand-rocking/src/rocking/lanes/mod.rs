@@ -12,6 +12,7 @@
 
 mod batch;
 mod chatter;
+mod degree;
 mod math;
 mod quiet;
 mod ranks;
@@ -20,7 +21,6 @@ mod shaking;
 mod tile;
 mod unroll;
 
-use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::{
@@ -28,6 +28,7 @@ use super::{
     StopReason, Until, rock,
 };
 use crate::block::{Block, Pivot};
+use degree::DEGREES;
 use series::{INVERSE, TERMS};
 use shaking::Shaking;
 use tile::{EdgeTerms, Record, Rocker, State, Tile};
@@ -42,8 +43,8 @@ const SMALL_TILE: usize = 128;
 /// current rayon pool.
 ///
 /// A result does not depend on the other blocks, their order, the number of threads or the processor's vector units. Blocks
-/// that the kernel is not made for are followed by [`rock`] one by one: with an initial state or a fixed end
-/// ([`Until::Time`]), a base that falls away, a restitution above 0.9997, steps that are long for the block (more than 64
+/// that the kernel is not made for are followed by [`rock`] one by one: linearised ones, with an initial state or a fixed
+/// end ([`Until::Time`]), a base that falls away, a restitution above 0.9997, steps that are long for the block (more than 64
 /// parts of one would be needed), a wait for rest of less than two steps.
 ///
 /// # Reference
@@ -80,7 +81,7 @@ pub fn rock_many_on(
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    follow(arch, blocks, base, options, |_| options.restitution)
+    follow(arch, blocks, &vec![options.restitution; blocks.len()], base, options)
 }
 
 /// [`rock_many`] with a restitution for each block, in place of that of `options`: a portfolio, or draws of one object.
@@ -106,18 +107,18 @@ pub fn rock_each(
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    let blocks: Vec<Block> = objects.iter().map(|(block, _)| *block).collect();
-    follow(pulp::Arch::new(), &blocks, base, options, |index| objects[index].1)
+    let (blocks, restitutions): (Vec<Block>, Vec<Restitution>) = objects.iter().copied().unzip();
+    follow(pulp::Arch::new(), &blocks, &restitutions, base, options)
 }
 
 fn follow(
     arch: pulp::Arch,
     blocks: &[Block],
+    restitutions: &[Restitution],
     base: Base,
     options: &RockingOptions,
-    restitution: impl Fn(usize) -> Restitution + Sync,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    let own = |index: usize| RockingOptions { restitution: restitution(index), ..*options };
+    let own = |index: usize| RockingOptions { restitution: restitutions[index], ..*options };
     let scalar = |index: usize| rock(&blocks[index], base, &own(index)).map(|rocking| RockingSummary::from(&rocking));
     let Some((shaking, wait)) = prepare(base, options) else {
         return (0..blocks.len()).into_par_iter().map(scalar).collect();
@@ -128,7 +129,6 @@ fn follow(
     let mut order: Vec<(Plan, usize)> = plans.iter().enumerate().filter_map(of_plan).collect();
     order.sort_unstable();
     let tiles: Vec<Vec<(Plan, usize)>> = order.chunk_by(|(a, _), (b, _)| a == b).flat_map(tiles).collect();
-    let linearised = options.model == RockingModel::Linearised;
     let done: Vec<Vec<Record>> = tiles
         .par_iter()
         // A tile is enough for a job: a thread that is done takes the next one.
@@ -138,8 +138,7 @@ fn follow(
             // A block of a tile has a plan.
             let rockers: Vec<Rocker> =
                 tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker)| rocker)).collect();
-            let tile = Tile::new(&shaking, &rockers, plan.parts, linearised);
-            arch.dispatch(Run { tile, degree: plan.degree, linearised, wait })
+            Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, plan.parts).run(wait)
         })
         .collect();
     let mut records = vec![Record::default(); blocks.len()];
@@ -173,7 +172,10 @@ fn tiles(group: &[(Plan, usize)]) -> Vec<Vec<(Plan, usize)>> {
 /// The motion for the kernel, and how many intervals it waits behind it for a block to rest; `None`: the scalar solver has
 /// to do it, or to say what is wrong.
 fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usize>)> {
-    if options.initial_rotation_rad != 0.0 || options.initial_omega_rad_s != 0.0 {
+    if options.model == RockingModel::Linearised
+        || options.initial_rotation_rad != 0.0
+        || options.initial_omega_rad_s != 0.0
+    {
         return None;
     }
     let wait_s = match options.until {
@@ -196,15 +198,12 @@ fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usiz
     (1.0..1e9).contains(&wait).then_some((shaking, Some(wait as usize)))
 }
 
-/// Degree of the series, and steps of an interval.
+/// Degree of the series, by its place in [`DEGREES`], and steps of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Plan {
     degree: usize,
     parts: usize,
 }
-
-/// Degrees that the kernel is compiled for.
-const DEGREES: [usize; 5] = [5, 6, 7, 8, 11];
 
 /// Steps of an interval beyond which a block is followed by itself.
 const MOST_PARTS: usize = 64;
@@ -228,12 +227,8 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
     let edge = |pivot: Pivot, from_edge_m: f64| {
         let x = x(pivot) / plan.parts as f64;
         let (alpha, x2) = (pivot.slenderness_angle_rad, x * x);
-        let (threshold, b) = match options.model {
-            RockingModel::Linearised => (alpha, x2),
-            RockingModel::Rigid => {
-                (from_edge_m / block.cg_height_m(), x2 * block.cg_height_m() / pivot.half_diagonal_m)
-            }
-        };
+        let threshold = from_edge_m / block.cg_height_m();
+        let b = x2 * block.cg_height_m() / pivot.half_diagonal_m;
         EdgeTerms { alpha, x2, threshold, b }
     };
     let edges = [edge(right, block.cg_from_right_m()), edge(left, block.cg_from_left_m())];
@@ -253,14 +248,15 @@ fn steps(x2: f64, shaking: &Shaking, accuracy: Accuracy) -> Option<Plan> {
     let tolerance = tolerance(accuracy);
     let mut best: Option<(f64, Plan)> = None;
     for parts in 1..=MOST_PARTS {
-        if best.is_some_and(|(least, _)| least <= cost(DEGREES[0], parts)) {
+        if best.is_some_and(|(least, _)| least <= cost(DEGREES[0].degree, parts)) {
             break;
         }
         let c = terms(x2, shaking, parts);
         // c₂ is half of the largest acceleration.
-        let Some(degree) = DEGREES.into_iter().find(|degree| c[degree + 1] <= 2.0 * c[2] * tolerance) else { continue };
-        if best.is_none_or(|(least, _)| cost(degree, parts) < least) {
-            best = Some((cost(degree, parts), Plan { degree, parts }));
+        let Some(degree) = DEGREES.iter().position(|d| c[d.degree + 1] <= 2.0 * c[2] * tolerance) else { continue };
+        let cost = cost(DEGREES[degree].degree, parts);
+        if best.is_none_or(|(least, _)| cost < least) {
+            best = Some((cost, Plan { degree, parts }));
         }
     }
     best.map(|(_, plan)| plan)
@@ -284,30 +280,6 @@ fn terms(x2: f64, shaking: &Shaking, parts: usize) -> [f64; TERMS] {
         c[n] = (level * c[n - 2] + change * c[n - 3]) * (INVERSE[n - 1] * INVERSE[n]);
     }
     c
-}
-
-struct Run<'a> {
-    tile: Tile<'a>,
-    degree: usize,
-    linearised: bool,
-    wait: Option<usize>,
-}
-
-impl WithSimd for Run<'_> {
-    type Output = Vec<Record>;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Vec<Record> {
-        let wait = self.wait;
-        match (self.linearised, self.degree) {
-            (true, _) => self.tile.run::<S, 11, true>(simd, wait),
-            (_, 5) => self.tile.run::<S, 5, false>(simd, wait),
-            (_, 6) => self.tile.run::<S, 6, false>(simd, wait),
-            (_, 7) => self.tile.run::<S, 7, false>(simd, wait),
-            (_, 8) => self.tile.run::<S, 8, false>(simd, wait),
-            _ => self.tile.run::<S, 11, false>(simd, wait),
-        }
-    }
 }
 
 /// What a block did, from its record in steps of `step_s`.

@@ -1,9 +1,10 @@
-//! Moving blocks, eight abreast.
+//! Moving blocks, two vectors abreast.
 
+use super::math::Column;
 use super::tile::Rocker;
 
-/// Blocks of a rank: the widest vector there is.
-pub(super) const ABREAST: usize = 8;
+/// Blocks of a rank: two of the widest vectors there are.
+pub(super) const ABREAST: usize = 16;
 
 /// No block.
 pub(super) const NONE: u32 = u32::MAX;
@@ -11,35 +12,34 @@ pub(super) const NONE: u32 = u32::MAX;
 /// One number of each kind for every block of a rank. All of a rank lies together, so that no two numbers that are used
 /// together share their place in the cache.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
 pub(super) struct Rank {
-    pub(super) y: [f64; ABREAST],
+    pub(super) y: Column<ABREAST>,
     /// dy/dx over a step.
-    pub(super) w: [f64; ABREAST],
-    pub(super) alpha: [f64; ABREAST],
+    pub(super) w: Column<ABREAST>,
+    pub(super) alpha: Column<ABREAST>,
     /// p²h².
-    pub(super) x2: [f64; ABREAST],
+    pub(super) x2: Column<ABREAST>,
     /// s.
-    pub(super) side: [f64; ABREAST],
+    pub(super) side: Column<ABREAST>,
     /// Largest y about this edge so far.
-    pub(super) best: [f64; ABREAST],
+    pub(super) best: Column<ABREAST>,
     /// 1 where the step has an event, else 0.
-    pub(super) event: [f64; ABREAST],
+    pub(super) event: Column<ABREAST>,
     /// The part of the step that is over.
-    pub(super) tau: [f64; ABREAST],
+    pub(super) tau: Column<ABREAST>,
     pub(super) block: [u32; ABREAST],
 }
 
 /// A block that nothing moves, higher than none before.
 const VACANT: Rank = Rank {
-    y: [1.0; ABREAST],
-    w: [0.0; ABREAST],
-    alpha: [0.0; ABREAST],
-    x2: [0.0; ABREAST],
-    side: [0.0; ABREAST],
-    best: [f64::INFINITY; ABREAST],
-    event: [0.0; ABREAST],
-    tau: [0.0; ABREAST],
+    y: Column([1.0; ABREAST]),
+    w: Column([0.0; ABREAST]),
+    alpha: Column([0.0; ABREAST]),
+    x2: Column([0.0; ABREAST]),
+    side: Column([0.0; ABREAST]),
+    best: Column([f64::INFINITY; ABREAST]),
+    event: Column([0.0; ABREAST]),
+    tau: Column([0.0; ABREAST]),
     block: [NONE; ABREAST],
 };
 
@@ -75,10 +75,8 @@ impl Ranks {
         self.count
     }
 
-    /// The ranks in use, two by two.
-    pub(super) fn in_use(&mut self) -> &mut [[Rank; 2]] {
-        let (pairs, _) = self.ranks.as_chunks_mut();
-        &mut pairs[..self.count.div_ceil(2 * ABREAST)]
+    pub(super) fn in_use(&mut self) -> &mut [Rank] {
+        &mut self.ranks[..self.count.div_ceil(ABREAST)]
     }
 
     #[inline(always)]
@@ -124,7 +122,7 @@ impl Ranks {
             return lane as usize;
         }
         if self.count == self.ranks.len() * ABREAST {
-            self.ranks.extend([VACANT; 2]);
+            self.ranks.push(VACANT);
         }
         self.count += 1;
         self.count - 1

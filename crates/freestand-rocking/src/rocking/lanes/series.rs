@@ -25,40 +25,40 @@ pub(super) const INVERSE: [f64; TERMS] = {
 
 /// The edge that a block turns about: α, and p²h² for a step h.
 #[derive(Clone, Copy)]
-pub(super) struct Edge<S: Simd, const W: usize> {
-    pub(super) alpha: Numbers<S, W>,
-    pub(super) x2: Numbers<S, W>,
+pub(super) struct Edge<S: Simd> {
+    pub(super) alpha: Numbers<S>,
+    pub(super) x2: Numbers<S>,
 }
 
 /// Base acceleration over a step: s ü_h/g and 1 + ü_v/g at its start, and their changes; v is 1 without vertical motion.
 #[derive(Clone, Copy)]
-pub(super) struct Ground<S: Simd, const W: usize> {
-    pub(super) su: Numbers<S, W>,
-    pub(super) su_change: Numbers<S, W>,
-    pub(super) v: Numbers<S, W>,
-    pub(super) v_change: Numbers<S, W>,
+pub(super) struct Ground<S: Simd> {
+    pub(super) su: Numbers<S>,
+    pub(super) su_change: Numbers<S>,
+    pub(super) v: Numbers<S>,
+    pub(super) v_change: Numbers<S>,
 }
 
 /// y = Σ cₖ xᵏ over a step, x from 0 to 1.
 #[derive(Clone, Copy)]
-pub(super) struct Series<S: Simd, const W: usize, const K: usize> {
+pub(super) struct Series<S: Simd, const K: usize> {
     /// cₖ.
-    pub(super) c: [Numbers<S, W>; TERMS],
+    pub(super) c: [Numbers<S>; TERMS],
     /// k cₖ: the terms of the slope at x = 1.
-    pub(super) slope: [Numbers<S, W>; TERMS],
+    pub(super) slope: [Numbers<S>; TERMS],
 }
 
-impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
-    /// ÿ = −x²\[(v₀+v₁x) sin φ + s(u₀+u₁x) cos φ\], φ = α − y, in units of the step, from (y, w); linearised: sin φ → φ,
-    /// cos φ → 1. `first` may change ÿ at the start.
+impl<S: Simd, const K: usize> Series<S, K> {
+    /// ÿ = −x²\[(v₀+v₁x) sin φ + s(u₀+u₁x) cos φ\], φ = α − y, in units of the step, from (y, w). `first` may change ÿ at
+    /// the start.
     #[inline(always)]
-    pub(super) fn new<const LINEARISED: bool, const VERTICAL: bool>(
-        m: Math<S, W>,
-        y: Numbers<S, W>,
-        w: Numbers<S, W>,
-        edge: Edge<S, W>,
-        ground: Ground<S, W>,
-        first: impl Fn(Numbers<S, W>) -> Numbers<S, W>,
+    pub(super) fn new<const VERTICAL: bool>(
+        m: Math<S>,
+        y: Numbers<S>,
+        w: Numbers<S>,
+        edge: Edge<S>,
+        ground: Ground<S>,
+        first: impl Fn(Numbers<S>) -> Numbers<S>,
     ) -> Self {
         let zero = m.splat(0.0);
         let (mut c, mut slope) = ([zero; TERMS], [zero; TERMS]);
@@ -68,13 +68,11 @@ impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
         c[1] = w;
         slope[1] = w;
         let phi = m.sub(edge.alpha, y);
-        (sin[0], cos[0]) = if LINEARISED { (phi, m.splat(1.0)) } else { m.sin_cos(phi) };
+        (sin[0], cos[0]) = m.sin_cos(phi);
         (sin[0], cos[0]) = (m.mul(edge.x2, sin[0]), m.mul(edge.x2, cos[0]));
         unroll!(N, {
             if N + 2 <= K {
-                if N > 0 && LINEARISED {
-                    sin[N] = m.mul(edge.x2, m.sub(zero, c[N]));
-                } else if N > 0 {
+                if N > 0 {
                     let mut sum = m.mul(slope[1], cos[N - 1]);
                     let mut difference = m.mul(slope[1], sin[N - 1]);
                     unroll!(J, {
@@ -110,7 +108,7 @@ impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
 
     /// y and dy/dx at the end of the step, the small terms first.
     #[inline(always)]
-    pub(super) fn end(&self, m: Math<S, W>) -> (Numbers<S, W>, Numbers<S, W>) {
+    pub(super) fn end(&self, m: Math<S>) -> (Numbers<S>, Numbers<S>) {
         let (mut y, mut slope) = (self.c[K], self.slope[K]);
         unroll_down!(N, {
             if N > 0 && N < K {
@@ -123,7 +121,7 @@ impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
 
     /// Σ k|cₖ| from k = 2 on: how far the slope can leave c₁; half of it bounds how far y can leave c₀ + c₁x.
     #[inline(always)]
-    pub(super) fn bend(&self, m: Math<S, W>) -> Numbers<S, W> {
+    pub(super) fn bend(&self, m: Math<S>) -> Numbers<S> {
         let mut sum = m.abs(self.slope[K]);
         unroll_down!(N, {
             if N >= 2 && N < K {
@@ -135,7 +133,7 @@ impl<S: Simd, const W: usize, const K: usize> Series<S, W, K> {
 
     /// Whether the slope is certain to fall all the way: 2c₂ + Σ k(k−1)|cₖ| < 0.
     #[inline(always)]
-    pub(super) fn is_concave(&self, m: Math<S, W>) -> Masks<S, W> {
+    pub(super) fn is_concave(&self, m: Math<S>) -> Masks<S> {
         let mut sum = self.slope[2];
         unroll!(N, {
             if N >= 3 && N <= K {

@@ -1,7 +1,7 @@
 //! Another time step, by band-limited (sinc) interpolation.
 
 use crate::motion::{MAX_SAMPLES, Motion, MotionError};
-use rustfft::FftPlanner;
+use rustfft::FftPlannerScalar;
 use rustfft::num_complex::Complex;
 use thiserror::Error;
 
@@ -166,7 +166,7 @@ fn interpolated(motion: &Motion, dt_s: f64, ratio: Ratio, samples: f64) -> Resul
     }
     let (old, new, samples) = (lengths[0] as usize, lengths[1] as usize, samples as usize);
     let mut values = continued(accel, mirrored, old);
-    let mut planner = FftPlanner::new();
+    let mut planner = FftPlannerScalar::new();
     planner.plan_fft_forward(old).process(&mut values);
     let mut values = respaced(&values, new);
     planner.plan_fft_inverse(new).process(&mut values);

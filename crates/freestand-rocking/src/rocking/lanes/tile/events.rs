@@ -2,51 +2,42 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use pulp::Simd;
-
 use super::waiting::margin;
 use super::{EdgeTerms, Lift, State, Step, Tile};
 use crate::polynomial::{first_root, roots, value, value_and_slope};
 use crate::rocking::MAX_IMPACTS;
 use crate::rocking::lanes::batch::{CALM, LANDING};
 use crate::rocking::lanes::chatter::{Acting, Pull, impacts_to_rest};
-use crate::rocking::lanes::math::Math;
 use crate::rocking::lanes::ranks::{Moving, SIDES};
 use crate::rocking::lanes::series::TERMS;
 
 impl Tile<'_> {
     /// Takes up to [`BATCH`] lanes from where they are in the step to their next event, or to its end.
-    #[inline(always)]
-    pub(super) fn events<S: Simd, const K: usize, const LINEARISED: bool>(
-        &mut self,
-        simd: S,
-        step: Step,
-        batch: &[u32],
-    ) {
+    pub(super) fn events(&mut self, step: Step, batch: &[u32]) {
         self.batch.gather(&self.moving, batch);
-        self.batch.solve::<S, K, LINEARISED>(Math(simd), step.ground, batch.len());
+        (self.degree.solve)(self.arch, &mut self.batch, step.ground, batch.len());
         for (i, &lane) in batch.iter().enumerate() {
             let lane = lane as usize;
             let at = &self.batch;
             let (rank, place) = self.moving.rank_mut(lane);
-            rank.best[place] = at.best.0[i];
-            if at.event.0[i] == CALM {
-                rank.y[place] = at.y.0[i];
-                rank.w[place] = at.w.0[i];
+            rank.best[place] = at.best[i];
+            if at.event[i] == CALM {
+                rank.y[place] = at.y[i];
+                rank.w[place] = at.w[i];
                 rank.tau[place] = 0.0;
-            } else if at.event.0[i] == LANDING {
-                self.land(step, lane, at.w.0[i], at.tau.0[i]);
+            } else if at.event[i] == LANDING {
+                self.land(step, lane, at.w[i], at.tau[i]);
             } else {
-                let c = std::array::from_fn(|k| at.c[k].0[i]);
-                self.intricate(step, lane, &c, K, at.rest.0[i]);
+                let c = std::array::from_fn(|k| at.c[k][i]);
+                self.intricate(step, lane, &c, at.rest[i]);
             }
         }
     }
 
     /// A step with more than one event, a maximum that is hard to find, the balance lost: by all roots of the series.
     #[inline(never)]
-    fn intricate(&mut self, step: Step, lane: usize, c: &[f64; TERMS], degree: usize, rest: f64) {
-        let c = &c[..=degree];
+    fn intricate(&mut self, step: Step, lane: usize, c: &[f64; TERMS], rest: f64) {
+        let c = &c[..=self.degree.degree];
         let Moving { block, edge, best, tau, .. } = self.moving.get(lane);
         let Some(lead) = c.iter().position(|&c| c != 0.0).filter(|&k| c[k] > 0.0) else {
             // Nothing lifts it after all.
@@ -159,11 +150,9 @@ impl Tile<'_> {
         let acting_about = |edge: usize| {
             let (s, EdgeTerms { threshold, b, .. }) = (SIDES[edge], rocker.edges[edge]);
             let a = threshold * b;
-            let a_of_d = if self.linearised { 0.0 } else { a };
             Acting {
                 e: Pull { now: a * v + s * b * u, slope: a * v1 + s * b * u1 },
-                d: Pull { now: b * v - s * a_of_d * u, slope: b * v1 - s * a_of_d * u1 },
-                cosine: if self.linearised { 0.0 } else { 1.0 },
+                d: Pull { now: b * v - s * a * u, slope: b * v1 - s * a * u1 },
             }
         };
         let mut acting = [acting_about(edge), acting_about(1 - edge)];

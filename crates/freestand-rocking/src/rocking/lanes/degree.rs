@@ -1,0 +1,118 @@
+//! All that is compiled for each vector unit, once for each degree of the series.
+
+use std::f64::consts::FRAC_PI_2;
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::batch::Batch;
+use super::math::{Column, Math};
+use super::ranks::{ABREAST, Rank};
+use super::series::{Edge, Ground, Series};
+use super::shaking::Interval;
+
+type AdvanceRanks = fn(Arch, &mut [Rank], Interval, &mut Vec<u32>);
+
+/// A series of one degree, on whatever vector unit there is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Degree {
+    pub(super) degree: usize,
+    /// One step of every lane, without and with vertical motion; puts the places of lanes with an event into the queue.
+    pub(super) advance: [AdvanceRanks; 2],
+    /// To the next event of each of the first lanes of a batch, or to the end of the step.
+    pub(super) solve: fn(Arch, &mut Batch, Interval, usize),
+}
+
+/// Degrees that the kernel is compiled for.
+pub(super) const DEGREES: [Degree; 5] =
+    [Degree::of::<5>(), Degree::of::<6>(), Degree::of::<7>(), Degree::of::<8>(), Degree::of::<11>()];
+
+impl Degree {
+    const fn of<const K: usize>() -> Self {
+        Self { degree: K, advance: [advance::<K, false>, advance::<K, true>], solve: solve::<K> }
+    }
+}
+
+fn advance<const K: usize, const VERTICAL: bool>(
+    arch: Arch,
+    ranks: &mut [Rank],
+    ground: Interval,
+    queue: &mut Vec<u32>,
+) {
+    arch.dispatch(Advance::<K, VERTICAL> { ranks, ground, queue });
+}
+
+struct Advance<'a, const K: usize, const VERTICAL: bool> {
+    ranks: &'a mut [Rank],
+    ground: Interval,
+    queue: &'a mut Vec<u32>,
+}
+
+impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL> {
+    type Output = ();
+
+    /// Lanes with an event stay where they are. So do those that enter within the step: they lie on the floor without
+    /// velocity, which is never certain to stay above it.
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { ranks, ground, queue } = self;
+        let m = Math(simd);
+        let (u, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
+        let (v, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
+        let (half, quarter_turn, zero, one) = (m.splat(0.5), m.splat(FRAC_PI_2), m.splat(0.0), m.splat(1.0));
+        let pairs = Column::<ABREAST>::pairs::<S>();
+        for rank in &mut *ranks {
+            for i in 0..pairs {
+                let (y, w, best) = (rank.y.get::<S>(i), rank.w.get::<S>(i), rank.best.get::<S>(i));
+                let (alpha, x2, side) = (rank.alpha.get::<S>(i), rank.x2.get::<S>(i), rank.side.get::<S>(i));
+                let local = Ground { su: m.mul(side, u), su_change: m.mul(side, u_change), v, v_change };
+                let series = Series::<S, K>::new::<VERTICAL>(m, y, w, Edge { alpha, x2 }, local, |pull| pull);
+                let (y1, w1) = series.end(m);
+                let bend = series.bend(m);
+                let half_bend = m.mul(half, bend);
+                let reach = m.add(m.abs(w), half_bend);
+                let top = m.add(y, reach);
+                // Above the floor throughout: too high to reach it, or going up too fast to come back.
+                let above = m.or(m.gt(y, reach), m.gt(w, half_bend));
+                let calm = m.and(above, m.gt(quarter_turn, top));
+                let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
+                // A maximum that may be the largest so far is an event, too.
+                let uneventful = m.and(calm, m.not(turning));
+                rank.y.set::<S>(i, m.select(uneventful, y1, y));
+                rank.w.set::<S>(i, m.select(uneventful, w1, w));
+                rank.event.set::<S>(i, m.select(uneventful, zero, one));
+            }
+        }
+        // Apart from the loop above: a branch there would wait for a whole step, and be wrong in every third vector. Each place
+        // is written, and stays if its lane has an event: another branch would be wrong as often.
+        queue.resize(ranks.len() * ABREAST, 0);
+        let mut count = 0;
+        for (i, rank) in ranks.iter().enumerate() {
+            if (0..pairs).any(|pair| m.any(m.gt(rank.event.get::<S>(pair), zero))) {
+                for (lane, event) in rank.event.iter().enumerate() {
+                    queue[count] = (i * ABREAST + lane) as u32;
+                    count += usize::from(*event != 0.0);
+                }
+            }
+        }
+        queue.truncate(count);
+    }
+}
+
+fn solve<const K: usize>(arch: Arch, batch: &mut Batch, ground: Interval, lanes: usize) {
+    arch.dispatch(Solve::<K> { batch, ground, lanes });
+}
+
+struct Solve<'a, const K: usize> {
+    batch: &'a mut Batch,
+    ground: Interval,
+    lanes: usize,
+}
+
+impl<const K: usize> WithSimd for Solve<'_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        self.batch.solve::<S, K>(Math(simd), self.ground, self.lanes);
+    }
+}
