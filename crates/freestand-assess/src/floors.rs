@@ -1,4 +1,4 @@
-//! The motions of any floor: those of the study's building, or those that the study gives.
+//! The motions of any floor: computed through the building of the study, or given by the study.
 
 use std::collections::HashMap;
 use std::ops::ControlFlow;
@@ -19,37 +19,37 @@ use freestand_study::study::{Level, Study};
 /// Why a run ended before its end.
 pub(crate) const STOPPED: &str = "the run was stopped before its end";
 
-/// How far two level ratios may differ and still be the same floor: an inventory writes two or three digits.
+/// Largest difference between two level ratios of the same floor: inventories give two or three digits.
 const SAME_LEVEL: f64 = 5e-3;
 
-/// The shaking of a building.
+/// The ground motions of a study, and the floor motions made from them.
 #[derive(Debug)]
 pub(crate) struct Hazard<'a> {
     study: &'a Study,
     pub(crate) names: Vec<String>,
     ground: Vec<GroundMotion>,
-    /// Floors that were made, for the parts that follow.
+    /// Floors that were made, for the next parts.
     held: Mutex<Floors>,
 }
 
 /// Floors by the bits of their level.
 pub(crate) type Floors = HashMap<u64, Arc<Floor>>;
 
-/// Floors that are held at once: 32 of 20 motions of a minute are some 100 MB.
-pub(crate) const MOST_FLOORS: usize = 32;
+/// Floors that are kept in memory: 32 floors of 20 motions of one minute take about 100 MB.
+pub(crate) const MAX_FLOORS_HELD: usize = 32;
 
-/// The motions of one floor, one for each motion of the ground, and one of these for each direction that is tried.
+/// The motions of one floor: for each ground motion one in each direction that is tried.
 #[derive(Debug)]
 pub(crate) struct Floor {
     /// `[motion][direction]`.
     pub(crate) motions: Vec<Vec<Motion>>,
-    /// Peak acceleration of each motion, in whatever direction \[m/s²\].
+    /// Peak acceleration of each motion in any direction \[m/s²\].
     pub(crate) pfa_m_s2: Vec<f64>,
     pub(crate) facts: FloorFacts,
 }
 
 impl<'a> Hazard<'a> {
-    /// Makes or takes the ground motions.
+    /// Generates the ground motions, or takes those that the study gives.
     pub(crate) fn new(study: &'a Study, progress: Progress) -> Result<Self, Problems> {
         let stopped = || Problems::from(Problem::new(ProblemKind::Computation, STOPPED));
         let go_on = || match progress(Step { stage: "ground motions", done: 0, total: 0 }) {
@@ -60,11 +60,11 @@ impl<'a> Hazard<'a> {
         Ok(Self { study, names: study.ground.names(&study.levels), ground, held: Mutex::default() })
     }
 
-    /// The floors of these levels, at most [`MOST_FLOORS`]; a level of which the study has no motion is missing.
+    /// The floors of these levels, at most [`MAX_FLOORS_HELD`]; a level for which the study has no motion is missing.
     pub(crate) fn floors(&self, levels: &[f64]) -> Result<Floors, Problems> {
         let mut held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
         let missing: Vec<f64> = levels.iter().copied().filter(|level| !held.contains_key(&level.to_bits())).collect();
-        if held.len() + missing.len() > MOST_FLOORS {
+        if held.len() + missing.len() > MAX_FLOORS_HELD {
             held.retain(|bits, _| levels.iter().any(|level| level.to_bits() == *bits));
         }
         held.extend(self.made(&missing)?);
@@ -104,7 +104,7 @@ impl<'a> Hazard<'a> {
 
     fn floor(&self, level_ratio: f64, motions: &[HorizontalMotion]) -> Result<Floor, Problems> {
         let failed = |error: freestand::motion::MotionError| {
-            Problems::from(Problem::new(ProblemKind::Computation, format!("a floor motion cannot be turned: {error}")))
+            Problems::from(Problem::new(ProblemKind::Computation, format!("a floor motion cannot be rotated: {error}")))
         };
         let turned = |motion: &HorizontalMotion| -> Result<Vec<Motion>, Problems> {
             let directions = self.study.directions_deg.iter();

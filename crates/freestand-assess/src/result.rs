@@ -1,8 +1,10 @@
-//! What is found out about one object: everything that a row, a page and a workbook say of it.
+//! The result for one object: everything that its row, its page and the workbook show.
 
 use serde::{Deserialize, Serialize};
 
-/// What to do with an object.
+pub use freestand_study::result::Ranked;
+
+/// The verdict: what to do with an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Decision {
@@ -10,9 +12,9 @@ pub enum Decision {
     Restrain,
     /// Put it on a softer pad.
     Soften,
-    /// Something is missing that a verdict would need.
+    /// The data that a verdict needs are incomplete.
     NoVerdict,
-    /// Let it stand as it is.
+    /// Leave it as it is.
     Leave,
 }
 
@@ -31,20 +33,102 @@ impl Decision {
     }
 }
 
-pub use freestand_study::result::Ranked;
+/// What sets the accepted probability of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AcceptedFor {
+    /// The inventory gives a probability for this object.
+    ThisObject,
+    /// Life safety is rated high.
+    LifeSafety,
+    /// Property loss is rated high.
+    Property,
+    /// Functional loss is rated high.
+    Function,
+    /// No consequence is rated high.
+    Default,
+}
 
-/// A probability and what is known of it.
+impl AcceptedFor {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ThisObject => "this object",
+            Self::LifeSafety => "life safety",
+            Self::Property => "property",
+            Self::Function => "function",
+            Self::Default => "default",
+        }
+    }
+}
+
+/// The criteria by which a tolerance can be exceeded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Criterion {
+    /// The peak of the shock.
+    Peak,
+    /// Peak and velocity change together.
+    DamageBoundary,
+    /// The velocity change of the shock.
+    VelocityChange,
+    /// The shock response spectrum of the pulse that the object withstands.
+    Spectrum,
+    /// The uplift.
+    EdgeLift,
+    /// The acceleration of the floor itself.
+    FloorAcceleration,
+    /// Overturning, which exceeds every tolerance.
+    Overturning,
+}
+
+impl Criterion {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Peak => "peak",
+            Self::DamageBoundary => "damage-boundary",
+            Self::VelocityChange => "velocity-change",
+            Self::Spectrum => "spectrum",
+            Self::EdgeLift => "edge-lift",
+            Self::FloorAcceleration => "floor-acceleration",
+            Self::Overturning => "overturning",
+        }
+    }
+}
+
+/// The side of an object that lies in the plane of motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Axis {
+    /// The thickness.
+    Thickness,
+    /// The width.
+    Width,
+}
+
+impl Axis {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Thickness => "thickness",
+            Self::Width => "width",
+        }
+    }
+}
+
+/// A probability with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Probability {
     /// The estimate.
     pub value: f64,
-    /// Lower end of the 95 % interval.
+    /// Lower end of the interval.
     pub low: f64,
-    /// Upper end of the 95 % interval.
+    /// Upper end of the interval.
     pub high: f64,
 }
 
-/// Everything about one object under the motions of its floor.
+/// The assessment of one object under the motions of its floor.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Assessment {
     /// The object.
@@ -53,19 +137,19 @@ pub struct Assessment {
     pub decision: Decision,
     /// Why, in one or two sentences.
     pub why: String,
-    /// The tier that decided: 0 thresholds, 1 spectra, 2 its own histories, 3 the compliant base.
+    /// The tier that decided: 0 thresholds, 1 spectra, 2 the object's own histories, 3 the compliant base.
     pub tier: u8,
-    /// Probability that its owner accepts, and for which consequence: `life safety`, `property`, `function`, or `default`.
+    /// Probability that the owner accepts.
     pub accepted_ratio: f64,
-    /// The consequence that the accepted probability is for.
-    pub accepted_for: String,
+    /// What sets that probability.
+    pub accepted_for: AcceptedFor,
     /// Its floor; `None`: the level is missing.
     pub floor: Option<FloorFacts>,
-    /// What it does as it stands, motion by motion put together; `None`: geometry or level is missing, or no motion could be followed.
+    /// Its response with the values of the inventory; `None`: geometry or level is missing, or every history failed.
     pub response: Option<Response>,
-    /// The shock of the landing; `None`: mass or cushion is missing too.
+    /// The shock of its landings; `None`: mass or cushion is missing too.
     pub shock: Option<Shock>,
-    /// Demand over capacity; `None`: the tolerance is missing too.
+    /// Demand/capacity; `None`: the tolerance is missing too.
     pub capacity: Option<CapacityCheck>,
     /// P(overturned), over all draws.
     pub p_overturn: Option<Probability>,
@@ -77,20 +161,19 @@ pub struct Assessment {
     pub sliding: Option<Sliding>,
     /// The softer pad, where one was looked for.
     pub softening: Option<Softening>,
-    /// The second opinion of the compliant base, where the object was near the line.
+    /// The second opinion of the compliant base, where the probability was near the accepted one.
     pub compliant: Option<CompliantCheck>,
-    /// What would change it, the largest first.
+    /// How far each uncertain value moves the result, the largest first.
     pub tornado: Vec<Swing>,
-    /// Forces to fix it with, for `restrain`.
+    /// Forces for the design of a restraint, for `restrain`.
     pub restraint: Vec<RestraintForce>,
-    /// Clearance that it needs on every side where it rocks \[m\]; its height where it falls.
+    /// Clearance that it needs on every side while it rocks \[m\]; its height where it overturns.
     pub clearance_m: Option<f64>,
-    /// Other people's numbers beside ours: code accelerations, fragilities of FEMA P-58 and Hazus, empirical overturning; each one
-    /// sentence with its source.
+    /// Comparisons with published numbers, one sentence each with its source: code accelerations, fragilities.
     pub context: Vec<String>,
     /// Eqs. (5)–(7) at the motion that decides, for a reader to follow.
     pub chain: Option<Chain>,
-    /// Assumptions, doubts and how the row was read.
+    /// Assumptions and warnings, and how the row was read.
     pub notes: Vec<String>,
 }
 
@@ -101,191 +184,246 @@ pub struct FloorFacts {
     pub level_ratio: f64,
     /// Median peak floor acceleration \[g\].
     pub pfa_g_median: f64,
-    /// The largest \[g\].
+    /// Largest peak floor acceleration \[g\].
     pub pfa_g_max: f64,
     /// Median peak floor velocity \[m/s\].
     pub pfv_m_s_median: f64,
 }
 
-/// What an object does, with the values of the inventory.
+/// The response of an object with the values of the inventory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Response {
-    /// Motions that were followed about every axis.
+    /// Motions with a history about every axis.
     pub motions: usize,
-    /// Motions that could not be, with the reason of the first.
+    /// Motions for which a history failed.
     pub failed: usize,
-    /// Why.
+    /// Why the first of them failed.
     pub failure: Option<String>,
-    /// Share of the motions under which it lifts off, about either axis.
+    /// Share of the motions that cause uplift about either axis.
     pub uplift_share: f64,
-    /// Share of the motions under which it overturns.
+    /// Share of the motions that overturn it.
     pub overturn_share: f64,
-    /// Lift of the free edge \[m\] at 16, 50 and 84 %.
+    /// Uplift \[m\] at 16, 50 and 84 %.
     pub uplift_m: [Ranked; 3],
-    /// Peak rotation over the overturning angle at 16, 50 and 84 %.
+    /// Peak rotation over the slenderness angle at 16, 50 and 84 %.
     pub rotation_ratio: [Ranked; 3],
-    /// Largest number of impacts of a motion.
+    /// Largest number of impacts under one motion.
     pub impacts_max: usize,
     /// The axes, the thickness first.
     pub axes: Vec<AxisResponse>,
 }
 
-/// The object about one axis.
+/// The response about one axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct AxisResponse {
-    /// `thickness` or `width`: the side that lies in the plane of motion.
-    pub axis: String,
+    /// The side that lies in the plane of motion.
+    pub axis: Axis,
     /// α \[rad\].
     pub slenderness_angle_rad: f64,
     /// R \[m\].
     pub half_diagonal_m: f64,
-    /// Floor acceleration that lifts it, tan α \[g\].
+    /// Floor acceleration that causes uplift, tan α \[g\].
     pub uplift_threshold_g: f64,
-    /// Share of the motions under which it lifts off.
+    /// Share of the motions that cause uplift.
     pub uplift_share: f64,
-    /// Share of the motions under which it overturns.
+    /// Share of the motions that overturn it.
     pub overturn_share: f64,
     /// Shock, the larger source, at 16, 50 and 84 % \[g\]; `None` without mass or cushion.
     pub edge_acceleration_g: Option<[Ranked; 3]>,
-    /// No record gives more `uplift` shock \[g\].
+    /// The largest `uplift` shock of any motion \[g\].
     pub ceiling_g: Option<f64>,
 }
 
-/// The shock of the landing, per motion the worse axis.
+/// The shock of the landings, for each motion about the worse axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Shock {
     /// The larger source, at 16, 50 and 84 % \[g\].
     pub edge_acceleration_g: [Ranked; 3],
     /// From the rise of the centre of gravity (the paper's source), at 16, 50 and 84 % \[g\].
     pub edge_acceleration_uplift_g: [Ranked; 3],
-    /// Largest of any motion that it survives \[g\].
+    /// Largest of the motions that do not overturn it \[g\].
     pub edge_acceleration_max_g: Option<f64>,
-    /// Duration of the pulse about the axis that governs, π√(m_eff/k) on a spring \[s\].
+    /// Duration of the pulse about the governing axis, π√(m_eff/k) on a spring \[s\].
     pub pulse_duration_s: f64,
     /// Velocity change at the median shock \[m/s\].
     pub velocity_change_m_s: Ranked,
-    /// No record gives more `uplift` shock about either axis \[g\].
+    /// The largest `uplift` shock of any motion about either axis \[g\].
     pub ceiling_g: f64,
-    /// Stiffness under one edge \[N/m\]; `None` for a law that has none.
+    /// Stiffness under one edge \[N/m\]; `None` for a contact law that has none.
     pub stiffness_n_m: Option<f64>,
-    /// Impacts above the peak that it stands, under the hardest motion that it survives; `None` without such a peak.
+    /// Impacts above the peak of its tolerance under the hardest motion that does not overturn it; `None` without a peak.
     pub impacts_above_tolerance: Option<usize>,
 }
 
 /// Demand over capacity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CapacityCheck {
-    /// Of the median motion; overturned is beyond every number.
+    /// Of the median motion; overturned ranks above every number.
     pub demand_capacity: Ranked,
     /// At 84 % of the motions.
     pub demand_capacity_p84: Ranked,
-    /// The criterion that governs at the motion that decides: `peak`, `damage-boundary`, `spectrum`, `edge-lift`, `floor-acceleration`, `overturning`.
-    pub governing: String,
+    /// The criterion that governs at the motion that decides.
+    pub governing: Criterion,
     /// The tolerance in words: `5 g, 11 ms half-sine`.
     pub tolerance: String,
     /// Its source, ready to print.
     pub source: String,
-    /// Whether the source may decide; a recalled one may not.
+    /// Whether a verdict may rest on this source; `false` for a recalled one.
     pub decides: bool,
-    /// Median floor acceleration over the tolerance's peak.
+    /// Median floor acceleration over the peak of the tolerance.
     pub floor_ratio: Option<f64>,
 }
 
-/// Whether it slides.
+/// Sliding of an object, judged by the friction that its motions need.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sliding {
-    /// `no`, `possible` or `yes`: under no motion, for some, for all of the stated friction.
-    pub verdict: String,
-    /// The friction that was assumed or stated, lowest and highest.
+    /// Whether it slides.
+    pub verdict: SlidingVerdict,
+    /// The friction that was stated or assumed, lowest and highest.
     pub friction_ratio: (f64, f64),
-    /// Whether it was stated in the inventory.
+    /// Whether the inventory states it.
     pub is_stated: bool,
+}
+
+/// Whether an object slides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SlidingVerdict {
+    /// Not even with the lowest friction.
+    No,
+    /// With the lowest friction, but not with the highest.
+    Possible,
+    /// Even with the highest friction.
+    Yes,
+}
+
+impl SlidingVerdict {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::No => "no",
+            Self::Possible => "possible",
+            Self::Yes => "yes",
+        }
+    }
 }
 
 /// A softer pad.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Softening {
-    /// Largest stiffness under one edge that keeps the probability within what is accepted \[N/m\].
+    /// Largest stiffness under one edge that keeps the probability at or below the accepted one \[N/m\].
     pub max_stiffness_n_m: Option<f64>,
-    /// Largest compression of that pad under the motions that were run again \[m\].
+    /// Largest compression of that pad under the motions that were repeated \[m\].
     pub stroke_m: Option<f64>,
     /// Thickness of the pad, stated or assumed \[m\].
     pub pad_thickness_m: f64,
-    /// Shock on that pad from the motions that were run again \[g\].
+    /// Largest shock on that pad under the motions that were repeated \[g\].
     pub edge_acceleration_g: Option<f64>,
-    /// Whether everything that was checked holds.
+    /// Whether the pad passed every check.
     pub admissible: bool,
     /// What was checked, and what failed.
     pub note: String,
 }
 
-/// The compliant base beside Eq. (5), under the motions around the one that decides.
+/// The compliant base compared with Eq. (5), under the motions around the one that decides.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CompliantCheck {
-    /// Motions that were run.
+    /// Motions that were repeated.
     pub motions: usize,
-    /// Of how many of them it overturns.
+    /// How many of them overturn the object.
     pub overturned: usize,
-    /// Median ratio of its shock over that of Eq. (5); `None` where none survives.
+    /// Median ratio of its shock to that of Eq. (5); `None` where every motion overturns it.
     pub shock_ratio: Option<f64>,
     /// Whether it leads to the same decision.
     pub agrees: bool,
 }
 
-/// A bar of the tornado: one value at either end of its range, the others as they are.
+/// A bar of the tornado: one value at either end of its range, the others unchanged.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Swing {
-    /// `stiffness`, `restitution`, `mass`, `motion`, `model`, `geometry`.
-    pub parameter: String,
-    /// The low end in words: `0.8 × k`.
+    /// The value that changes.
+    pub parameter: Parameter,
+    /// The low end in words: `0.8 k`.
     pub low: String,
     /// The high end in words.
     pub high: String,
-    /// Demand over capacity at the low end, of the median motion; without a tolerance the shock in g; overturned is beyond every number.
+    /// Demand/capacity of the median motion at the low end; without a tolerance the shock in g.
     pub at_low: Ranked,
-    /// At the high end.
+    /// The same at the high end.
     pub at_high: Ranked,
-    /// As it is.
+    /// The same with the value unchanged.
     pub as_is: Ranked,
-    /// Whether at either end more motions than are accepted are beyond what is stood, or no more are.
+    /// Whether, at one end, the share of motions that exceed the limit crosses the accepted probability.
     pub flips: bool,
 }
 
-/// A force to fix an object with.
+/// The values that a tornado varies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Parameter {
+    /// Stiffness of the cushion.
+    Stiffness,
+    /// Restitution of the rocking motion.
+    Restitution,
+    /// Mass.
+    Mass,
+    /// The motion itself.
+    Motion,
+    /// The error of Eq. (5).
+    Model,
+    /// The sides of the base.
+    Geometry,
+}
+
+impl Parameter {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stiffness => "stiffness",
+            Self::Restitution => "restitution",
+            Self::Mass => "mass",
+            Self::Motion => "motion",
+            Self::Model => "model",
+            Self::Geometry => "geometry",
+        }
+    }
+}
+
+/// A force for the design of a restraint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RestraintForce {
     /// The clause.
     pub source: String,
     /// Horizontal force at the centre of gravity \[N\].
     pub force_n: f64,
-    /// Over the weight.
+    /// Force over weight.
     pub force_ratio: f64,
-    /// Tension of all the anchors along one edge about the axis that needs more \[N\]; 0: the weight holds it down.
+    /// Tension of all anchors along one edge together, about the axis that needs more \[N\]; 0: the weight suffices.
     pub anchor_tension_n: f64,
     /// The formula with its numbers, and what was assumed.
     pub note: String,
 }
 
-/// Eqs. (5)–(7) at one motion about one axis, as a reader would compute them.
+/// Eqs. (5)–(7) at one motion about one axis, with the numbers that a reader needs to repeat them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Chain {
     /// The motion.
     pub motion: String,
-    /// `thickness` or `width`.
-    pub axis: String,
+    /// The side that lies in the plane of motion.
+    pub axis: Axis,
     /// Height \[m\].
     pub height_m: f64,
     /// Side in the plane of motion \[m\].
     pub thickness_m: f64,
-    /// Whether Eqs. (5)–(7) hold as printed: a uniform block on its full width, and a spring.
+    /// Whether Eqs. (5)–(7) hold as printed: a uniform block that rests on its full width, on a spring.
     pub is_uniform: bool,
-    /// Distance between the pivot edges \[m\].
+    /// Distance between the edges \[m\].
     pub base_m: f64,
-    /// R, from a pivot edge to the centre of gravity \[m\].
+    /// R, from an edge to the centre of gravity \[m\].
     pub half_diagonal_m: f64,
     /// Mass \[kg\].
     pub mass_kg: f64,
-    /// Stiffness under the edge \[N/m\]; `None` for a law that has none.
+    /// Stiffness under one edge \[N/m\]; `None` for a contact law that has none.
     pub stiffness_n_m: Option<f64>,
     /// Rise of the centre of gravity \[m\].
     pub cg_rise_m: f64,
@@ -299,14 +437,14 @@ pub struct Chain {
     pub effective_mass_kg: f64,
     /// a_edge, Eq. (5) \[g\].
     pub edge_acceleration_g: f64,
-    /// From the velocity before the impact \[g\].
+    /// a_edge from the velocity before the impact \[g\].
     pub edge_acceleration_impact_velocity_g: f64,
     /// Δv \[m/s\].
     pub velocity_change_m_s: f64,
     /// T \[s\].
     pub pulse_duration_s: f64,
-    /// Lift of the free edge \[m\].
+    /// Uplift \[m\].
     pub uplift_m: f64,
-    /// Demand over capacity of this motion.
+    /// Demand/capacity under this motion.
     pub demand_capacity_ratio: Option<f64>,
 }

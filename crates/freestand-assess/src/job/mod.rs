@@ -1,18 +1,19 @@
-//! The whole job: an inventory in, a folder of results out, that survives being stopped or killed at any moment.
+//! A whole assessment, from an inventory to a folder of results. It can be stopped or killed at any moment and resumed.
 
+mod key;
 mod portfolio;
 mod store;
 
 use std::path::{Path, PathBuf};
 
-use portfolio::{Portfolio, assess, fingerprint, progress_names};
+use key::resume_key;
+use portfolio::{PART, Portfolio, assess, progress_names};
 use serde::Serialize;
 use serde_json::json;
 use store::PROGRESS;
 
 use crate::inventory::{Inventory, read_inventory};
-use crate::library::Libraries;
-use crate::library::Lookup;
+use crate::library::{Libraries, Lookup};
 use crate::output::overview::Overview;
 use crate::output::{Head, Row, Wanted, head, write_all};
 use crate::result::Decision;
@@ -27,17 +28,17 @@ use freestand_study::study::Study;
 /// Schema of `manifest.json` and of the document of `freestand assess`.
 pub const SCHEMA: &str = "freestand.assess/1";
 
-/// The files of a job, those on demand among them.
+/// The files of a job, including optional ones.
 const OUTPUTS: [&str; 6] = ["objects.csv", "objects.parquet", "report.html", "report.pdf", "assessment.xlsx", MANIFEST];
 
-/// What is wanted beside the results themselves.
+/// How a job is run, and its optional outputs.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Job {
-    /// Go on from the finished parts of an earlier run.
+    /// Use the finished parts of an earlier run.
     pub resume: bool,
-    /// Write into a folder that holds other files.
+    /// Write into a folder even if it holds other files.
     pub force: bool,
-    /// `objects.parquet` too.
+    /// Write `objects.parquet` too.
     pub parquet: bool,
     /// `report.pdf`, by whoever can typeset it: what comes out is written.
     pub pdf: Option<Typeset>,
@@ -46,44 +47,44 @@ pub struct Job {
 /// From the head, the counts and the pages to a PDF.
 pub type Typeset = fn(&Head, &Overview, &[Row<'_>]) -> Result<Vec<u8>, String>;
 
-/// What a job came to; the keys of the JSON document.
+/// The summary of a job; its fields are the keys of the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct JobReport {
     /// Rows of the inventory.
     pub objects: usize,
-    /// Those that an earlier run had finished.
+    /// Objects that an earlier run finished.
     pub resumed: usize,
-    /// Those that were assessed now.
+    /// Objects that this run assessed.
     pub computed: usize,
-    /// Whether it was stopped before its end: go on with `--resume`.
+    /// Whether it was stopped before its end; a run with `resume` continues it.
     pub interrupted: bool,
     /// Objects by decision.
     pub decisions: serde_json::Value,
     /// Objects by the tier that decided.
     pub tiers: [usize; 4],
-    /// Objects of which some motion could not be followed.
+    /// Objects with a history that failed.
     pub failed: usize,
-    /// Rocking histories that were followed now.
+    /// Rocking histories that this run computed.
     pub histories: u64,
     /// The folder.
     pub out: String,
     /// The files in it.
     pub files: Vec<String>,
-    /// What the reader must know.
+    /// Warnings.
     #[serde(skip)]
     pub warnings: Vec<String>,
 }
 
-/// Reads the inventory of a study, or another one, with the libraries that the study names.
+/// Reads the inventory at `path`, or the one that the study names, with the libraries that the study names.
 ///
 /// # Errors
-/// No inventory, a library or an inventory that cannot be read; all problems of it at once.
+/// No inventory, or all problems of a library or an inventory.
 pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> Result<Inventory, Problems> {
     let settings = &study.assessment;
     let Some(path) = path.or(settings.inventory.as_deref()) else {
-        return Err(Problem::new(ProblemKind::Value, "no inventory: nothing to assess")
-            .hint("name one with --inventory FILE, or in the study: [assessment] inventory = \"objects.csv\"; freestand inventory template prints one")
-            .into());
+        let hint = "give `inventory = \"objects.csv\"`, or put it into the table [assessment] of the study; \
+                    freestand inventory template prints an inventory to fill in";
+        return Err(Problem::new(ProblemKind::Value, "there is no inventory to assess").hint(hint).into());
     };
     let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
     let read = |lookup: &Lookup| read_inventory(path, sheet.or(settings.sheet.as_deref()), lookup);
@@ -94,13 +95,14 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
     Ok(inventory)
 }
 
-/// Assesses `inventory` on the floors of `study` and writes everything into `target`, on the current thread pool.
+/// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the current thread pool.
 ///
-/// Finished parts stand in `progress/` of the folder until all is done: a run that was stopped leaves them beside valid outputs of what was
-/// finished, one that was killed leaves them alone; with [`Job::resume`] either goes on, and writes the bytes of a run that was not stopped.
+/// Finished parts are in `progress/` of the folder until the run is complete. A run that was stopped leaves them beside
+/// valid outputs of the finished objects; one that was killed leaves only the parts. With [`Job::resume`] either is
+/// continued and writes the same bytes as a run that was not interrupted.
 ///
 /// # Errors
-/// A motion that cannot be made, a folder that cannot be written or is not ours.
+/// A motion that cannot be generated, or a folder that cannot be written or was not written by freestand.
 pub fn assess_into(
     study: &Study,
     inventory: &Inventory,
@@ -108,7 +110,7 @@ pub fn assess_into(
     job: &Job,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    let key = fingerprint(study, inventory);
+    let key = resume_key(study, inventory, PART);
     let head = head(study, inventory);
     if job.resume
         && let Some(report) = finished(target, &key, (study, inventory), job)
@@ -165,7 +167,7 @@ fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Pa
     }
 }
 
-/// Everything that was read, and what outputs depend on beside the results.
+/// All inputs, and what outputs depend on besides the results.
 fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
     let recorded: Vec<_> = study
         .ground
@@ -183,7 +185,7 @@ fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
     })
 }
 
-/// What does not hang on how the run went: the same inputs give the same bytes, however often it was stopped.
+/// Nothing here depends on how the run went: the same inputs give the same bytes, however often it was stopped.
 fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str) -> Result<String, Problem> {
     let body = json!({
         "version": env!("CARGO_PKG_VERSION"),
@@ -208,7 +210,7 @@ fn file_name(path: &Path) -> Option<String> {
     path.file_name().map(|name| name.to_string_lossy().into_owned())
 }
 
-/// A folder in which all of this was done before; `None` where something is left to do.
+/// The report of a folder that is complete already; `None` where something is left to do.
 fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), job: &Job) -> Option<JobReport> {
     let manifest: serde_json::Value = serde_json::from_slice(&std::fs::read(target.join(MANIFEST)).ok()?).ok()?;
     let has = |name: &str, value: serde_json::Value| manifest.get(name).is_some_and(|found| *found == value);

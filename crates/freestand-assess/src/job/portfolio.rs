@@ -1,67 +1,65 @@
-//! A whole inventory: part by part, each kept when it is done, and the list that comes of them.
+//! A whole inventory: assessed part by part, each part stored when it is done, then ranked.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
+
 use std::path::Path;
 
-use sha2::{Digest, Sha256};
-
-use crate::floors::{Hazard, MOST_FLOORS, STOPPED};
+use crate::floors::{Hazard, MAX_FLOORS_HELD, STOPPED};
 use crate::inventory::{Consequences, Inventory, Item};
 use crate::output::Row;
 use crate::result::{Assessment, Decision};
-use crate::verdict::{Context, Member, Subject, accepted, assess_group, blank};
+use crate::verdict::{Context, Member, Subject, accepted, assess_group, blank, listed};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
 use freestand_study::run::{Progress, Step};
 use freestand_study::study::Study;
-use freestand_study::study::assessment::Settings;
 
 use super::store::{PROGRESS, Store};
 
-/// Objects of a part: some seconds of work, which is what a kill may cost.
-const PART: usize = 256;
+/// Objects of a part: some seconds of work, which is what a killed run loses.
+pub(super) const PART: usize = 256;
 
-/// Draws whose outcomes are held at once: some 250 MB.
-const MOST_OUTCOMES: usize = 2_000_000;
+/// Draws whose results are in memory at once: about 250 MB.
+const MAX_OUTCOMES: usize = 2_000_000;
 
-/// A finished assessment, or what there is of one that was stopped.
+/// A finished assessment, or the finished part of one that was stopped.
 #[derive(Debug)]
 pub(super) struct Portfolio<'a> {
     inventory: &'a Inventory,
     store: Store,
-    /// By row of the inventory; 0: not assessed.
+    /// By row of the inventory; rows beyond were not assessed.
     ranks: Vec<u32>,
-    /// Objects that an earlier run had finished.
+    /// Objects that an earlier run finished.
     pub(super) resumed: usize,
-    /// Objects that were assessed now.
+    /// Objects that this run assessed.
     pub(super) computed: usize,
     /// Whether it was stopped before its end.
     pub(super) interrupted: bool,
-    /// Rocking histories that were followed now.
+    /// Rocking histories that this run computed.
     pub(super) histories: u64,
     /// Objects by decision, in the order of [`Decision::ALL`].
     pub(super) decisions: [usize; 4],
     /// Objects by tier.
     pub(super) tiers: [usize; 4],
-    /// Objects of which some motion could not be followed.
+    /// Objects with a history that failed.
     pub(super) failed: usize,
 }
 
-/// The files of a run in its output folder beside the outputs, while it lasts.
+/// The files that a run keeps in its output folder until it is finished.
 pub(super) fn progress_names(items: usize) -> Vec<String> {
     Store::names(items.div_ceil(PART)).map(|name| format!("{}/{name}", PROGRESS)).collect()
 }
 
-/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool; finished parts are kept in a folder under
-/// the key of the inputs, and with `resume` those of an earlier run with the same key are taken as they are.
+/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool. Finished parts are stored in
+/// a folder with the key of the run; with `resume` those of an earlier run with the same key are used.
 ///
-/// The result of an object depends on its own row, the study and the seed: not on the other rows, their order, the number of threads or
-/// interruptions.
+/// The result of an object depends on its own row, the study and the seed, but not on other rows, their order, the number
+/// of threads or interruptions.
 ///
 /// # Errors
-/// A motion that cannot be made, or a folder that cannot be written. A stop is no error: what was finished is the result.
+/// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error: the result then has the
+/// objects that were finished.
 pub(super) fn assess<'a>(
     study: &Study,
     inventory: &'a Inventory,
@@ -137,31 +135,7 @@ fn shake<'a>(
     Ok((hazard, context))
 }
 
-/// Everything that a result depends on, as one number: version, study with its motions, rows with what was looked up for them.
-pub(super) fn fingerprint(study: &Study, inventory: &Inventory) -> String {
-    struct Hasher(Sha256);
-    impl std::fmt::Write for Hasher {
-        fn write_str(&mut self, text: &str) -> std::fmt::Result {
-            self.0.update(text.as_bytes());
-            Ok(())
-        }
-    }
-    let mut hasher = Hasher(Sha256::new());
-    let Study { ground, directions_deg, building, levels, .. } = study;
-    // Where files are, and how many pages are printed, is nothing to the results.
-    let assessment =
-        Settings { inventory: None, library: None, cushion_library: None, pages: 0, ..study.assessment.clone() };
-    let version = env!("CARGO_PKG_VERSION");
-    // A hasher takes every text.
-    let _ =
-        write!(hasher, "{version}\n{PART}\n{ground:?}\n{directions_deg:?}\n{building:?}\n{levels:?}\n{assessment:?}\n");
-    for item in &inventory.items {
-        let _ = writeln!(hasher, "{item:?}");
-    }
-    hasher.0.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// One part: the objects that can be shaken, floor by floor, and the others as they are.
+/// One part: the objects with level and geometry floor by floor, and the others without a verdict.
 fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec<Assessment>, Problems> {
     let settings = &context.study.assessment;
     let mut found: Vec<Option<Assessment>> = vec![None; items.len()];
@@ -171,13 +145,14 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
             Ok(subject) => by_level.entry(subject.level_ratio.to_bits()).or_default().push((place, subject)),
             Err(missing) => {
                 let limit = accepted(&settings.accepted, item.accepted_ratio, &item.consequences);
-                let why = format!("nothing can be said: {} missing.", missing.join(", "));
+                let verb = if missing.len() == 1 { "was" } else { "were" };
+                let why = format!("Nothing was assessed, because its {} {verb} not given.", listed(&missing));
                 found[place] = Some(Assessment { why, ..blank(item, limit, None) });
             }
         }
     }
     let by_level: Vec<(u64, Vec<(usize, Subject)>)> = by_level.into_iter().collect();
-    for group in by_level.chunks(MOST_FLOORS) {
+    for group in by_level.chunks(MAX_FLOORS_HELD) {
         context.go_on()?;
         let levels: Vec<f64> = group.iter().map(|(bits, _)| f64::from_bits(*bits)).collect();
         let floors = hazard.floors(&levels)?;
@@ -191,12 +166,12 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
                 members.push(Member { item, subject: subject.clone(), accepted_ratio, accepted_for });
                 places.push(*place);
             } else {
-                let why = "nothing can be said: the study gives no motion for its floor.".to_owned();
+                let why = "Nothing was assessed, because the study has no motion for its floor.".to_owned();
                 found[*place] = Some(Assessment { why, ..blank(item, limit, None) });
             }
         }
-        // Many draws under many motions are many numbers: fewer objects at a time then.
-        let at_once = (MOST_OUTCOMES / (context.names.len() * settings.most_draws as usize).max(1)).max(1);
+        // The more draws and motions, the fewer objects at a time.
+        let at_once = (MAX_OUTCOMES / (context.names.len() * settings.most_draws as usize).max(1)).max(1);
         for (places, members) in places.chunks(at_once).zip(members.chunks(at_once)) {
             for (place, assessed) in places.iter().zip(assess_group(context, &floors, members)?) {
                 found[*place] = Some(assessed);
@@ -206,7 +181,7 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
     Ok(found.into_iter().flatten().collect())
 }
 
-/// What an object is ranked by: the decision, the lives and the money at stake, how likely, how far.
+/// What an object is ranked by: decision, life safety, probability, other consequences, demand/capacity.
 struct Urgency<'a> {
     id: &'a str,
     decision: Decision,
@@ -256,14 +231,14 @@ impl<'a> Portfolio<'a> {
             }
             let is_failed = match (&one.response, &one.floor) {
                 (Some(response), _) => response.failed > 0,
-                // Its floor is known, and no motion of it could be followed.
+                // Its floor is known, but every history failed.
                 (None, floor) => floor.is_some(),
             };
             self.failed += usize::from(is_failed);
         }
     }
 
-    /// Ranks what was found, which is the first rows of the inventory.
+    /// Ranks the objects that were assessed, which are the first rows of the inventory.
     fn rank(&mut self, list: Vec<Urgency>) {
         let mut order: Vec<u32> = (0..list.len() as u32).collect();
         order.sort_by(|a, b| list[*a as usize].cmp(&list[*b as usize]));
@@ -273,7 +248,7 @@ impl<'a> Portfolio<'a> {
         }
     }
 
-    /// What was found, in the order of the inventory, read part by part from where it is kept.
+    /// The results in the order of the inventory, read part by part from where they are stored.
     pub(super) fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Problem>> + '_ {
         let assessed = &self.inventory.items[..self.ranks.len()];
         assessed.chunks(PART).enumerate().flat_map(move |(part, items)| {
@@ -284,8 +259,8 @@ impl<'a> Portfolio<'a> {
                     let rows = items.iter().zip(found).zip(ranks);
                     rows.map(|((item, found), rank)| Ok(Row { rank: *rank as usize, item, found })).collect::<Vec<_>>()
                 }
-                None => vec![Err(Problem::new(ProblemKind::Io, "a finished part of the assessment is gone")
-                    .hint("run it again with --resume: what is missing is computed again"))],
+                None => vec![Err(Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
+                    .hint("repeat the run with `resume = true`: what is missing is computed again"))],
             }
         })
     }
@@ -298,7 +273,7 @@ impl<'a> Portfolio<'a> {
         Ok(rows)
     }
 
-    /// Keeps the finished parts beside the outputs, for a run that goes on.
+    /// Keeps the finished parts beside the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
         let parts = self.ranks.len().div_ceil(PART);
         for name in Store::names(parts) {

@@ -1,7 +1,7 @@
-//! Finished parts of a long run, on disk: what a kill leaves, and what `--resume` goes on from.
+//! Finished parts of a long run on disk: what a killed run leaves, and what a resumed run starts from.
 //!
-//! Results of a million objects do not fit the memory: they are written part by part and read again for the outputs, so that a run that
-//! was interrupted and one that was not write the same bytes.
+//! The results of a million objects do not fit into memory. They are written part by part and read again for the outputs,
+//! so that a run writes the same bytes whether or not it was interrupted.
 
 use std::fs;
 use std::io::{self, BufRead, BufReader, Write};
@@ -14,44 +14,42 @@ use freestand_output::paths::io_problem;
 /// Folder of the parts inside the output folder.
 pub(super) const PROGRESS: &str = "progress";
 
-/// What the parts are of.
+/// The file with the key of the run.
 const PLAN: &str = "plan";
 
-/// Locked by the run that writes.
+/// The file that the writing run locks.
 const LOCK: &str = "lock";
 
 /// A folder of parts.
 #[derive(Debug)]
 pub(super) struct Store {
     folder: PathBuf,
-    /// Held while we live: two runs in one folder would read each other's parts.
+    /// Locked as long as this lives: two runs in one folder would read each other's parts.
     _lock: fs::File,
 }
 
 impl Store {
-    /// Opens the folder for a run with this `key`; parts of another run are cleared, those of the same one kept only if `resume`.
+    /// Opens the folder for a run with this `key`. Parts of another run are removed, those of the same run unless `resume`.
     pub(super) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
         let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
         fs::create_dir_all(folder).map_err(failed)?;
         let lock = fs::File::create(folder.join(LOCK)).map_err(failed)?;
-        // Where files cannot be locked at all, nobody can be told apart.
+        // Some file systems cannot lock files: there, two runs cannot be told apart.
         if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
-            return Err(Problem::new(ProblemKind::Io, "another assessment writes into this folder")
+            return Err(Problem::new(ProblemKind::Io, "another assessment is writing into this folder")
                 .in_file(folder)
-                .hint("wait for it, or name another folder with --out"));
+                .hint("wait until it has finished, or give another folder with `out`"));
         }
         let store = Self { folder: folder.to_path_buf(), _lock: lock };
         let is_same = fs::read_to_string(folder.join(PLAN)).is_ok_and(|found| found == key);
         if !(is_same && resume) {
             store.clear().map_err(failed)?;
-        }
-        if !(is_same && resume) {
             store.put(PLAN, |file| file.write_all(key.as_bytes())).map_err(failed)?;
         }
         Ok(store)
     }
 
-    /// The files of a run in `parts` parts, by their names in the folder.
+    /// The names of the files of a run in `parts` parts.
     pub(super) fn names(parts: usize) -> impl Iterator<Item = String> {
         [LOCK, PLAN].map(str::to_owned).into_iter().chain((0..parts).map(part_name))
     }
@@ -68,7 +66,7 @@ impl Store {
         Ok(())
     }
 
-    /// Writes a file under a temporary name and gives it its own: it is whole or absent.
+    /// Writes a file under a temporary name, then renames it: the file is complete or absent.
     fn put(&self, name: &str, write: impl FnOnce(&mut io::BufWriter<fs::File>) -> io::Result<()>) -> io::Result<()> {
         let temporary = self.folder.join(format!("{name}{TEMPORARY}"));
         let mut file = io::BufWriter::new(fs::File::create(&temporary)?);
@@ -77,7 +75,7 @@ impl Store {
         fs::rename(temporary, self.folder.join(name))
     }
 
-    /// Keeps a part.
+    /// Stores a part.
     pub(super) fn write(&self, part: usize, found: &[Assessment]) -> Result<(), Problem> {
         let name = part_name(part);
         self.put(&name, |file| {
@@ -90,7 +88,7 @@ impl Store {
         .map_err(|error| io_problem(&self.folder.join(&name), "cannot write a finished part", &error))
     }
 
-    /// The file of this name in a second place as well: a link, or a copy where the file system has none.
+    /// Puts the file of this name in a second place as well: as a link, or as a copy where links are not possible.
     pub(super) fn link(&self, name: &str, to: &Path) -> Result<(), Problem> {
         let from = self.folder.join(name);
         fs::hard_link(&from, to)
@@ -98,7 +96,7 @@ impl Store {
             .map_err(|error| io_problem(&from, "cannot keep a finished part", &error))
     }
 
-    /// A part as it was kept; `None` where it is absent, cut short or of other objects.
+    /// A stored part; `None` where it is absent, incomplete or of other objects.
     pub(super) fn read<'a>(&self, part: usize, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
         let file = fs::File::open(self.folder.join(part_name(part))).ok()?;
         let lines = BufReader::new(file).lines();
@@ -107,7 +105,7 @@ impl Store {
     }
 }
 
-/// End of the name of a file in the making.
+/// End of the name of an incomplete file.
 const TEMPORARY: &str = ".new";
 
 fn part_name(part: usize) -> String {

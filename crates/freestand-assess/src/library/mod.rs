@@ -124,10 +124,10 @@ impl Confidence {
     pub fn description(self) -> &'static str {
         match self {
             Self::Stated => "stated by the user",
-            Self::Primary => "read at its source",
-            Self::Secondary => "read where it is quoted",
-            Self::Assumption => "a placeholder, chosen and not found",
-            Self::Recalled => "remembered, not read: no tolerance of it decides",
+            Self::Primary => "read in the source itself",
+            Self::Secondary => "read in a document that quotes the source",
+            Self::Assumption => "an assumption, without a source",
+            Self::Recalled => "quoted from memory; such a tolerance decides no verdict",
         }
     }
 }

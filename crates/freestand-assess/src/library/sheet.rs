@@ -10,12 +10,12 @@ use freestand_input::quantity::{Dimension, Unit, find_unit, shorten};
 use freestand_input::words::nearest;
 
 /// A library of ten thousand entries is far below this.
-const LARGEST_BYTES: u64 = 8 << 20;
+const MAX_BYTES: u64 = 8 << 20;
 /// Entries beyond this are no library.
-const MOST_ROWS: usize = 10_000;
-const MOST_COLUMNS: usize = 200;
+const MAX_ROWS: usize = 10_000;
+const MAX_COLUMNS: usize = 200;
 /// A longer header is no slip of a name of ours.
-const LONGEST_NAME: usize = 60;
+const MAX_NAME_CHARS: usize = 60;
 
 /// A column: its name and, of a number, its dimension and the unit of a header that states none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,9 +85,9 @@ pub(super) fn load(path: &Path) -> Result<(Vec<u8>, InputFile), Problems> {
         return Err(broken("is a folder, not a library".to_owned()).into());
     }
     let mut bytes = Vec::new();
-    let read = file.take(LARGEST_BYTES + 1).read_to_end(&mut bytes);
+    let read = file.take(MAX_BYTES + 1).read_to_end(&mut bytes);
     read.map_err(|error| broken(format!("cannot read the library: {error}")))?;
-    if bytes.len() as u64 > LARGEST_BYTES {
+    if bytes.len() as u64 > MAX_BYTES {
         return Err(broken("is larger than 8 MiB, too large for a library".to_owned()).into());
     }
     let input = InputFile::new(path, &bytes);
@@ -113,8 +113,8 @@ pub(super) fn read_sheet(bytes: &[u8], columns: &[Column]) -> Result<Sheet, Prob
         return Err(format("has no header".to_owned()).at_line(1).hint(header_hint(columns)).into());
     };
     let header = header.map_err(|error| csv_problem(&error))?;
-    if header.len() > MOST_COLUMNS {
-        let message = format!("has {} columns, no library has more than {MOST_COLUMNS}", header.len());
+    if header.len() > MAX_COLUMNS {
+        let message = format!("has {} columns, no library has more than {MAX_COLUMNS}", header.len());
         return Err(format(message).at_line(1).hint(header_hint(columns)).into());
     }
     let (places, mut problems, warnings) = headers(&header, columns);
@@ -136,8 +136,8 @@ pub(super) fn read_sheet(bytes: &[u8], columns: &[Column]) -> Result<Sheet, Prob
             problems.push(format(message).at_line(line).hint("put cells with commas in quotes"));
             continue;
         }
-        if rows.len() == MOST_ROWS {
-            problems.push(format(format!("has more than {MOST_ROWS} entries")).at_line(line).hint("split the library"));
+        if rows.len() == MAX_ROWS {
+            problems.push(format(format!("has more than {MAX_ROWS} entries")).at_line(line).hint("split the library"));
             break;
         }
         rows.push(SheetRow { line, cells: record.iter().map(str::to_owned).collect() });
@@ -167,7 +167,7 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Probl
     for (at, text) in header.iter().enumerate() {
         let (name, unit) = split_header(text);
         let Some(column) = columns.iter().find(|column| column.name == name) else {
-            let near = Some(&name).filter(|name| name.len() <= LONGEST_NAME).and_then(|name| nearest(name, &names));
+            let near = Some(&name).filter(|name| name.len() <= MAX_NAME_CHARS).and_then(|name| nearest(name, &names));
             let near = near.map_or_else(String::new, |near| format!(": did you mean {near}?"));
             warnings.push(format!("column \"{}\" is not one of a library and is left out{near}", shorten(text)));
             continue;

@@ -142,7 +142,7 @@ fn read_entries(bytes: &[u8], origin: &str) -> Result<(Vec<ToleranceEntry>, Vec<
 }
 
 /// Nobody reads more at once.
-const MOST_PROBLEMS: usize = 200;
+const MAX_PROBLEMS: usize = 200;
 
 /// The entries, or everything that is wrong with them; an id may stand there once.
 pub(super) fn unique<E>(
@@ -152,8 +152,8 @@ pub(super) fn unique<E>(
     let (mut entries, mut problems) = (Vec::new(), Vec::new());
     let mut lines = std::collections::HashMap::new();
     for (line, row) in rows {
-        if problems.len() >= MOST_PROBLEMS {
-            let message = format!("{MOST_PROBLEMS} problems so far: the rest of the file was not read");
+        if problems.len() >= MAX_PROBLEMS {
+            let message = format!("{MAX_PROBLEMS} problems so far: the rest of the file was not read");
             problems.push(Problem::new(ProblemKind::Value, message).at_line(line).hint("mend these and read it again"));
             break;
         }

@@ -1,4 +1,4 @@
-//! `objects.csv`, written as it comes.
+//! `objects.csv`, written row by row.
 
 use std::mem;
 
@@ -14,10 +14,10 @@ use super::table::{COLUMNS, Cell, Line, carried_cells, carried_names};
 /// The file's name.
 pub const CSV_NAME: &str = "objects.csv";
 
-/// What is kept before it goes to the file.
+/// Bytes that are collected before they are written.
 const CHUNK_BYTES: usize = 1 << 20;
 
-/// The table in the making.
+/// The table as it is written.
 pub(super) struct CsvTable {
     file: StreamedFile,
     pending: csv::Writer<Vec<u8>>,
@@ -51,7 +51,7 @@ impl CsvTable {
         self.end_row()
     }
 
-    /// The last of it.
+    /// Writes the rest.
     pub(super) fn finish(mut self) -> Result<(), Problem> {
         self.flush()?;
         self.file.finish()
@@ -77,7 +77,7 @@ impl CsvTable {
     }
 }
 
-/// A cell as a field. A spreadsheet takes a text that begins with one of `= + - @` for a formula, so it gets a `'` first.
+/// A cell as a field. A spreadsheet takes a text that begins with one of `= + - @` for a formula, so a `'` precedes it.
 fn push_field(out: &mut String, cell: &Cell) {
     match cell {
         Cell::Text(text) => {
@@ -94,5 +94,5 @@ fn push_field(out: &mut String, cell: &Cell) {
     }
 }
 
-/// What stands for a number that is beyond every number.
+/// The value of a ranked number where the object overturns.
 pub const OVERTURNED: &str = "overturned";

@@ -1,5 +1,5 @@
-//! Assessments that are made up, for tests: every kind of row, hostile texts among them. No number of a row follows from another, but
-//! for the chain, which is computed.
+//! Invented assessments for tests: every kind of row, with hostile texts among them. The numbers of a row are unrelated,
+//! except for the chain, which is computed.
 
 use std::path::PathBuf;
 
@@ -12,8 +12,8 @@ use freestand::rocking::Restitution;
 use crate::inventory::{Consequences, Inventory, Item, Rating};
 use crate::library::{Confidence, Tolerance};
 use crate::result::{
-    Assessment, AxisResponse, CapacityCheck, Chain, CompliantCheck, Decision, FloorFacts, Probability, Response,
-    RestraintForce, Shock, Sliding, Softening, Swing,
+    AcceptedFor, Assessment, Axis, AxisResponse, CapacityCheck, Chain, CompliantCheck, Criterion, Decision, FloorFacts,
+    Parameter, Probability, Response, RestraintForce, Shock, Sliding, SlidingVerdict, Softening, Swing,
 };
 use freestand_input::problem::Problem;
 use freestand_output::folder::OutputFolder;
@@ -104,7 +104,7 @@ pub(super) fn inventory(items: Vec<Item>) -> Inventory {
     }
 }
 
-/// The chain of an item about its thickness, computed by the core; a rise of a quarter of that at which it balances.
+/// The chain of an item about its thickness, computed by the core, for a quarter of the rise at the balance point.
 pub(super) fn chain(item: &Item) -> Option<Chain> {
     let (height_m, thickness_m) = (item.height_m?, item.thickness_m?);
     let (base_m, cg_height_m) = (item.base_thickness_m, item.cg_height_m);
@@ -125,7 +125,7 @@ pub(super) fn chain(item: &Item) -> Option<Chain> {
     });
     Some(Chain {
         motion: "synthetic-07".to_owned(),
-        axis: "thickness".to_owned(),
+        axis: Axis::Thickness,
         height_m,
         thickness_m,
         is_uniform,
@@ -163,8 +163,8 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
     let decision = decision(index);
     let falls = decision == Decision::Restrain;
     let chain = chain(item);
-    let axis = |name: &str, share: f64| AxisResponse {
-        axis: name.to_owned(),
+    let axis = |axis, share: f64| AxisResponse {
+        axis,
         slenderness_angle_rad: 0.25,
         half_diagonal_m: 0.93,
         uplift_threshold_g: 0.2553,
@@ -173,16 +173,12 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         edge_acceleration_g: Some(spread(4.2, falls)),
         ceiling_g: Some(6.1),
     };
-    let mut axes = vec![axis("thickness", 0.8)];
-    axes.extend(item.width_m.map(|_| axis("width", 0.1)));
-    let capacity = item.tolerance.as_ref().zip(chain.as_ref()).map(|(tolerance, chain)| CapacityCheck {
+    let mut axes = vec![axis(Axis::Thickness, 0.8)];
+    axes.extend(item.width_m.map(|_| axis(Axis::Width, 0.1)));
+    let capacity = item.tolerance.as_ref().zip(chain.as_ref()).map(|(tolerance, _)| CapacityCheck {
         demand_capacity: if falls && index % 2 == 1 { Ranked::Overturned } else { Ranked::Value(1.3) },
         demand_capacity_p84: if falls { Ranked::Overturned } else { Ranked::Value(2.1) },
-        governing: match (tolerance.velocity_change_m_s, chain.demand_capacity_ratio) {
-            (Some(_), _) => "damage-boundary",
-            _ => "peak",
-        }
-        .to_owned(),
+        governing: if tolerance.velocity_change_m_s.is_some() { Criterion::DamageBoundary } else { Criterion::Peak },
         tolerance: "5 g".to_owned(),
         source: tolerance.source.clone(),
         decides: true,
@@ -194,7 +190,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         why: format!("Made up: {}.", decision.name()),
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
-        accepted_for: "life safety".to_owned(),
+        accepted_for: AcceptedFor::LifeSafety,
         floor: Some(FloorFacts { level_ratio: 0.5, pfa_g_median: 0.3, pfa_g_max: 0.52, pfv_m_s_median: 0.41 }),
         response: Some(Response {
             motions: 20,
@@ -221,7 +217,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         p_exceed: capacity.is_some().then_some(Probability { value: 0.42, low: 0.31, high: 0.53 }),
         capacity,
         draws: 32,
-        sliding: Some(Sliding { verdict: "possible".into(), friction_ratio: (0.3, 0.7), is_stated: false }),
+        sliding: Some(Sliding { verdict: SlidingVerdict::Possible, friction_ratio: (0.3, 0.7), is_stated: false }),
         softening: (decision == Decision::Soften).then(|| Softening {
             max_stiffness_n_m: Some(1.1e6),
             stroke_m: Some(0.011),
@@ -236,11 +232,11 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             shock_ratio: Some(0.93),
             agrees: true,
         }),
-        tornado: ["stiffness", "restitution", "motion"]
+        tornado: [Parameter::Stiffness, Parameter::Restitution, Parameter::Motion]
             .into_iter()
             .enumerate()
             .map(|(i, parameter)| Swing {
-                parameter: parameter.to_owned(),
+                parameter,
                 low: "0.8 × as stated".into(),
                 high: "1.25 × as stated".into(),
                 at_low: Ranked::Value(0.7 + 0.1 * i as f64),
@@ -293,7 +289,7 @@ pub(super) fn hostile_items() -> Vec<Item> {
     items
 }
 
-/// Nothing is known of it but its name.
+/// Only its name is known.
 pub(super) fn unknown(item: &Item) -> Assessment {
     Assessment {
         decision: Decision::NoVerdict,
@@ -322,9 +318,7 @@ pub(super) fn rows(inventory: &Inventory, assessed: usize) -> Vec<Row<'_>> {
     let rows = inventory.items.iter().take(assessed).enumerate().map(|(index, item)| {
         let mut found = if item.height_m.is_none() { unknown(item) } else { assessment(item, index) };
         if item.notes.contains(HOSTILE[0]) {
-            for text in [&mut found.why, &mut found.accepted_for] {
-                *text = HOSTILE.concat();
-            }
+            found.why = HOSTILE.concat();
             found.notes = vec![HOSTILE.concat()];
             found.context = vec![HOSTILE.concat()];
         }

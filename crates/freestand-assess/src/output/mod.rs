@@ -1,4 +1,4 @@
-//! Everything that an assessment leaves behind, in one pass over its rows: a portfolio of a million objects is never held.
+//! The outputs of an assessment, written in one pass over its rows: a million objects are never in memory together.
 
 pub mod csv;
 #[cfg(test)]
@@ -27,18 +27,18 @@ use sources::Sources;
 use table::Line;
 use workbook::{Book, WORKBOOK_NAME};
 
-/// One object with its place in the list: 1 is the most urgent.
+/// One object with its rank: 1 is the most urgent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {
     /// 1 … the number of results.
     pub rank: usize,
-    /// As written.
+    /// Its row of the inventory.
     pub item: &'a Item,
-    /// As found.
+    /// Its assessment.
     pub found: Assessment,
 }
 
-/// What is asked for beside `objects.csv`, which is always written.
+/// The outputs besides `objects.csv`, which is always written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wanted {
     /// `objects.parquet`.
@@ -47,7 +47,7 @@ pub struct Wanted {
     pub workbook: bool,
     /// `report.html`.
     pub report: bool,
-    /// Objects that get a page of the report: the most urgent.
+    /// Number of objects with a page in the report: the most urgent ones.
     pub pages: usize,
 }
 
@@ -58,7 +58,7 @@ impl Default for Wanted {
 }
 
 impl Wanted {
-    /// The names of the files that [`write_all`] will write.
+    /// The names of the files that [`write_all`] writes.
     pub fn names(&self) -> Vec<String> {
         let optional = [(self.parquet, PARQUET_NAME), (self.workbook, WORKBOOK_NAME), (self.report, REPORT_NAME)];
         let optional = optional.into_iter().filter(|(wanted, _)| *wanted).map(|(_, name)| name);
@@ -66,18 +66,18 @@ impl Wanted {
     }
 }
 
-/// Lines of the list of what to do first.
-pub const MOST_URGENT: usize = 50;
+/// Rows in the list of the most urgent objects.
+pub const URGENT_ROWS: usize = 50;
 
-/// Writes the outputs of an assessment into `folder`: a single pass over `rows`, which come in the order of the inventory.
-/// Objects of the inventory without a row were not assessed (the run was interrupted): they stand in the tables without a
-/// decision, and every output says that it is partial, and how much of it there is.
+/// Writes the outputs of an assessment into `folder` in a single pass over `rows`, which are in the order of the
+/// inventory. Objects without a row were not assessed, because the run was interrupted: they are in the tables without a
+/// decision, and every output says that it is partial and how many objects were assessed.
 ///
-/// Only the counts, the pages of the most urgent and one group of rows are held in memory, whatever the number of rows. The counts
-/// come back, for outputs that others write.
+/// Only the counts, the pages of the most urgent objects and one group of rows are in memory, whatever the number of rows.
+/// The counts are returned, for outputs that others write.
 ///
 /// # Errors
-/// The first problem of `rows`, rows that are not in the order of the inventory, or a disk that is full.
+/// The first problem of `rows`, rows that are not in the order of the inventory, or a full disk.
 pub fn write_all(
     folder: &OutputFolder,
     head: &Head,
@@ -101,7 +101,7 @@ pub fn write_all(
     outputs.finish(folder, head)
 }
 
-/// The files in the making.
+/// The files as they are written.
 struct Outputs {
     overview: Overview,
     sources: Sources,
@@ -115,7 +115,7 @@ impl Outputs {
     fn begin(folder: &OutputFolder, head: &Head, inventory: &Inventory, wanted: Wanted) -> Result<Self, Problem> {
         let total = head.total.max(inventory.items.len());
         Ok(Self {
-            overview: Overview::new(total, MOST_URGENT),
+            overview: Overview::new(total, URGENT_ROWS),
             sources: Sources::default(),
             csv: CsvTable::begin(folder, inventory)?,
             parquet: wanted.parquet.then(|| ParquetTable::begin(folder, head, inventory)).transpose()?,
@@ -156,6 +156,6 @@ impl Outputs {
 }
 
 fn out_of_order(id: &str) -> Problem {
-    let message = format!("the result of \"{id}\" does not come in the order of the inventory");
-    Problem::new(ProblemKind::Computation, message).hint("this is a defect of freestand; please report it")
+    let message = format!("the result of \"{id}\" is not in the order of the inventory");
+    Problem::new(ProblemKind::Computation, message).hint("this is a defect in freestand: please report it")
 }

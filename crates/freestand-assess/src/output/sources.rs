@@ -1,19 +1,19 @@
-//! Where the numbers of an assessment are from, counted row by row in bounded memory.
+//! The sources of the numbers of an assessment, counted row by row in bounded memory.
 
 use std::collections::BTreeMap;
 
 use super::table::Line;
 
-/// Sources that are told apart; further ones are counted together.
-const MOST_SOURCES: usize = 2_000;
+/// Sources that are counted separately; further ones are counted together.
+const MAX_SOURCES: usize = 2_000;
 
-/// Longest name of a source that is kept, in characters.
-const LONGEST: usize = 400;
+/// Longest name of a source, in characters.
+const MAX_SOURCE_CHARS: usize = 400;
 
-/// What a number is of, its source, and what the source is worth.
+/// What a number is, its source, and how far the source can be trusted.
 type Key = (&'static str, String, &'static str);
 
-/// Sources with the number of objects that rest on them.
+/// Sources with the number of objects that use them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Sources {
     objects: BTreeMap<Key, usize>,
@@ -23,36 +23,28 @@ impl Sources {
     /// Counts the sources of one row.
     pub fn add(&mut self, line: &Line) {
         if let Some(tolerance) = &line.item.tolerance {
-            use crate::library::Confidence;
-            let worth = match tolerance.confidence {
-                Confidence::Stated => "stated by the user",
-                Confidence::Primary => "read at its source",
-                Confidence::Secondary => "read where it is quoted",
-                Confidence::Assumption => "a placeholder",
-                Confidence::Recalled => "recalled: decides nothing",
-            };
-            self.count("tolerance", &tolerance.source, worth);
+            self.count("tolerance", &tolerance.source, tolerance.confidence.description());
         }
         if let Some(source) = &line.item.cushion_source {
-            self.count("cushion", source, "a prior, not a measurement");
+            self.count("cushion", source, "an estimate, not a measurement");
         }
         for force in line.assessment().into_iter().flat_map(|found| &found.restraint) {
             self.count("restraint force", &force.source, "clause");
         }
     }
 
-    /// What, source, worth and objects, in alphabetical order.
+    /// What the number is, its source, its trust and the number of objects, in alphabetical order.
     pub fn rows(&self) -> impl Iterator<Item = (&'static str, &str, &'static str, usize)> {
         self.objects.iter().map(|((what, source, worth), count)| (*what, source.as_str(), *worth, *count))
     }
 
     fn count(&mut self, what: &'static str, source: &str, worth: &'static str) {
-        let name: String = source.chars().take(LONGEST).collect();
+        let name: String = source.chars().take(MAX_SOURCE_CHARS).collect();
         let key = (what, name, worth);
-        let key = if self.objects.len() < MOST_SOURCES || self.objects.contains_key(&key) {
+        let key = if self.objects.len() < MAX_SOURCES || self.objects.contains_key(&key) {
             key
         } else {
-            (what, "other sources".to_owned(), "see the rows")
+            (what, "other sources".to_owned(), "see the objects")
         };
         *self.objects.entry(key).or_default() += 1;
     }
@@ -75,8 +67,8 @@ mod tests {
             sources.add(&Line::of(row));
         }
         let found: Vec<_> = sources.rows().collect();
-        // Some 2000 pads, and the rest of them together; a tolerance in three of four rows; the two clauses were met first.
-        assert!(found.len() <= MOST_SOURCES + 1);
+        // Some 2000 pads and the others together; a tolerance in three of four rows; the two clauses were counted first.
+        assert!(found.len() <= MAX_SOURCES + 1);
         let of = |what: &str| found.iter().filter(|row| row.0 == what).map(|row| row.3).sum::<usize>();
         assert_eq!((of("tolerance"), of("cushion")), (1_575, 2_100));
         assert!(found.iter().any(|row| row.1 == "other sources"));

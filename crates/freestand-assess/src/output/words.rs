@@ -1,10 +1,10 @@
-//! How an assessment is said to people: the words, signs and colours that all its pages share.
+//! The words, signs and colours that all outputs of an assessment share.
 
 use crate::result::{Assessment, Decision, Probability};
 use freestand_input::words::{number, percent};
 use freestand_study::result::Ranked;
 
-/// How a decision is shown; the sign and the word stand wherever the colour does.
+/// The colours of a decision; its sign and its word always accompany them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Colours {
     /// Dark enough for text on white.
@@ -13,7 +13,7 @@ pub struct Colours {
     pub fill: u32,
 }
 
-/// The sign of a decision, which differs in shape too.
+/// The sign of a decision; no two signs have the same shape.
 pub fn sign(decision: Decision) -> &'static str {
     match decision {
         Decision::Restrain => "▲",
@@ -33,17 +33,17 @@ pub fn label(decision: Decision) -> &'static str {
     }
 }
 
-/// What a decision asks for.
+/// What a decision recommends.
 pub fn advice(decision: Decision) -> &'static str {
     match decision {
         Decision::Restrain => "fix it to the building",
         Decision::Soften => "put it on a softer pad",
-        Decision::NoVerdict => "find what is missing first",
-        Decision::Leave => "let it stand as it is",
+        Decision::NoVerdict => "complete the missing data",
+        Decision::Leave => "leave it as it is",
     }
 }
 
-/// The colours of a decision (after Okabe and Ito): told apart by the colour-blind, and in grey by their lightness.
+/// The colours of a decision (after Okabe and Ito). The colour-blind can tell them apart; in grey their lightness differs.
 pub fn colours(decision: Decision) -> Colours {
     match decision {
         Decision::Restrain => Colours { ink: 0x00A8_4300, fill: 0x00F7_C5A0 },
@@ -58,7 +58,7 @@ pub fn tier(tier: u8) -> &'static str {
     match tier {
         0 => "tier 0: thresholds",
         1 => "tier 1: spectra",
-        2 => "tier 2: its own histories",
+        2 => "tier 2: histories of its own",
         3 => "tier 3: the compliant base",
         _ => "",
     }
@@ -74,7 +74,7 @@ pub fn ranked(value: Ranked, unit: &str) -> String {
     }
 }
 
-/// The same in thousandths: lifts in mm.
+/// The same in thousandths, such as an uplift in mm.
 pub fn ranked_milli(value: Ranked, unit: &str) -> String {
     match value {
         Ranked::Value(value) => ranked(Ranked::Value(1e3 * value), unit),
@@ -92,30 +92,36 @@ pub fn probability(probability: Probability) -> String {
     format!("{} % ({}–{} %)", digits(value), digits(low), digits(high))
 }
 
-/// How far demand is from capacity, of the median motion: `1.3 times what it stands`.
+/// Demand/capacity of the median motion in a sentence.
 pub fn margin(found: &Assessment) -> String {
     let Some(capacity) = &found.capacity else {
-        return "no tolerance is known: nothing to compare with".to_owned();
+        return "Its tolerance was not given, so demand/capacity is not known.".to_owned();
     };
     match capacity.demand_capacity {
-        Ranked::Overturned => "the median motion overturns it: beyond every capacity".to_owned(),
-        Ranked::NoData => "demand over capacity could not be found".to_owned(),
+        Ranked::Overturned => "The median motion overturns it.".to_owned(),
+        Ranked::NoData => "Demand/capacity is not known.".to_owned(),
         Ranked::Value(ratio) if ratio > 1.0 => {
-            format!("the median motion asks {} times what it stands", number(ratio, 3))
+            format!("The demand of the median motion is {} times the tolerance.", number(ratio, 3))
         }
-        Ranked::Value(ratio) => format!("the median motion asks {} of what it stands", percent(ratio, 0)),
+        Ranked::Value(ratio) => format!("The demand of the median motion is {} of the tolerance.", percent(ratio, 0)),
     }
 }
 
-/// How a list of objects is to be read, for every page that has one.
+/// How to read a list of objects, for every page that has one.
 pub const HOW_TO_READ: [&str; 7] = [
-    "restrain (▲): the probability of overturning, or of exceeding what the object stands, is above what is accepted and no pad can help.",
-    "soften (◆): an acceleration governs, and a softer pad under the object brings the probability below what is accepted; the pad was checked by running the motions again.",
-    "no verdict (?): something is missing that a verdict would need; the row says what. What can be said without it is said.",
-    "leave (●): the object may stand as it is under the hazard that was assumed.",
-    "Demand over capacity is that of the median motion; above 1 the object is damaged. “Overturned” is beyond every number.",
-    "The probability counts motions and draws of what is uncertain (stiffness, restitution, mass, geometry, model); overturned counts as exceeded. Its 95 % interval is given behind it.",
-    "Shocks are at the landing edge, by Eq. (5) of Al Abadi et al. or Eq. (8) where the landing is halted, from the larger of two energy sources: the rise of the centre of gravity and the velocity before the impact.",
+    "Restrain (▲): the probability that the object overturns or exceeds its tolerance is above the accepted \
+     probability, and no softer pad suffices.",
+    "Soften (◆): the shock governs, and a softer pad under the object brings the probability below the accepted one. \
+     The pad was checked by repeating the motions.",
+    "No verdict (?): data that a verdict needs are missing, and the row says which. Everything that could be computed \
+     without them is given.",
+    "Leave (●): the object may stay as it is under the assumed hazard.",
+    "Demand/capacity is that of the median motion; above 1 the tolerance is exceeded. “Overturned” ranks above every \
+     number.",
+    "A probability counts motions, and draws of the uncertain values (stiffness, restitution, mass, geometry, model); \
+     overturning counts as exceeding the tolerance. The 95 % interval follows the probability.",
+    "Shocks are those of the edge that lands, by Eq. (5) of Al Abadi et al., or by Eq. (8) where the landing is halted. \
+     Of two energy sources, the rise of the centre of gravity and the velocity before the impact, the larger counts.",
 ];
 
 #[cfg(test)]
@@ -130,7 +136,7 @@ mod tests {
         assert_eq!(said(0.25, 0.25, 0.25), "25 %");
     }
 
-    /// Every decision is told by its word and by the shape of its sign, not by its colour alone.
+    /// Word, sign and colour of every decision differ from those of the others.
     #[test]
     fn decisions_are_told_apart_without_colour() {
         for a in Decision::ALL {

@@ -1,4 +1,5 @@
-//! What to fix an object with, by the codes and by the computed floor, and the room that it needs where it is not fixed.
+//! The forces for the design of a restraint, by the codes and by the computed floor motion, and the clearance of an
+//! object without a restraint.
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::part_forces::{
@@ -8,33 +9,33 @@ use freestand::code_spectrum::part_forces::{
 use freestand::code_spectrum::parts::{PartsQuestion, asce7_height_ratio, floor_acceleration_g};
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 
-use crate::result::RestraintForce;
+use crate::result::{Axis, RestraintForce};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 
-/// An object across one of its sides.
+/// An object about one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestraintAxis {
-    /// `thickness` or `width`: the side that lies in the plane of motion.
-    pub name: String,
-    /// From the anchors along one edge to the opposite edge, about which it turns \[m\].
+    /// The side that lies in the plane of motion.
+    pub axis: Axis,
+    /// From the anchors along one edge to the opposite edge, about which the object rotates \[m\].
     pub base_m: f64,
-    /// From the centre of gravity to that opposite edge; half the base for an object without offset \[m\].
+    /// From the centre of gravity to that opposite edge; half the base where it is central \[m\].
     pub weight_lever_m: f64,
 }
 
-/// The factors of the codes for the object; the defaults are said in the note of every force.
+/// The factors of the codes for the object; the note of every force states those that were assumed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RestraintParameters {
-    /// AS 1170.4: rigid, a connection that was not shown to be ductile.
+    /// AS 1170.4: a rigid part with a connection that is not shown to be ductile.
     pub as1170_4: As1170_4Part,
     /// ASCE 7-16: storage cabinets and laboratory equipment.
     pub asce7_16: Asce7_16Part,
-    /// ASCE 7-22: the same, in a building of unknown ductility.
+    /// ASCE 7-22: the same, in a building whose ductility is not known.
     pub asce7_22: Asce7_22Part,
-    /// Eurocode 8: rigid, anchorage of a floor-supported cabinet.
+    /// Eurocode 8: a rigid, floor-supported cabinet with anchors.
     pub eurocode8: Eurocode8Part,
-    /// NZS 1170.5: short period, elastic.
+    /// NZS 1170.5: a part of short period that stays elastic.
     pub nzs1170_5: Nzs1170_5Part,
 }
 
@@ -56,7 +57,7 @@ impl Default for RestraintParameters {
 }
 
 impl RestraintParameters {
-    /// The defaults, with the importance factor of 1.5 of what matters to life safety.
+    /// The defaults, with the importance factor of 1.5 that life safety requires.
     pub fn critical() -> Self {
         let mut parameters = Self::default();
         parameters.as1170_4.importance_ratio = 1.5;
@@ -67,43 +68,43 @@ impl RestraintParameters {
     }
 }
 
-/// Which object, where, under which hazard.
+/// The object, its place and the hazard.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestraintQuestion {
     /// Mass \[kg\].
     pub mass_kg: f64,
     /// Height of the centre of gravity, at which the force acts \[m\].
     pub cg_height_m: f64,
-    /// Its sides; the one that needs more tension counts.
+    /// Its axes; the one that needs more tension counts.
     pub axes: Vec<RestraintAxis>,
     /// Height of its floor over that of the building.
     pub level_ratio: f64,
-    /// Height of the building \[m\]; `None`: taken as a tall one.
+    /// Height of the building \[m\]; `None`: a tall one is assumed.
     pub building_height_m: Option<f64>,
     /// Fundamental period of the building \[s\].
     pub building_period_s: Option<f64>,
-    /// Spectrum of the study's hazard; `None`: there is none, and no code can be asked.
+    /// Spectrum of the study's hazard; `None`: the study has none, and no code can be applied.
     pub spectrum: Option<CodeSpectrum>,
-    /// Largest computed acceleration of its floor \[g\].
+    /// Largest computed acceleration of the floor \[g\].
     pub floor_acceleration_g: Option<f64>,
     /// Factors of the codes.
     pub parameters: RestraintParameters,
 }
 
-/// What codes call a tall building begins far below this \[m\].
+/// Height of a building that every code counts as tall \[m\].
 const TALL_M: f64 = 30.0;
 
-const RECALLED: &str = "The clause is recalled, not read again: check it in your edition.";
+const RECALLED: &str = "This clause is recalled, not read: check it in your edition.";
 
-/// The forces to fix an object with, each by its source: AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13, Eurocode 8 or
-/// NZS 1170.5 where the hazard is theirs, and the computed floor acceleration times the mass.
+/// The forces for the design of a restraint, one for each source: AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13,
+/// Eurocode 8 or NZS 1170.5 where the hazard is theirs, and the computed floor acceleration times the mass.
 ///
-/// The force acts at the centre of gravity. All the anchors along one edge together hold T = max(0, (F h − W (1 − v) e)/b), with h
-/// the height of the centre of gravity, e the lever of the weight, b the base and v the share of the weight that the clause lets
-/// the vertical shaking take away; the side that needs more counts.
+/// The force acts at the centre of gravity. All anchors along one edge together hold
+/// T = max(0, (F h − W (1 − v) e)/b), with h the height of the centre of gravity, e the lever of the weight, b the base
+/// and v the share of the weight that the clause deducts for vertical shaking; the axis that needs more counts.
 ///
-/// A code other than the study's is given the study's spectrum: kpZ Ch(0) is then Sa(0), S_DS its plateau, and the note says so.
-/// None for an object without mass or size.
+/// A code other than the study's receives the study's spectrum: kpZ Ch(0) is then Sa(0), S_DS its plateau, and the note
+/// says so. There is no force for an object without mass or size.
 pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     let is_positive = |value: f64| value > 0.0 && value.is_finite();
     if !is_positive(question.mass_kg) || !is_positive(question.cg_height_m) {
@@ -118,7 +119,7 @@ pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     }
     forces.extend(question.floor_acceleration_g.filter(|&pfa| is_positive(pfa)).map(|pfa| {
         let formula = format!(
-            "F = m × PFA with the largest computed floor acceleration, {} g: no factor for ductility, none for safety.",
+            "F = m × PFA with the largest computed floor acceleration, {} g; without factors for ductility or safety.",
             number(pfa, 4)
         );
         force(question, "computed floor acceleration", pfa, 0.0, &formula)
@@ -126,7 +127,7 @@ pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     forces
 }
 
-/// Puts a force together with its anchors.
+/// A force with the tension of its anchors.
 fn force(question: &RestraintQuestion, source: &str, ratio: f64, vertical_share: f64, formula: &str) -> RestraintForce {
     let weight_n = question.mass_kg * G0_M_S2;
     let force_n = ratio * weight_n;
@@ -140,7 +141,7 @@ fn force(question: &RestraintQuestion, source: &str, ratio: f64, vertical_share:
             if vertical_share > 0.0 { format!("{} W", number(1.0 - vertical_share, 4)) } else { "W".to_owned() };
         format!(
             " Anchors along one edge, {}: (F × {} − {weight} × {})/{}.",
-            axis.name,
+            axis.axis.name(),
             length(question.cg_height_m),
             length(axis.weight_lever_m),
             length(axis.base_m)
@@ -168,13 +169,13 @@ fn governs(force: &PartForce) -> String {
 fn place(question: &RestraintQuestion) -> (PartsQuestion, &'static str) {
     let (building_height_m, said) = match question.building_height_m {
         Some(height_m) => (height_m, ""),
-        None => (TALL_M, " The height of the building is not known: taken as 12 m or more."),
+        None => (TALL_M, " The height of the building is not known and is taken as 12 m or more."),
     };
     let level_ratio = question.level_ratio;
     (PartsQuestion { level_ratio, building_height_m, building_period_s: question.building_period_s }, said)
 }
 
-/// Sa(0), or at the shortest period of a table.
+/// Sa(0), or Sa at the shortest period of a table.
 fn ground_g(spectrum: &CodeSpectrum) -> f64 {
     spectrum.sa_g(spectrum.shortest_period_s())
 }
@@ -183,14 +184,14 @@ fn australia(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<Re
     let part = question.parameters.as1170_4;
     let (place, tall) = place(question);
     let own = matches!(spectrum, CodeSpectrum::As1170_4(_));
-    // a_x depends on the place alone: the quotient of the floor and the ground of any spectrum of this code.
+    // a_x depends on the place alone: floor over ground acceleration of any spectrum of this code.
     let floor_g =
         if own { floor_acceleration_g(spectrum, &place)? } else { ground_g(spectrum) * as_height_ratio(&place) };
     let borrowed = if own { "" } else { " kpZ Ch(0) is taken as Sa(0) of the study's spectrum." };
     let found = as1170_4_force(floor_g, &part);
     let formula = format!(
-        "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W: {} × {} × {}/{} = {} W{}. I_c = {}, a_c = {} (rigid), R_c = {} (2.5 \
-         where the connection is shown to be ductile) are assumed.{borrowed}{tall} {RECALLED}",
+        "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W: {} × {} × {}/{} = {} W{}. Assumed: I_c = {}, \
+         a_c = {} (rigid), R_c = {} (2.5 where the connection is shown to be ductile).{borrowed}{tall} {RECALLED}",
         number(floor_g, 4),
         number(part.importance_ratio, 3),
         number(part.amplification_ratio, 3),
@@ -221,13 +222,14 @@ fn america(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Vec<Restrai
     };
     let height = |edition| asce7_height_ratio(edition, question.level_ratio, question.building_period_s);
     let vertical_share = (0.2 * sds_g).min(1.0);
-    let vertical = "0.2 S_DS of the weight is taken away; load factors are not in it.";
+    let vertical = "0.2 S_DS of the weight is deducted; load factors are not included.";
     let (old, new) = (question.parameters.asce7_16, question.parameters.asce7_22);
     let (old_height, new_height) = (height(Asce7Edition::Asce7_16), height(Asce7Edition::Asce7_22));
     let found = asce7_16_force(sds_g, old_height, &old);
     let formula = format!(
-        "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: 0.4 × {} × {} × {} × {}/{} = {} W{}. a_p = {}, \
-         R_p = {} (storage cabinets, laboratory equipment) and I_p = {} are assumed.{borrowed} {vertical} {RECALLED}",
+        "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: \
+         0.4 × {} × {} × {} × {}/{} = {} W{}. Assumed: a_p = {}, R_p = {} (storage cabinets, laboratory equipment), \
+         I_p = {}.{borrowed} {vertical} {RECALLED}",
         number(old.amplification_ratio, 3),
         number(sds_g, 4),
         number(old_height, 4),
@@ -242,8 +244,9 @@ fn america(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Vec<Restrai
     let first = force(question, "ASCE 7-16, 13.3.1", found.force_ratio, vertical_share, &formula);
     let found = asce7_22_force(sds_g, new_height, &new);
     let formula = format!(
-        "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: 0.4 × {} × {} × {}/{} × {}/{} = {} W{}. R_μ = {} \
-         (the building's is not known), C_AR = {}, R_po = {} and I_p = {} are assumed.{borrowed} {vertical} {RECALLED}",
+        "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: \
+         0.4 × {} × {} × {}/{} × {}/{} = {} W{}. Assumed: R_μ = {} (that of the building is not known), C_AR = {}, \
+         R_po = {}, I_p = {}.{borrowed} {vertical} {RECALLED}",
         number(sds_g, 4),
         number(new.importance_ratio, 3),
         number(new_height, 4),
@@ -266,8 +269,8 @@ fn europe(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<Restr
     let ground_g = code.zero_period_g();
     let found = eurocode8_force(ground_g, question.level_ratio, &part);
     let formula = format!(
-        "F_a = α S [3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5] γ_a/q_a W: α S = {}, z/H = {}, T_a/T_1 = {}, γ_a = {}, q_a = {}: {} W{}. T_a, \
-         γ_a and q_a (anchorage of floor-supported cabinets) are assumed. {RECALLED}",
+        "F_a = α S [3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5] γ_a/q_a W with α S = {}, z/H = {}, T_a/T_1 = {}, γ_a = {}, \
+         q_a = {}: {} W{}. T_a, γ_a and q_a (anchorage of floor-supported cabinets) are assumed. {RECALLED}",
         number(ground_g, 4),
         number(question.level_ratio, 3),
         number(part.period_ratio, 3),
@@ -286,8 +289,8 @@ fn new_zealand(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<
     let floor_g = floor_acceleration_g(spectrum, &place)?;
     let found = nzs1170_5_force(floor_g, &part);
     let formula = format!(
-        "F_ph = C(0) C_Hi C_i C_ph R_p W, no more than 3.6 W: {} × {} × {} × {} = {} W{}. C_i = {} (a period up to 0.75 s), C_ph = {} \
-         (elastic) and R_p = {} are assumed.{tall} {RECALLED}",
+        "F_ph = C(0) C_Hi C_i C_ph R_p W, at most 3.6 W: {} × {} × {} × {} = {} W{}. Assumed: C_i = {} (a period up to \
+         0.75 s), C_ph = {} (elastic), R_p = {}.{tall} {RECALLED}",
         number(floor_g, 4),
         number(part.spectral_ratio, 3),
         number(part.response_ratio, 3),
@@ -301,12 +304,12 @@ fn new_zealand(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<
     Some(force(question, "NZS 1170.5:2004, section 8", found.force_ratio, 0.0, &formula))
 }
 
-/// Room that an object needs beside it where it rocks: how far its highest corner moves beyond its side, h sin θ; past the balance
-/// point, tan θ > t/h, it falls, and needs its height \[m\].
+/// Clearance that an object needs beside it while it rocks \[m\]: its highest corner moves h sin θ beyond its side. Past
+/// the balance point, tan θ > t/h, it overturns and needs its height.
 ///
-/// With the pivot edge at the origin the corners are (0, 0), (−t, 0), (−t, h) and (0, h). Turned by θ towards the pivot, a corner
-/// (x, z) comes to x cos θ + z sin θ: the corner above the pivot goes farthest, h sin θ beyond the side; on the other side the
-/// lifted edge draws in by t (1 − cos θ).
+/// With the pivot at the origin the corners are (0, 0), (−t, 0), (−t, h) and (0, h). After a rotation θ towards the
+/// pivot, a corner (x, z) is at x cos θ + z sin θ: the corner above the pivot moves farthest, h sin θ beyond the side;
+/// on the other side the free edge draws in by t (1 − cos θ).
 ///
 /// # Example
 /// A cabinet of 2.3 m × 0.6 m at 5°, and past its balance point at 14.6°:

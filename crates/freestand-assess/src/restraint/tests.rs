@@ -7,11 +7,11 @@ use super::*;
 
 /// The paper's cabinet on the roof of a tower.
 fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
-    let axis = |name: &str, base_m: f64| RestraintAxis { name: name.to_owned(), base_m, weight_lever_m: base_m / 2.0 };
+    let axis = |axis, base_m: f64| RestraintAxis { axis, base_m, weight_lever_m: base_m / 2.0 };
     RestraintQuestion {
         mass_kg: 140.0,
         cg_height_m: 1.15,
-        axes: vec![axis("thickness", 0.6), axis("width", 0.9)],
+        axes: vec![axis(Axis::Thickness, 0.6), axis(Axis::Width, 0.9)],
         level_ratio: 1.0,
         building_height_m: Some(96.0),
         building_period_s: Some(3.0),

@@ -1,4 +1,4 @@
-//! From the histories of one object to everything that is said of it.
+//! From the histories of one object to its assessment.
 
 use freestand::G0_M_S2;
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
@@ -8,7 +8,8 @@ use freestand::spectra::landings;
 
 use crate::floors::Floor;
 use crate::result::{
-    Assessment, AxisResponse, CapacityCheck, Chain, Decision, Probability, Ranked, Response, Shock, Sliding,
+    Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, Probability, Ranked, Response, Shock, Sliding,
+    SlidingVerdict,
 };
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
@@ -23,15 +24,15 @@ use super::second_opinion::{beyond_pads, second_opinion, softer};
 use super::tornado::tornado;
 use super::uncertainty::{Draws, probability, shares};
 
-/// Everything that was found out about one object before it is put into words.
+/// The histories of one object, before they are evaluated.
 pub(super) struct Found<'a> {
     pub(super) member: &'a Member<'a>,
     pub(super) floor: &'a Floor,
     pub(super) as_is: Vec<MotionResponse>,
     pub(super) changed: Vec<(Variant, &'a [MotionResponse])>,
-    /// `None`: it cannot lift off, so that nothing was drawn.
+    /// `None`: uplift is impossible, so that nothing was drawn.
     pub(super) draws: Option<Draws>,
-    /// Whether the spectra of the floor stand for its own histories.
+    /// Whether the spectra of the floor replace histories of its own.
     pub(super) is_screened: bool,
 }
 
@@ -44,12 +45,12 @@ impl Found<'_> {
         self.member.subject.capacity.as_ref()
     }
 
-    /// The motions that were followed, with their places.
+    /// The motions whose histories are complete, with their places.
     pub(super) fn followed(&self) -> impl Iterator<Item = (usize, &[AxisMotion])> {
         self.as_is.iter().enumerate().filter_map(|(i, one)| Some((i, one.as_ref().ok()?.as_slice())))
     }
 
-    /// What a motion is ranked by: demand over capacity where there is one, the shock, the rise.
+    /// What a motion is ranked by: demand/capacity where it is known, else the shock, else the rise.
     fn severity(&self, axes: &[AxisMotion]) -> f64 {
         match (self.capacity().and_then(|_| demand_capacity(axes)), self.body()) {
             (Some(ratio), _) => ratio,
@@ -65,7 +66,7 @@ impl Found<'_> {
         order.into_iter().map(|(_, i)| i).collect()
     }
 
-    /// The motion that decides: the hardest but for the accepted share of them.
+    /// The place of the motion that decides: the hardest after the accepted share of them is left out.
     pub(super) fn deciding_place(&self, motions: usize) -> Option<usize> {
         let beyond = (self.member.accepted_ratio * motions as f64).floor() as usize;
         motions.checked_sub(1 + beyond.min(motions.saturating_sub(1)))
@@ -76,7 +77,7 @@ pub(super) fn larger_g(one: &AxisMotion) -> f64 {
     one.hit.as_ref().map_or(0.0, Hit::larger_g)
 }
 
-/// Quantiles over the motions that were followed.
+/// Quantiles of values over the motions.
 pub(super) fn quantiles(values: impl Iterator<Item = f64>) -> [Ranked; 3] {
     let mut values: Vec<f64> = values.collect();
     QUANTILES.map(|q| ranked_quantile(&mut values, q))
@@ -93,7 +94,7 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     let mut assessed = member.blank(found.floor.facts.clone());
     let Some(response) = response(found) else {
         let reason = found.as_is.iter().find_map(|one| one.as_ref().err()).cloned().unwrap_or_default();
-        assessed.why = format!("no motion could be followed: {reason}.");
+        assessed.why = format!("Nothing was assessed, because every history failed: {reason}.");
         return assessed;
     };
     let shock = shock(found);
@@ -129,13 +130,13 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     });
     if found.is_screened {
         assessed.notes.push(
-            "decided by the uplift spectra of its floor: its numbers are those of the nearest block of their grid"
+            "Decided by the uplift spectra of its floor: its numbers are those of the nearest block of their grid."
                 .to_owned(),
         );
     }
     if response.failed > 0 {
         assessed.notes.push(format!(
-            "{} of {} motions could not be followed ({}); they are in no figure",
+            "The histories under {} of {} motions failed ({}) and are left out of every number.",
             response.failed,
             found.as_is.len(),
             response.failure.as_deref().unwrap_or("")
@@ -152,7 +153,7 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
     assessed.decision = decision;
     assessed.why = why;
     if lift && p_exceed.is_some() && member.item.cushion_source.is_some() {
-        assessed.why.push_str(" Its stiffness is a range of the cushion library, not a measurement.");
+        assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
     assessed.tier = match (&found.draws, found.is_screened) {
         (None, _) => 0,
@@ -160,7 +161,7 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
         (Some(_), false) => 2 + u8::from(second.is_some()),
     };
     assessed.capacity = capacity_check(found, governs);
-    assessed.draws = if found.is_screened { 0 } else { most_draws(found) };
+    assessed.draws = if found.is_screened { 0 } else { max_draws(found) };
     assessed.p_overturn = Some(p_overturn);
     assessed.p_exceed = p_exceed;
     assessed.sliding = sliding(context, found, &order);
@@ -171,36 +172,36 @@ pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
         assessed.restraint = context.restraint(found);
     }
     assessed.clearance_m = clearance(found);
-    assessed.context = context.beside(found);
+    assessed.context = context.comparisons(found);
     assessed.shock = shock.map(|shock| Shock { impacts_above_tolerance: impacts, ..shock });
     assessed.response = Some(response);
     assessed.chain = chain;
     assessed
 }
 
-/// Share of the motions, or of the draws, whose histories could not be followed.
+/// Share of the motions, or of the draws, whose histories failed.
 fn unknown_ratio(context: &Context, found: &Found, failed: usize) -> f64 {
     let motions = failed as f64 / found.as_is.len().max(1) as f64;
     let Some(draws) = found.draws.as_ref().filter(|_| !found.is_screened) else { return motions };
-    let wanted = context.names.len() * most_draws(found) as usize;
+    let wanted = context.names.len() * max_draws(found) as usize;
     let done: usize = draws.iter().map(Vec::len).sum();
     motions.max(1.0 - done as f64 / wanted.max(1) as f64)
 }
 
-/// Whether a motion that it survives presses its pads to more than the thickness that is stated.
+/// Whether a motion that does not overturn it compresses its pads by more than their stated thickness.
 fn bottoms(found: &Found) -> bool {
     let Some(thickness_m) = found.body().and_then(|body| body.pad_thickness_m) else { return false };
     let pressed = |one: &AxisMotion| one.hit.as_ref().is_some_and(|hit| hit.compression_m > thickness_m);
     found.followed().any(|(_, axes)| axes.iter().any(pressed))
 }
 
-/// How far the hardest motion goes.
+/// Demand/capacity of the hardest motion; without a tolerance, rotation over the slenderness angle.
 fn hardest(found: &Found) -> f64 {
     let of = |axes: &[AxisMotion]| demand_capacity(axes).unwrap_or_else(|| rotation_ratio(found, axes));
     found.followed().map(|(_, axes)| of(axes)).fold(0.0, f64::max)
 }
 
-/// Peak rotation over that of overturning, about the axis where it is larger.
+/// Peak rotation over the slenderness angle, about the axis where it is larger.
 fn rotation_ratio(found: &Found, axes: &[AxisMotion]) -> f64 {
     if overturned(axes) {
         return f64::INFINITY;
@@ -209,7 +210,7 @@ fn rotation_ratio(found: &Found, axes: &[AxisMotion]) -> f64 {
     axes.iter().enumerate().map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i)).fold(0.0, f64::max)
 }
 
-fn most_draws(found: &Found) -> u32 {
+fn max_draws(found: &Found) -> u32 {
     found.draws.iter().flatten().map(Vec::len).max().unwrap_or(0) as u32
 }
 
@@ -238,7 +239,7 @@ fn axis_response(found: &Found, axis: usize) -> AxisResponse {
     let motions = || found.followed().filter_map(|(_, axes)| axes.get(axis));
     let shock = |one: &AxisMotion| ranked(std::slice::from_ref(one), larger_g);
     AxisResponse {
-        axis: geometry.axis.name().to_owned(),
+        axis: geometry.axis,
         slenderness_angle_rad: pivot.slenderness_angle_rad,
         half_diagonal_m: pivot.half_diagonal_m,
         uplift_threshold_g: pivot.slenderness_angle_rad.tan(),
@@ -280,7 +281,8 @@ fn shock(found: &Found) -> Option<Shock> {
     })
 }
 
-/// The duration of the pulse on the cushion; of a curved one, for a landing from a hundredth of the balance point's rise.
+/// The duration of the pulse on the cushion; for a curved contact law, of a landing from a hundredth of the rise at the
+/// balance point.
 fn pulse_duration_s(found: &Found, axis: usize, body: &Body) -> f64 {
     let landing = Landing::rocking(&found.member.subject.axes[axis].block, ImpactModel::Paper);
     let rise_m = 0.01 * landing.pivot.balance_rise_m();
@@ -295,7 +297,7 @@ fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
             probability(&shares(draws, |one| one.overturned)).unwrap_or(never),
             if comparable { probability(&shares(draws, |one| one.exceeds())) } else { floor_alone(found) },
         ),
-        // It stays on the floor: what remains is the floor's own acceleration, of which only a peak can say whether it is stood.
+        // It does not uplift, so that only the acceleration of the floor remains, and only a peak can be exceeded by it.
         None => {
             let zeros: Vec<f64> = found.followed().map(|_| 0.0).collect();
             let floor = found.capacity().map(|capacity| {
@@ -307,8 +309,8 @@ fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
     }
 }
 
-/// Of an object of which no shock is known, the probability that its floor alone exceeds what it stands, where that is more than is
-/// accepted: whatever the shock, it only adds to it.
+/// For an object without a known shock, the probability that the acceleration of its floor alone exceeds its tolerance,
+/// where that is above the accepted one: a shock could only add to it.
 fn floor_alone(found: &Found) -> Option<Probability> {
     let peak_m_s2 = found.capacity()?.peak_m_s2?;
     let above = |(motion, _): (usize, _)| f64::from(u8::from(found.floor.pfa_m_s2[motion] > peak_m_s2));
@@ -326,28 +328,28 @@ fn missing(found: &Found) -> Vec<&'static str> {
     known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect()
 }
 
-fn governing_criterion(found: &Found, motion: usize) -> Option<&'static str> {
+fn governing_criterion(found: &Found, motion: usize) -> Option<Criterion> {
     let capacity = found.capacity()?;
     let axes = found.as_is.get(motion)?.as_ref().ok()?;
     if overturned(axes) {
-        return Some("overturning");
+        return Some(Criterion::Overturning);
     }
     let terms = axes.iter().filter_map(|one| one.terms);
     let worst = terms.reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
     match worst {
         Some(worst) => Some(worst.governing(capacity)),
-        None => floor_alone(found).map(|_| "floor-acceleration"),
+        None => floor_alone(found).map(|_| Criterion::FloorAcceleration),
     }
 }
 
-fn capacity_check(found: &Found, governing: Option<&'static str>) -> Option<CapacityCheck> {
+fn capacity_check(found: &Found, governing: Option<Criterion>) -> Option<CapacityCheck> {
     let (capacity, tolerance) = (found.capacity()?, found.member.item.tolerance.as_ref()?);
     let ratios: Option<Vec<f64>> = found.followed().map(|(_, axes)| demand_capacity(axes)).collect();
     let [_, median, p84] = ratios.map_or([Ranked::NoData; 3], |ratios| quantiles(ratios.into_iter()));
     Some(CapacityCheck {
         demand_capacity: median,
         demand_capacity_p84: p84,
-        governing: governing.unwrap_or(capacity.edge_criterion()).to_owned(),
+        governing: governing.unwrap_or(capacity.edge_criterion()),
         tolerance: capacity.words(),
         source: tolerance.source.clone(),
         decides: capacity.decides,
@@ -355,7 +357,7 @@ fn capacity_check(found: &Found, governing: Option<&'static str>) -> Option<Capa
     })
 }
 
-/// Impacts above the peak that the object stands, about the axis that governs; `None` where no peak is known.
+/// Impacts above the peak of its tolerance, about the governing axis; `None` where no peak is known.
 fn impacts_above(found: &Found, motion: usize) -> Option<usize> {
     let (body, peak) = (found.body()?, found.capacity()?.peak_m_s2?);
     let axes = found.as_is.get(motion)?.as_ref().ok()?;
@@ -374,8 +376,8 @@ fn impacts_above(found: &Found, motion: usize) -> Option<usize> {
     found.floor.motions[motion].iter().filter_map(in_direction).max()
 }
 
-/// Whether it slides: by the friction that rocking and its impacts take under the hardest motion, or that a floor takes which shakes under
-/// an object at rest; `None` where that is not known.
+/// Whether it slides, by the friction that rocking and its impacts need under the hardest motion, or that an object at
+/// rest needs on its floor; `None` where that is not known.
 fn sliding(context: &Context, found: &Found, order: &[usize]) -> Option<Sliding> {
     let rocks = |motion: usize| found.as_is[motion].as_ref().is_ok_and(|axes| lifts(axes));
     let Some(motion) = order.iter().rev().copied().find(|&motion| rocks(motion)) else {
@@ -398,16 +400,16 @@ fn slides(context: &Context, found: &Found, needed_ratio: f64) -> Sliding {
     let stated = found.member.item.friction_ratio;
     let (low, high) = stated.unwrap_or(context.study.assessment.friction_ratio);
     let verdict = if low >= needed_ratio {
-        "no"
+        SlidingVerdict::No
     } else if high < needed_ratio {
-        "yes"
+        SlidingVerdict::Yes
     } else {
-        "possible"
+        SlidingVerdict::Possible
     };
-    Sliding { verdict: verdict.to_owned(), friction_ratio: (low, high), is_stated: stated.is_some() }
+    Sliding { verdict, friction_ratio: (low, high), is_stated: stated.is_some() }
 }
 
-/// Eqs. (5)–(7) about the axis that governs; `None` where it overturns, or stays on the floor.
+/// Eqs. (5)–(7) about the governing axis; `None` where it overturns or does not uplift.
 fn chain(context: &Context, found: &Found, motion: usize) -> Option<Chain> {
     let (axis, one) = governing(found.as_is.get(motion)?.as_ref().ok()?)?;
     let (body, geometry) = (found.body()?, &found.member.subject.axes[axis]);
@@ -419,7 +421,7 @@ fn chain(context: &Context, found: &Found, motion: usize) -> Option<Chain> {
     let both = hit(&geometry.block, &one.rocking, body.mass_kg, &body.cushion)?;
     Some(Chain {
         motion: context.names.get(motion)?.clone(),
-        axis: geometry.axis.name().to_owned(),
+        axis: geometry.axis,
         height_m: geometry.height_m,
         thickness_m: geometry.side_m,
         is_uniform: geometry.is_uniform() && body.cushion.linear_stiffness_n_m().is_some(),
@@ -441,7 +443,7 @@ fn chain(context: &Context, found: &Found, motion: usize) -> Option<Chain> {
     })
 }
 
-/// The clearance that the object needs where it rocks: the largest over the motions and axes.
+/// The clearance that the object needs while it rocks: the largest over the motions and axes.
 fn clearance(found: &Found) -> Option<f64> {
     let clear = |(i, one): (usize, &AxisMotion)| {
         let geometry = &found.member.subject.axes[i];

@@ -1,5 +1,4 @@
-//! What an object stands against what it gets: demand over capacity, taken apart so that a softer pad or a model error can be put
-//! in afterwards.
+//! Demand over capacity, kept in parts so that a softer pad or an error of the model can be applied afterwards.
 
 use std::sync::OnceLock;
 
@@ -8,9 +7,10 @@ use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use rayon::prelude::*;
 
 use crate::library::Tolerance;
+use crate::result::Criterion;
 use freestand_input::words::number;
 
-/// What an object stands, by kind of data.
+/// The tolerance of an object as numbers that a demand is divided by.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Capacity {
     pub(super) peak_m_s2: Option<f64>,
@@ -28,11 +28,11 @@ pub(super) struct Demand {
     pub(super) duration_s: f64,
 }
 
-/// Demand over capacity in its parts: `max(min(acceleration · f, velocity_change), spectrum · s, lift, floor)`, where f and s are
-/// [`Factors`] on the shock of the edge.
+/// Demand over capacity in its parts: `max(min(acceleration · f, velocity_change), spectrum · s, lift, floor)`, where f
+/// and s are [`Factors`] on the shock of the edge.
 ///
-/// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps it: neither that nor a lift depends on the
-/// stiffness. The spectrum is that of a survived pulse.
+/// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps it. Neither Δv/V_c nor
+/// the uplift depends on the stiffness. The spectrum is that of the pulse that the object withstands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Terms {
     pub(super) acceleration: f64,
@@ -40,11 +40,11 @@ pub(super) struct Terms {
     pub(super) spectrum: f64,
     pub(super) lift: f64,
     pub(super) floor: f64,
-    /// Duration of the pulse \[s\], which a spectrum depends on; 0 where it does not rock.
+    /// Duration of the pulse \[s\], which a spectrum depends on; 0 for an object that does not rock.
     pub(super) duration_s: f64,
 }
 
-/// Factors on the peak of a shock, and on what its spectrum is over that of the survived pulse.
+/// Factors on the peak of a shock, and on the ratio of its spectrum to that of the pulse that the object withstands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Factors {
     pub(super) peak: f64,
@@ -54,7 +54,7 @@ pub(super) struct Factors {
 impl Factors {
     pub(super) const ONE: Self = Self::of(1.0);
 
-    /// A harder shock of the same duration.
+    /// For a harder shock of the same duration.
     pub(super) const fn of(harder: f64) -> Self {
         Self { peak: harder, spectrum: harder }
     }
@@ -93,23 +93,23 @@ impl Terms {
     }
 
     /// The part that governs.
-    pub(super) fn governing(&self, capacity: &Capacity) -> &'static str {
+    pub(super) fn governing(&self, capacity: &Capacity) -> Criterion {
         if self.lift.is_infinite() {
-            return "overturning";
+            return Criterion::Overturning;
         }
         let parts = [
             (self.edge(1.0), capacity.edge_criterion()),
-            (self.spectrum, "spectrum"),
-            (self.lift, "edge-lift"),
-            (self.floor, "floor-acceleration"),
+            (self.spectrum, Criterion::Spectrum),
+            (self.lift, Criterion::EdgeLift),
+            (self.floor, Criterion::FloorAcceleration),
         ];
         let largest = parts.into_iter().reduce(|most, next| if next.0 > most.0 { next } else { most });
-        largest.map_or(capacity.edge_criterion(), |(_, name)| name)
+        largest.map_or(capacity.edge_criterion(), |(_, criterion)| criterion)
     }
 }
 
 impl Capacity {
-    /// `None`: nothing that a shock could be compared with.
+    /// `None`: the tolerance has no number that a shock can be compared with.
     pub(super) fn new(tolerance: &Tolerance) -> Option<Self> {
         let Tolerance { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m, .. } = *tolerance;
         (peak_m_s2.is_some() || edge_lift_m.is_some() || velocity_change_m_s.is_some()).then(|| Self {
@@ -122,23 +122,23 @@ impl Capacity {
     }
 
     /// The criterion of the shock of the edge.
-    pub(super) fn edge_criterion(&self) -> &'static str {
+    pub(super) fn edge_criterion(&self) -> Criterion {
         match (self.peak_m_s2, self.velocity_change_m_s, self.duration_s) {
-            (Some(_), Some(_), _) => "damage-boundary",
-            (Some(_), None, Some(_)) => "spectrum",
-            (Some(_), None, None) => "peak",
-            (None, Some(_), _) => "velocity-change",
-            (None, None, _) => "edge-lift",
+            (Some(_), Some(_), _) => Criterion::DamageBoundary,
+            (Some(_), None, Some(_)) => Criterion::Spectrum,
+            (Some(_), None, None) => Criterion::Peak,
+            (None, Some(_), _) => Criterion::VelocityChange,
+            (None, None, _) => Criterion::EdgeLift,
         }
     }
 
-    /// Whether the shock of the edge has to be known.
+    /// Whether a comparison needs the shock of the edge.
     pub(super) fn needs_shock(&self) -> bool {
         self.peak_m_s2.is_some() || self.velocity_change_m_s.is_some()
     }
 
-    /// The parts of demand over capacity; `None` where a shock is needed and not known. An object that never leaves the floor has
-    /// none: it asks only whether the floor's own acceleration is stood.
+    /// The parts of demand over capacity; `None` where a shock is needed and not known. An object at rest has no shock:
+    /// only the acceleration of the floor itself is compared.
     pub(super) fn terms(
         &self,
         demand: Option<Demand>,
@@ -157,7 +157,7 @@ impl Capacity {
         let demand = demand?;
         let change = self.velocity_change_m_s.map(|limit| demand.velocity_change_m_s / limit);
         let peak = self.peak_m_s2.map(|peak| demand.edge_m_s2 / peak);
-        // A peak that is part of a boundary or of a pulse does not count by itself.
+        // A peak that belongs to a damage boundary or a pulse is not a criterion by itself.
         let (acceleration, velocity_change) = match (peak, self.duration_s, change) {
             (Some(peak), _, Some(change)) => (peak, change),
             (Some(_), Some(_), None) | (None, _, None) => (0.0, f64::INFINITY),
@@ -169,7 +169,7 @@ impl Capacity {
         Some(Terms { acceleration, velocity_change, spectrum, lift, floor, duration_s: demand.duration_s })
     }
 
-    /// Severity of a pulse of a duration over the survived one at the same peak; 1 where no duration is known.
+    /// Severity of a pulse of this duration over the tolerated pulse at the same peak; 1 where that has no duration.
     pub(super) fn severity_ratio(&self, duration_s: f64) -> f64 {
         match self.duration_s {
             Some(survived_s) if duration_s > 0.0 => severity_ratio(duration_s / survived_s),
@@ -183,12 +183,12 @@ impl Capacity {
         words.extend(self.peak_m_s2.map(|peak| format!("{} g", number(peak / G0_M_S2, 4))));
         words.extend(self.duration_s.map(|s| format!("{} ms half-sine", number(1e3 * s, 4))));
         words.extend(self.velocity_change_m_s.map(|v| format!("{} m/s", number(v, 4))));
-        words.extend(self.edge_lift_m.map(|m| format!("edge lift {} mm", number(1e3 * m, 4))));
+        words.extend(self.edge_lift_m.map(|m| format!("uplift of {} mm", number(1e3 * m, 4))));
         words.join(", ")
     }
 }
 
-/// Ends of the table of severities, in ln of the ratio of durations.
+/// End of the table of severities, as ln of the ratio of durations.
 const TABLE_END: f64 = 7.0;
 
 /// Steps of the table between −[`TABLE_END`] and [`TABLE_END`].
@@ -197,9 +197,8 @@ const TABLE_STEPS: usize = 2800;
 /// The largest ratio of the two shock response spectra of half-sines of equal peak, by the ratio of their durations.
 ///
 /// # Accuracy
-/// Interpolated between exact values 0.5 % apart in duration: within 1e-3, reached at the kinks of the curve and far below the spread
-/// of a stiffness. Outside
-/// e^±7 the exact one.
+/// Interpolated between exact values 0.5 % apart in duration: within 1e-3, which is reached at the kinks of the curve and
+/// is far below the spread of a stiffness. Exact outside e^±7.
 pub(super) fn severity_ratio(durations_ratio: f64) -> f64 {
     static TABLE: OnceLock<Vec<f64>> = OnceLock::new();
     let exact = |log_ratio: f64| {
@@ -234,7 +233,7 @@ mod tests {
         }
     }
 
-    fn ratio(tolerance: &Tolerance, edge_g: f64, change: f64, duration_s: f64, lift_m: f64) -> (f64, &'static str) {
+    fn ratio(tolerance: &Tolerance, edge_g: f64, change: f64, duration_s: f64, lift_m: f64) -> (f64, Criterion) {
         let capacity = Capacity::new(tolerance).unwrap();
         let demand = Demand { edge_m_s2: edge_g * G0_M_S2, velocity_change_m_s: change, duration_s };
         let severity = |duration_s: f64| capacity.severity_ratio(duration_s);
@@ -242,24 +241,24 @@ mod tests {
         (terms.ratio(), terms.governing(&capacity))
     }
 
-    /// SHOCK.md 3d: the paper's cabinet (4.1 g, 17.8 ms, 0.5 m/s) passes a disk of 70 g, 0.874 m/s and fails a card of 5 g, 0.343 m/s on
-    /// both legs when it has 6 g.
+    /// The shock of the paper's cabinet (4.1 g, 17.8 ms, 0.5 m/s) is within the boundary of a disk (70 g, 0.874 m/s); one
+    /// of 6 g exceeds both legs of the boundary of a card (5 g, 0.343 m/s).
     #[test]
     fn a_boundary_is_an_and() {
         let disk = tolerance(Some(70.0), None, Some(0.874), None);
-        assert_eq!(ratio(&disk, 4.1, 0.5, 0.0178, 0.0), (4.1 / 70.0, "damage-boundary"));
+        assert_eq!(ratio(&disk, 4.1, 0.5, 0.0178, 0.0), (4.1 / 70.0, Criterion::DamageBoundary));
         let card = tolerance(Some(5.0), None, Some(0.343), None);
         let (both, name) = ratio(&card, 6.0, 0.7, 0.0178, 0.0);
-        assert!((both - 1.2).abs() < 1e-12 && name == "damage-boundary");
+        assert!((both - 1.2).abs() < 1e-12 && name == Criterion::DamageBoundary);
         assert!((ratio(&card, 60.0, 0.2, 0.0178, 0.0).0 - 0.2 / 0.343).abs() < 1e-12);
     }
 
-    /// 4.5 g of 5 g and 0.5 m/s of 1 m/s are within the boundary, but 17.8 ms are harder than the 11 ms that were survived.
+    /// 4.5 g of 5 g and 0.5 m/s of 1 m/s are within the boundary, but a pulse of 17.8 ms is more severe than one of 11 ms.
     #[test]
-    fn a_boundary_does_not_hide_a_survived_pulse() {
+    fn a_boundary_does_not_hide_a_tolerated_pulse() {
         let both = tolerance(Some(5.0), Some(0.011), Some(1.0), None);
         let (most, name) = ratio(&both, 4.5, 0.5, 0.0178, 0.0);
-        assert!(most > 0.9 && name == "spectrum", "{most} {name}");
+        assert!(most > 0.9 && name == Criterion::Spectrum, "{most} {name:?}");
         let pulse = tolerance(Some(5.0), Some(0.011), None, None);
         assert_eq!(ratio(&pulse, 4.5, 0.5, 0.0178, 0.0).0, most);
     }
@@ -267,17 +266,17 @@ mod tests {
     #[test]
     fn alternatives_by_kind_of_data() {
         assert_eq!(ratio(&tolerance(Some(5.0), None, None, None), 10.0, 1.0, 0.01, 0.02).0, 2.0);
-        // The same pulse as the one that was survived; the table is exact at its node ln 1 = 0.
+        // The tolerated pulse itself; the table is exact at its node ln 1 = 0.
         let (same, name) = ratio(&tolerance(Some(10.0), Some(0.011), None, None), 10.0, 1.0, 0.011, 0.02);
-        assert!((same - 1.0).abs() < 1e-9 && name == "spectrum", "{same} {name}");
-        assert_eq!(ratio(&tolerance(None, None, None, Some(0.05)), 10.0, 1.0, 0.01, 0.1), (2.0, "edge-lift"));
-        // A floor of 0.3 g on an object that stands 0.2 g.
+        assert!((same - 1.0).abs() < 1e-9 && name == Criterion::Spectrum, "{same} {name:?}");
+        assert_eq!(ratio(&tolerance(None, None, None, Some(0.05)), 10.0, 1.0, 0.01, 0.1), (2.0, Criterion::EdgeLift));
+        // A floor motion of 0.3 g under an object that withstands 0.2 g.
         let (floor, name) = ratio(&tolerance(Some(0.2), None, None, None), 0.1, 0.01, 0.01, 0.0);
-        assert!((floor - 1.5).abs() < 1e-12 && name == "floor-acceleration");
+        assert!((floor - 1.5).abs() < 1e-12 && name == Criterion::FloorAcceleration);
         assert_eq!(Capacity::new(&tolerance(None, Some(0.011), None, None)), None);
     }
 
-    /// Interpolated against exact, between the nodes and at the kinks of the curve: the bound that is stated.
+    /// Interpolated and exact values, between the nodes and at the kinks of the curve, differ by less than the bound.
     #[test]
     fn the_table_of_severities_is_within_its_bound() {
         for i in 0..200 {
@@ -293,6 +292,6 @@ mod tests {
     fn a_fall_is_beyond_every_number() {
         assert_eq!(Terms::OVERTURNED.ratio_by(Factors::of(1e-9)), f64::INFINITY);
         let capacity = Capacity::new(&tolerance(Some(5.0), None, None, None)).unwrap();
-        assert_eq!(Terms::OVERTURNED.governing(&capacity), "overturning");
+        assert_eq!(Terms::OVERTURNED.governing(&capacity), Criterion::Overturning);
     }
 }

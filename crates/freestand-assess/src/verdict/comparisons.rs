@@ -1,4 +1,4 @@
-//! What stands beside our own numbers: code accelerations, other people's fragilities, forces to fix an object with.
+//! Published numbers to compare ours with: code accelerations, fragilities, and the forces for a restraint.
 
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
@@ -7,33 +7,33 @@ use freestand::motion::Motion;
 use freestand::rocking::{Base, Restitution, rock_observed};
 
 use crate::restraint::{RestraintAxis, RestraintParameters, RestraintQuestion, restraint_forces};
-use crate::result::RestraintForce;
+use crate::result::{AcceptedFor, RestraintForce};
 use freestand_input::words::number;
 
 use super::Context;
 use super::assessment::Found;
-use super::decision::{LIFE_SAFETY, percent};
+use super::decision::percent;
 use super::response::{lifts, options};
 
-/// Dispersion of the fragilities of FEMA P-58 for slender unanchored contents.
+/// Dispersion of the FEMA P-58 fragilities of slender unanchored contents.
 const P58_BETA: f64 = 0.5;
 
-/// Median of those fragilities over the velocity of Kaneko and Hayashi: all nine lie at 0.75 to 0.81 of it.
+/// Median of those fragilities over the velocity of Kaneko and Hayashi: from 0.75 to 0.81 for all nine.
 const P58_SHARE: f64 = 0.8;
 
-/// Largest friction that the rocking takes; `None` where the history cannot be followed.
+/// Largest friction that the rocking needs; `None` where the history fails.
 pub(super) fn friction_needed_ratio(block: &Block, motion: &Motion, restitution: Restitution) -> Option<f64> {
     let base = Base { horizontal: Some(motion), vertical: None };
-    let mut most = 0.0f64;
+    let mut largest = 0.0f64;
     let done = rock_observed(block, base, &options(restitution), |segment| {
-        most = most.max(segment.friction_needed_ratio());
+        largest = largest.max(segment.friction_needed_ratio());
     });
-    done.ok().map(|_| most)
+    done.ok().map(|_| largest)
 }
 
 impl Context<'_> {
-    /// Other people's numbers, one sentence each.
-    pub(super) fn beside(&self, found: &Found) -> Vec<String> {
+    /// Comparisons with published numbers, one sentence each.
+    pub(super) fn comparisons(&self, found: &Found) -> Vec<String> {
         let facts = &found.floor.facts;
         let mut lines = Vec::new();
         if let (Some(target), Some(building)) = (self.study.ground.code_spectrum(), &self.study.building) {
@@ -45,7 +45,7 @@ impl Context<'_> {
             let code_g = floor_acceleration_g(&target.spectrum, &question);
             if let (Some(code_g), Some(clause)) = (code_g, clause(&target.spectrum)) {
                 lines.push(format!(
-                    "the code gives a rigid part on this floor {} g ({clause}); the motions have a median PFA of {} g",
+                    "The code requires {} g for a rigid part on this floor ({clause}); the median PFA of the motions is {} g.",
                     number(code_g, 3),
                     number(facts.pfa_g_median, 3)
                 ));
@@ -56,33 +56,34 @@ impl Context<'_> {
             let median_m_s = P58_SHARE * slender.fold(f64::INFINITY, f64::min);
             let p = lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA);
             lines.push(format!(
-                "an object of this shape by the rule that FEMA P-58's medians for unanchored contents follow (0.8 of the overturning \
-                 velocity of Kaneko and Hayashi, recalled; β {P58_BETA}): median PFV {} m/s, {} to overturn at this floor's median PFV of {} m/s",
+                "By the rule that the FEMA P-58 medians for unanchored contents follow (0.8 of the overturning velocity of \
+                 Kaneko and Hayashi, recalled; β {P58_BETA}), an object of this shape has a median PFV of {} m/s. At the \
+                 median PFV of this floor, {} m/s, it overturns with a probability of {}.",
                 number(median_m_s, 3),
-                percent(p),
-                number(facts.pfv_m_s_median, 3)
+                number(facts.pfv_m_s_median, 3),
+                percent(p)
             ));
         }
         let thresholds = found.member.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
         lines.push(format!(
-            "it lifts off above {} g; the hardest motion of its floor has {} g",
+            "Uplift begins at {} g; the largest PFA of the motions of its floor is {} g.",
             number(thresholds.fold(f64::INFINITY, f64::min), 3),
             number(facts.pfa_g_max, 3)
         ));
         lines
     }
 
-    /// The forces to fix it with; none where its mass is not known.
+    /// The forces for a restraint; none where the mass is not given.
     pub(super) fn restraint(&self, found: &Found) -> Vec<RestraintForce> {
         let (member, facts) = (found.member, &found.floor.facts);
         let Some(mass_kg) = member.item.mass_kg else { return Vec::new() };
         let axes = member.subject.axes.iter().map(|axis| RestraintAxis {
-            name: axis.axis.name().to_owned(),
+            axis: axis.axis,
             base_m: axis.block.base_width_m(),
             weight_lever_m: axis.block.cg_from_right_m(),
         });
         let building = self.study.building.as_ref();
-        let is_critical = member.accepted_for == LIFE_SAFETY;
+        let is_critical = member.accepted_for == AcceptedFor::LifeSafety;
         restraint_forces(&RestraintQuestion {
             mass_kg,
             cg_height_m: member.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),

@@ -1,4 +1,4 @@
-//! Objects on floors whose motions are at hand: all their histories in batches, then each object on its own.
+//! Objects on floors whose motions are in memory: first all histories in batches, then each object by itself.
 
 use std::collections::HashMap;
 
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::floors::STOPPED;
 use crate::floors::{Floor, Floors};
 use crate::inventory::Item;
-use crate::result::Assessment;
+use crate::result::{AcceptedFor, Assessment};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_study::study::assessment::Settings;
 
@@ -25,10 +25,10 @@ pub(crate) struct Member<'a> {
     pub(crate) item: &'a Item,
     pub(crate) subject: Subject,
     pub(crate) accepted_ratio: f64,
-    pub(crate) accepted_for: &'static str,
+    pub(crate) accepted_for: AcceptedFor,
 }
 
-/// Histories with one value changed, for the tornado.
+/// One value changed, for the tornado.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Variant {
     AsIs,
@@ -54,14 +54,14 @@ impl Variant {
             None => subject.restitution,
             Some(factor) => {
                 let ratio = subject.restitution.ratios(block).map_or(0.0, |ratios| ratios[0].max(ratios[1]));
-                Restitution::Value(factor.min(uncertainty::most_restitution(subject, block)) * ratio)
+                Restitution::Value(factor.min(uncertainty::max_restitution_factor(subject, block)) * ratio)
             }
         };
         subject.axes.iter().map(|axis| (axis.scaled(1.0, sides), changed(&axis.block))).collect()
     }
 }
 
-/// Assesses the members, all on floors of `floors`; a result does not depend on who else is a member.
+/// Assesses the members, whose floors are all in `floors`; a result does not depend on the other members.
 pub(crate) fn assess_group(
     context: &Context,
     floors: &Floors,
@@ -100,12 +100,12 @@ pub(crate) fn assess_group(
     done.into_iter().collect()
 }
 
-/// The objects that the spectra of their floor decide, where that is wanted.
+/// The objects that the spectra of their floor decide, where the study asks for that.
 fn screen_all(context: &Context, floors: &Floors, members: &[Member]) -> Result<HashMap<usize, Screened>, Problems> {
     if !context.study.assessment.screen {
         return Ok(HashMap::new());
     }
-    // Floor by floor first: a floor's spectra are made on all threads, once.
+    // Floor by floor: the spectra of a floor are made once, on all threads.
     let all: Vec<usize> = (0..members.len()).collect();
     let mut screened = HashMap::new();
     for (floor, on_floor) in by_floor(floors, members, &all) {
@@ -116,8 +116,8 @@ fn screen_all(context: &Context, floors: &Floors, members: &[Member]) -> Result<
     Ok(screened)
 }
 
-/// Whether any draw could lift the object: its base by five standard deviations narrower and its centre of gravity by as many
-/// higher than the inventory says.
+/// Whether uplift is possible in any draw: with a base five standard deviations narrower and a centre of gravity as many
+/// higher than in the inventory.
 fn may_lift(subject: &Subject, floors: &Floors, settings: &Settings) -> bool {
     let margin = (5.0 * settings.spread.geometry).exp();
     let Some(floor) = floors.get(&subject.level_ratio.to_bits()) else { return false };
@@ -129,7 +129,7 @@ fn may_lift(subject: &Subject, floors: &Floors, settings: &Settings) -> bool {
     })
 }
 
-/// `[member] → [motion]`, of the members that are named.
+/// `[member] → [motion]`, for some of the members.
 type Responses = HashMap<usize, Vec<MotionResponse>>;
 
 fn responses(
@@ -192,7 +192,7 @@ fn by_floor<'a>(floors: &'a Floors, members: &[Member], which: &[usize]) -> Vec<
     levels.into_iter().filter_map(|(bits, on_floor)| Some((floors.get(&bits)?.as_ref(), on_floor))).collect()
 }
 
-/// Draws until they are enough, each object by itself.
+/// Draws until there are enough, for each object by itself.
 fn draw_all(
     context: &Context,
     floors: &Floors,
@@ -221,7 +221,7 @@ fn draw_all(
     Ok(of)
 }
 
-/// Draws `range` of the members on one floor, `[motion][draw]` of each.
+/// Draws number `range` of the members on one floor: `[motion][draw]` of each.
 fn draws_on(
     context: &Context,
     floor: &Floor,
@@ -266,7 +266,7 @@ fn draws_on(
     Ok(of)
 }
 
-/// `None` where a history could not be followed.
+/// `None` where a history failed.
 fn outcome(
     subject: &Subject,
     draw: &Draw,
@@ -288,7 +288,7 @@ fn outcome(
 }
 
 impl Context<'_> {
-    /// Whether to go on.
+    /// An error where the run is to stop.
     pub(crate) fn go_on(&self) -> Result<(), Problems> {
         if (self.wants_to_stop)() {
             return Err(Problem::new(ProblemKind::Computation, STOPPED).into());

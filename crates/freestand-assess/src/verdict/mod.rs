@@ -1,9 +1,9 @@
-//! The assessment of an inventory: which objects must be restrained, which want a softer pad, which may stay as they are.
+//! The verdict on each object: restrain it, put it on a softer pad, or leave it as it is.
 //!
-//! Cheaper tiers first: an object that no motion of its floor can lift is done with its threshold (tier 0); where that is asked
-//! for, one that is far from the line on the uplift spectra of its floor is done with them (tier 1); every other one is followed
-//! about both its axes under every motion, again and again with its uncertain values drawn anew (tier 2); one near the line is
-//! tried on a compliant base (tier 3).
+//! Tier 0 decides objects that no motion of their floor can uplift, by their threshold. Tier 1, which is off unless the
+//! study asks for it, decides objects whose probability is far from the accepted one, by the uplift spectra of their
+//! floor. Tier 2 follows every other object about both axes under every motion, with repeated draws of its uncertain
+//! values. Tier 3 repeats the motions on a compliant base where the probability is near the accepted one.
 
 mod assessment;
 mod capacity;
@@ -20,17 +20,17 @@ mod uncertainty;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::inventory::Item;
-use crate::result::{Assessment, Decision, FloorFacts};
+use crate::result::{AcceptedFor, Assessment, Decision, FloorFacts};
 use freestand_study::study::Study;
 
-pub(crate) use decision::accepted;
+pub(crate) use decision::{accepted, listed};
 pub(crate) use group::{Member, assess_group};
 pub(crate) use object::Subject;
 
-/// What the assessments of all objects share.
+/// What all objects share.
 pub(crate) struct Context<'a> {
     pub(crate) study: &'a Study,
-    /// The motions.
+    /// Names of the motions.
     pub(crate) names: Vec<String>,
     /// Their keys for random numbers.
     keys: Vec<u64>,
@@ -40,32 +40,32 @@ pub(crate) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// Nothing is followed yet, under motions of these names.
+    /// For motions of these names; no history is counted yet.
     pub(crate) fn new(study: &'a Study, names: Vec<String>, wants_to_stop: &'a (dyn Fn() -> bool + Sync)) -> Self {
         let keys = names.iter().map(|name| uncertainty::key(name)).collect();
         Self { study, names, keys, spectra: Default::default(), wants_to_stop, histories: AtomicU64::new(0) }
     }
 
-    /// Rocking histories that were followed.
+    /// Rocking histories that were computed.
     pub(crate) fn histories(&self) -> u64 {
         self.histories.load(Ordering::Relaxed)
     }
 
-    /// Counts histories that were followed.
+    /// Counts histories that were computed.
     fn count(&self, histories: usize) {
         self.histories.fetch_add(histories as u64, Ordering::Relaxed);
     }
 }
 
-/// An object of which nothing is known but what its row says.
-pub(crate) fn blank(item: &Item, accepted: (f64, &str), floor: Option<FloorFacts>) -> Assessment {
+/// The assessment of an object before anything is computed.
+pub(crate) fn blank(item: &Item, accepted: (f64, AcceptedFor), floor: Option<FloorFacts>) -> Assessment {
     Assessment {
         id: item.id.clone(),
         decision: Decision::NoVerdict,
         why: String::new(),
         tier: 0,
         accepted_ratio: accepted.0,
-        accepted_for: accepted.1.to_owned(),
+        accepted_for: accepted.1,
         floor,
         response: None,
         shock: None,
@@ -85,12 +85,12 @@ pub(crate) fn blank(item: &Item, accepted: (f64, &str), floor: Option<FloorFacts
     }
 }
 
-/// How the row was read, and what it left to assumptions.
+/// How the row was read, and what was assumed where it is silent.
 fn notes(item: &Item) -> Vec<String> {
     let mut notes: Vec<String> = item.cushion.iter().flat_map(|edge| edge.notes.clone()).collect();
-    notes.extend(item.cushion_source.iter().map(|source| format!("cushion: {source}")));
+    notes.extend(item.cushion_source.iter().map(|source| format!("Cushion: {source}.")));
     if item.width_m.is_none() {
-        notes.push("no width: looked at about one axis only".to_owned());
+        notes.push("No width is given, so rocking was computed about one axis only.".to_owned());
     }
     notes
 }

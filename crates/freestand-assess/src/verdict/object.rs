@@ -1,4 +1,4 @@
-//! One object ready to be shaken: its blocks about both axes, its cushion, what it stands; and what is missing.
+//! One object as the models see it: its blocks about both axes, its cushion and its tolerance, or what is missing.
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
@@ -8,37 +8,22 @@ use freestand::rocking::{Restitution, RockingSummary};
 use freestand::spectra::{BEYOND_ALL_G, landings};
 
 use crate::inventory::Item;
+use crate::result::Axis;
 
 use super::capacity::Capacity;
 
-/// The side in the plane of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Axis {
-    Thickness,
-    Width,
-}
-
-impl Axis {
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Thickness => "thickness",
-            Self::Width => "width",
-        }
-    }
-}
-
-/// What can be shaken of an [`Item`].
+/// What the models need of an [`Item`].
 #[derive(Debug, Clone)]
 pub(crate) struct Subject {
     pub(crate) level_ratio: f64,
-    /// The thickness first.
+    /// The thickness comes first.
     pub(super) axes: Vec<AxisGeometry>,
     pub(super) restitution: Restitution,
     pub(super) body: Option<Body>,
     pub(super) capacity: Option<Capacity>,
 }
 
-/// What a shock depends on beside the motion of the block.
+/// What a shock depends on besides the motion of the block.
 #[derive(Debug, Clone)]
 pub(super) struct Body {
     pub(super) mass_kg: f64,
@@ -71,7 +56,7 @@ impl AxisGeometry {
         Some(Self { axis, height_m, side_m, base_m, cg_height_m, block })
     }
 
-    /// The block with its heights and its sides by these factors; as it is, where that is none.
+    /// The block with its heights and sides multiplied by these factors; unchanged where the result is not a block.
     pub(super) fn scaled(&self, heights: f64, sides: f64) -> Block {
         let times = |length_m: Option<f64>, factor: f64| length_m.map(|length_m| length_m * factor);
         let (base_m, cg_m) = (times(self.base_m, sides), times(self.cg_height_m, heights));
@@ -86,7 +71,7 @@ impl AxisGeometry {
 }
 
 impl Subject {
-    /// The object, or what is missing of it.
+    /// The object, or the names of what is missing.
     pub(crate) fn new(item: &Item) -> Result<Self, Vec<&'static str>> {
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
@@ -101,9 +86,9 @@ impl Subject {
         let mut axes = Vec::new();
         for (axis, side_m, base_m) in sides {
             let Some(side_m) = side_m else { continue };
-            // The reader of inventories has refused what is no block.
+            // The reader of inventories has refused what is not a block.
             let geometry = AxisGeometry::new(axis, height_m, side_m, base_m, item.cg_height_m);
-            axes.push(geometry.ok_or_else(|| vec!["a geometry that is a block"])?);
+            axes.push(geometry.ok_or_else(|| vec!["valid geometry"])?);
         }
         let body = item.mass_kg.zip(item.cushion.as_ref()).map(|(mass_kg, edge)| Body {
             mass_kg,
@@ -116,7 +101,7 @@ impl Subject {
     }
 }
 
-/// The hardest landing of a history: by either source, off either edge.
+/// The hardest landing of a history, from either source and on either edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Hit {
     pub(super) uplift_g: f64,
@@ -132,7 +117,7 @@ impl Hit {
     }
 }
 
-/// The shock of a history that did not end in a fall; `None` where the cushion bottoms and gives no number to rely on.
+/// The shock of a history without overturning; `None` where the cushion bottoms, so that no number can be relied on.
 pub(super) fn hit(block: &Block, rocking: &RockingSummary, mass_kg: f64, cushion: &Cushion) -> Option<Hit> {
     let mut found =
         Hit { uplift_g: 0.0, impact_velocity_g: 0.0, velocity_change_m_s: 0.0, duration_s: 0.0, compression_m: 0.0 };

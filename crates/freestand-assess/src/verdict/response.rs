@@ -1,4 +1,4 @@
-//! What an object does under one motion about each of its axes, and what that asks of it.
+//! The response of an object to one motion about each of its axes, and its demand.
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
@@ -16,23 +16,23 @@ use super::object::{Hit, Subject, hit};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AxisMotion {
     pub(super) rocking: RockingSummary,
-    /// `None`: overturned, or nothing is known of mass and cushion.
+    /// `None`: overturned, or mass or cushion is not known.
     pub(super) hit: Option<Hit>,
-    /// `None`: nothing to compare, or nothing to compare with.
+    /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
 }
 
-/// The object under one motion: every axis, or why one could not be followed.
+/// The object under one motion: every axis, or why a history failed.
 pub(super) type MotionResponse = Result<Vec<AxisMotion>, String>;
 
-/// The values of one history beside the geometry.
+/// The values of one history besides the geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Values<'a> {
     pub(super) mass_kg: f64,
     pub(super) cushion: &'a Cushion,
 }
 
-/// The options of every history: as `run` has them.
+/// The options of every history, the same as in `run`.
 pub(super) fn options(subject_restitution: Restitution) -> RockingOptions {
     RockingOptions {
         restitution: subject_restitution,
@@ -41,7 +41,7 @@ pub(super) fn options(subject_restitution: Restitution) -> RockingOptions {
     }
 }
 
-/// Blocks under one motion, each in its worst direction: one that overturns it, or the envelope of all.
+/// Blocks under one motion, each in its worst direction: one that overturns it, otherwise the envelope of all directions.
 pub(super) fn rock_directions(
     objects: &[(Block, Restitution)],
     directions: &[Motion],
@@ -77,7 +77,7 @@ fn worse(
     }
 }
 
-/// What follows from a history for a mass and a cushion, `None` where they are not known.
+/// Shock and demand of a history with a mass and a cushion; `None` where they are not known.
 pub(super) fn axis_motion(
     subject: &Subject,
     block: &Block,
@@ -85,8 +85,8 @@ pub(super) fn axis_motion(
     values: Option<Values<'_>>,
     floor_m_s2: f64,
 ) -> Result<AxisMotion, String> {
-    let stands = rocking.outcome != Outcome::Overturned;
-    let found = match values.filter(|_| stands) {
+    let is_upright = rocking.outcome != Outcome::Overturned;
+    let found = match values.filter(|_| is_upright) {
         Some(Values { mass_kg, cushion }) => {
             Some(hit(block, &rocking, mass_kg, cushion).ok_or_else(|| BOTTOMED.to_owned())?)
         }
@@ -114,13 +114,12 @@ pub(super) fn overturned(axes: &[AxisMotion]) -> bool {
     axes.iter().any(|one| one.rocking.outcome == Outcome::Overturned)
 }
 
-/// Whether any axis lifts off.
+/// Whether there is uplift about any axis.
 pub(super) fn lifts(axes: &[AxisMotion]) -> bool {
     axes.iter().any(|one| one.rocking.outcome != Outcome::NoUplift)
 }
 
-/// The axis that governs: that which overturns, then that with the larger demand over capacity, with the harder shock, with the higher
-/// rise.
+/// The governing axis: the one that overturns, else the one with the largest demand/capacity, else shock, else rise.
 pub(super) fn governing(axes: &[AxisMotion]) -> Option<(usize, &AxisMotion)> {
     let rank = |one: &AxisMotion| {
         let shock_g = one.hit.as_ref().map_or(0.0, Hit::larger_g);
@@ -135,7 +134,7 @@ pub(super) fn ranked(axes: &[AxisMotion], number: impl Fn(&AxisMotion) -> f64) -
     if overturned(axes) { f64::INFINITY } else { axes.iter().map(number).fold(0.0, f64::max) }
 }
 
-/// Demand over capacity of the worse axis; `None` where one cannot be compared.
+/// Demand/capacity about the worse axis; `None` where that of one axis is not known.
 pub(super) fn demand_capacity(axes: &[AxisMotion]) -> Option<f64> {
     if overturned(axes) {
         return Some(f64::INFINITY);

@@ -1,8 +1,9 @@
-//! Tier 1: what the uplift spectra of a floor say of an object, without a history of its own.
+//! Tier 1: objects that the uplift spectra of their floor decide, without histories of their own.
 //!
-//! The rocking of a uniform block hangs on its half-diagonal R and its slenderness α alone, so a grid of both is a spectrum for all
-//! of them. Between the nodes rocking is no smooth function: an object is decided here only where all sixteen nodes around it are far
-//! on the same side, and what is reported of it is the nearest node's, scaled to its size.
+//! The rocking of a uniform block depends on its half diagonal R and its slenderness angle α alone, so that a grid of both
+//! is a spectrum for all such blocks. Between the nodes rocking is not a smooth function: an object is decided here only
+//! where all sixteen nodes around it are far on the same side. Its reported response is that of the nearest node, scaled to
+//! its size.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,34 +20,34 @@ use super::object::{AxisGeometry, Subject};
 use super::response::{AxisMotion, MotionResponse, axis_motion, demand_capacity, overturned, rock_directions};
 use super::uncertainty::{Draws, Outcome};
 
-/// Half-diagonals of the grid: from, to \[m\] and count.
+/// Half diagonals of the grid: from, to \[m\] and count.
 const SIZES: (f64, f64, usize) = (0.15, 3.5, 17);
 
 /// tan α of the grid: from, to and count.
 const SLENDERNESSES: (f64, f64, usize) = (0.05, 1.0, 31);
 
-/// All nodes around an object overturn in at least this share of the motions more than is accepted: it is restrained.
+/// An object is restrained where every node around it overturns in at least this share of the motions more than accepted.
 const CLEAR_SHARE: f64 = 0.3;
 
-/// All nodes around an object ask for at most this share of what it stands under every motion: it may stay.
+/// An object is left as it is where demand/capacity of every node around it is at most this under every motion.
 const CLEAR_DEMAND: f64 = 0.4;
 
-/// Floors whose grids are held at once: 2 MB each under 20 motions.
-const MOST_GRIDS: usize = 128;
+/// Floors whose grids are kept in memory: 2 MB each with 20 motions.
+const MAX_GRIDS: usize = 128;
 
-/// The grids of the floors, made when first asked for.
+/// The grids of the floors, made at first use.
 #[derive(Debug, Default)]
 pub(super) struct Spectra {
     grids: Mutex<HashMap<u64, Arc<Grid>>>,
 }
 
-/// `[node][motion]`, R by R and within it slenderness by slenderness.
+/// `[node][motion]`; the slenderness varies fastest.
 #[derive(Debug)]
 struct Grid {
     nodes: Vec<(Block, Vec<Option<RockingSummary>>)>,
 }
 
-/// What the spectra decided: the responses that stand for the object's own, and one draw of each motion made of them.
+/// What the spectra decided: responses in place of the object's own, and one draw of each motion made from them.
 pub(super) struct Screened {
     pub(super) as_is: Vec<MotionResponse>,
     pub(super) draws: Draws,
@@ -57,7 +58,7 @@ fn node(at: (f64, f64, usize), index: usize) -> f64 {
     from * (to / from).powf(index as f64 / (count - 1) as f64)
 }
 
-/// The place of a value between the nodes, with two nodes on either side of it.
+/// The place of a value between the nodes; `None` without two nodes on either side.
 fn place(at: (f64, f64, usize), value: f64) -> Option<(usize, f64)> {
     let (from, to, count) = at;
     let place = (value / from).ln() / (to / from).ln() * (count - 1) as f64;
@@ -105,13 +106,13 @@ impl Spectra {
         }
         let grid = Arc::new(Grid::new(floor));
         let mut grids = self.grids.lock().unwrap_or_else(PoisonError::into_inner);
-        if grids.len() >= MOST_GRIDS {
+        if grids.len() >= MAX_GRIDS {
             grids.clear();
         }
         Arc::clone(grids.entry(bits).or_insert(grid))
     }
 
-    /// What the spectra of its floor decide of an object; `None`: it needs histories of its own.
+    /// What the spectra of its floor decide; `None`: the object needs histories of its own.
     pub(super) fn screen(&self, member: &Member, floor: &Floor) -> Option<Screened> {
         let subject = &member.subject;
         let is_usual = subject.restitution == Restitution::Housner && subject.axes.iter().all(AxisGeometry::is_uniform);
@@ -121,7 +122,7 @@ impl Spectra {
         let grid = self.grid(floor);
         let around: Vec<Vec<usize>> =
             subject.axes.iter().map(|axis| grid.around(&axis.block)).collect::<Option<_>>()?;
-        // By every one of the sixteen neighbours in turn.
+        // The response of each of the sixteen neighbours in turn.
         let all: Vec<Vec<MotionResponse>> =
             (0..16).map(|neighbour| responses(subject, &grid, &around, neighbour, floor)).collect();
         if !(falls(member, &all) || stays(member, &all)) {
@@ -133,7 +134,7 @@ impl Spectra {
     }
 }
 
-/// The object under every motion if it did what a neighbour about each axis does.
+/// The object under every motion, with the response of one neighbour about each axis.
 fn responses(
     subject: &Subject,
     grid: &Grid,
@@ -150,7 +151,7 @@ fn responses(
                 .zip(around)
                 .map(|(axis, around)| {
                     let (block, motions) = &grid.nodes[around[neighbour]];
-                    let node = motions[motion].ok_or_else(|| "a spectrum could not be followed".to_owned())?;
+                    let node = motions[motion].ok_or_else(|| "the history of a node failed".to_owned())?;
                     let values = subject.body.as_ref().map(as_stated);
                     axis_motion(subject, &axis.block, scaled(&node, block, &axis.block), values, floor.pfa_m_s2[motion])
                 })
@@ -159,7 +160,7 @@ fn responses(
         .collect()
 }
 
-/// A history of one block on another one: the same rotation over α, the same speed over p α.
+/// A history of one block scaled to another: the same rotation over α, the same angular velocity over p α.
 fn scaled(of: &RockingSummary, node: &Block, block: &Block) -> RockingSummary {
     if of.outcome != RockingOutcome::Rocked {
         let uplift_m = if of.outcome == RockingOutcome::Overturned { block.base_width_m() } else { 0.0 };

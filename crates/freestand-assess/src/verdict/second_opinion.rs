@@ -1,4 +1,5 @@
-//! The compliant base: beside Eq. (5) for objects near the line, and under a softer pad before it is recommended.
+//! The compliant base: a second opinion on Eq. (5) near the accepted probability, and the check of a softer pad before it
+//! is recommended.
 
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantAccuracy, CompliantBase, CompliantOptions, CompliantRocking, rock_compliant};
@@ -6,7 +7,7 @@ use freestand::cushion::{ContactLaw, Cushion};
 use freestand::rocking::{Base, Outcome};
 
 use crate::result::{CompliantCheck, Probability, Softening};
-use freestand_input::words::number;
+use freestand_input::words::{counted, number, percent_significant};
 
 use super::Context;
 use super::assessment::Found;
@@ -15,33 +16,33 @@ use super::object::Hit;
 use super::response::{AxisMotion, governing, overturned};
 use super::uncertainty::{Outcome as Draw, shares};
 
-/// An object is near the line where its probability is within this factor of the accepted one.
+/// A second opinion is asked for where the probability is within this factor of the accepted one.
 const NEAR_FACTOR: f64 = 4.0;
 
-/// Demand over capacity from which the ratio of the two models is looked at and used: small rocking on a soft pad is another motion
-/// altogether, but far from any limit.
+/// Demand/capacity from which the ratio of the two models is computed and applied. Below it, rocking on a soft pad is a
+/// different motion, but far from any limit.
 const FROM_DEMAND: f64 = 0.5;
 
-/// Motions around the deciding one under which the compliant base is tried.
+/// Motions around the deciding one that are repeated on the compliant base.
 const TRIED_MOTIONS: usize = 3;
 
-/// Thickness of a pad of which nobody says it: as the guard against N/m typed for N/mm has it \[m\].
+/// Assumed thickness of a pad \[m\], the same as in the check for N/m typed in place of N/mm.
 const ASSUMED_PAD_M: f64 = 0.02;
 
-/// Pads that are tried on the compliant base, each of [`NEXT_PAD`] of the one before.
+/// Pads that are tried on the compliant base, each [`NEXT_PAD`] times as stiff as the one before.
 const TRIED_PADS: i32 = 8;
 
-/// A step between pads that are sold in hardnesses.
+/// About the step between the hardnesses in which pads are sold.
 const NEXT_PAD: f64 = 0.7;
 
-/// Factor on a stiffness that leaves no pad.
+/// Factor on a stiffness that no pad reaches.
 const SOFTEST: f64 = 1e-6;
 
-/// How much below its limit the stiffness of a softer pad is taken, so that rounding does not undo it.
+/// Factor on the largest stiffness of a softer pad, so that rounding does not take it past its limit.
 const SOFTER_SHARE: f64 = 0.999;
 
-/// The check beside Eq. (5), and the probability of exceedance when every shock is that much harder; `None` where the object is far
-/// from the line, or nothing can be compared.
+/// The comparison with Eq. (5), and the probability of exceedance with every shock multiplied by the ratio; `None` where
+/// the probability is far from the accepted one, or nothing can be compared.
 pub(super) fn second_opinion(
     context: &Context,
     found: &Found,
@@ -75,7 +76,7 @@ pub(super) fn second_opinion(
         let is_near = terms.ratio() >= FROM_DEMAND;
         if is_near { Factors::of(shock_ratio.unwrap_or(1.0)) } else { Factors::ONE }
     };
-    // Where it falls, every draw counts as exceeded.
+    // Where it overturns, every draw counts as exceeded.
     let share = |(motion, own): (usize, &Vec<Draw>)| {
         let exceeded = own.iter().filter(|one| one.exceeds_by(harder)).count();
         if fallen.contains(&motion) { 1.0 } else { exceeded as f64 / own.len() as f64 }
@@ -86,7 +87,7 @@ pub(super) fn second_opinion(
     Some((CompliantCheck { motions, overturned: fallen.len(), shock_ratio, agrees }, p))
 }
 
-/// The motions that the object survives nearest to the one that decides, each with the axis that governs.
+/// The motions nearest to the one that decides which do not overturn the object, each with the governing axis.
 fn tried<'a>(found: &'a Found, order: &[usize]) -> Vec<(usize, usize, &'a AxisMotion)> {
     let survived: Vec<usize> = order
         .iter()
@@ -103,8 +104,8 @@ fn tried<'a>(found: &'a Found, order: &[usize]) -> Vec<(usize, usize, &'a AxisMo
     chosen.iter().filter_map(governing).collect()
 }
 
-/// The history on a cushion, in the direction that lifts the object most; `None` where it cannot be followed. A spring is damped: by
-/// itself it would give back all that it took.
+/// The history on a cushion, in the worst direction; `None` where it fails. A spring is given damping, since without any it
+/// would return all energy.
 fn follow(
     context: &Context,
     found: &Found,
@@ -133,11 +134,11 @@ fn follow(
     })
 }
 
-/// The largest stiffness that keeps the probability within what is accepted, and what running the motions again on it says; `None`
-/// where the shock of the edge does not govern, so that no pad could help. Every shock is taken `harder` by that factor.
+/// The largest stiffness that keeps the probability at or below the accepted one, checked by repeating the motions;
+/// `None` where the shock of the edge does not govern, so that no pad can help. Every shock is multiplied by `harder`.
 ///
-/// By Eq. (5) a shock goes with √k; a spectrum also feels the longer pulse. The probability falls with the stiffness, so the limit is
-/// found by bisection over the draws that were made.
+/// By Eq. (5) a shock is proportional to √k; its spectrum also depends on the longer pulse. The probability falls with
+/// the stiffness, so the limit is found by bisection with the draws that exist.
 pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: f64) -> Option<Softening> {
     let (body, capacity, draws) = (found.body()?, found.capacity()?, found.draws.as_ref()?);
     let stiffness_n_m = body.cushion.linear_stiffness_n_m()?;
@@ -148,7 +149,7 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
             shares(draws, |one| one.exceeds_by(|terms| softened(capacity, terms, log_factor.exp()).times(harder)));
         by_motion.iter().sum::<f64>() / by_motion.len().max(1) as f64
     };
-    // A millionth of the stiffness is no pad: what is above the limit there does not hang on the stiffness.
+    // With a millionth of the stiffness, whatever still exceeds its limit does not depend on the stiffness.
     let (mut low, mut high) = (SOFTEST.ln(), 0.0);
     if probability(low) > accepted {
         return None;
@@ -167,7 +168,7 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
         }
         let presses = tried.stroke_m.is_none_or(|stroke_m| stroke_m > limit_m(context, tried.pad_thickness_m));
         softest = Some(tried);
-        // Still softer ones are pressed still further.
+        // Softer pads are compressed even further.
         if presses {
             break;
         }
@@ -175,14 +176,14 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
     softest
 }
 
-/// Why no pad helps an object whose probability stays above the accepted one on the softest of all: what most of the draws that exceed
-/// then exceed.
+/// Why no pad suffices where the probability stays above the accepted one on the softest of all: what most of the
+/// exceeding draws then exceed.
 pub(super) fn beyond_pads(found: &Found) -> &'static str {
     let (Some(body), Some(capacity), Some(draws)) = (found.body(), found.capacity(), found.draws.as_ref()) else {
-        return "nothing is known of its pads";
+        return "its pads are not known";
     };
     if body.cushion.linear_stiffness_n_m().is_none() {
-        return "its cushion is no spring, and softer ones are not looked for";
+        return "its cushion is not a spring, so that no softer one was looked for";
     }
     let soft = |terms: &Terms| softened(capacity, terms, SOFTEST);
     let left: Vec<&Draw> = draws.iter().flatten().filter(|one| !one.overturned && one.exceeds_by(soft)).collect();
@@ -190,30 +191,31 @@ pub(super) fn beyond_pads(found: &Found) -> &'static str {
     let fallen = draws.iter().flatten().filter(|one| one.overturned).count();
     let (lifted, shaken) = (count(|terms| terms.lift > 1.0), count(|terms| terms.floor > 1.0));
     let parts = [
-        (fallen, "it falls, and that does not depend on the stiffness"),
-        (lifted, "the lift of its edge does not depend on the stiffness"),
-        (shaken, "the acceleration of the floor itself is more than it stands"),
+        (fallen, "overturning does not depend on the stiffness"),
+        (lifted, "its uplift does not depend on the stiffness"),
+        (shaken, "the acceleration of the floor itself exceeds its tolerance"),
         (
             left.len().saturating_sub(lifted + shaken),
-            "the velocity change, which does not depend on the stiffness, is too much by itself",
+            "its velocity change, which does not depend on the stiffness, is too large by itself",
         ),
     ];
     parts.into_iter().reduce(|most, next| if next.0 > most.0 { next } else { most }).map_or("", |(_, why)| why)
 }
 
-/// Compression that is admitted.
+/// Largest admissible compression.
 fn limit_m(context: &Context, pad_thickness_m: f64) -> f64 {
     context.study.assessment.pad_strain_ratio * pad_thickness_m
 }
 
-/// The factors on a shock when k/m has a factor: the peak goes with its root, and the pulse lasts longer by as much.
+/// The factors on a shock when k/m is multiplied by a factor: the peak by its root, and the duration is divided by it.
 pub(super) fn softened(capacity: &Capacity, terms: &Terms, stiffness_factor: f64) -> Factors {
     let peak = stiffness_factor.sqrt();
     let longer_s = terms.duration_s / peak;
     Factors { peak, spectrum: peak * capacity.severity_ratio(longer_s) / capacity.severity_ratio(terms.duration_s) }
 }
 
-/// The motions again on the softer pad: it must not fall, nor be harder than it stands, nor press the pad too far.
+/// Repeats the motions on the softer pad: the object must not overturn, nor exceed its tolerance, nor compress the pad
+/// too far.
 fn tried_softer(
     context: &Context,
     found: &Found,
@@ -229,18 +231,18 @@ fn tried_softer(
         pad_thickness_m,
         edge_acceleration_g: None,
         admissible: false,
-        note: "no spring of such a stiffness".to_owned(),
+        note: "no spring has such a stiffness.".to_owned(),
     };
     let Ok(cushion) = Cushion::linear(max_stiffness_n_m) else { return softening };
     let factor = max_stiffness_n_m / now_n_m;
     let stiffness = format!("{} N/mm", number(max_stiffness_n_m / 1e3, 3));
-    let assumed = if stated_m.is_none() { " (assumed)" } else { "" };
+    let assumed = if stated_m.is_none() { " (assumed thickness)" } else { "" };
     let mut fallen = 0;
     let (mut stroke_m, mut shock_m_s2, mut ratio) = (0.0f64, 0.0f64, 0.0f64);
     let tried = tried(found, order);
     for (motion, axis, one) in &tried {
         let Some(compliant) = follow(context, found, &cushion, (*motion, *axis)) else {
-            softening.note = format!("on {stiffness} it does not stand, or its motion cannot be followed");
+            softening.note = format!("with {stiffness} it does not stay upright, or its history fails.");
             return softening;
         };
         fallen += usize::from(compliant.outcome == Outcome::Overturned);
@@ -248,33 +250,38 @@ fn tried_softer(
         let edge_m_s2 = compliant.peak_edge_acceleration_m_s2();
         shock_m_s2 = shock_m_s2.max(edge_m_s2);
         if let (Some(terms), Some(hit)) = (one.terms, one.hit) {
-            // The criterion of Eq. (5) at this stiffness, with the shock of the compliant base in its place.
+            // The criterion of Eq. (5) at this stiffness, with the shock of the compliant base.
             let by_paper_m_s2 = hit.larger_g() * G0_M_S2 * factor.sqrt();
             ratio = ratio.max(terms.ratio_by(softened(capacity, &terms, factor).times(edge_m_s2 / by_paper_m_s2)));
         }
     }
     softening.stroke_m = (!tried.is_empty()).then_some(stroke_m);
     softening.edge_acceleration_g = (!tried.is_empty()).then_some(shock_m_s2 / G0_M_S2);
-    let pressed =
-        format!("pressed {} mm of {} mm{assumed}", number(1e3 * stroke_m, 3), number(1e3 * pad_thickness_m, 3));
-    let run = format!("run again on a compliant base under {} motions", tried.len());
+    let pressed = format!(
+        "the pad is compressed by {} mm of {} mm{assumed}",
+        number(1e3 * stroke_m, 3),
+        number(1e3 * pad_thickness_m, 3)
+    );
+    let motions = counted(tried.len(), "motion");
     (softening.admissible, softening.note) = if tried.is_empty() {
-        (false, "no motion that it survives is left to try a softer pad under".to_owned())
+        (false, "no motion that leaves it upright remains to check a softer pad with.".to_owned())
     } else if fallen > 0 {
-        (
-            false,
-            format!("on {stiffness} it overturns under {fallen} of the {} motions that were run again", tried.len()),
-        )
+        (false, format!("with {stiffness} it overturns in {fallen} of {motions} on a compliant base."))
     } else if stroke_m > limit_m(context, pad_thickness_m) {
-        let share = number(100.0 * context.study.assessment.pad_strain_ratio, 3);
-        (false, format!("at most {stiffness} would do, but it is {pressed}, more than {share} %: it bottoms"))
+        let share = percent_significant(context.study.assessment.pad_strain_ratio, 3);
+        (false, format!("at most {stiffness} is needed, but then {pressed}, more than {share}: it bottoms."))
     } else if ratio > 1.0 {
-        (false, format!("at most {stiffness} by Eq. (5), but {run} its demand is {} of its capacity", number(ratio, 3)))
+        let ratio = number(ratio, 3);
+        let note = format!(
+            "at most {stiffness} is needed by Eq. (5), but on a compliant base ({motions}) demand/capacity is {ratio}."
+        );
+        (false, note)
     } else {
-        (
-            true,
-            format!("at most {stiffness} under an edge, {run}: {pressed}, shock {} g", number(shock_m_s2 / G0_M_S2, 3)),
-        )
+        let shock_g = number(shock_m_s2 / G0_M_S2, 3);
+        let note = format!(
+            "at most {stiffness} under one edge. On a compliant base ({motions}) {pressed}, and the shock is {shock_g} g."
+        );
+        (true, note)
     };
     softening
 }

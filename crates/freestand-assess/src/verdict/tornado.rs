@@ -1,6 +1,6 @@
-//! What would change the verdict: one value at a time at either end of its range.
+//! What would change the verdict: one value at a time, moved to either end of its range.
 
-use crate::result::{Ranked, Swing};
+use crate::result::{Parameter, Ranked, Swing};
 use freestand_input::words::number;
 use freestand_study::statistics::ranked_quantile;
 
@@ -11,7 +11,7 @@ use super::group::Variant;
 use super::response::{AxisMotion, MotionResponse, demand_capacity, lifts, overturned};
 use super::second_opinion::softened;
 
-/// What is changed of a shock.
+/// What changes in a shock.
 #[derive(Debug, Clone, Copy)]
 enum Change {
     Nothing,
@@ -21,10 +21,10 @@ enum Change {
     Model(f64),
 }
 
-/// From a factor on a value to what it changes.
+/// From the factor on a value to the change of the shock.
 type Changed = fn(f64) -> Change;
 
-/// What is compared: demand over capacity where there is a tolerance, else the shock in g.
+/// What is compared: demand/capacity with a tolerance, the shock in g without one.
 fn demand(found: &Found, axes: &[AxisMotion], change: Change) -> f64 {
     if overturned(axes) {
         return f64::INFINITY;
@@ -44,7 +44,7 @@ fn demands(found: &Found, motions: &[MotionResponse], change: Change) -> Vec<f64
     motions.iter().filter_map(|one| Some(demand(found, one.as_ref().ok()?, change))).collect()
 }
 
-/// The bars, the widest first; none for an object that stays on the floor, or of which there is no shock to compare.
+/// The bars, the widest first; none for an object that does not uplift or whose shock is not known.
 pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
     let is_comparable = match found.capacity() {
         Some(_) => found.followed().all(|(_, axes)| demand_capacity(axes).is_some()),
@@ -57,14 +57,14 @@ pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
     let stiffness = found.body().and_then(|body| body.stiffness_spread).unwrap_or(spread.stiffness);
     let as_is = demands(found, &found.as_is, Change::Nothing);
     let mut bars = Vec::new();
-    let mut bar = |parameter: &str, ends: [String; 2], low: Vec<f64>, high: Vec<f64>| {
+    let mut bar = |parameter: Parameter, ends: [String; 2], low: Vec<f64>, high: Vec<f64>| {
         bars.push(swing(found, parameter, ends, &as_is, low, high));
     };
     if found.body().is_some() {
-        let factors: [(&str, &str, f64, Changed); 3] = [
-            ("stiffness", "k", stiffness, Change::Stiffness),
-            ("mass", "m", spread.mass, |factor| Change::Stiffness(1.0 / factor)),
-            ("model", "Eq. (5)", spread.model, Change::Model),
+        let factors: [(Parameter, &str, f64, Changed); 3] = [
+            (Parameter::Stiffness, "k", stiffness, Change::Stiffness),
+            (Parameter::Mass, "m", spread.mass, |factor| Change::Stiffness(1.0 / factor)),
+            (Parameter::Model, "Eq. (5)", spread.model, Change::Model),
         ];
         for (parameter, symbol, sd, change) in factors {
             let [low, high] = [-1.0, 1.0].map(|sign: f64| (sign * sd).exp());
@@ -75,8 +75,8 @@ pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
     }
     let of = |variant: Variant| found.changed.iter().find(|(one, _)| *one == variant).map(|(_, motions)| *motions);
     let pairs = [
-        ("restitution", "r", spread.restitution, Variant::RestitutionLow, Variant::RestitutionHigh),
-        ("geometry", "sides", spread.geometry, Variant::Slender, Variant::Squat),
+        (Parameter::Restitution, "r", spread.restitution, Variant::RestitutionLow, Variant::RestitutionHigh),
+        (Parameter::Geometry, "sides", spread.geometry, Variant::Slender, Variant::Squat),
     ];
     for (parameter, symbol, sd, low, high) in pairs {
         if let (Some(low), Some(high)) = (of(low), of(high)) {
@@ -91,13 +91,13 @@ pub(super) fn tornado(context: &Context, found: &Found) -> Vec<Swing> {
 
 fn swing(
     found: &Found,
-    parameter: &str,
+    parameter: Parameter,
     [low, high]: [String; 2],
     as_is: &[f64],
     mut at_low: Vec<f64>,
     mut at_high: Vec<f64>,
 ) -> Swing {
-    // Whether more of the motions than are accepted are beyond what is stood; without a tolerance that decides, overturn.
+    // Whether the share of motions that exceed the tolerance, or without one that overturn, is above the accepted one.
     let decides = found.capacity().is_some_and(|capacity| capacity.decides);
     let limit = if decides { 1.0 } else { f64::MAX };
     let is_above = |values: &[f64]| {
@@ -106,7 +106,7 @@ fn swing(
     };
     let flips = is_above(&at_low) != is_above(as_is) || is_above(&at_high) != is_above(as_is);
     Swing {
-        parameter: parameter.to_owned(),
+        parameter,
         low,
         high,
         at_low: ranked_quantile(&mut at_low, 0.5),
@@ -116,11 +116,11 @@ fn swing(
     }
 }
 
-/// The motions themselves: their 16 % and 84 %.
+/// The motions themselves, from the one at 16 % to the one at 84 %.
 fn motion_bar(as_is: &[f64]) -> Swing {
     let at = |quantile: f64| ranked_quantile(&mut as_is.to_vec(), quantile);
     Swing {
-        parameter: "motion".to_owned(),
+        parameter: Parameter::Motion,
         low: "16 % of the motions".to_owned(),
         high: "84 % of the motions".to_owned(),
         at_low: at(0.16),
@@ -130,7 +130,7 @@ fn motion_bar(as_is: &[f64]) -> Swing {
     }
 }
 
-/// How far apart the ends are; a fall at one end alone is the widest.
+/// How far apart the ends are; overturning at one end alone is the widest.
 fn width(swing: &Swing) -> f64 {
     let value = |end: Ranked| match end {
         Ranked::Value(value) => value,

@@ -1,15 +1,15 @@
-//! What the summary of an assessment counts, row by row, in bounded memory; shared by every output that has one.
+//! The counts in the summary of an assessment, made row by row in bounded memory; shared by all outputs with a summary.
 
 use std::collections::BTreeMap;
 
 use crate::inventory::{Item, Rating};
-use crate::result::{Assessment, Decision, Probability};
+use crate::result::{Assessment, Criterion, Decision, Probability};
 use freestand_study::result::Ranked;
 
 use super::table::Line;
 
-/// Floors that are told apart; objects on further ones are counted together.
-pub const MOST_FLOORS: usize = 100;
+/// Floors that are counted separately; objects on further floors are counted together.
+pub const MAX_FLOORS: usize = 100;
 
 /// Counts by [`Decision::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,19 +21,19 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Of one decision.
+    /// Objects with this decision.
     pub fn of(&self, decision: Decision) -> usize {
         self.objects[decision as usize]
     }
 
-    /// Of all decisions.
+    /// Objects with any decision.
     pub fn total(&self) -> usize {
         self.objects.iter().sum()
     }
 
     fn add(&mut self, decision: Decision, quantity: u32) {
         self.objects[decision as usize] += 1;
-        // An inventory of 1e6 rows of 4e9 pieces still fits.
+        // 1e6 rows of 4e9 pieces still fit.
         let pieces = &mut self.pieces[decision as usize];
         *pieces = pieces.saturating_add(quantity.into());
     }
@@ -44,9 +44,9 @@ impl Counts {
 pub struct FloorCounts {
     /// Its name, or its level where it has none.
     pub name: String,
-    /// 0 ground, 1 roof; of the first object that was met there.
+    /// 0 ground, 1 roof; of the first object on the floor.
     pub level_ratio: Option<f64>,
-    /// Median peak acceleration of the floor \[g\]; of the first object that was met there.
+    /// Median PFA \[g\]; of the first object on the floor.
     pub pfa_g_median: Option<f64>,
     /// Its objects.
     pub counts: Counts,
@@ -64,28 +64,28 @@ pub struct ConsequenceCounts {
 /// The names of [`ConsequenceCounts::ratings`].
 pub const RATINGS: [&str; 4] = ["high", "medium", "low", "not rated"];
 
-/// One line of the list of what to do first.
+/// One row of the list of the most urgent objects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Urgent {
     /// 1 is the most urgent.
     pub rank: usize,
-    /// The object's name.
+    /// Identifier of the object.
     pub id: String,
     /// What it is.
     pub item: String,
-    /// How many of them stand there.
+    /// How many such objects there are.
     pub quantity: u32,
-    /// Where it stands.
+    /// Where it is.
     pub place: String,
     /// What to do.
     pub decision: Decision,
-    /// What governs.
-    pub governing: Option<String>,
-    /// Demand over capacity of the median motion.
+    /// The governing criterion.
+    pub governing: Option<Criterion>,
+    /// Demand/capacity of the median motion.
     pub demand_capacity: Option<Ranked>,
-    /// P(exceed), or P(overturn) without a tolerance.
+    /// P(exceeded), or P(overturned) without a tolerance.
     pub probability: Option<Probability>,
-    /// Whether that is of overturning alone.
+    /// Whether that is the probability of overturning alone.
     pub is_overturn_only: bool,
     /// The larger shock of the median motion \[g\].
     pub shock_g: Option<Ranked>,
@@ -93,7 +93,7 @@ pub struct Urgent {
     pub why: String,
 }
 
-/// Everything that the summary counts.
+/// The counts of the summary.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overview {
     /// Rows of the inventory.
@@ -104,17 +104,15 @@ pub struct Overview {
     pub counts: Counts,
     /// By tier that decided, 0 to 3.
     pub tiers: [usize; 4],
-    /// By criterion that governs, of those that have a capacity.
-    pub governing: BTreeMap<String, usize>,
-    /// Objects without a tolerance, without geometry or level, and those that a source decides that may not.
+    /// Objects without a tolerance.
     pub without_tolerance: usize,
-    /// Objects whose motion could not be followed: geometry or level is missing, or no motion could be.
+    /// Objects without a response: geometry or level is missing, or every history failed.
     pub without_response: usize,
-    /// Objects under which some motion could not be followed to its end.
+    /// Objects with a history that failed, but not all of them.
     pub with_failed_motions: usize,
     /// Life safety, property loss, functional loss.
     pub consequences: [ConsequenceCounts; 3],
-    /// The most urgent, by rank; as many as were asked for.
+    /// The most urgent, by rank; as many as the list holds.
     pub urgent: BTreeMap<usize, Urgent>,
     floors: BTreeMap<FloorKey, FloorCounts>,
     others: Option<FloorCounts>,
@@ -125,7 +123,7 @@ pub struct Overview {
 type FloorKey = (String, String, Option<u64>);
 
 impl Overview {
-    /// Nothing counted yet, of an inventory of `total` rows; the list will hold the `most_urgent`.
+    /// Before the first of `total` rows; the list will hold the `most_urgent` objects.
     pub fn new(total: usize, most_urgent: usize) -> Self {
         let consequence = |name| ConsequenceCounts { name, ratings: [Counts::default(); 4] };
         Self {
@@ -133,7 +131,7 @@ impl Overview {
             assessed: 0,
             counts: Counts::default(),
             tiers: [0; 4],
-            governing: BTreeMap::new(),
+
             without_tolerance: 0,
             without_response: 0,
             with_failed_motions: 0,
@@ -145,7 +143,7 @@ impl Overview {
         }
     }
 
-    /// Counts one row; those that are not assessed yet do not count.
+    /// Counts one row; rows without an assessment do not count.
     pub fn add(&mut self, line: &Line) {
         let Some((rank, found)) = line.found else { return };
         let (item, decision) = (line.item, found.decision);
@@ -154,15 +152,7 @@ impl Overview {
         if let Some(tier) = self.tiers.get_mut(usize::from(found.tier)) {
             *tier += 1;
         }
-        match &found.capacity {
-            Some(capacity)
-                if self.governing.len() < MOST_FLOORS || self.governing.contains_key(&capacity.governing) =>
-            {
-                *self.governing.entry(capacity.governing.clone()).or_default() += 1;
-            }
-            Some(_) => {}
-            None => self.without_tolerance += usize::from(item.tolerance.is_none()),
-        }
+        self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
         self.without_response += usize::from(found.response.is_none());
         self.with_failed_motions += usize::from(found.response.as_ref().is_some_and(|response| response.failed > 0));
         let rated = [item.consequences.life_safety, item.consequences.property, item.consequences.function];
@@ -175,7 +165,7 @@ impl Overview {
         }
     }
 
-    /// The floors, the highest first; those beyond [`MOST_FLOORS`] together at the end.
+    /// The floors from the top down; those beyond [`MAX_FLOORS`] together at the end.
     pub fn floors(&self) -> Vec<&FloorCounts> {
         let mut floors: Vec<&FloorCounts> = self.floors.values().collect();
         let level = |floor: &FloorCounts| floor.level_ratio.unwrap_or(f64::NEG_INFINITY);
@@ -184,12 +174,12 @@ impl Overview {
         floors
     }
 
-    /// `partial: 40 of 100 objects are assessed`, where the run was interrupted.
+    /// A sentence that says so where the run was interrupted.
     pub fn partial(&self) -> Option<String> {
         (self.assessed < self.total).then(|| {
             format!(
-                "PARTIAL: {} of {} objects are assessed; the run was stopped before its end. The list, the ranks and every \
-                 count below are of these alone.",
+                "PARTIAL: {} of {} objects were assessed before the run was stopped. The list, the ranks and all counts \
+                 below are for these objects only.",
                 self.assessed, self.total
             )
         })
@@ -198,11 +188,11 @@ impl Overview {
     fn add_floor(&mut self, line: &Line, decision: Decision) {
         let item = line.item;
         let level_ratio = item.level_ratio.filter(|level| level.is_finite());
-        // A floor that has a name is one floor whatever its rows say of its level.
+        // A floor with a name is one floor, whatever levels its rows give.
         let level = if item.floor.is_empty() { level_ratio.map(f64::to_bits) } else { None };
         let key = (item.building.clone(), item.floor.clone(), level);
         let facts = line.assessment().and_then(|found| found.floor.as_ref());
-        let floor = if self.floors.len() < MOST_FLOORS || self.floors.contains_key(&key) {
+        let floor = if self.floors.len() < MAX_FLOORS || self.floors.contains_key(&key) {
             self.floors.entry(key).or_insert_with(|| FloorCounts {
                 name: floor_name(item),
                 level_ratio,
@@ -232,7 +222,7 @@ fn rating_index(rating: Option<Rating>) -> usize {
 
 fn floor_name(item: &Item) -> String {
     let floor = match (item.floor.as_str(), item.level_ratio) {
-        ("", None) => "level not stated".to_owned(),
+        ("", None) => "level not given".to_owned(),
         ("", Some(level_ratio)) => format!("level {}", freestand_input::words::number(level_ratio, 3)),
         (floor, _) => floor.to_owned(),
     };
@@ -248,7 +238,7 @@ fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
         quantity: item.quantity,
         place: place(item),
         decision: found.decision,
-        governing: found.capacity.as_ref().map(|capacity| capacity.governing.clone()),
+        governing: found.capacity.as_ref().map(|capacity| capacity.governing),
         demand_capacity: found.capacity.as_ref().map(|capacity| capacity.demand_capacity),
         probability: found.p_exceed.or(found.p_overturn),
         is_overturn_only: found.p_exceed.is_none() && found.p_overturn.is_some(),
@@ -257,7 +247,7 @@ fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
     }
 }
 
-/// Where an object stands, in words: location, building, floor, room, whatever is known of them.
+/// Where an object is, in words: location, building, floor and room, as far as they are known.
 pub fn place(item: &Item) -> String {
     let mut parts: Vec<&str> = Vec::new();
     for part in [&item.location, &item.building, &item.floor, &item.room] {

@@ -1,7 +1,7 @@
 //! `objects.parquet`: the columns of `objects.csv` with their types, in groups of rows so that memory stays bounded.
 //!
-//! Numbers are optional doubles, counts optional 64-bit integers, texts optional UTF-8. A number that fell among the overturned is
-//! null, and `true` in a Boolean column beside it, `…_overturned`; no infinity and no NaN is ever written.
+//! Numbers are optional doubles, counts optional 64-bit integers, texts optional UTF-8. Where a number is `overturned` it
+//! is null, and the Boolean column next to it, `…_overturned`, is `true`; infinity and NaN are never written.
 
 use std::fs::File;
 use std::sync::Arc;
@@ -26,13 +26,13 @@ use super::table::{COLUMNS, Cell, Kind, Line, carried_cells, carried_names, over
 /// The file's name.
 pub const PARQUET_NAME: &str = "objects.parquet";
 
-/// Rows of a group; at eighty columns some 15 MB before compression.
+/// Rows of a group; with eighty columns about 15 MB before compression.
 const GROUP_ROWS: usize = 20_000;
 
 /// Bytes of text after which a group ends early, whatever the length of names and notes.
 const GROUP_TEXT_BYTES: usize = 64 << 20;
 
-/// The table in the making.
+/// The table as it is written.
 pub(super) struct ParquetTable {
     file: SerializedFileWriter<File>,
     columns: Vec<Values>,
@@ -94,7 +94,7 @@ impl ParquetTable {
         if self.rows >= GROUP_ROWS || self.text_bytes >= GROUP_TEXT_BYTES { self.end_group() } else { Ok(()) }
     }
 
-    /// The last group, and how complete it all is.
+    /// Writes the last group, and whether the result is partial.
     pub(super) fn finish(mut self, overview: &Overview) -> Result<(), Problem> {
         if self.rows > 0 {
             self.end_group()?;
@@ -152,7 +152,7 @@ impl Values {
         Self { present: Vec::new(), values }
     }
 
-    /// Adds a cell, null where it is none of this column's type; returns the bytes of its text.
+    /// Adds a cell, as null where it is not of the type of this column; returns the bytes of its text.
     fn push(&mut self, cell: Cell) -> usize {
         let (mut is_present, mut bytes) = (true, 0);
         match (&mut self.values, cell) {
@@ -176,7 +176,7 @@ fn fields(inventory: &Inventory) -> Vec<(String, Physical)> {
     for column in COLUMNS {
         let physical = match column.kind {
             Kind::Text => Physical::BYTE_ARRAY,
-            Kind::Number | Kind::Ranked => Physical::DOUBLE,
+            Kind::Number | Kind::Share | Kind::Ranked => Physical::DOUBLE,
             Kind::Count => Physical::INT64,
             Kind::Flag => Physical::BOOLEAN,
         };
@@ -198,7 +198,7 @@ fn field_type(name: &str, physical: Physical) -> Result<Arc<Type>, ParquetError>
     Ok(Arc::new(field))
 }
 
-/// What a reader of the file alone has to know.
+/// What a reader who has only this file needs to know.
 fn metadata(head: &Head) -> Vec<KeyValue> {
     let mut columns = Map::new();
     for column in COLUMNS {

@@ -43,7 +43,7 @@ fn columns_keep_their_types() {
     assert_eq!(*at(&rows[1], "width_m"), Field::Double(0.8));
     assert_eq!(*at(&rows[2], "demand_capacity_ratio"), Field::Null);
     assert_eq!(*at(&rows[2], "demand_capacity_ratio_overturned"), Field::Null);
-    // Not assessed, but there.
+    // Not assessed, but present.
     assert_eq!((at(&rows[4], "decision"), at(&rows[4], "rank")), (&Field::Null, &Field::Null));
     assert_eq!(*at(&rows[4], "Asset"), Field::Str("A4".into()));
     assert_eq!(*at(&rows[4], "rank (inventory)"), Field::Str("-12".into()));
@@ -58,7 +58,7 @@ fn texts_stay_as_they_are() {
 }
 
 #[test]
-fn what_a_reader_must_know_stands_in_the_file() {
+fn the_file_says_what_its_reader_must_know() {
     let value = |assessed: usize, key: &str| {
         let reader = reader(bytes(&inventory((0..3).map(item).collect()), assessed));
         let values = reader.metadata().file_metadata().key_value_metadata().unwrap().clone();
@@ -76,7 +76,7 @@ fn the_same_rows_give_the_same_bytes_in_groups() {
     let many = inventory((0..45).map(item).collect());
     assert!(bytes(&many, 45) == bytes(&many, 45));
     assert_eq!(rows(bytes(&inventory(vec![]), 0)).len(), 0);
-    // Names of 8 MB each: a group ends when they are 64 MB, whatever the number of rows.
+    // Names of 8 MB each: a group ends at 64 MB, whatever the number of rows.
     let mut items: Vec<_> = (0..10).map(item).collect();
     for item in &mut items {
         item.item = "x".repeat(8 << 20);

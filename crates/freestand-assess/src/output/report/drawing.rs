@@ -1,4 +1,4 @@
-//! Small drawings as inline SVG: bars of counts, an object from its sides, the tornado.
+//! Small drawings as inline SVG: bars of counts, the sides of an object, the bars of the tornado.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ use freestand_study::result::Ranked;
 /// Width and height of a bar of counts \[px\].
 const BAR_PX: (f64, f64) = (180.0, 15.0);
 
-/// Counts by decision side by side; each part has the sign of its decision where there is room for it.
+/// Counts by decision, side by side; each part shows the sign of its decision where there is room.
 pub(super) fn stacked_bar(counts: &Counts, largest: usize) -> String {
     let (width, height) = BAR_PX;
     let mut svg =
@@ -47,22 +47,22 @@ fn hex(colour: u32) -> String {
     format!("#{colour:06x}")
 }
 
-/// Height of an object's drawing without its texts \[px\].
+/// Largest height of the drawing of an object without its texts \[px\].
 const SKETCH_PX: f64 = 110.0;
 
-/// Widest that the sides of an object are drawn together \[px\]; low objects are drawn smaller.
+/// Largest width of both sides together \[px\]; low objects are drawn smaller.
 const SKETCH_WIDTH_PX: f64 = 190.0;
 
-/// Least room for a side, which its measures need \[px\].
+/// Smallest width of a side, which its dimensions need \[px\].
 const SIDE_PX: f64 = 112.0;
 
-/// Room on the left, for the height \[px\].
+/// Margin on the left, for the height \[px\].
 const LEFT_PX: f64 = 60.0;
 
-/// Room above \[px\].
+/// Margin above \[px\].
 const TOP_PX: f64 = 8.0;
 
-/// The object from the sides that it may rock over, to one scale; nothing without its geometry.
+/// The sides of the object in its planes of rocking, to one scale; nothing without its geometry.
 pub(super) fn sketch(item: &Item) -> String {
     let (Some(height_m), Some(thickness_m)) = (item.height_m, item.thickness_m) else { return String::new() };
     let mut sides = vec![("thickness", thickness_m, item.base_thickness_m.unwrap_or(thickness_m))];
@@ -75,9 +75,9 @@ pub(super) fn sketch(item: &Item) -> String {
     let (h, cg_m) = (height_m * scale, item.cg_height_m.unwrap_or(0.5 * height_m));
     let rooms: Vec<f64> = sides.iter().map(|(_, side_m, _)| (side_m * scale + 16.0).max(SIDE_PX)).collect();
     let (width, height) = (LEFT_PX + rooms.iter().sum::<f64>(), TOP_PX + h + 42.0);
-    let mut title = format!("{} high, centre of gravity {} up", mm(height_m), mm(cg_m));
+    let mut title = format!("Height {}, centre of gravity at {}", mm(height_m), mm(cg_m));
     for (side, side_m, base_m) in &sides {
-        let _ = write!(title, "; {side} {} on edges {} apart", mm(*side_m), mm(*base_m));
+        let _ = write!(title, "; {side} {}, edges {} apart", mm(*side_m), mm(*base_m));
     }
     let mut svg = format!(
         "<svg viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" role=\"img\"><title>{title}</title>\
@@ -139,10 +139,10 @@ fn view(side: &str, [h, w, b, z]: [f64; 4], middle: f64) -> String {
     svg
 }
 
-/// Where numbers end and `overturned` stands in a bar of the tornado, and its size \[px\].
+/// In a bar of the tornado, where numbers end and where `overturned` is; then its width and height \[px\].
 const SWING_PX: (f64, f64, f64, f64) = (190.0, 210.0, 220.0, 20.0);
 
-/// What the bars of a tornado share: the value at the right end of the scale, and the limit, if there is one.
+/// What the bars of a tornado share: the value at the right end of the scale, and the limit where there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scale {
     full: f64,
@@ -150,14 +150,14 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// The scale on which all bars fit.
+    /// The scale that holds all bars.
     pub(super) fn of(swings: &[Swing], limit: Option<f64>) -> Self {
         let numbers = swings.iter().flat_map(|swing| [swing.at_low, swing.at_high, swing.as_is]);
         let numbers = numbers.filter_map(Ranked::value).chain(limit).filter(|value| value.is_finite());
         Self { full: 1.05 * numbers.fold(1e-9, f64::max), limit }
     }
 
-    /// Overturned stands behind every number.
+    /// The place of a value; overturned is to the right of every number.
     fn place(&self, value: Ranked) -> Option<f64> {
         let (end, beyond, ..) = SWING_PX;
         match value {
@@ -168,7 +168,7 @@ impl Scale {
     }
 }
 
-/// One value of the tornado: a bar from its low to its high end, a line where the result is, the limit dashed.
+/// One value of the tornado: a bar from its low to its high end, a line at the result, a dashed line at the limit.
 pub(super) fn swing_bar(swing: &Swing, scale: Scale) -> String {
     let (_, beyond, width, height) = SWING_PX;
     let mut svg =
@@ -231,7 +231,7 @@ mod tests {
     #[test]
     fn overturned_lies_beyond_every_number() {
         let swing = Swing {
-            parameter: "motion".into(),
+            parameter: crate::result::Parameter::Motion,
             low: String::new(),
             high: String::new(),
             at_low: Ranked::Value(0.5),
@@ -239,7 +239,7 @@ mod tests {
             as_is: Ranked::Value(1.0),
             flips: true,
         };
-        // The scale ends at 1.05: 0.5 stands at 190 · 0.5/1.05 = 90.5, and the bar ends at 210.
+        // The scale ends at 1.05: 0.5 is at 190 · 0.5/1.05 = 90.5, and the bar ends at 210.
         let svg = swing_bar(&swing, Scale::of(std::slice::from_ref(&swing), Some(1.0)));
         assert!(svg.contains("<rect x=\"90.5\" y=\"4\" width=\"119.5\""), "{svg}");
         let nothing = Swing { at_low: Ranked::NoData, at_high: Ranked::NoData, as_is: Ranked::NoData, ..swing };

@@ -1,4 +1,4 @@
-//! Eqs. (5)–(8) with the numbers of an object, for a reader to follow with a pocket calculator.
+//! Eqs. (5)–(8) with the numbers of an object, for a reader with a pocket calculator.
 
 use freestand::G0_M_S2;
 
@@ -12,9 +12,10 @@ use super::words;
 /// The landing at the motion that decides, step by step.
 pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     let mut html = paragraph(&format!(
-        "At the motion that decides, {}, about the {}: the centre of gravity rises by Δh = {} mm, the free edge by {} mm.",
+        "The motion that decides is {}. In the plane of the {}, the centre of gravity rises by Δh = {} mm, and the \
+         uplift is {} mm.",
         chain.motion,
-        chain.axis,
+        chain.axis.name(),
         number(1e3 * chain.cg_rise_m, 4),
         number(1e3 * chain.uplift_m, 4)
     ));
@@ -22,18 +23,19 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     match chain.stiffness_n_m {
         Some(stiffness_n_m) => lines.extend(spring(chain, stiffness_n_m)),
         None => lines.push(format!(
-            "The cushion is no spring: the landing of m_eff at v is solved numerically and gives a_edge = {} g, Δv = {} m/s, T = {} ms.",
+            "The cushion is not a spring. Solved numerically, the landing of m_eff at v gives a_edge = {} g, Δv = {} m/s, \
+             T = {} ms.",
             number(chain.edge_acceleration_g, 4),
             number(chain.velocity_change_m_s, 4),
             number(1e3 * chain.pulse_duration_s, 4)
         )),
     }
     lines.push(format!(
-        "From the velocity before the impact: {} g. The verdict uses the larger of the two.",
+        "The velocity before the impact gives {} g. The verdict uses the larger of the two.",
         number(chain.edge_acceleration_impact_velocity_g, 4)
     ));
     if let Some(ratio) = chain.demand_capacity_ratio {
-        lines.push(format!("Demand over capacity of this motion: {}.", number(ratio, 4)));
+        lines.push(format!("Demand/capacity under this motion: {}.", number(ratio, 4)));
     }
     html.push_str("<div class=\"eqs\">\n");
     for line in lines {
@@ -48,7 +50,7 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
     let [h, t, b, r, m] =
         [chain.height_m, chain.thickness_m, chain.base_m, chain.half_diagonal_m, chain.mass_kg].map(|x| number(x, 4));
     let (r_d, m_eff) = (number(chain.landing_ratio, 4), number(chain.effective_mass_kg, 4));
-    let halted = "The landing is halted: Eq. (8), R_D = 0 in the shock.".to_owned();
+    let halted = "The landing is halted: Eq. (8), with R_D = 0 in the shock.".to_owned();
     if chain.is_uniform {
         let x = number((chain.base_m / chain.half_diagonal_m).powi(2), 4);
         let mass = if chain.is_halted {
@@ -72,7 +74,7 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
     let mut lines = vec![
         format!("R = √((B/2)² + z²) = √(({b}/2)² + {z}²) = {r} m"),
         format!("I₀′ = I₀/m = (h² + t²)/12 + R² = {i0} m²"),
-        format!("R_D = 1 − B²/(2 I₀′) = {r_d} (Eq. (6) of a block that is not uniform or stands on feet)"),
+        format!("R_D = 1 − B²/(2 I₀′) = {r_d} (Eq. (6) for a block that is not uniform or has inset feet)"),
         format!("m_eff = {mass} = {m_eff} kg"),
     ];
     lines.extend(chain.is_halted.then_some(halted));

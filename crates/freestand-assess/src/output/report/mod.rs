@@ -1,4 +1,5 @@
-//! `report.html` of an assessment: a summary and a page for each of the most urgent objects, in one file that loads nothing.
+//! `report.html` of an assessment: a summary and a page for each of the most urgent objects, in one file that loads
+//! nothing else.
 
 mod drawing;
 mod equations;
@@ -19,22 +20,22 @@ use super::table::Line;
 /// The file's name.
 pub const REPORT_NAME: &str = "report.html";
 
-/// The report in the making: the pages of the most urgent objects so far.
+/// The report as it is written: the pages of the most urgent objects so far.
 pub(super) struct Report {
-    most: usize,
+    max_pages: usize,
     pages: BTreeMap<usize, String>,
 }
 
 impl Report {
-    /// No page yet; `most` objects get one.
-    pub(super) fn new(most: usize) -> Self {
-        Self { most, pages: BTreeMap::new() }
+    /// Without a page yet; at most `max_pages` objects get one.
+    pub(super) fn new(max_pages: usize) -> Self {
+        Self { max_pages, pages: BTreeMap::new() }
     }
 
     /// Writes the page of an object, if it is urgent enough to have one.
     pub(super) fn add(&mut self, inventory: &Inventory, line: &Line) {
         if let Some((rank, found)) = line.found
-            && rank <= self.most
+            && rank <= self.max_pages
         {
             self.pages.insert(rank, page::page(inventory, line.item, rank, found));
         }
@@ -44,7 +45,7 @@ impl Report {
     pub(super) fn write(self, folder: &OutputFolder, head: &Head, overview: &Overview) -> Result<(), Problem> {
         let mut file = folder.begin(REPORT_NAME)?;
         file.write(opening().as_bytes())?;
-        file.write(summary::summary(head, overview, self.most).as_bytes())?;
+        file.write(summary::summary(head, overview, self.max_pages).as_bytes())?;
         for page in self.pages.values() {
             file.write(page.as_bytes())?;
         }
@@ -68,27 +69,27 @@ fn opening() -> String {
 }
 
 /// Longest name, place or reason on a page, in characters.
-const LONGEST_NAME: usize = 160;
+const MAX_NAME_CHARS: usize = 160;
 
-/// Longest paragraph of somebody else's words on a page, in characters.
-const LONGEST_TEXT: usize = 1_500;
+/// Longest paragraph of a user's text on a page, in characters.
+const MAX_TEXT_CHARS: usize = 1_500;
 
-/// A text for a heading or a cell: on one line, escaped, cut where it would fill the page.
+/// A text for a heading or a cell, escaped, and cut where it would fill the page.
 fn name(text: &str) -> String {
-    cut(text, LONGEST_NAME)
+    cut(text, MAX_NAME_CHARS)
 }
 
-/// A text for a paragraph, escaped, cut where it would fill pages.
+/// A text for a paragraph, escaped, and cut where it would fill pages.
 fn words(text: &str) -> String {
-    cut(text, LONGEST_TEXT)
+    cut(text, MAX_TEXT_CHARS)
 }
 
 fn cut(text: &str, longest: usize) -> String {
     let shown = match text.char_indices().nth(longest) {
         None => escape(text),
-        Some((end, _)) => format!("{} … <i>(cut)</i>", escape(&text[..end])),
+        Some((end, _)) => format!("{} … <i>(truncated)</i>", escape(&text[..end])),
     };
-    // Marks that turn the direction of writing would turn our own words behind them too.
+    // Characters that change the direction of writing would change it for our own words after them too.
     let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     if text.contains(turns) { format!("<bdi>{shown}</bdi>") } else { shown }
 }

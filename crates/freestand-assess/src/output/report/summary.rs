@@ -1,12 +1,12 @@
-//! The first pages: counts, what to do first, floors, consequences, what was assumed.
+//! The first pages: counts, the most urgent objects, floors, consequences, assumptions.
 
 use std::fmt::Write;
 
 use crate::output::Head;
 use crate::output::overview::{Counts, Overview, RATINGS, Urgent};
 use crate::output::words::{HOW_TO_READ, advice, label, probability, ranked, sign};
-use crate::result::Decision;
-use freestand_input::words::{fixed, number, percent};
+use crate::result::{Criterion, Decision};
+use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::{Cell, figure, list, markup, paragraph, properties, section, table, words as text};
 
 use super::drawing::stacked_bar;
@@ -19,14 +19,14 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String 
         let _ = writeln!(html, "<div class=\"warn partial\"><h2>Partial result</h2>{}</div>", paragraph(&partial));
     }
     html.push_str(&tiles(overview));
-    html.push_str(&section("first", "What to do first", &first(overview, pages)));
-    html.push_str(&section("floors", "Floors and decisions", &floors(overview)));
-    html.push_str(&section("consequences", "Consequences", &consequences(overview)));
+    html.push_str(&section("first", "The most urgent objects", &first(overview, pages)));
+    html.push_str(&section("floors", "Decisions by floor", &floors(overview)));
+    html.push_str(&section("consequences", "Decisions by consequence", &consequences(overview)));
     html.push_str(&section("warnings", "Warnings", &warnings(head, overview)));
     let facts: Vec<(&str, String)> = head.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
-    html.push_str(&section("facts", "What was assessed", &properties("", &facts)));
+    html.push_str(&section("facts", "Inputs", &properties("", &facts)));
     html.push_str(&section("assumptions", "Assumptions", &list(&head.assumptions)));
-    html.push_str(&section("reading", "How to read it", &list(&HOW_TO_READ)));
+    html.push_str(&section("reading", "How to read this report", &list(&HOW_TO_READ)));
     html
 }
 
@@ -39,45 +39,43 @@ fn tiles(overview: &Overview) -> String {
         let share = if overview.assessed == 0 { 0.0 } else { objects as f64 / overview.assessed as f64 };
         let _ = writeln!(
             html,
-            "<div class=\"tile {}\"><span class=\"badge\">{} {}</span><strong>{objects}</strong><span>{} of the objects, {pieces} \
-             pieces: {}</span></div>",
+            "<div class=\"tile {}\"><span class=\"badge\">{} {}</span><strong>{objects}</strong><span>{} of the objects, \
+             {pieces} {}: {}</span></div>",
             decision.name(),
             sign(decision),
             label(decision),
             percent(share, 0),
+            if pieces == 1 { "piece" } else { "pieces" },
             advice(decision),
         );
     }
     html.push_str("</div>\n");
-    let words = match overview.partial() {
-        None => format!("{} objects of the inventory were assessed.", overview.total),
-        Some(_) => format!("{} of {} objects of the inventory were assessed.", overview.assessed, overview.total),
-    };
+    let words = format!("Assessed: {} of {}.", overview.assessed, counted(overview.total, "object"));
     html.push_str(&paragraph(&words));
     let decided: Vec<String> = (0u8..)
         .zip(overview.tiers)
         .filter(|(_, count)| *count > 0)
-        .map(|(tier, count)| format!("{count} by {}", crate::output::words::tier(tier)))
+        .map(|(tier, count)| format!("{} ({count})", crate::output::words::tier(tier)))
         .collect();
     if !decided.is_empty() {
-        html.push_str(&paragraph(&format!("What decided: {}.", decided.join("; "))));
+        html.push_str(&paragraph(&format!("Decided by: {}.", decided.join("; "))));
     }
     html
 }
 
-/// The list of the most urgent, with links to those that have a page.
+/// The list of the most urgent objects, with links to their pages.
 fn first(overview: &Overview, pages: usize) -> String {
     if overview.urgent.is_empty() {
         return paragraph("No object was assessed.");
     }
     let mut html = String::new();
     let mut note =
-        format!("The {} most urgent of {} objects, by their rank.", overview.urgent.len(), overview.assessed);
+        format!("The most urgent {} of {}, by rank.", overview.urgent.len(), counted(overview.assessed, "object"));
     if pages < overview.assessed {
         let _ = write!(
             note,
-            " The {pages} most urgent objects have a page below; all others stand with every number in objects.csv and in the sheet \
-             Objects of assessment.xlsx.",
+            " The {pages} most urgent objects have a page below. All objects are in objects.csv and in the sheet Objects \
+             of assessment.xlsx, with every number.",
         );
     }
     html.push_str(&paragraph(&note));
@@ -115,7 +113,7 @@ fn first_row(one: &Urgent, has_page: bool) -> String {
         words(&one.why),
         badge(one.decision),
         name(&ratio),
-        name(one.governing.as_deref().unwrap_or("–")),
+        one.governing.map_or("–", Criterion::name),
         name(&chance),
         name(&shock),
     )
@@ -134,7 +132,7 @@ fn decision_headings(mut first: Vec<Cell>) -> Vec<Cell> {
     first
 }
 
-/// The counts of a row of a table, with a bar over the largest row.
+/// The counts of a row of a table, with a bar; the largest row fills it.
 fn decision_cells(counts: &Counts, largest: usize) -> Vec<Cell> {
     let mut cells: Vec<Cell> =
         Decision::ALL.into_iter().map(|decision| figure(counts.of(decision).to_string())).collect();
@@ -161,7 +159,7 @@ fn floors(overview: &Overview) -> String {
         .collect();
     let mut html = table("", &[headings], &rows);
     html.push_str(&paragraph(
-        "Objects by floor from the top, and by what is to be done with them. PFA: peak floor acceleration, the median of the motions.",
+        "Objects by floor from the top down, and by decision. PFA: peak floor acceleration, the median of the motions.",
     ));
     html
 }
@@ -182,20 +180,20 @@ fn consequences(overview: &Overview) -> String {
         return paragraph("No object was assessed.");
     }
     let mut html = table("", &[headings], &rows);
-    html.push_str(&paragraph("The three consequences of FEMA E-74, as the inventory rates them."));
+    html.push_str(&paragraph("The three consequences of FEMA E-74, as rated in the inventory."));
     html
 }
 
 fn warnings(head: &Head, overview: &Overview) -> String {
     let mut warnings: Vec<String> = Vec::new();
-    let mut count = |objects: usize, what: &str| {
+    let mut count = |objects: usize, what: &str, why: &str| {
         if objects > 0 {
-            warnings.push(format!("{objects} {} {what}", if objects == 1 { "object" } else { "objects" }));
+            warnings.push(format!("{what}: {}. {why}", counted(objects, "object")));
         }
     };
-    count(overview.without_response, "could not be followed: geometry or level is missing, or no motion could be.");
-    count(overview.without_tolerance, "without a tolerance: what they do is known, what they stand is not.");
-    count(overview.with_failed_motions, "with motions that could not be followed to their end; these are left out.");
+    count(overview.without_response, "Without a response", "Geometry or level is missing, or every history failed.");
+    count(overview.without_tolerance, "Without a tolerance", "Only overturning was assessed.");
+    count(overview.with_failed_motions, "With histories that failed", "These are left out of every number.");
     if head.warnings.is_empty() && warnings.is_empty() {
         return paragraph("None.");
     }

@@ -11,7 +11,7 @@ fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {
     String::from_utf8(read(&folder, REPORT_NAME)).unwrap()
 }
 
-/// The document as XML, which a browser's leniency would not show.
+/// The document as XML: a browser would forgive mistakes.
 fn parse(html: &str) -> roxmltree::Document<'_> {
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     roxmltree::Document::parse_with_options(html, options).unwrap()
@@ -47,7 +47,7 @@ fn only_the_most_urgent_have_pages() {
     let html = html(&inventory((0..12).map(item).collect()), 12, 5);
     let document = parse(&html);
     assert_eq!(pages(&document), (1..=5).map(anchor).collect::<Vec<_>>());
-    assert!(html.contains("The 5 most urgent objects have a page below") && html.contains("objects.csv"));
+    assert!(html.contains("The 5 most urgent objects have a page below.") && html.contains("objects.csv"));
     assert!(html.contains("O-0000") && !html.contains("href=\"#object-6\""));
 }
 
@@ -63,7 +63,7 @@ fn hostile_texts_stay_texts() {
     }
     assert!(document.descendants().all(|node| !["script", "img"].contains(&node.tag_name().name())));
     // Fifty thousand characters of one name do not fill the report.
-    assert!(html.contains("(cut)") && html.len() < 200_000, "{}", html.len());
+    assert!(html.contains("(truncated)") && html.len() < 200_000, "{}", html.len());
 }
 
 #[test]

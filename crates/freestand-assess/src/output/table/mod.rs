@@ -1,4 +1,4 @@
-//! The columns of `objects.csv`, of the Parquet file and of the workbook: one list, so that all three say the same.
+//! The columns of `objects.csv`, of the Parquet file and of the workbook: one list for all three.
 
 mod columns;
 
@@ -18,7 +18,7 @@ pub use columns::COLUMNS;
 pub struct Line<'a> {
     /// As written.
     pub item: &'a Item,
-    /// Its place in the list and what was found; `None`: the run was interrupted before.
+    /// Its rank and its assessment; `None`: the run was interrupted before it.
     pub found: Option<(usize, &'a Assessment)>,
 }
 
@@ -28,22 +28,24 @@ impl<'a> Line<'a> {
         Self { item: row.item, found: Some((row.rank, &row.found)) }
     }
 
-    /// What was found.
+    /// Its assessment.
     pub fn assessment(&self) -> Option<&'a Assessment> {
         self.found.map(|(_, found)| found)
     }
 }
 
-/// What stands in a column.
+/// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Text.
     Text,
     /// A number.
     Number,
+    /// A share or a probability, which people read in percent.
+    Share,
     /// A whole number.
     Count,
-    /// A number, or `overturned`, which is beyond every number.
+    /// A number, or `overturned`, which ranks above every number.
     Ranked,
     /// `true` or `false`.
     Flag,
@@ -58,7 +60,7 @@ pub enum Cell<'a> {
     Number(f64),
     /// A whole number.
     Count(u64),
-    /// Beyond every number.
+    /// `overturned`, which ranks above every number.
     Overturned,
     /// Yes or no.
     Flag(bool),
@@ -72,12 +74,12 @@ impl<'a> Cell<'a> {
         if text.is_empty() { Self::Missing } else { Self::Text(Cow::Borrowed(text)) }
     }
 
-    /// A text that was made for the cell.
+    /// A text made for the cell.
     pub fn owned(text: Option<String>) -> Self {
         text.filter(|text| !text.is_empty()).map_or(Self::Missing, |text| Self::Text(Cow::Owned(text)))
     }
 
-    /// A number; what is not finite is missing.
+    /// A number; one that is not finite is missing.
     pub fn number(value: Option<f64>) -> Self {
         value.filter(|value| value.is_finite()).map_or(Self::Missing, Self::Number)
     }
@@ -87,7 +89,7 @@ impl<'a> Cell<'a> {
         value.map_or(Self::Missing, |value| Self::Count(value as u64))
     }
 
-    /// A number in which overturned ranks above all.
+    /// A number, or `overturned`.
     pub fn ranked(value: Option<Ranked>) -> Self {
         match value {
             Some(Ranked::Value(value)) => Self::number(Some(value)),
@@ -102,19 +104,19 @@ impl<'a> Cell<'a> {
 pub struct Column {
     /// Its header, with the unit at its end.
     pub name: &'static str,
-    /// What stands in it.
+    /// What it holds.
     pub kind: Kind,
     /// Its unit, `–` where it has none.
     pub unit: &'static str,
-    /// What it means, for the dictionary.
+    /// What it means, for the sheet of columns.
     pub meaning: &'static str,
     /// The cell of an object.
     pub cell: for<'a> fn(&Line<'a>) -> Cell<'a>,
 }
 
-/// The headers of the columns that were carried through, each made unlike ours and unlike the others before it.
+/// The headers of the columns that are carried through, each made different from ours and from those before it.
 ///
-/// An inventory may be an `objects.csv` of an earlier run, which has columns of our names.
+/// An inventory may be the `objects.csv` of an earlier run, whose columns have our names.
 ///
 /// # Example
 /// ```
@@ -122,10 +124,10 @@ pub struct Column {
 /// assert_eq!(names, ["Asset", "rank (inventory)", "Asset (inventory)", "column 4"]);
 /// ```
 pub fn carried_names(carried: &[String]) -> Vec<String> {
-    // Spreadsheets and databases take `Rank` and `rank` for one name.
+    // Spreadsheets and databases treat `Rank` and `rank` as one name.
     let ours = COLUMNS.iter().flat_map(|column| [column.name.to_owned(), overturned_name(column)]);
     let mut taken: HashSet<String> = ours.map(|name| name.to_lowercase()).collect();
-    // How often a header was met: a thousand alike are not each tried against all others.
+    // How often a header was found: a thousand equal ones are not each compared with all others.
     let mut met: HashMap<String, usize> = HashMap::new();
     let mut names = Vec::with_capacity(carried.len());
     for (i, header) in carried.iter().enumerate() {
@@ -142,12 +144,12 @@ pub fn carried_names(carried: &[String]) -> Vec<String> {
     names
 }
 
-/// The cells that were carried through: as many as the inventory has headers for, whatever the row holds.
+/// The cells that are carried through: one for each header, however many the row has.
 pub fn carried_cells<'a>(inventory: &Inventory, item: &'a Item) -> impl Iterator<Item = Cell<'a>> {
     (0..inventory.carried.len()).map(|i| item.carried.get(i).map_or(Cell::Missing, |text| Cell::text(text)))
 }
 
-/// The name of the Boolean column that says where a ranked number fell among the overturned.
+/// The name of the Boolean column that is `true` where a ranked number is `overturned`.
 pub fn overturned_name(column: &Column) -> String {
     format!("{}_overturned", column.name)
 }

@@ -20,7 +20,7 @@ fn at<'t>(table: &'t (Vec<String>, Vec<Vec<String>>), row: usize, name: &str) ->
     &table.1[row][column]
 }
 
-/// The columns that scripts outside rely on, by their names.
+/// The columns that scripts of others rely on, by their names.
 #[test]
 fn the_columns_of_the_contract_are_there() {
     let names: Vec<&str> = COLUMNS.iter().map(|column| column.name).collect();
@@ -80,7 +80,7 @@ fn the_table_is_in_the_order_of_the_inventory() {
         // A text of the inventory, although it looks like a number.
         assert_eq!(at(&table, row, "rank (inventory)"), "'-12");
     }
-    // Row 0 is to be restrained: 84 % of its motions do not stay upright, the larger anchor tension is of the first source.
+    // Row 0 is to be restrained: it overturns at 84 % of the motions, and the first source has the larger anchor tension.
     assert_eq!((at(&table, 0, "decision"), at(&table, 0, "edge_acceleration_g_p84")), ("restrain", "overturned"));
     assert_eq!((at(&table, 0, "restraint_force_n"), at(&table, 0, "anchor_tension_n")), ("530", "950"));
     assert_eq!(at(&table, 0, "restraint_source"), "ASCE 7-22, 13.3.1");
@@ -101,7 +101,7 @@ fn no_text_becomes_a_formula_or_breaks_a_row() {
         let expected = if text.starts_with(['=', '@']) { format!("'{text}") } else { (*text).to_owned() };
         assert_eq!(at(&table, row, "notes"), expected);
         assert_eq!(at(&table, row, "Asset"), expected);
-        // The inventory has one cell less than headers here.
+        // This row of the inventory has one cell fewer than there are headers.
         assert_eq!(at(&table, row, "rank (inventory)"), "");
     }
     for field in table.1.iter().flatten() {
@@ -117,7 +117,7 @@ fn what_is_not_assessed_is_there_and_says_so() {
     let table = table(&inventory, 4);
     assert_eq!(table.1.len(), 6);
     assert_eq!((at(&table, 3, "decision"), at(&table, 4, "decision")), ("restrain", ""));
-    assert!(at(&table, 4, "why").contains("Partial"));
+    assert!(at(&table, 4, "why").contains("partial"));
     // 100 kg and ten times 1.5.
     assert_eq!((at(&table, 5, "rank"), at(&table, 5, "mass_kg")), ("", "115"));
 }
@@ -141,7 +141,7 @@ fn rows_that_come_in_another_order_are_refused() {
     assert!(problem.message.contains("order of the inventory"), "{problem}");
 }
 
-/// Sixteen thousand headers alike: every name once, and not in the square of their number.
+/// Sixteen thousand equal headers get different names, in a time that does not grow with the square of their number.
 #[test]
 fn carried_names_are_unlike() {
     let names = carried_names(&vec!["RANK".to_owned(); 16_000]);

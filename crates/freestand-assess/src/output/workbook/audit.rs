@@ -1,27 +1,27 @@
-//! The sheet for a reviewer: Eqs. (5)–(8) as live formulas beside the values of the assessment.
+//! The sheet for a reviewer: Eqs. (5)–(8) as live formulas next to the values of the assessment.
 
 use freestand::G0_M_S2;
 use rust_xlsxwriter::{ColNum, RowNum, Workbook, Worksheet, XlsxError};
 
 use crate::inventory::{Inventory, Item};
 use crate::output::table::Line;
-use crate::result::Chain;
+use crate::result::{Chain, Criterion};
 use freestand_input::words::number;
 
 use super::cells::{Styles, put_formula, put_number, put_text};
 use super::sheet;
 
-/// Objects that are listed: the most urgent. Beyond that a spreadsheet takes minutes to open.
-const MOST_OBJECTS: usize = 50_000;
+/// Number of objects in the sheet, the most urgent ones: with more, a spreadsheet takes minutes to open.
+const MAX_OBJECTS: usize = 50_000;
 
-/// Row of the headers, counted from 0; the objects stand below it.
+/// Row of the headers, counted from 0; the objects follow.
 const HEADER_ROW: RowNum = 7;
 
-/// The cell of the gravity of earth.
+/// The cell with the acceleration of gravity.
 const GRAVITY: &str = "$B$4";
 
-/// Columns of the sheet, in order. What follows `Input` is typed, what follows `Check` has three columns: formula, value of the
-/// assessment, difference.
+/// Columns of the sheet, in order. An `Input` is a value; a `Check` has three columns: formula, value of the assessment,
+/// difference.
 #[derive(Clone, Copy)]
 enum Part {
     Text(&'static str),
@@ -64,12 +64,13 @@ const PARTS: [Part; 29] = [
     Check("demand_capacity_ratio"),
 ];
 
-/// The sheet so far.
+/// The sheet as it is written.
 pub(super) struct Audit {
     sheet: Worksheet,
     row: RowNum,
-    /// Objects without a landing to follow, and those that are too far down the list.
+    /// Objects without a landing.
     without: usize,
+    /// Objects that are not among the most urgent.
     beyond: usize,
     places: Places,
 }
@@ -90,7 +91,7 @@ impl Places {
         Self { first, columns }
     }
 
-    /// The column of the part whose name begins with `name` and a blank, or is it.
+    /// The column of the part whose name is `name`, or begins with it and a blank.
     fn of(&self, name: &str) -> ColNum {
         let is_it = |part: &Part| {
             let (Text(full) | Input(full) | Step(full) | Check(full)) = part;
@@ -110,7 +111,7 @@ impl Audit {
     ) -> Result<Self, XlsxError> {
         let mut sheet = sheet(workbook, is_large, "Audit")?;
         let places = Places::new();
-        let listed = inventory.items.len().min(MOST_OBJECTS);
+        let listed = inventory.items.len().min(MAX_OBJECTS);
         put_text(
             &mut sheet,
             (0, 0),
@@ -118,12 +119,12 @@ impl Audit {
             &styles.title,
         )?;
         let words = [
-            "Blue: inputs. Green: live formulas, calculated by this spreadsheet. Beside each the value of the assessment and their \
-             difference, relative to that value. R_D = 1 − ⅜(d/R)² (6); a = √(2kgΔh/m) (7); a_edge = ¾(1−R_D²)^(−½)(d/R)²a (5), \
-             halted ¾(d/R)²a (8); Δv = 2v, T = π√(m_eff/k).",
-            "Blocks that are not uniform or stand on feet that are set in: I₀/m = (h²+t²)/12 + R², R_D = 1 − B²/(2I₀/m), \
-             v = B√(2gΔh/(I₀/m)), a_edge = v√(k/m_eff). Laws that are not a spring are solved numerically: their shock has a value and \
-             no formula.",
+            "Blue: inputs. Green: live formulas, calculated by this spreadsheet. Next to each are the value of the assessment \
+             and their difference, relative to that value. R_D = 1 − ⅜(d/R)² (6); a = √(2kgΔh/m) (7); \
+             a_edge = ¾(1−R_D²)^(−½)(d/R)²a (5), halted ¾(d/R)²a (8); Δv = 2v, T = π√(m_eff/k).",
+            "Blocks that are not uniform or have inset feet: I₀/m = (h²+t²)/12 + R², R_D = 1 − B²/(2I₀/m), \
+             v = B√(2gΔh/(I₀/m)), a_edge = v√(k/m_eff). Contact laws other than a spring are solved numerically: their shock \
+             has a value but no formula.",
         ];
         for (text, row) in words.iter().zip(1..) {
             put_text(&mut sheet, (row, 0), text, &styles.text)?;
@@ -144,8 +145,8 @@ impl Audit {
         let ranges = ranges.join(",");
         let largest = format!("MAX(MAX({ranges}),-MIN({ranges}))");
         put_formula(&mut sheet, (4, 1), &largest, Some(0.0), &styles.difference)?;
-        if inventory.items.len() > MOST_OBJECTS {
-            let text = format!("Only the {} most urgent objects are listed here.", number(MOST_OBJECTS as f64, 9));
+        if inventory.items.len() > MAX_OBJECTS {
+            let text = format!("This sheet has only the {} most urgent objects.", number(MAX_OBJECTS as f64, 9));
             put_text(&mut sheet, (5, 0), &text, &styles.warning)?;
         }
         headers(&mut sheet, &places, styles)?;
@@ -158,11 +159,11 @@ impl Audit {
             self.without += 1;
             return Ok(());
         };
-        if rank > MOST_OBJECTS {
+        if rank > MAX_OBJECTS {
             self.beyond += 1;
             return Ok(());
         }
-        let governing = found.capacity.as_ref().map(|capacity| capacity.governing.as_str());
+        let governing = found.capacity.as_ref().map(|capacity| capacity.governing);
         let mut writer = Writer { sheet: &mut self.sheet, places: &self.places, styles, row: self.row };
         writer.names(rank, line.item, chain)?;
         writer.inputs(line.item, chain)?;
@@ -176,14 +177,11 @@ impl Audit {
     pub(super) fn finish(mut self, styles: &Styles) -> Result<Worksheet, XlsxError> {
         let last = self.row.saturating_sub(1).max(HEADER_ROW + 1);
         let notes = [
-            (
-                self.without,
-                "have no landing to follow: they never lift off, overturn at the motion that decides, or lack something.",
-            ),
-            (self.beyond, "are not among the most urgent and stand in the sheet Objects alone."),
+            (self.without, "without a landing: no uplift, overturned by the motion that decides, or data missing"),
+            (self.beyond, "not among the most urgent: in the sheet Objects alone"),
         ];
         for ((count, note), row) in notes.into_iter().filter(|(count, _)| *count > 0).zip(last + 2..) {
-            put_text(&mut self.sheet, (row, 0), &format!("{count} further objects {note}"), &styles.text)?;
+            put_text(&mut self.sheet, (row, 0), &format!("Further objects, {note}: {count}"), &styles.text)?;
         }
         self.sheet.autofilter(HEADER_ROW, 0, last, self.places.columns - 1)?;
         Ok(self.sheet)
@@ -217,7 +215,7 @@ enum Form {
     Printed,
     /// The general block on a spring.
     General,
-    /// Any block on a law that is no spring.
+    /// Any block on a contact law that is not a spring.
     Law,
 }
 
@@ -236,7 +234,7 @@ impl Form {
             (Self::Printed, true) => "Eqs. (7), (8): halted",
             (Self::General, false) => "general block",
             (Self::General, true) => "general block, halted",
-            (Self::Law, _) => "law solved numerically",
+            (Self::Law, _) => "contact law, solved numerically",
         }
     }
 }
@@ -253,7 +251,8 @@ impl Writer<'_> {
     fn names(&mut self, rank: usize, item: &Item, chain: &Chain) -> Result<(), XlsxError> {
         put_number(self.sheet, (self.row, 0), Some(rank as f64), &self.styles.count)?;
         let form = Form::of(chain).words(chain.is_halted);
-        for (name, text) in [("id", item.id.as_str()), ("motion", &chain.motion), ("axis", &chain.axis), ("form", form)]
+        for (name, text) in
+            [("id", item.id.as_str()), ("motion", &chain.motion), ("axis", chain.axis.name()), ("form", form)]
         {
             put_text(self.sheet, (self.row, self.places.of(name)), text, &self.styles.text)?;
         }
@@ -282,7 +281,7 @@ impl Writer<'_> {
         Ok(())
     }
 
-    /// R, x, I₀/m, R_D, m_eff, v: they need no stiffness.
+    /// R, x, I₀/m, R_D, m_eff and v, which do not need the stiffness.
     fn geometry(&mut self, item: &Item, chain: &Chain) -> Result<(), XlsxError> {
         let is_printed = Form::of(chain) == Form::Printed;
         let [h, t, b, z, m, rise] = ["h", "t", "B", "z", "m", "Δh"].map(|name| self.at(name));
@@ -342,8 +341,8 @@ impl Writer<'_> {
         self.check("T", &format!("PI()*SQRT({m_eff}/{k})"), Some(chain.pulse_duration_s))
     }
 
-    /// Demand over capacity by the criterion that governs, where it is a formula.
-    fn capacity(&mut self, item: &Item, chain: &Chain, governing: Option<&str>) -> Result<(), XlsxError> {
+    /// Demand/capacity by the governing criterion, where there is a formula for it.
+    fn capacity(&mut self, item: &Item, chain: &Chain, governing: Option<Criterion>) -> Result<(), XlsxError> {
         let [edge, change, larger] = ["a_edge", "Δv", "larger"].map(|name| self.at(name));
         let [impact, lift] = ["edge_acceleration_impact_velocity_g", "uplift_m"].map(|name| self.at(name));
         let peak = self.at("tolerance_g");
@@ -356,14 +355,14 @@ impl Writer<'_> {
         self.step("larger", &format!("MAX({edge},{impact})"), shock_g)?;
         let tolerance = item.tolerance.as_ref();
         let has = |value: fn(&crate::library::Tolerance) -> Option<f64>| tolerance.and_then(value).is_some();
-        // On a spring the velocity change grows as the shock does.
+        // On a spring the velocity change is proportional to the shock.
         let changed = format!("{change}*{larger}/{edge}/{limit}");
         let (has_peak, has_change) = (has(|t| t.peak_m_s2), has(|t| t.velocity_change_m_s));
         let formula = match governing {
-            Some("peak") if has_peak => format!("{larger}/{peak}"),
-            Some("damage-boundary") if has_peak && has_change => format!("MIN({larger}/{peak},{changed})"),
-            Some("velocity-change") if has_change => changed,
-            Some("edge-lift") if has(|t| t.edge_lift_m) => format!("{lift}/{survived}"),
+            Some(Criterion::Peak) if has_peak => format!("{larger}/{peak}"),
+            Some(Criterion::DamageBoundary) if has_peak && has_change => format!("MIN({larger}/{peak},{changed})"),
+            Some(Criterion::VelocityChange) if has_change => changed,
+            Some(Criterion::EdgeLift) if has(|t| t.edge_lift_m) => format!("{lift}/{survived}"),
             _ => return self.value("demand_capacity_ratio", ratio),
         };
         if chain.edge_acceleration_g > 0.0 {
@@ -398,7 +397,7 @@ impl Writer<'_> {
     }
 }
 
-/// Height of the centre of gravity of a block, from its inventory.
+/// Height of the centre of gravity, from the inventory.
 fn cg_height_m(item: &Item, chain: &Chain) -> f64 {
     item.cg_height_m.unwrap_or(0.5 * chain.height_m)
 }
@@ -421,7 +420,7 @@ mod tests {
     fn columns_have_their_names() {
         assert_eq!([0, 25, 26, 701, 702].map(letters), ["A", "Z", "AA", "ZZ", "AAA"]);
         let places = Places::new();
-        // No two parts share a column, and every short name finds its own.
+        // No two parts share a column, and every short name finds its part.
         let found: Vec<ColNum> = PARTS
             .iter()
             .map(|part| {

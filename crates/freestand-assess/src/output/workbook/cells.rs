@@ -1,4 +1,4 @@
-//! Formats, and cells that cannot be anything but what they are.
+//! Formats, and cells written with a definite type.
 
 use rust_xlsxwriter::{ColNum, Format, FormatAlign, FormatBorder, Formula, RowNum, Worksheet, XlsxError};
 
@@ -6,10 +6,10 @@ use crate::output::csv::OVERTURNED;
 use crate::output::table::Cell;
 
 /// Longest text of a cell in UTF-16 units; Excel takes 32,767.
-const LONGEST: usize = 32_000;
+const MAX_TEXT_UNITS: usize = 32_000;
 
-/// What ends a text that was cut.
-const CUT: &str = " … (cut; the whole text stands in objects.csv)";
+/// The end of a text that was truncated.
+const CUT: &str = " … (truncated; the whole text is in objects.csv)";
 
 /// The formats of the workbook.
 pub(super) struct Styles {
@@ -53,7 +53,7 @@ impl Styles {
     }
 }
 
-/// A text, cut where Excel would refuse it.
+/// A text, truncated where Excel would refuse it.
 pub(super) fn put_text(
     sheet: &mut Worksheet,
     (row, column): (RowNum, ColNum),
@@ -64,7 +64,7 @@ pub(super) fn put_text(
     Ok(())
 }
 
-/// A finite number; nothing otherwise.
+/// A finite number; otherwise the cell stays empty.
 pub(super) fn put_number(
     sheet: &mut Worksheet,
     (row, column): (RowNum, ColNum),
@@ -77,7 +77,7 @@ pub(super) fn put_number(
     Ok(())
 }
 
-/// A formula with its result, for readers that do not calculate; nothing where there is no finite one.
+/// A formula with its result, for programs that do not calculate; without a finite result the cell stays empty.
 pub(super) fn put_formula(
     sheet: &mut Worksheet,
     (row, column): (RowNum, ColNum),
@@ -114,17 +114,17 @@ pub(super) fn put(
     }
 }
 
-/// The text, or as much of it as fits with a word on that.
+/// The text, or as much of it as fits with [`CUT`].
 fn fitting(text: &str) -> String {
-    // U+FFFE and U+FFFF may stand in no XML; control characters are escaped by the library.
+    // XML cannot hold U+FFFE and U+FFFF; the library escapes control characters.
     let text = text.replace(['\u{fffe}', '\u{ffff}'], "");
-    if text.len() <= LONGEST {
+    if text.len() <= MAX_TEXT_UNITS {
         return text;
     }
     let mut units = 0;
     let end = text.char_indices().find(|(_, c)| {
         units += c.len_utf16();
-        units > LONGEST
+        units > MAX_TEXT_UNITS
     });
     end.map_or_else(|| text.clone(), |(end, _)| format!("{}{CUT}", &text[..end]))
 }
@@ -134,11 +134,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_text_is_cut_at_a_character() {
+    fn a_text_is_truncated_at_a_character() {
         assert_eq!(fitting("=A1\u{fffe}"), "=A1");
         let long = fitting(&"🪨".repeat(20_000));
         assert!(long.ends_with(CUT) && long.encode_utf16().count() < 32_767);
-        assert_eq!(long.encode_utf16().count(), LONGEST + CUT.encode_utf16().count());
+        assert_eq!(long.encode_utf16().count(), MAX_TEXT_UNITS + CUT.encode_utf16().count());
         // 20,000 characters of three bytes each are 20,000 units.
         assert_eq!(fitting(&"–".repeat(20_000)).len(), 60_000);
     }

@@ -1,6 +1,6 @@
-//! `assessment.xlsx`: summary, objects, live formulas for a reviewer, a dictionary of the columns, the sources.
+//! `assessment.xlsx`: summary, objects, live formulas for a reviewer, the meanings of the columns, the sources.
 //!
-//! Text is always written as text, so that nothing of an inventory becomes a formula. The same rows give the same bytes.
+//! Text is always written as text, so that no cell of an inventory becomes a formula. The same rows give the same bytes.
 
 mod audit;
 mod cells;
@@ -31,10 +31,10 @@ pub const WORKBOOK_NAME: &str = "assessment.xlsx";
 /// Rows of a sheet, of which one is the header.
 const SHEET_ROWS: u32 = 1_048_576;
 
-/// Objects beyond which sheets are kept in temporary files: each takes some 20 kB of memory otherwise.
+/// Objects from which sheets are kept in temporary files: each object takes about 20 kB of memory otherwise.
 const LARGE: usize = 2_000;
 
-/// The workbook in the making.
+/// The workbook as it is written.
 pub(super) struct Book {
     workbook: Workbook,
     styles: Styles,
@@ -44,7 +44,7 @@ pub(super) struct Book {
 }
 
 impl Book {
-    /// Begins the workbook; temporary files of large ones stand beside it, where there has to be room anyway.
+    /// Begins the workbook. The temporary files of a large one are in its folder, which needs the space anyway.
     pub(super) fn begin(folder: &OutputFolder, inventory: &Inventory) -> Result<Self, Problem> {
         let beside = folder.path_of(WORKBOOK_NAME)?;
         guarded(|| {
@@ -56,7 +56,7 @@ impl Book {
                     workbook.set_tempdir(parent)?;
                 }
             }
-            // A clock would make two runs of the same study two files.
+            // With the date of a clock, two runs of the same study would give different files.
             let date = ExcelDateTime::from_ymd(2000, 1, 1)?;
             workbook.set_properties(&DocProperties::new().set_title("Assessment").set_creation_datetime(&date));
             let styles = Styles::new();
@@ -75,7 +75,7 @@ impl Book {
         })
     }
 
-    /// The sheets that are known at the end only, and the file.
+    /// Writes the sheets that are only known at the end, and the file.
     pub(super) fn finish(
         mut self,
         folder: &OutputFolder,
@@ -106,12 +106,14 @@ fn sheet(workbook: &mut Workbook, is_large: bool, name: &str) -> Result<Workshee
     Ok(sheet)
 }
 
-/// The library panics where a temporary file cannot be written; that is a disk that is full, and reported as one.
+/// The library panics where a temporary file cannot be written, mostly because the disk is full: that becomes a problem.
 fn guarded<T>(work: impl FnOnce() -> Result<T, XlsxError>) -> Result<T, Problem> {
     let failed = |message: String| Problem::new(ProblemKind::Io, format!("cannot write {WORKBOOK_NAME}: {message}"));
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(result) => result.map_err(|error| failed(error.to_string())),
-        Err(_) => Err(failed("its temporary files cannot be written".to_owned()).hint("is the disk full?")),
+        Err(_) => {
+            Err(failed("its temporary files cannot be written".to_owned()).hint("check whether the disk is full"))
+        }
     }
 }
 

@@ -29,7 +29,7 @@ impl Objects {
         styles: &Styles,
         inventory: &Inventory,
     ) -> Result<Self, XlsxError> {
-        // A sheet has 16,384 columns; the carried ones beyond them stand in the CSV alone.
+        // A sheet has 16,384 columns; carried ones beyond them are in the CSV alone.
         let columns = (COLUMNS.len() + inventory.carried.len()).min(16_384);
         let mut objects = Self { sheets: Vec::new(), row: 0, columns: columns as ColNum };
         objects.next_sheet(workbook, is_large, styles, inventory)?;
@@ -50,7 +50,7 @@ impl Objects {
         let (row, columns) = (self.row, self.columns);
         let Some(sheet) = self.sheets.last_mut() else { return Ok(()) };
         for (column, at) in COLUMNS.iter().zip(0..) {
-            put(sheet, (row, at), &(column.cell)(line), styles, is_share(column))?;
+            put(sheet, (row, at), &(column.cell)(line), styles, column.kind == Kind::Share)?;
         }
         for (cell, at) in carried_cells(inventory, line.item).zip(COLUMNS.len() as ColNum..columns) {
             put(sheet, (row, at), &cell, styles, false)?;
@@ -98,11 +98,6 @@ impl Objects {
     }
 }
 
-/// Whether people read it in percent.
-fn is_share(column: &Column) -> bool {
-    column.name.starts_with("p_") || column.name.ends_with("_share") || column.name == "accepted_ratio"
-}
-
 fn width(column: &Column) -> f64 {
     match (column.kind, column.name) {
         (_, "why" | "remarks" | "notes") => 60.0,
@@ -113,7 +108,7 @@ fn width(column: &Column) -> f64 {
     }
 }
 
-/// Colours on top of words: the decision, and what is beyond its capacity.
+/// Colours in addition to words: the decision, and what exceeds its capacity.
 fn colour(sheet: &mut Worksheet, last_row: RowNum) -> Result<(), XlsxError> {
     for (column, at) in COLUMNS.iter().zip(0..) {
         if column.name == "decision" {

@@ -1,4 +1,4 @@
-//! The sheets of words: summary, dictionary of the columns, sources.
+//! The sheets of text: summary, meanings of the columns, sources.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use crate::output::overview::{Counts, Overview, RATINGS};
 use crate::output::sources::Sources;
 use crate::output::table::{COLUMNS, Kind};
 use crate::output::words::{HOW_TO_READ, advice, colours, label, probability, ranked, sign};
-use crate::result::Decision;
+use crate::result::{Criterion, Decision};
 
 use super::cells::{Styles, put_number, put_text};
 
@@ -34,13 +34,13 @@ pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Resu
     page.consequences(overview)?;
     page.first(overview)?;
     page.list("Warnings", &head.warnings)?;
-    page.pairs("What was assessed", &head.facts)?;
+    page.pairs("Inputs", &head.facts)?;
     page.list("Assumptions", &head.assumptions)?;
-    page.list("How to read it", &HOW_TO_READ)?;
+    page.list("How to read this workbook", &HOW_TO_READ)?;
     Ok(page.sheet)
 }
 
-/// The dictionary.
+/// The meanings of the columns.
 pub(super) fn columns(styles: &Styles) -> Result<Worksheet, XlsxError> {
     let mut sheet = Worksheet::new();
     sheet.set_name("Columns")?;
@@ -52,7 +52,7 @@ pub(super) fn columns(styles: &Styles) -> Result<Worksheet, XlsxError> {
     for (column, row) in COLUMNS.iter().zip(1..) {
         let kind = match column.kind {
             Kind::Text => "text",
-            Kind::Number => "number",
+            Kind::Number | Kind::Share => "number",
             Kind::Count => "whole number",
             Kind::Ranked => "number or overturned",
             Kind::Flag => "yes or no",
@@ -62,7 +62,7 @@ pub(super) fn columns(styles: &Styles) -> Result<Worksheet, XlsxError> {
         }
     }
     let row = COLUMNS.len() as RowNum + 2;
-    let note = "The columns behind these are those of the inventory that are not ours, carried through as text.";
+    let note = "Other columns of the inventory follow these; they are carried through as text.";
     put_text(&mut sheet, (row, 0), note, &styles.text)?;
     Ok(sheet)
 }
@@ -72,7 +72,7 @@ pub(super) fn sources(sources: &Sources, styles: &Styles) -> Result<Worksheet, X
     let mut sheet = Worksheet::new();
     sheet.set_name("Sources")?;
     sheet.set_freeze_panes(1, 0)?;
-    for (column, (width, name)) in (0..).zip([(18.0, "of"), (90.0, "source"), (28.0, "worth"), (10.0, "objects")]) {
+    for (column, (width, name)) in (0..).zip([(18.0, "of"), (90.0, "source"), (28.0, "trust"), (10.0, "objects")]) {
         sheet.set_column_width(column, width)?;
         put_text(&mut sheet, (0, column), name, &styles.header)?;
     }
@@ -104,7 +104,7 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// Headers of a table, over numbers in the columns `numbers`.
+    /// Headers of a table; the columns `numbers` hold numbers.
     fn header(&mut self, names: &[&str], numbers: Range<ColNum>) -> Result<(), XlsxError> {
         self.sheet.set_row_height(self.row, 31)?;
         for (name, column) in names.iter().zip(0..) {
@@ -122,7 +122,7 @@ impl Page<'_> {
 
     fn counts(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Decisions")?;
-        self.header(&["decision", "objects", "pieces", "share of the objects", "what to do"], 1..4)?;
+        self.header(&["decision", "objects", "pieces", "share of the objects", "recommendation"], 1..4)?;
         for decision in Decision::ALL {
             let format = self.styles.text.clone().set_background_color(colours(decision).fill);
             self.text(0, &format!("{} {}", sign(decision), label(decision)), &format)?;
@@ -134,7 +134,7 @@ impl Page<'_> {
             self.text(4, advice(decision), &self.styles.text)?;
             self.row += 1;
         }
-        self.text(0, "all that are assessed", &self.styles.text)?;
+        self.text(0, "assessed in all", &self.styles.text)?;
         self.number(1, overview.assessed as f64)?;
         self.row += 1;
         self.text(0, "rows of the inventory", &self.styles.text)?;
@@ -152,7 +152,7 @@ impl Page<'_> {
     }
 
     fn floors(&mut self, overview: &Overview) -> Result<(), XlsxError> {
-        self.heading("Floors, from the top")?;
+        self.heading("Decisions by floor, from the top down")?;
         self.header(&["floor", "level_ratio", "pfa_g_median", "restrain", "soften", "no verdict", "leave"], 1..7)?;
         for floor in overview.floors() {
             self.text(0, &floor.name, &self.styles.text)?;
@@ -164,7 +164,7 @@ impl Page<'_> {
     }
 
     fn consequences(&mut self, overview: &Overview) -> Result<(), XlsxError> {
-        self.heading("Consequences (FEMA E-74)")?;
+        self.heading("Decisions by consequence (FEMA E-74)")?;
         self.header(&["consequence", "rating", "objects", "restrain", "soften", "no verdict", "leave"], 2..7)?;
         for consequence in &overview.consequences {
             for (counts, rating) in consequence.ratings.iter().zip(RATINGS) {
@@ -178,14 +178,14 @@ impl Page<'_> {
     }
 
     fn first(&mut self, overview: &Overview) -> Result<(), XlsxError> {
-        self.heading("What to do first (all objects: sheet Objects, column rank)")?;
+        self.heading("The most urgent objects (all objects: sheet Objects, column rank)")?;
         self.header(
             &[
                 "rank, object",
                 "decision",
-                "where",
-                "demand over capacity",
-                "governing",
+                "place",
+                "demand/capacity",
+                "governing criterion",
                 "probability (95 % interval)",
                 "median shock",
                 "why",
@@ -199,7 +199,7 @@ impl Page<'_> {
             self.text(2, &one.place, &self.styles.text)?;
             let ratio = one.demand_capacity.map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
             self.text(3, &ratio, &self.styles.text)?;
-            self.text(4, one.governing.as_deref().unwrap_or("–"), &self.styles.text)?;
+            self.text(4, one.governing.map_or("–", Criterion::name), &self.styles.text)?;
             let of = if one.is_overturn_only { "overturns: " } else { "" };
             let chance = one.probability.map_or_else(|| "–".to_owned(), |p| format!("{of}{}", probability(p)));
             self.text(5, &chance, &self.styles.text)?;

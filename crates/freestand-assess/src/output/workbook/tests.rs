@@ -21,7 +21,7 @@ type Cells = Vec<Vec<Data>>;
 fn sheet_of(bytes: &[u8], name: &str) -> Cells {
     let mut book: Xlsx<_> = open_workbook_from_rs(Cursor::new(bytes.to_vec())).unwrap();
     let range = book.worksheet_range(name).unwrap();
-    // A range begins at its first cell that is not empty: A1, in all of our sheets.
+    // A range begins at its first cell that is not empty, which is A1 in all of our sheets.
     assert_eq!(range.start(), Some((0, 0)));
     range.rows().map(<[Data]>::to_vec).collect()
 }
@@ -49,7 +49,7 @@ fn the_objects_are_those_of_the_table() {
     assert_eq!(*at(&cells, 0, 1, "edge_acceleration_g_p84"), Data::String("overturned".into()));
     assert_eq!(*at(&cells, 0, 1, "width_m"), Data::Empty);
     assert_eq!(*at(&cells, 0, 5, "decision"), Data::Empty);
-    // A text of the inventory stays one, although it looks like a number.
+    // A text of the inventory stays a text, although it looks like a number.
     assert_eq!(*at(&cells, 0, 1, "rank (inventory)"), Data::String("-12".into()));
     let columns = sheet_of(&bytes, "Columns");
     assert_eq!(columns[1][..2], [Data::String("rank".into()), Data::String("–".into())]);
@@ -63,8 +63,8 @@ fn text_is_never_a_formula() {
     let bytes = bytes(&inventory(hostile_items()), 8);
     let cells = sheet_of(&bytes, "Objects");
     for (row, text) in HOSTILE.iter().enumerate() {
-        let Data::String(shown) = at(&cells, 0, row + 1, "notes") else { panic!("row {row} is no text") };
-        // Excel keeps one kind of line end, and characters that XML cannot hold are left out.
+        let Data::String(shown) = at(&cells, 0, row + 1, "notes") else { panic!("row {row} is not a text") };
+        // Excel keeps one kind of line ending, and characters that XML cannot hold are left out.
         let plain =
             |text: &str| text.replace(['\r', '\u{fffe}', '\u{1}'], "").replace("_x0001_", "").replace("_x000D_", "");
         assert_eq!(plain(shown), plain(text));
@@ -76,7 +76,7 @@ fn text_is_never_a_formula() {
     }
 }
 
-/// The formulas that were written are those of the paper: read back from the file and evaluated by hand for one block.
+/// The formulas in the file are those of the paper; they were evaluated by hand for one block.
 #[test]
 fn the_formulas_are_live() {
     let inventory = inventory((0..6).map(item).collect());
@@ -95,7 +95,7 @@ fn the_formulas_are_live() {
     assert_eq!(formula("a drop_acceleration_g"), "SQRT(2*K9*$B$4*L9/J9)/$B$4");
     assert_eq!(formula("a_edge edge_acceleration_g"), "3/4/SQRT(1-W9^2)*U9*Z9");
     assert_eq!(cells[header + 1][4], Data::String("Eqs. (5)–(7)".into()));
-    // The second item stands on feet that are set in.
+    // The second item has inset feet.
     assert_eq!(cells[header + 2][4], Data::String("general block".into()));
     let shown = |name: &str| cells[header + 1][column(name) as usize].get_float().unwrap();
     let chain = crate::output::fixture::chain(&inventory.items[0]).unwrap();
@@ -114,12 +114,12 @@ fn inventory_of(count: usize) -> Inventory {
     inventory((0..count).map(item).collect())
 }
 
-/// The path of large workbooks, with sheets in temporary files, shows the same cells.
+/// Large workbooks, whose sheets are in temporary files, have the same cells.
 #[test]
 fn large_and_small_workbooks_are_alike() {
     let count = LARGE + 1;
     let inventory = inventory_of(count);
-    // Rows without results are cheap to make and go the same way.
+    // Rows without results are cheap and use the same code.
     let cells = sheet_of(&bytes(&inventory, 3), "Objects");
     assert_eq!(cells.len(), count + 1);
     assert_eq!(*at(&cells, 0, 1, "edge_acceleration_g_median"), Data::Float(4.2));
