@@ -16,8 +16,10 @@ use freestand_study::run::{Progress, Step, floors_under, ground_motions};
 use freestand_study::statistics::ranked_quantile;
 use freestand_study::study::{Level, Study};
 
-/// Why a run ended before its end.
-pub(crate) const STOPPED: &str = "the run was stopped before its end";
+/// The problem of a run that the caller stopped.
+pub(crate) fn stopped() -> Problems {
+    Problem::new(ProblemKind::Stopped, "the run was stopped before its end").into()
+}
 
 /// Largest difference between two level ratios of the same floor: inventories give two or three digits.
 const SAME_LEVEL: f64 = 5e-3;
@@ -51,7 +53,6 @@ pub(crate) struct Floor {
 impl<'a> Hazard<'a> {
     /// Generates the ground motions, or takes those that the study gives.
     pub(crate) fn new(study: &'a Study, progress: Progress) -> Result<Self, Problems> {
-        let stopped = || Problems::from(Problem::new(ProblemKind::Computation, STOPPED));
         let go_on = || match progress(Step { stage: "ground motions", done: 0, total: 0 }) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(stopped()),

@@ -92,7 +92,7 @@ struct Doubtful {
 pub(super) struct Findings<'a> {
     path: &'a Path,
     sheet: Option<String>,
-    problems: Vec<Problem>,
+    problems: Problems,
     more: usize,
     doubts: Vec<Doubtful>,
 }
@@ -106,7 +106,7 @@ pub(super) struct At {
 
 impl<'a> Findings<'a> {
     pub(super) fn new(path: &'a Path, sheet: Option<String>) -> Self {
-        Self { path, sheet, problems: Vec::new(), more: 0, doubts: Vec::new() }
+        Self { path, sheet, problems: Problems::default(), more: 0, doubts: Vec::new() }
     }
 
     /// A problem of the file as a whole, or of its headings.
@@ -123,7 +123,7 @@ impl<'a> Findings<'a> {
 
     /// A problem of a cell, under its heading.
     pub(super) fn of_cell(&mut self, at: At, column: u32, heading: &str, message: &str, hint: Option<String>) {
-        if self.problems.len() >= MAX_PROBLEMS {
+        if self.problems.problems.len() >= MAX_PROBLEMS {
             self.more += 1;
             return;
         }
@@ -132,11 +132,10 @@ impl<'a> Findings<'a> {
     }
 
     fn value(&mut self, at: At, message: String, hint: Option<String>) {
-        let mut problem = Problem::new(ProblemKind::Value, self.in_sheet(message));
-        problem.line = at.line;
         // Some problems of quantities have no hint of their own.
-        problem.hint =
-            Some(hint.unwrap_or_else(|| "correct the cell, or leave it empty if the value is not known".to_owned()));
+        let hint = hint.as_deref().unwrap_or("correct the cell, or leave it empty if the value is not known");
+        let mut problem = Problem::value(self.in_sheet(message), hint);
+        problem.line = at.line;
         self.push(problem);
     }
 
@@ -149,7 +148,7 @@ impl<'a> Findings<'a> {
 
     /// Adds a problem.
     pub(super) fn push(&mut self, problem: Problem) {
-        if self.problems.len() < MAX_PROBLEMS {
+        if self.problems.problems.len() < MAX_PROBLEMS {
             self.problems.push(problem.in_file(self.path));
         } else {
             self.more += 1;
@@ -180,14 +179,10 @@ impl<'a> Findings<'a> {
     pub(super) fn finish(mut self) -> Result<Vec<String>, Problems> {
         if self.more > 0 {
             let message = format!("{} more problems are not listed", self.more);
-            let last = Problem::new(ProblemKind::Value, message).in_file(self.path);
-            self.problems.push(last.hint("correct the problems above first"));
-        }
-        if !self.problems.is_empty() {
-            return Err(Problems { problems: self.problems });
+            self.problems.push(Problem::value(message, "correct the problems above first").in_file(self.path));
         }
         self.doubts.sort_by_key(|entry| entry.doubt);
-        Ok(self.doubts.iter().map(Doubtful::words).collect())
+        self.problems.finish(self.doubts.iter().map(Doubtful::words).collect())
     }
 }
 

@@ -1,6 +1,7 @@
 //! The cells of one row as values; each that cannot be read is a problem with its place.
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
 use super::Rating;
@@ -38,10 +39,6 @@ impl Signs {
 /// Words that people write for a value that is not known.
 const UNKNOWN: [&str; 10] = ["n_a", "na", "none", "unknown", "tbd", "tbc", "nil", "null", "nan", ""];
 
-fn value_problem(message: impl Into<String>) -> Problem {
-    Problem::new(ProblemKind::Value, message)
-}
-
 impl Values<'_, '_, '_> {
     /// The place of the row.
     pub(super) fn at(&self) -> At {
@@ -52,13 +49,15 @@ impl Values<'_, '_, '_> {
     pub(super) fn wrong(&mut self, column: Column, problem: &Problem) {
         let at = self.at();
         if let Some(place) = self.layout.place(column) {
-            self.findings.of_cell(at, place.index, &place.heading, &problem.message, problem.hint.clone());
+            // Keys are columns here, and not flags.
+            let Problem { message, hint, .. } = problem.clone().shown(KeyStyle::File);
+            self.findings.of_cell(at, place.index, &place.heading, &message, hint);
         }
     }
 
     /// Reports a wrong value, with what to write instead.
     pub(super) fn refuse(&mut self, column: Column, message: impl Into<String>, hint: &str) {
-        self.wrong(column, &value_problem(message).hint(hint));
+        self.wrong(column, &Problem::value(message, hint));
     }
 
     /// A cell that is not empty. A cell that is empty because it is merged with another is a problem.
@@ -96,7 +95,8 @@ impl Values<'_, '_, '_> {
         let read = match cell {
             Cell::Text(text) => plain_text(text.trim(), has_decimal_comma),
             Cell::Number(value) if value.is_finite() => Ok((format!("{value}"), false)),
-            other => Err(not_a_value(other).unwrap_or_else(|| value_problem("is not a number"))),
+            other => Err(not_a_value(other)
+                .unwrap_or_else(|| Problem::value("is not a number", "write a number, or leave the cell empty"))),
         };
         match read {
             Ok((text, had_comma)) => {
@@ -245,8 +245,10 @@ fn plain_text(text: &str, has_decimal_comma: bool) -> Result<(String, bool), Pro
     if has_decimal_comma && commas == 1 && !text.contains('.') {
         return Ok((text.replace(',', "."), true));
     }
-    Err(value_problem(format!("\"{}\" has a comma in the number", shorten(text)))
-        .hint("write the decimal sign as a point and nothing between the thousands, such as 1500.5"))
+    Err(Problem::value(
+        format!("\"{}\" has a comma in the number", shorten(text)),
+        "write a decimal point, and nothing between the thousands, such as 1500.5",
+    ))
 }
 
 /// A number or a range with decimal commas, with points in their place; any other text is unchanged.
@@ -283,29 +285,29 @@ fn not_a_value(cell: &Cell) -> Option<Problem> {
             "shorten it, and check that every quote is closed",
         ),
     };
-    Some(value_problem(message).hint(hint))
+    Some(Problem::value(message, hint))
 }
 
 /// The problem of a quantity, with a hint for a table; `unit` is that of the heading.
 fn explained(problem: Problem, text: &str, column: Column, unit: Option<&Unit>) -> Problem {
     if UNKNOWN.contains(&canonical(text).as_str()) {
-        return value_problem(format!("\"{}\" is not a value", shorten(text)))
-            .hint("leave the cell empty if the value is not known");
+        let message = format!("\"{}\" is not a value", shorten(text));
+        return Problem::value(message, "leave the cell empty if the value is not known");
     }
-    if let Some(unit) = unit.filter(|_| problem.message.ends_with("is not a quantity")) {
-        let hint = format!(
+    let is_number = text.contains(|c: char| c.is_ascii_digit()) && text.trim().parse::<f64>().is_ok();
+    let spec = column.spec();
+    match unit {
+        Some(unit) if !is_number => problem.hint(format!(
             "write the number alone, because the heading has the unit ({}), or leave the cell empty",
             unit.symbol
-        );
-        return problem.hint(hint);
+        )),
+        None if is_number && !spec.unit.is_empty() => {
+            let heading = format!("or put the unit into the heading, such as \"{} [{}]\"", spec.name, spec.unit);
+            let hint = problem.hint.as_ref().map_or_else(|| heading.clone(), |hint| format!("{hint}, {heading}"));
+            problem.hint(hint)
+        }
+        _ => problem,
     }
-    if problem.message.ends_with("needs a unit") {
-        let spec = column.spec();
-        let heading = format!("or put the unit into the heading, such as \"{} [{}]\"", spec.name, spec.unit);
-        let hint = problem.hint.as_ref().map_or_else(|| heading.clone(), |hint| format!("{hint}, {heading}"));
-        return problem.hint(hint);
-    }
-    problem
 }
 
 /// The two ends of `0.3-0.5`, `0.3 – 0.5`, `0.3 to 0.5` or `0.3..0.5`; a minus at the start or after an `e` is a sign.

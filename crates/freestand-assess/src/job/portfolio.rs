@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use std::path::Path;
 
-use crate::floors::{Hazard, MAX_FLOORS_HELD, STOPPED};
+use crate::floors::{Hazard, MAX_FLOORS_HELD};
 use crate::inventory::{Consequences, Inventory, Item};
 use crate::output::Row;
 use crate::result::{Assessment, Decision};
@@ -109,7 +109,7 @@ pub(super) fn assess<'a>(
                         portfolio.computed += found.len();
                         found
                     }
-                    Err(error) if error.problems.iter().any(|problem| problem.message == STOPPED) => {
+                    Err(error) if error.problems.iter().any(|problem| problem.kind == ProblemKind::Stopped) => {
                         portfolio.interrupted = true;
                         break;
                     }

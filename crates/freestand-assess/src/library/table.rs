@@ -1,28 +1,27 @@
-//! A library as a table: named columns with their units, one entry a row, everything that is wrong said at once.
+//! A library as a table: named columns with units, one entry in each row, all problems reported at once.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
-use freestand_input::file::InputFile;
+use freestand_input::file::load_up_to;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, Unit, find_unit, shorten};
 use freestand_input::words::nearest;
 
-/// A library of ten thousand entries is far below this.
+/// Largest file of a library \[bytes\]; ten thousand entries need far less.
 const MAX_BYTES: u64 = 8 << 20;
-/// Entries beyond this are no library.
+/// Largest number of entries.
 const MAX_ROWS: usize = 10_000;
+/// Largest number of columns.
 const MAX_COLUMNS: usize = 200;
-/// A longer header is no slip of a name of ours.
+/// Longest header that is checked for typing mistakes.
 const MAX_NAME_CHARS: usize = 60;
 
-/// A column: its name and, of a number, its dimension and the unit of a header that states none.
+/// A column: its name and, for numbers, their dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Column {
-    /// As in headers.
+    /// Its name in headers.
     pub name: &'static str,
-    /// Of a number with a unit.
+    /// The dimension of its numbers.
     pub dimension: Option<Dimension>,
     /// Whether a file must have it.
     pub needed: bool,
@@ -42,32 +41,32 @@ impl Column {
     }
 }
 
-/// A cell: what is written, and the unit of its column.
+/// A cell: its text, and the unit of its column.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell<'a> {
     pub(super) text: &'a str,
     pub(super) unit: Option<&'static Unit>,
 }
 
-/// A row with the line that it begins on.
+/// A row, and the line where it begins.
 #[derive(Debug)]
-pub(super) struct SheetRow {
+pub(super) struct Row {
     pub(super) line: usize,
     cells: Vec<String>,
 }
 
-/// A library that was read, cell by cell.
+/// A library as a table of cells.
 #[derive(Debug)]
-pub(super) struct Sheet {
-    /// Of each known column its place and unit.
+pub(super) struct Table {
+    /// The place and the unit of each known column.
     places: Vec<(&'static str, usize, Option<&'static Unit>)>,
-    pub(super) rows: Vec<SheetRow>,
+    pub(super) rows: Vec<Row>,
     pub(super) warnings: Vec<String>,
 }
 
-impl Sheet {
-    /// What stands in a column of a row; empty where there is no such column.
-    pub(super) fn cell<'a>(&self, row: &'a SheetRow, name: &str) -> Cell<'a> {
+impl Table {
+    /// The cell of a row in a column; empty where the file does not have the column.
+    pub(super) fn cell<'a>(&self, row: &'a Row, name: &str) -> Cell<'a> {
         let place = self.places.iter().find(|(known, ..)| *known == name);
         let text = place.and_then(|(_, at, _)| row.cells.get(*at)).map_or("", |text| text.trim());
         Cell { text, unit: place.and_then(|(.., unit)| *unit) }
@@ -75,33 +74,20 @@ impl Sheet {
 }
 
 /// The bytes of a library file.
-pub(super) fn load(path: &Path) -> Result<(Vec<u8>, InputFile), Problems> {
-    let broken = |message: String| {
-        let hint = "name a library: a CSV file with the columns that --help lists";
-        Problem::new(ProblemKind::Io, message).in_file(path).hint(hint)
-    };
-    let file = File::open(path).map_err(|error| broken(format!("cannot open the library: {error}")))?;
-    if file.metadata().is_ok_and(|facts| facts.is_dir()) {
-        return Err(broken("is a folder, not a library".to_owned()).into());
-    }
-    let mut bytes = Vec::new();
-    let read = file.take(MAX_BYTES + 1).read_to_end(&mut bytes);
-    read.map_err(|error| broken(format!("cannot read the library: {error}")))?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(broken("is larger than 8 MiB, too large for a library".to_owned()).into());
-    }
-    let input = InputFile::new(path, &bytes);
-    Ok((bytes, input))
+pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
+    let hint = "give a library: a CSV file with the columns that --help lists";
+    load_up_to(path, MAX_BYTES, "is larger than 8 MiB, too large for a library", hint)
+        .map_err(|problem| problem.hint(hint))
 }
 
 /// Splits a library into its cells.
 ///
 /// # Errors
-/// What is no text, has no header or lacks a column, a row of another length, too many rows.
-pub(super) fn read_sheet(bytes: &[u8], columns: &[Column]) -> Result<Sheet, Problems> {
+/// A file that is not text, has no header or lacks a column, has rows of different lengths, or too many rows.
+pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Problems> {
     let format = |message: String| Problem::new(ProblemKind::Format, message);
     let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes))
-        .map_err(|_| format("is not text in UTF-8".to_owned()).hint("save the table as CSV, UTF-8"))?;
+        .map_err(|_| format("is not text in UTF-8".to_owned()).hint("save the table as CSV (UTF-8)"))?;
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .comment(Some(b'#'))
@@ -114,7 +100,7 @@ pub(super) fn read_sheet(bytes: &[u8], columns: &[Column]) -> Result<Sheet, Prob
     };
     let header = header.map_err(|error| csv_problem(&error))?;
     if header.len() > MAX_COLUMNS {
-        let message = format!("has {} columns, no library has more than {MAX_COLUMNS}", header.len());
+        let message = format!("has {} columns; a library has at most {MAX_COLUMNS}", header.len());
         return Err(format(message).at_line(1).hint(header_hint(columns)).into());
     }
     let (places, mut problems, warnings) = headers(&header, columns);
@@ -132,34 +118,36 @@ pub(super) fn read_sheet(bytes: &[u8], columns: &[Column]) -> Result<Sheet, Prob
             continue;
         }
         if record.len() != header.len() {
-            let message = format!("a row has {} cells, this one {}", header.len(), record.len());
-            problems.push(format(message).at_line(line).hint("put cells with commas in quotes"));
+            let message = format!("this row has {} cells, but the header has {}", record.len(), header.len());
+            problems.push(format(message).at_line(line).hint("put cells that contain commas in quotes"));
             continue;
         }
         if rows.len() == MAX_ROWS {
             problems.push(format(format!("has more than {MAX_ROWS} entries")).at_line(line).hint("split the library"));
             break;
         }
-        rows.push(SheetRow { line, cells: record.iter().map(str::to_owned).collect() });
+        rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
     }
-    if problems.is_empty() { Ok(Sheet { places, rows, warnings }) } else { Err(Problems { problems }) }
+    problems.finish(Table { places, rows, warnings })
 }
 
 fn csv_problem(error: &csv::Error) -> Problem {
     let line = error.position().map_or(1, |position| usize::try_from(position.line()).unwrap_or(usize::MAX));
-    Problem::new(ProblemKind::Format, format!("is not CSV: {error}")).at_line(line).hint("save the table as CSV, UTF-8")
+    Problem::new(ProblemKind::Format, format!("is not CSV: {error}"))
+        .at_line(line)
+        .hint("save the table as CSV (UTF-8)")
 }
 
 fn header_hint(columns: &[Column]) -> String {
     let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
-    format!("the first line names the columns: {}", names.join(", "))
+    format!("the first line must name the columns: {}", names.join(", "))
 }
 
 type Places = Vec<(&'static str, usize, Option<&'static Unit>)>;
 
 /// Finds the known columns in the header.
-fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Problem>, Vec<String>) {
-    let (mut places, mut problems, mut warnings): (Places, Vec<Problem>, Vec<String>) = Default::default();
+fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems, Vec<String>) {
+    let (mut places, mut problems, mut warnings): (Places, Problems, Vec<String>) = Default::default();
     let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
     let mut note = |message: String, hint: String| {
         problems.push(Problem::new(ProblemKind::Format, message).at_line(1).hint(hint));
@@ -169,22 +157,22 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Probl
         let Some(column) = columns.iter().find(|column| column.name == name) else {
             let near = Some(&name).filter(|name| name.len() <= MAX_NAME_CHARS).and_then(|name| nearest(name, &names));
             let near = near.map_or_else(String::new, |near| format!(": did you mean {near}?"));
-            warnings.push(format!("column \"{}\" is not one of a library and is left out{near}", shorten(text)));
+            warnings.push(format!("column \"{}\" does not belong to a library and is ignored{near}", shorten(text)));
             continue;
         };
         if places.iter().any(|(known, ..)| *known == column.name) {
-            note(format!("column {} stands there twice", column.name), "keep one of them".to_owned());
+            note(format!("column {} occurs twice", column.name), "keep one of them".to_owned());
             continue;
         }
         match (column.dimension, unit) {
             (Some(Dimension::Ratio) | None, None) => places.push((column.name, at, None)),
             (Some(dimension), None) => {
                 let symbol = dimension.units().next().map_or("", |unit| unit.symbol);
-                let hint = format!("state it in the header, such as \"{} [{symbol}]\"", column.name);
+                let hint = format!("give it in the header, such as \"{} [{symbol}]\"", column.name);
                 note(format!("column {} has no unit", column.name), hint);
             }
             (None | Some(Dimension::Ratio), Some(_)) => {
-                note(format!("column {} takes no unit", column.name), "leave the unit out".to_owned());
+                note(format!("column {} must not have a unit", column.name), "remove the unit".to_owned());
             }
             (Some(dimension), Some(unit)) => match find_unit(&unit, dimension) {
                 Ok(unit) => places.push((column.name, at, Some(unit))),
@@ -202,7 +190,7 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Vec<Probl
     (places, problems, warnings)
 }
 
-/// `Edge lift [mm]` → `edge_lift` and `mm`.
+/// The name and the unit of a header: `Edge lift [mm]` → `edge_lift` and `mm`.
 fn split_header(text: &str) -> (String, Option<String>) {
     let (name, unit) = match text.split_once(['[', '(']) {
         Some((name, unit)) => (name, Some(unit.trim_end_matches([']', ')']).trim().to_owned())),
