@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_input::keys::KeyStyle;
-use freestand_study::target::{Target, TargetWords};
+use freestand_study::target::Target;
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -107,33 +106,24 @@ impl KeySet for TargetKeys {
 impl TargetArgs {
     /// The spectrum.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
-        let wrong = |problems: Vec<freestand_study::target::TargetProblem>| {
-            Failure::Problems(problems.into_iter().map(|problem| problem.problem).collect())
-        };
-        Target::resolve(&self.words(), Path::new("")).map_err(wrong)
+        Ok(Target::resolve(&self.keys.words, Path::new(""))?)
     }
 
     /// The spectrum, which must have all the periods that motions are matched at.
     pub(crate) fn matched_target(&self) -> Result<Target, Failure> {
         let target = self.target()?;
-        target.check_matched_band(&self.words().example("beyond", "hold"))?;
+        target.check_matched_band()?;
         Ok(target)
     }
 
     /// Whether any of these flags was given.
     pub(crate) fn is_given(&self) -> bool {
-        !self.keys.is_empty()
-    }
-
-    fn words(&self) -> TargetWords {
-        let mut words = TargetWords::new(KeyStyle::Flag);
-        self.keys.texts().for_each(|(key, text)| words.set(key, text));
-        words
+        !self.keys.words.is_empty()
     }
 
     /// The file that these flags name.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        self.keys.get("spectrum").map(PathBuf::from).into_iter().collect()
+        self.keys.words.get("spectrum").map(PathBuf::from).into_iter().collect()
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, ValueParserFactory};
 use clap::{Arg, Command};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{self, Dimension};
 
 use crate::failure::{Failure, problem};
@@ -152,7 +152,7 @@ pub(crate) fn with_negative_values(command: Command) -> Command {
 /// Collects what is wrong with the values of flags.
 #[derive(Debug, Default)]
 pub(crate) struct Values {
-    problems: Vec<Problem>,
+    problems: Problems,
 }
 
 impl Values {
@@ -162,8 +162,8 @@ impl Values {
     }
 
     /// A value, or what is wrong with it.
-    pub(crate) fn take<T>(&mut self, result: Result<T, Problem>) -> Option<T> {
-        result.map_err(|problem| self.problems.push(problem)).ok()
+    pub(crate) fn take<T>(&mut self, result: Result<T, impl Into<Problems>>) -> Option<T> {
+        self.problems.keep(result)
     }
 
     /// A value found elsewhere; what is wrong with it is named by its flag.
@@ -178,6 +178,6 @@ impl Values {
 
     /// Fails if anything was wrong.
     pub(crate) fn finish(self) -> Result<(), Failure> {
-        if self.problems.is_empty() { Ok(()) } else { Err(Failure::Problems(self.problems)) }
+        Ok(self.problems.finish(Some(()))?)
     }
 }

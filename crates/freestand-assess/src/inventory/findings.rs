@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 
@@ -123,7 +124,7 @@ impl<'a> Findings<'a> {
 
     /// A problem of a cell, under its heading.
     pub(super) fn of_cell(&mut self, at: At, column: u32, heading: &str, message: &str, hint: Option<String>) {
-        if self.problems.problems.len() >= MAX_PROBLEMS {
+        if self.problems.len() >= MAX_PROBLEMS {
             self.more += 1;
             return;
         }
@@ -148,8 +149,8 @@ impl<'a> Findings<'a> {
 
     /// Adds a problem.
     pub(super) fn push(&mut self, problem: Problem) {
-        if self.problems.problems.len() < MAX_PROBLEMS {
-            self.problems.push(problem.in_file(self.path));
+        if self.problems.len() < MAX_PROBLEMS {
+            self.problems.push(problem.shown(KeyStyle::File).in_file(self.path));
         } else {
             self.more += 1;
         }
@@ -182,7 +183,7 @@ impl<'a> Findings<'a> {
             self.problems.push(Problem::value(message, "correct the problems above first").in_file(self.path));
         }
         self.doubts.sort_by_key(|entry| entry.doubt);
-        self.problems.finish(self.doubts.iter().map(Doubtful::words).collect())
+        self.problems.finish(Some(self.doubts.iter().map(Doubtful::words).collect()))
     }
 }
 

@@ -5,10 +5,11 @@ use freestand::impact::stiffness_warnings;
 use freestand::rocking::Restitution;
 
 use crate::library::{Confidence, Lookup, Tolerance};
-use freestand_input::keys::KeyStyle;
+use freestand_input::keys::Words;
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
-use freestand_study::cushion::{CushionWords, EdgeCushion, KeyProblem};
+use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::shape::Shape;
 
 use super::cell::Cell;
@@ -226,7 +227,7 @@ struct Support {
 }
 
 fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -> Support {
-    let mut words = CushionWords::new(KeyStyle::File);
+    let mut words = Words::default();
     for column in [Column::Stiffness, Column::PadStiffness, Column::SeriesStiffness, Column::PadThickness] {
         if let Some((_, text)) = values.positive_text(column) {
             words.set(column.name(), text);
@@ -245,8 +246,8 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
         words.set(Column::Cushion.name(), entry);
         match joined(words, prior.words) {
             Ok(both) => words = both,
-            Err((key, problem)) => {
-                values.wrong(column_of(key), &problem);
+            Err(problem) => {
+                values.wrong(column_of(&problem), &problem);
                 return support;
             }
         }
@@ -265,7 +266,7 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
         values.doubt(Doubt::PadsMissing);
         return Support::default();
     }
-    match words.resolve(mass_kg) {
+    match cushion::resolve(&words, mass_kg) {
         Ok(edge) => {
             let doubts = mass_kg.map(|mass| stiffness_warnings(mass, &edge.cushion, edge.pad_thickness_m));
             if doubts.is_some_and(|doubts| !doubts.is_empty()) {
@@ -275,11 +276,11 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
             support
         }
         Err(problems) => {
-            if mass_kg.is_none() && problems.iter().all(|(key, _)| *key == "damping") {
+            if mass_kg.is_none() && problems.problems.iter().all(|problem| problem.keys == ["damping"]) {
                 values.doubt(Doubt::DampingMass);
             } else {
-                for (key, problem) in &problems {
-                    values.wrong(column_of(key), problem);
+                for problem in &problems.problems {
+                    values.wrong(column_of(problem), problem);
                 }
             }
             Support::default()
@@ -288,14 +289,14 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
 }
 
 /// The words of a row with those of the entry that it names. They may add pads, layers and a thickness, but no other law.
-fn joined(words: CushionWords, entry: CushionWords) -> Result<CushionWords, KeyProblem> {
+fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
     let mut words = words;
     // An entry for a whole edge needs no count of pads; for one pad, a missing count only costs the shock.
     let is_counted = words.get("pads_per_edge").is_some() || entry.get("pads_per_edge").is_some();
     if !is_counted {
         words.set("pads_per_edge", "1");
     }
-    let mut both = words.with_file(entry)?;
+    let mut both = cushion::with_file(&words, entry)?;
     if !is_counted {
         both.remove("pads_per_edge");
     }
@@ -303,8 +304,9 @@ fn joined(words: CushionWords, entry: CushionWords) -> Result<CushionWords, KeyP
 }
 
 /// The column of a key of a cushion; keys of a library entry belong to the column with its name.
-fn column_of(key: &str) -> Column {
-    COLUMNS.iter().find(|spec| spec.name == key).map_or(Column::Cushion, |spec| spec.column)
+fn column_of(problem: &Problem) -> Column {
+    let column = |key: &&str| COLUMNS.iter().find(|spec| spec.name == *key).map(|spec| spec.column);
+    problem.keys.iter().find_map(column).unwrap_or(Column::Cushion)
 }
 
 fn refuse_entry(values: &mut Values<'_, '_, '_>, column: Column, entry: &str, names: &[String], library: &str) {

@@ -1,6 +1,5 @@
 //! The cells of one row as values; each that cannot be read is a problem with its place.
 
-use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
@@ -49,9 +48,7 @@ impl Values<'_, '_, '_> {
     pub(super) fn wrong(&mut self, column: Column, problem: &Problem) {
         let at = self.at();
         if let Some(place) = self.layout.place(column) {
-            // Keys are columns here, and not flags.
-            let Problem { message, hint, .. } = problem.clone().shown(KeyStyle::File);
-            self.findings.of_cell(at, place.index, &place.heading, &message, hint);
+            self.findings.of_cell(at, place.index, &place.heading, &problem.message, problem.hint.clone());
         }
     }
 

@@ -109,7 +109,7 @@ pub(super) fn assess<'a>(
                         portfolio.computed += found.len();
                         found
                     }
-                    Err(error) if error.problems.iter().any(|problem| problem.kind == ProblemKind::Stopped) => {
+                    Err(error) if error.is_stopped() => {
                         portfolio.interrupted = true;
                         break;
                     }

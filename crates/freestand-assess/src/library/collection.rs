@@ -142,7 +142,7 @@ impl<E> Shelf<E> {
         let (mut entries, mut problems, mut lines) = (Vec::new(), Problems::default(), HashMap::new());
         for row in &table.rows {
             let value = |message: String, hint: &str| Problem::value(message, hint).at_line(row.line);
-            if problems.problems.len() >= MAX_PROBLEMS {
+            if problems.len() >= MAX_PROBLEMS {
                 let message = format!("there are {MAX_PROBLEMS} problems so far; the rest of the file was not read");
                 problems.push(value(message, "correct these and read the file again"));
                 break;
@@ -159,6 +159,6 @@ impl<E> Shelf<E> {
                 }
             }
         }
-        problems.finish((entries, table.warnings))
+        problems.finish(Some((entries, table.warnings)))
     }
 }

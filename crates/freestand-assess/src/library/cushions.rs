@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use freestand_input::keys::KeyStyle;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_study::cushion::CushionWords;
 
 use super::collection::{Library, Shelf};
 use super::reader::RowReader;
@@ -105,7 +104,7 @@ impl CushionEntry {
             note: reader.text("note"),
             origin: origin.to_owned(),
         };
-        reader.problems.finish(entry)
+        reader.problems.finish(Some(entry))
     }
 
     /// Its source, ready to print.
@@ -150,14 +149,15 @@ impl CushionLibrary {
     /// # Example
     /// A hard rubber foot: √(300 · 3000) N/mm, half of ln 10 either way, two under each edge.
     /// ```
+    /// use freestand_study::cushion::resolve;
     /// let prior = freestand_assess::library::CushionLibrary::builtin().prior("rubber-foot")?;
-    /// let edge = prior.words.resolve(None).unwrap().cushion.linear_stiffness_n_m().unwrap();
+    /// let edge = resolve(&prior.words, None)?.cushion.linear_stiffness_n_m().unwrap();
     /// assert!((edge / (2.0 * 948.683e3) - 1.0).abs() < 1e-5 && (prior.log_sd - 1.151293).abs() < 1e-6);
-    /// # Ok::<(), freestand_input::problem::Problem>(())
+    /// # Ok::<(), freestand_input::problem::Problems>(())
     /// ```
     pub fn prior(&self, id: &str) -> Result<CushionPrior, Problem> {
         let layers = id.split('+').map(|id| self.get(id)).collect::<Result<Vec<_>, _>>()?;
-        let mut words = CushionWords::new(KeyStyle::File);
+        let mut words = Words::default();
         let newtons_per_metre = |k: f64| format!("{k} N/m");
         let pads = layers.iter().map(|entry| entry.pads_per_edge).max().unwrap_or(PADS_PER_EDGE);
         for (i, entry) in layers.iter().enumerate() {
@@ -166,7 +166,7 @@ impl CushionLibrary {
                 words.set("pads_per_edge", pads.to_string());
             } else {
                 // A layer in series is under all pads of the edge.
-                words.set("series_stiffness", newtons_per_metre(f64::from(pads) * entry.stiffness_n_m));
+                words.add("series_stiffness", newtons_per_metre(f64::from(pads) * entry.stiffness_n_m), None);
             }
         }
         let thickness_m: f64 = layers.iter().filter_map(|entry| entry.thickness_m).sum();

@@ -19,8 +19,8 @@ pub use tolerances::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, ToleranceLi
 
 use std::path::Path;
 
+use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
-use freestand_study::cushion::CushionWords;
 
 /// Both libraries, with the user's files.
 #[derive(Debug, Clone)]
@@ -100,7 +100,7 @@ pub struct Tolerance {
 #[derive(Debug, Clone, PartialEq)]
 pub struct CushionPrior {
     /// The cushion in the words of [`freestand_study::cushion`]: the geometric mean of the range, with the pads per edge.
-    pub words: CushionWords,
+    pub words: Words,
     /// ln(high/low)/2: the range is taken as that from 16 to 84 %, which contains two pads of three.
     pub log_sd: f64,
     /// Its source, ready to print.

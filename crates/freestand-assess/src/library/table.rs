@@ -128,7 +128,7 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
         }
         rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
     }
-    problems.finish(Table { places, rows, warnings })
+    problems.finish(Some(Table { places, rows, warnings }))
 }
 
 fn csv_problem(error: &csv::Error) -> Problem {

@@ -107,7 +107,7 @@ fn pads_follow_gent_and_lindley() {
 #[test]
 fn layers_act_in_series() {
     let prior = CushionLibrary::builtin().prior("rubber-foot + Carpet-underlay").unwrap();
-    let edge = prior.words.resolve(None).unwrap().cushion.linear_stiffness_n_m().unwrap();
+    let edge = freestand_study::cushion::resolve(&prior.words, None).unwrap().cushion.linear_stiffness_n_m().unwrap();
     assert!((edge / 1e3 - 2.0 * 135.527).abs() < 2e-3, "{edge}");
     assert!((prior.log_sd - 1.0004).abs() < 5e-5, "{}", prior.log_sd);
     assert!(prior.source.contains("an estimate") && prior.source.contains("carpet-underlay"));

@@ -247,7 +247,7 @@ impl ToleranceEntry {
         if reader.problems.is_empty() {
             entry.check(&mut reader);
         }
-        reader.problems.finish(entry)
+        reader.problems.finish(Some(entry))
     }
 
     /// Reports numbers that contradict each other.

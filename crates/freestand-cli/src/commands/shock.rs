@@ -173,10 +173,8 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let component_capacity_m_s2 = values.read(&args.component_capacity);
     let cushion = args.cushion.words(&mut values)?;
     // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
-    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some())
-        && let Err(problems) = cushion.resolve(mass)
-    {
-        problems.into_iter().for_each(|(_, problem)| values.push(problem));
+    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some()) {
+        values.take(freestand_study::cushion::resolve(&cushion, mass));
     }
     let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
     let at_m = values.read(&args.at);

@@ -1,7 +1,8 @@
 //! What an edge, or a side, lands on: a cushion from all the ways to describe it, or a measured drop.
 
 use super::{ShockRequest, problem};
-use crate::cushion::{CushionWords, EdgeCushion};
+use crate::cushion::{self, EdgeCushion};
+use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
 
 /// What the edge lands on.
@@ -27,9 +28,9 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Vec<Problem>) -> Op
             ));
             return None;
         };
-        let mut side = CushionWords::spring(value_n_m);
-        for (key, text) in request.cushion.entries().iter().filter(|(key, _)| *key == "series_stiffness") {
-            side.set(key, text.clone());
+        let mut side = cushion::spring(value_n_m);
+        for text in request.cushion.all("series_stiffness") {
+            side.add("series_stiffness", text, None);
         }
         return resolved(&side, request, problems);
     }
@@ -64,12 +65,7 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Vec<Problem>) -> Op
     }
 }
 
-fn resolved(words: &CushionWords, request: &ShockRequest, problems: &mut Vec<Problem>) -> Option<Contact> {
-    match words.resolve(Some(request.mass_kg)) {
-        Ok(cushion) => Some(Contact::Cushion(cushion)),
-        Err(wrong) => {
-            problems.extend(wrong.into_iter().map(|(_, problem)| problem));
-            None
-        }
-    }
+fn resolved(words: &Words, request: &ShockRequest, problems: &mut Vec<Problem>) -> Option<Contact> {
+    let edge = cushion::resolve(words, Some(request.mass_kg));
+    edge.map(Contact::Cushion).map_err(|wrong| problems.extend(wrong)).ok()
 }

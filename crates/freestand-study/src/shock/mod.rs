@@ -21,7 +21,8 @@ pub use test_points::{BoundaryTests, Bracket, TestPoint, boundary_tests};
 pub use verdict::DemandCapacity;
 use verdict::{max_stiffness, verdict};
 
-use crate::cushion::{CushionWords, cushion_words};
+use crate::cushion::cushion_words;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 
@@ -85,7 +86,7 @@ pub struct ShockRequest {
     /// Its mass \[kg\].
     pub mass_kg: f64,
     /// What stands under one edge.
-    pub cushion: CushionWords,
+    pub cushion: Words,
     /// Stiffness of the side on the floor or the obstacle, when the object falls over \[N/m\].
     pub contact_stiffness_n_m: Option<f64>,
     /// A measured drop acceleration (same mass, same rise) in place of the stiffness \[m/s²\].
@@ -128,7 +129,7 @@ impl ShockRequest {
         Self {
             block,
             mass_kg,
-            cushion: CushionWords::default(),
+            cushion: Words::default(),
             contact_stiffness_n_m: None,
             drop_acceleration_m_s2: None,
             energy: None,
@@ -278,10 +279,10 @@ fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
 /// # Example
 /// Test 1 of Table I of Al Abadi et al., with g = 9.81 m/s² as the paper has it:
 /// ```
-/// use freestand_study::cushion::CushionWords;
+/// use freestand_study::cushion::spring;
 /// use freestand_study::shock::{Energy, ShockRequest, shock};
 /// let mut cabinet = ShockRequest::new(freestand::block::Block::uniform(2.3, 0.6)?, 140.0);
-/// cabinet.cushion = CushionWords::spring(4.38e6);
+/// cabinet.cushion = spring(4.38e6);
 /// cabinet.energy = Some(Energy::CgRise(0.016));
 /// let report = shock(&cabinet)?;
 /// assert!((report.edge_acceleration_g - 4.526).abs() < 1e-3);

@@ -1,9 +1,9 @@
 use super::*;
-use freestand_input::keys::KeyStyle;
+use crate::cushion::spring;
 
 fn cabinet() -> ShockRequest {
     ShockRequest {
-        cushion: CushionWords::spring(4.38e6),
+        cushion: spring(4.38e6),
         energy: Some(Energy::CgRise(0.016)),
         gravity_m_s2: 9.81,
         ..ShockRequest::new(Block::uniform(2.3, 0.6).unwrap(), 140.0)
@@ -40,7 +40,7 @@ fn ceilings_of_three_objects() {
 fn a_drop_acceleration_replaces_the_stiffness() {
     let known = shock(&cabinet()).unwrap();
     let mut measured = cabinet();
-    measured.cushion = CushionWords::default();
+    measured.cushion = Words::default();
     measured.drop_acceleration_m_s2 = Some(known.drop_acceleration_g * G0_M_S2);
     let implied = shock(&measured).unwrap();
     assert!((implied.stiffness_n_m.unwrap() / 4.38e6 - 1.0).abs() < 1e-12);
@@ -48,14 +48,14 @@ fn a_drop_acceleration_replaces_the_stiffness() {
     let alone = shock(&measured).unwrap();
     assert!((alone.edge_acceleration_g / known.edge_acceleration_g - 1.0).abs() < 1e-12);
     assert_eq!((alone.pulse_duration_s, alone.velocity_change_m_s, alone.ceiling_g), (None, None, None));
-    measured.cushion = CushionWords::spring(4.38e6);
+    measured.cushion = spring(4.38e6);
     assert!(refused(&measured).contains("exclude each other"));
 }
 
 #[test]
 fn pads_and_series_become_an_edge() {
     let mut request = cabinet();
-    request.cushion = CushionWords::new(KeyStyle::Flag);
+    request.cushion = Words::default();
     request.cushion.set("pad_stiffness", "2190 N/mm");
     assert!(refused(&request).contains("--pads-per-edge"));
     request.cushion.set("pads_per_edge", "2");
@@ -106,7 +106,7 @@ fn overturning_lands_on_its_side() {
     assert_eq!(floor.models.paper_g, None);
     // The edge's stiffness, and a rise, have no part in the fall: said, and the same shock without them.
     assert!(floor.warnings.iter().any(|warning| warning.contains("its edge is not used")));
-    request.cushion = CushionWords::default();
+    request.cushion = Words::default();
     request.energy = Some(Energy::CgRise(0.01));
     let again = shock(&request).unwrap();
     assert_eq!(again.edge_acceleration_g, floor.edge_acceleration_g);
@@ -133,7 +133,7 @@ fn squat_objects_are_halted_with_a_warning() {
 
 #[test]
 fn newtons_per_metre_are_noticed() {
-    let report = shock(&ShockRequest { cushion: CushionWords::spring(4380.0), ..cabinet() }).unwrap();
+    let report = shock(&ShockRequest { cushion: spring(4380.0), ..cabinet() }).unwrap();
     assert!(report.warnings.iter().any(|warning| warning.contains("N/m for N/mm")));
 }
 
@@ -143,7 +143,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let report = shock(&peak_only).unwrap();
     assert_eq!((report.governing, report.verdict, report.exceeded()), (Some("peak"), "exceeded", true));
     // At the largest stiffness the shock is the tolerance.
-    let softer = ShockRequest { cushion: CushionWords::spring(report.max_stiffness_n_m.unwrap()), ..peak_only.clone() };
+    let softer = ShockRequest { cushion: spring(report.max_stiffness_n_m.unwrap()), ..peak_only.clone() };
     assert!((shock(&softer).unwrap().demand_capacity_ratio.unwrap() - 1.0).abs() < 1e-12);
 
     let boundary = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..peak_only.clone() };
@@ -192,9 +192,7 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
     };
     for request in [with(None, None), with(Some(0.025), None), with(None, Some(0.5)), with(Some(0.03), Some(0.5))] {
         let largest = shock(&request).unwrap().max_stiffness_n_m.unwrap();
-        let at = |factor: f64| {
-            shock(&ShockRequest { cushion: CushionWords::spring(factor * largest), ..request.clone() }).unwrap()
-        };
+        let at = |factor: f64| shock(&ShockRequest { cushion: spring(factor * largest), ..request.clone() }).unwrap();
         assert_eq!((at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict), ("ok", "exceeded"), "{largest}");
     }
     // 5 g for 11 ms carry less velocity than the landing; a limit of 1 m/s carries more.
@@ -234,7 +232,7 @@ fn a_lift_or_a_component_alone_is_enough() {
     assert_eq!((boundary.source, boundary.critical_acceleration_g), ("component", a / G0_M_S2));
     let largest = report.max_stiffness_n_m.unwrap();
     let at = |factor: f64| {
-        let cushion = CushionWords::spring(factor * largest);
+        let cushion = spring(factor * largest);
         shock(&ShockRequest { cushion, ..delicate.clone() }).unwrap().verdict
     };
     assert_eq!((at(1.0 - 1e-6), at(1.0 + 1e-6)), ("ok", "exceeded"));

@@ -45,7 +45,7 @@ impl DemandCapacity {
 }
 
 /// Damping of a component where a verdict looks at one: Q = 10.
-const COMPONENT_DAMPING_RATIO: f64 = 0.05;
+const COMPONENT_DAMPING_RATIO: f64 = freestand::oscillator::DAMPING_RATIO;
 
 /// What a component of this frequency feels of the half-sine of the same peak and velocity change \[m/s²\].
 fn component_m_s2(frequency_hz: f64, edge_m_s2: f64, velocity_change_m_s: f64) -> Option<f64> {

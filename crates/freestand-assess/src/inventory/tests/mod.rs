@@ -13,9 +13,9 @@ use zip::write::{SimpleFileOptions, ZipWriter};
 
 use crate::library::Confidence;
 use crate::library::{CushionPrior, Lookup};
-use freestand_input::keys::KeyStyle;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_study::cushion::{CushionWords, cushion_words};
+use freestand_study::cushion::cushion_words;
 
 use super::*;
 
@@ -273,7 +273,7 @@ fn csv_of_other_countries() {
 
 /// A pad of a class and one entry of tolerances.
 fn prior(name: &str) -> Option<CushionPrior> {
-    let mut words = CushionWords::new(KeyStyle::File);
+    let mut words = Words::default();
     match name {
         "pad" => words.set("pad_stiffness", "2190 N/mm"),
         "edge" => words.set("stiffness", "4380 N/mm"),

@@ -4,13 +4,13 @@ use clap::Args;
 use freestand::code_spectrum::SiteClass;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
-use freestand_input::keys::KeyStyle;
+use freestand_input::keys;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::simulated::{
-    Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_rock, simulate,
+    Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, city_rock, read_source, simulate,
 };
 use freestand_study::target::Target;
 
@@ -134,10 +134,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
 
 /// `kpz_g`: of the city, where one is named.
 fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Result<SimulatedRequest, Failure> {
-    let words = words(args);
-    let wrong = |problems: Vec<SourceProblem>| problems.into_iter().map(|one| one.problem).collect();
-    let SourceInput { preset, changes, magnitude, distance_m, options } =
-        words.resolve().map_err(|problems| Failure::Problems(wrong(problems)))?;
+    let SourceInput { preset, changes, magnitude, distance_m, options } = read_source(&words(args))?;
     let site = SiteClass::parse(&args.site).map_err(|error| {
         Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("Ae, Be, Ce, De or Ee, as in AS 1170.4")
     })?;
@@ -158,12 +155,10 @@ fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Resu
 }
 
 /// The flags as a study has them in `point_source`.
-fn words(args: &SimulateArgs) -> SourceWords {
-    let mut words = SourceWords::new(KeyStyle::Flag);
+fn words(args: &SimulateArgs) -> keys::Words {
     let own = [("magnitude", &args.magnitude), ("distance", &args.distance)];
     let own = own.into_iter().filter_map(|(key, text)| Some((key, text.as_deref()?)));
-    args.source.texts().chain(own).for_each(|(key, text)| words.set(key, text));
-    words
+    args.source.words.entries().chain(own).collect()
 }
 
 /// The spectra against the code's, where there is one, and the first motion of each earthquake.
