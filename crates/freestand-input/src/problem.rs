@@ -50,6 +50,11 @@ impl Problem {
         Self::new(ProblemKind::Value, message).hint(hint)
     }
 
+    /// The caller stopped the calculation.
+    pub fn stopped() -> Self {
+        Self::new(ProblemKind::Stopped, "the calculation was stopped before its end").hint("run it again")
+    }
+
     /// Says which keys it is about, unless that was said already.
     #[must_use]
     pub fn of(mut self, keys: &[&'static str]) -> Self {
@@ -123,6 +128,11 @@ impl Problems {
     /// Whether nothing is wrong so far.
     pub fn is_empty(&self) -> bool {
         self.problems.is_empty()
+    }
+
+    /// Whether the caller stopped the calculation.
+    pub fn is_stopped(&self) -> bool {
+        self.problems.iter().any(|problem| problem.kind == ProblemKind::Stopped)
     }
 
     /// How many there are.

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use freestand_assess::assess::{Decision, Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
+use freestand_assess::job::{Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
+use freestand_assess::result::Decision;
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 
