@@ -6,10 +6,9 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::outputs::{Wanted, write_all};
-use super::overview::Overview;
 use super::portfolio::{Portfolio, assess, fingerprint, progress_names};
 use super::result::Decision;
-use super::{Head, PROGRESS, Row, head};
+use super::{Head, PROGRESS, head};
 use crate::error::{Problem, ProblemKind, StudyError};
 use crate::input::InputFile;
 use crate::inventory::{Inventory, Lookup, read_inventory};
@@ -23,7 +22,7 @@ use crate::study::Study;
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, those on demand among them.
-const OUTPUTS: [&str; 6] = ["objects.csv", "objects.parquet", "report.html", "report.pdf", "assessment.xlsx", MANIFEST];
+const OUTPUTS: [&str; 5] = ["objects.csv", "objects.parquet", "report.html", "assessment.xlsx", MANIFEST];
 
 /// What is wanted beside the results themselves.
 #[derive(Debug, Clone, Copy, Default)]
@@ -34,12 +33,7 @@ pub struct Job {
     pub force: bool,
     /// `objects.parquet` too.
     pub parquet: bool,
-    /// `report.pdf`, by whoever can typeset it: what comes out is written.
-    pub pdf: Option<Typeset>,
 }
-
-/// From the head, the counts and the pages to a PDF.
-pub type Typeset = fn(&Head, &Overview, &[Row<'_>]) -> Result<Vec<u8>, String>;
 
 /// What a job came to; the keys of the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -119,14 +113,7 @@ pub fn assess_into(
     let portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
-    let overview = write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
-    if let Some(typeset) = job.pdf {
-        let pages: Vec<Row> = portfolio.most_urgent(settings.pages)?;
-        let pdf = typeset(&head, &overview, &pages).map_err(|reason| {
-            Problem::new(ProblemKind::Computation, format!("report.pdf cannot be typeset: {reason}"))
-        })?;
-        folder.write("report.pdf", &pdf)?;
-    }
+    write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
     if portfolio.interrupted {
         portfolio.keep_in(&folder)?;
     }
@@ -215,9 +202,8 @@ fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), 
         return None;
     }
     let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;
-    let wanted = [("objects.parquet", job.parquet), ("report.pdf", job.pdf.is_some())];
     let is_there = |name: &str| target.join(name).is_file();
-    if !files.iter().all(|name| is_there(name)) || wanted.iter().any(|(name, wanted)| *wanted && !is_there(name)) {
+    if !files.iter().all(|name| is_there(name)) || (job.parquet && !is_there("objects.parquet")) {
         return None;
     }
     Some(JobReport {

@@ -43,7 +43,7 @@ use crate::study::Study;
 use group::Member;
 
 pub use head::head;
-pub use job::{Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
+pub use job::{Job, JobReport, SCHEMA, assess_into, inventory_of};
 use result::FloorFacts;
 pub use result::{Assessment, Decision};
 use store::PROGRESS;

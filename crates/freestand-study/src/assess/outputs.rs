@@ -48,8 +48,7 @@ pub const MOST_URGENT: usize = 50;
 /// Objects of the inventory without a row were not assessed (the run was interrupted): they stand in the tables without a
 /// decision, and every output says that it is partial, and how much of it there is.
 ///
-/// Only the counts, the pages of the most urgent and one group of rows are held in memory, whatever the number of rows. The counts
-/// come back, for outputs that others write.
+/// Only the counts, the pages of the most urgent and one group of rows are held in memory, whatever the number of rows.
 ///
 /// # Errors
 /// The first problem of `rows`, rows that are not in the order of the inventory, or a disk that is full.
@@ -59,7 +58,7 @@ pub fn write_all(
     inventory: &Inventory,
     wanted: Wanted,
     rows: &mut dyn Iterator<Item = Result<Row<'_>, Problem>>,
-) -> Result<Overview, Problem> {
+) -> Result<(), Problem> {
     let mut outputs = Outputs::begin(folder, head, inventory, wanted)?;
     let mut next = rows.next().transpose()?;
     for item in &inventory.items {
@@ -115,7 +114,7 @@ impl Outputs {
         Ok(())
     }
 
-    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<Overview, Problem> {
+    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<(), Problem> {
         self.csv.finish()?;
         if let Some(parquet) = self.parquet {
             parquet.finish(&self.overview)?;
@@ -126,7 +125,7 @@ impl Outputs {
         if let Some(report) = self.report {
             report.write(folder, head, &self.overview)?;
         }
-        Ok(self.overview)
+        Ok(())
     }
 }
 

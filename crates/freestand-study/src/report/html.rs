@@ -1,6 +1,39 @@
-//! Pieces of HTML. Everything that is called `html` here is markup already; everything called `text` is escaped.
+//! The skeleton of a report and pieces of HTML. Everything that is called `html` here is markup
+//! already; everything called `text` is escaped.
 
 use crate::words::escape;
+
+/// How every report looks on a screen.
+const SCREEN_CSS: &str = include_str!("style.css");
+
+/// How every report looks on paper. A browser makes the PDF: freestand has no typesetter.
+const PRINT_CSS: &str = include_str!("print.css");
+
+/// Everything before the content of a report: the shared styles, the report's own `css`, the title.
+/// On paper the title is repeated at the top of every page after the first, and the subtitle is at
+/// the foot of every page.
+pub(crate) fn opening(title: &str, subtitle: &str, css: &str) -> String {
+    let (heading, below) = (escape(title), escape(subtitle));
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" />\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n<title>{heading}</title>\n<style>\n\
+         {SCREEN_CSS}{PRINT_CSS}@page {{\n  @top-left {{ content: {}; }}\n  @bottom-left {{ content: {}; }}\n}}\n{css}</style>\n\
+         </head>\n<body>\n<header>\n<h1>{heading}</h1>\n<p class=\"sub\">{below}</p>\n</header>\n<main>\n",
+        css_string(title),
+        css_string(subtitle),
+    )
+}
+
+/// What ends a report that [`opening`] began.
+pub(crate) const CLOSING: &str = "</main>\n</body>\n</html>\n";
+
+/// A text as a string of CSS. Characters with a meaning in CSS, HTML or XML are written as their
+/// code points.
+fn css_string(text: &str) -> String {
+    let written =
+        |c: char| if c.is_alphanumeric() || c == ' ' { c.to_string() } else { format!("\\{:x} ", u32::from(c)) };
+    format!("\"{}\"", text.chars().map(written).collect::<String>())
+}
 
 /// A cell of a table.
 #[derive(Debug, Clone)]
@@ -115,4 +148,37 @@ pub(crate) fn section(id: &str, heading: &str, html: &str) -> String {
 /// A heading inside a section.
 pub(crate) fn heading(text: &str) -> String {
     format!("<h3>{}</h3>\n", escape(text))
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// What every report needs to print well: the shared print style, the title for the running
+    /// header, and a header in every table that may continue on the next page. The classes that the
+    /// print styles name must be in use: one that was renamed only in the markup is found here.
+    pub(crate) fn check_print(html: &str, title: &str, own_css: &str) {
+        assert_eq!(html.matches(PRINT_CSS).count(), 1);
+        assert!(html.contains(&format!("@top-left {{ content: {}; }}", css_string(title))), "{title}");
+        for table in html.split("<table").skip(1) {
+            let table = table.split("</table>").next().unwrap();
+            assert!(table.contains("<thead>") || table.starts_with(" class=\"pairs\""), "{table}");
+        }
+        let classes: Vec<&str> =
+            html.split("class=\"").skip(1).flat_map(|rest| rest.split('"').next().unwrap().split(' ')).collect();
+        let own_print = own_css.split_once("@media print").map_or("", |(_, print)| print);
+        for css in [PRINT_CSS, own_print] {
+            for class in css.split('.').skip(1).filter(|rest| rest.starts_with(|c: char| c.is_ascii_lowercase())) {
+                let class = class.split(|c: char| !c.is_ascii_alphanumeric() && c != '-').next().unwrap();
+                assert!(classes.contains(&class), "nothing has the class {class}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_title_stays_a_text_in_a_style() {
+        assert_eq!(css_string("a \"b\"\\ </style>&\nü"), "\"a \\22 b\\22 \\5c  \\3c \\2f style\\3e \\26 \\a ü\"");
+        let html = opening("]]> </style>", "\u{0}", "");
+        assert_eq!((html.matches("</style>").count(), html.matches("]]>").count()), (1, 0));
+    }
 }

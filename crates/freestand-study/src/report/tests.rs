@@ -101,6 +101,7 @@ fn the_same_result_gives_the_same_report() {
 fn report_holds_figures_tables_and_definitions() {
     let (figures, html) = rendered(false);
     check(&html);
+    html::tests::check_print(&html, "Free-standing objects in a 500-year earthquake: Melbourne, site class De", "");
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document = roxmltree::Document::parse_with_options(&html, options).unwrap();
     let count = |tag: &str| document.descendants().filter(|n| n.tag_name().name() == tag).count();

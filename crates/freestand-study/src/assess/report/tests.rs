@@ -42,6 +42,12 @@ fn every_object_has_its_page_in_the_order_of_the_list() {
 }
 
 #[test]
+fn it_prints_like_every_report() {
+    let html = html(&inventory((0..12).map(item).collect()), 11, 200);
+    crate::report::html::tests::check_print(&html, TITLE, CSS);
+}
+
+#[test]
 fn only_the_most_urgent_have_pages() {
     let html = html(&inventory((0..12).map(item).collect()), 12, 5);
     let document = parse(&html);
