@@ -91,7 +91,7 @@ def compare(binary, grid, folder):
     c_ns = 1e9 * c_s / steps
     print(f"\n{grid[0]} by {grid[1]}, × {SCALE}: {len(blocks)} blocks, {steps} block-steps, {moving[0]:.0%} moving;", end=" ")
     print(f"{(outcomes(exact) == 1).sum()} rocked, {(outcomes(exact) == 2).sum()} overturned, {(~insensitive).sum()} sensitive\n")
-    print("| solver | ns per block-step | times the C loop | error, median | error, 99 % | outcomes apart |")
+    print("| solver | ns per block-step | relative to the C loop | error, median | error, 99 % | different outcomes |")
     print("|---|---|---|---|---|---|")
     for level, reports in own.items():
         ns = 1e9 * min(report["timing"]["solve_s"] for report in reports) / steps

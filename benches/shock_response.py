@@ -61,7 +61,7 @@ def main():
             return time.perf_counter() - start, values
 
         solvers = {
-            "freestand, 128 samples in a period": own,
+            "freestand, 128 samples per period": own,
             "freestand, as sampled": lambda: own("--no-upsample"),
             "pyyeti": lambda: timed(lambda: srs(a, RATE, frequencies, 10, parallel="no", time="total")),
             "endaq": lambda: timed(lambda: shock_spectrum(frame, freqs=frequencies, damp=0.05, max_time=None)),
@@ -71,8 +71,8 @@ def main():
             for name, solve in solvers.items():
                 found[name].append(solve())
     best = {name: min(runs, key=lambda one: one[0]) for name, runs in found.items()}
-    first_s, exact = best["freestand, 128 samples in a period"]
-    print("| solver | ms | times freestand | largest difference |")
+    first_s, exact = best["freestand, 128 samples per period"]
+    print("| solver | ms | relative to freestand | largest difference |")
     print("|---|---|---|---|")
     for name, (seconds, values) in best.items():
         print(f"| {name} | {1e3 * seconds:.1f} | {seconds / first_s:.1f} | {np.max(np.abs(values / exact - 1)):.1e} |")

@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop, and says what it measured")]
 
-use freestand_study::records::{ReadOptions, read_motions};
+use freestand_records::formats::{ReadOptions, read_motions};
 use std::time::Instant;
 
 fn main() {

@@ -1,6 +1,6 @@
 //! What has to hold for any bytes whatever; the fuzz targets and the mutation test of freestand-study hold to it.
 
-use freestand_study::records::{ReadOptions, parse_motions};
+use freestand_records::formats::{ReadOptions, parse_motions};
 use std::path::Path;
 
 /// As freestand::motion has it.

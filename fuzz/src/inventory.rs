@@ -1,6 +1,7 @@
 //! What has to hold for any inventory whatever; the fuzz targets and the mutation test of freestand-study hold to it.
 
-use freestand_study::inventory::{Lookup, Target, convert_bytes, parse_inventory};
+use freestand_assess::inventory::{Target, convert_bytes, parse_inventory};
+use freestand_assess::library::Lookup;
 use std::path::Path;
 
 /// Reads `bytes` as an inventory and converts them both ways.

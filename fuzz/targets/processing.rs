@@ -1,8 +1,6 @@
 //! Processing as flags and studies write it.
 #![no_main]
-use freestand_study::processing::{
-    Processing, Scale, TargetSource, parse_baseline, parse_sa_target, parse_target, parse_target_source,
-};
+use freestand_records::processing::{Processing, Scale, TargetSource, parse_baseline, parse_sa_target, parse_target, parse_target_source};
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
     if let Err(problem) = parse_baseline(text) {

@@ -1,6 +1,6 @@
 //! The description of a station that goes with a miniSEED record.
 #![no_main]
-use freestand_study::records::{ReadOptions, parse_motions};
+use freestand_records::formats::{ReadOptions, parse_motions};
 use std::path::Path;
 
 const RECORD: &[u8] = include_bytes!("../seeds/mseed/int32.mseed");

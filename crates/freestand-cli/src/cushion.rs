@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_study::cushion::{CushionWords, EdgeCushion, KeyStyle, read_cushion_file};
+use freestand_input::keys::KeyStyle;
+use freestand_study::cushion::{CushionWords, EdgeCushion, read_cushion_file};
 
 use crate::failure::Failure;
 use crate::values::Values;

@@ -1,7 +1,7 @@
 //! Why a command could not run: problems, each with what to do about it.
 
 use clap::error::ErrorKind;
-use freestand_study::{Problem, ProblemKind, StudyError};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 
 /// Ends a command with status 2 (130 when it was stopped), or quietly where nobody reads on.
 #[derive(Debug)]
@@ -49,8 +49,8 @@ impl From<Problem> for Failure {
     }
 }
 
-impl From<StudyError> for Failure {
-    fn from(error: StudyError) -> Self {
+impl From<Problems> for Failure {
+    fn from(error: Problems) -> Self {
         Self::Problems(error.problems)
     }
 }

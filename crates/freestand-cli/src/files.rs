@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use freestand_study::output::{MANIFEST, OutputFolder, document};
-use freestand_study::streamed::StreamedFile;
+use freestand_output::folder::{MANIFEST, OutputFolder};
+use freestand_output::json::document;
+use freestand_output::streamed::StreamedFile;
 use serde::Serialize;
 
 use crate::args::GlobalArgs;

@@ -3,9 +3,9 @@
 use std::io::{self, IsTerminal, Write};
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
-use freestand_study::ProblemKind;
-use freestand_study::output::document;
-pub(crate) use freestand_study::words::significant;
+use freestand_input::problem::ProblemKind;
+pub(crate) use freestand_input::words::significant;
+use freestand_output::json::document;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 

@@ -1,10 +1,10 @@
 //! Arguments for what is done to records after they are read.
 
 use clap::Args;
-use freestand_study::processing::{
+use freestand_input::quantity::Dimension;
+use freestand_records::processing::{
     FILTER_ORDER, Processing, Scale, azimuth_deg, parse_baseline, parse_sa_target, parse_target_source, read_target,
 };
-use freestand_study::quantity::Dimension;
 
 use crate::values::Values;
 

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_study::processing::parse_target_source;
-use freestand_study::quantity::Dimension;
+use freestand_input::quantity::Dimension;
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::parse_target_source;
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, read_recorded};
-use freestand_study::records::ReadOptions;
 
 use crate::failure::{Failure, problem};
 use crate::processing::ProcessArgs;
@@ -93,7 +93,7 @@ impl SecondArgs {
     /// The step between directions \[degrees\].
     pub(crate) fn rotation_step_deg(&self, values: &mut Values) -> Option<f64> {
         let step_rad = values.positive("--rotation-step", self.rotation_step.as_deref(), Dimension::Angle)?;
-        Some(freestand_study::processing::azimuth_deg(step_rad))
+        Some(freestand_records::processing::azimuth_deg(step_rad))
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use freestand_output::rows::{csv_header, csv_rows, json_rows};
+use freestand_output::streamed::{StreamedFile, rows_head, rows_tail};
 use freestand_study::spectrum::{SpectrumChunk, SpectrumRow};
-use freestand_study::streamed::{StreamedFile, rows_head, rows_tail};
-use freestand_study::tables::{csv_header, csv_rows, json_rows};
 use serde::Serialize;
 
 use crate::failure::Failure;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_study::cushion::KeyStyle;
+use freestand_input::keys::KeyStyle;
 use freestand_study::target::{Target, TargetWords};
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! Flags that hold quantities: kept as text by the argument parser, read here so that a wrong one is a problem with a
 //! hint, named by its flag, and all of them are reported at once.
 
-use freestand_study::quantity::{self, Dimension};
-use freestand_study::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{self, Dimension};
 
 use crate::failure::Failure;
 

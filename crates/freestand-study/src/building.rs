@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoubt, Model};
 
-use crate::error::{Problem, ProblemKind};
-use crate::input::InputFile;
-use crate::records::{load_table, read_modes, read_storeys};
-use crate::words::{number, percent};
+use freestand_input::file::InputFile;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::{number, percent};
+use freestand_records::formats::{load_table, read_modes, read_storeys};
 
 /// Modes that are kept where nobody says how many.
 pub const DEFAULT_MODES: usize = 10;

@@ -16,17 +16,17 @@ use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 
 use crate::cushion::{CushionWords, EdgeCushion};
-use crate::floor::CodeParts;
-use crate::input::InputFile;
+use crate::result::CodeParts;
 use crate::result::{
-    ExampleHistory, FloorProfile, GroundMotion, HorizontalMotion, LevelResult, ObjectResponse, PseudoSpectrum,
-    StudyResult,
+    ExampleHistory, FloorProfile, GroundMotion, LevelResult, ObjectResponse, PseudoSpectrum, StudyResult,
 };
 use crate::statistics::object_statistics;
 use crate::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
 };
 use crate::target::{Target, TargetWords};
+use freestand_input::file::InputFile;
+use freestand_records::horizontal::HorizontalMotion;
 
 pub(crate) const MASS_KG: f64 = 150.0;
 /// Two pads of 2190 N/mm.
@@ -77,7 +77,7 @@ pub(crate) fn study() -> Study {
             tolerance_m_s2: None,
             friction: None,
         },
-        assessment: crate::assess::settings::Settings::default(),
+        assessment: crate::study::assessment::Settings::default(),
         outputs: Outputs {
             figures: true,
             report: true,
@@ -266,16 +266,4 @@ fn history(level: &LevelResult, motion: &str) -> ExampleHistory {
         theta_rad,
         impacts,
     }
-}
-
-/// The counts 2000, -1000, 0 and 500 of XX.ABC..HNE: one record of miniSEED 2, 32-bit integers, 100 Hz, 2019-07-06.
-pub(crate) fn mseed_record() -> Vec<u8> {
-    let mut out =
-        b"000001D ABC    HNEXX\x07\xE3\0\xBB\x03\x13\x17\0\0\0\0\x04\0\x64\0\x01\0\0\0\x01\0\0\0\0\0\x40\0\x30"
-            .to_vec();
-    out.extend(b"\x03\xE8\0\0\x03\x01\x07\0");
-    out.resize(64, 0);
-    out.extend([2000i32, -1000, 0, 500].iter().flat_map(|x| x.to_be_bytes()));
-    out.resize(128, 0);
-    out
 }

@@ -1,8 +1,8 @@
 //! The stiffness of a contact law as people write it.
 
-use crate::error::{Problem, ProblemKind};
-use crate::quantity::{Dimension, parse, parse_positive, shorten};
-use crate::words::number;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
+use freestand_input::words::number;
 
 /// Exponents in a unit and in a flag are the same number, typed twice.
 const SAME_EXPONENT: f64 = 1e-9;
@@ -22,7 +22,7 @@ const SAME_EXPONENT: f64 = 1e-9;
 /// let (coefficient_n_mn, note) = contact_law_stiffness("40 N/mm", 2.0)?;
 /// assert!((coefficient_n_mn / 40e6 - 1.0).abs() < 1e-12);
 /// assert_eq!(note.as_deref(), Some("\"40 N/mm\" is read as the secant stiffness at 1 mm, 40 N/mm^2: 4.0000e7 N/m^2"));
-/// # Ok::<(), freestand_study::Problem>(())
+/// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<String>), Problem> {
     let text = text.trim();

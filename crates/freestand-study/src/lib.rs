@@ -1,30 +1,20 @@
-//! Files in, results out: quantities with units, record formats, the study as written, as meant and run, and its outputs.
+//! From a study as written to its results, figures and report, and the requests of single commands.
 
-pub mod assess;
 pub mod building;
 pub mod compliant;
 pub mod cushion;
-pub mod cushion_curve;
-pub mod drop_test;
-pub mod error;
 pub mod figures;
 #[cfg(test)]
 mod fixture;
 pub mod floor;
-pub mod input;
 pub mod inspect;
-pub mod inventory;
+pub mod laboratory;
 pub mod law;
-pub mod library;
 pub mod matched;
 mod options;
-pub mod output;
 pub mod outputs;
 pub mod pair;
-pub mod processing;
-pub mod quantity;
 pub mod recorded;
-pub mod records;
 pub mod report;
 pub mod rerun;
 pub mod resolve;
@@ -36,21 +26,15 @@ pub mod shock;
 pub mod shock_spectrum;
 pub mod simulated;
 pub mod spectrum;
-pub mod static_test;
 pub mod statistics;
-pub mod streamed;
 pub mod study;
 pub mod summary;
 pub mod tables;
 pub mod target;
 pub mod validate;
 pub mod vary;
-pub mod virtual_laboratory;
-pub mod words;
 
 /// The design document: its examples are compiled and run.
 #[cfg(doctest)]
 #[doc = include_str!("../../../DESIGN.md")]
 pub struct Design;
-
-pub use error::{Problem, ProblemKind, StudyError};

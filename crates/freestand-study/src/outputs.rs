@@ -5,9 +5,7 @@ use std::path::PathBuf;
 use rayon::prelude::*;
 use serde_json::Value;
 
-use crate::error::{Problem, ProblemKind, StudyError};
 use crate::figures::figures;
-use crate::output::{OutputFolder, document};
 use crate::report::{provenance, report};
 use crate::rerun::{
     LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed, with_spectrum,
@@ -15,7 +13,11 @@ use crate::rerun::{
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
-use crate::tables::{profile_csv, records_csv, srs_csv, statistics_csv, urs_csv};
+use crate::tables::{profile_csv, srs_csv, statistics_csv, urs_csv};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_output::folder::OutputFolder;
+use freestand_output::json::document;
+use freestand_output::rows::records_csv;
 
 /// What was written.
 #[derive(Debug, Clone)]
@@ -58,7 +60,7 @@ fn floor_name(motion: &str, level: &str) -> String {
 ///
 /// # Errors
 /// A disk that is full or a folder that has changed since; nothing is left behind then.
-pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) -> Result<Written, StudyError> {
+pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) -> Result<Written, Problems> {
     let (tables, pages) = rayon::join(|| tables(study, result), || pages(study, result));
     let mut files = tables?;
     files.extend(pages?);
@@ -135,7 +137,7 @@ fn rotation_step_deg(study: &Study) -> f64 {
 }
 
 /// The study, the tables and the motions.
-fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
+fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
     let mut files: Vec<File> = vec![
         ("study.toml".to_owned(), rerun_toml(study)?.into_bytes()),
         ("urs.csv".to_owned(), urs_csv(study, result)?),
@@ -172,7 +174,7 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> 
 }
 
 /// The figures and the report; the report shows them whether or not they are files too.
-fn pages(study: &Study, result: &StudyResult) -> Result<Vec<File>, StudyError> {
+fn pages(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
     if !(study.outputs.figures || study.outputs.report) {
         return Ok(Vec::new());
     }

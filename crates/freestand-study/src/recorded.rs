@@ -6,13 +6,16 @@ use std::path::{Path, PathBuf};
 use freestand::motion::Motion;
 use freestand::signal::rotate::Pair;
 
-use crate::error::{Problem, ProblemKind};
-use crate::input::{InputFile, sha256_hex};
-use crate::processing::{Processed, Processing, Scale, not_perpendicular, pair_of_one, process_file, process_pair};
-use crate::quantity::shorten;
-use crate::records::{Component, Direction, MotionFile, ReadOptions, load, parse_motions};
 use crate::study::{RecordedMotion, SecondComponent};
-use crate::words::number;
+use freestand_input::file::load;
+use freestand_input::file::{InputFile, sha256_hex};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use freestand_input::words::number;
+use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, parse_motions};
+use freestand_records::processing::{
+    Processed, Processing, Scale, not_perpendicular, pair_of_one, process_file, process_pair,
+};
 
 /// Files whose motions are used.
 #[derive(Debug, Clone, PartialEq)]

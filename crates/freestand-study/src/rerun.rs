@@ -3,7 +3,7 @@
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, value};
 
 use crate::cushion::CushionWords;
-use crate::error::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind};
 
 /// The text with this seed of the synthetic motions; all else, comments too, stays.
 ///
@@ -15,7 +15,7 @@ use crate::error::{Problem, ProblemKind};
 /// use freestand_study::rerun::with_seed;
 /// let text = with_seed("[ground]\nseed = 1 # drawn by lot\n", 7)?;
 /// assert_eq!(text, "[ground]\nseed = 7 # drawn by lot\n");
-/// # Ok::<(), freestand_study::Problem>(())
+/// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     let mut study = parse(toml)?;
@@ -46,7 +46,7 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
 /// use freestand_study::rerun::with_value;
 /// let text = with_value("[building]\nframe = \"other\"\n", "building", "period", "2.5 s", &["frame"])?;
 /// assert_eq!(text, "[building]\nperiod = \"2.5 s\"\n");
-/// # Ok::<(), freestand_study::Problem>(())
+/// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &[&str]) -> Result<String, Problem> {
     let mut study = parse(toml)?;

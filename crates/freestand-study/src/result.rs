@@ -1,18 +1,13 @@
 //! What a study gave: one row for each object and motion, and the statistics over all motions.
 
-use std::borrow::Cow;
-
 use freestand::building::Mode;
-use freestand::measures::cumulative_trapezoid;
-use freestand::motion::{Motion, MotionError};
 use freestand::rocking::Outcome;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
+use freestand_records::horizontal::HorizontalMotion;
+use serde::Serialize;
 
-use crate::floor::CodeParts;
-use crate::records::{write_csv, write_pair_csv};
 use crate::study::Level;
-use crate::vary::Sensitivity;
 
 /// Everything that the outputs are written from.
 #[derive(Debug, Clone)]
@@ -46,64 +41,6 @@ pub struct GroundMotion {
     pub spectrum: PseudoSpectrum,
     /// How well it meets its target, where it was made for or matched to one.
     pub misfit: Option<Misfit>,
-}
-
-/// A motion in the plane of the floor: one component, or two at right angles.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HorizontalMotion {
-    /// The first component, or the only one.
-    pub along: Motion,
-    /// The second, of the same length and time step.
-    pub across: Option<Motion>,
-}
-
-impl HorizontalMotion {
-    /// The component in a direction counted from the first one towards the second \[degrees\]:
-    /// `a₁ cos θ + a₂ sin θ`. Without a second component, the first whatever the direction.
-    ///
-    /// # Errors
-    /// Samples that overflow.
-    pub fn in_direction(&self, direction_deg: f64) -> Result<Cow<'_, Motion>, MotionError> {
-        let Some(across) = &self.across else { return Ok(Cow::Borrowed(&self.along)) };
-        if direction_deg == 0.0 {
-            return Ok(Cow::Borrowed(&self.along));
-        }
-        if direction_deg == 90.0 {
-            return Ok(Cow::Borrowed(across));
-        }
-        let (sin, cos) = direction_deg.to_radians().sin_cos();
-        let samples = self.along.accel_m_s2().iter().zip(across.accel_m_s2()).map(|(a, b)| a * cos + b * sin);
-        Motion::new(self.along.dt_s(), samples.collect()).map(Cow::Owned)
-    }
-
-    /// Largest velocity, from rest by the trapezoid rule; of two components, in whatever direction it is \[m/s\].
-    pub fn peak_velocity_m_s(&self) -> f64 {
-        let velocity = |motion: &Motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
-        let along = velocity(&self.along);
-        match self.across.as_ref().map(velocity) {
-            None => along.iter().fold(0.0, |peak: f64, v| peak.max(v.abs())),
-            Some(across) => along.iter().zip(&across).map(|(a, b)| a.hypot(*b)).fold(0.0, f64::max),
-        }
-    }
-
-    /// As a file: `time_s,accel_m_s2`, or `time_s,along_m_s2,across_m_s2`.
-    pub fn csv(&self) -> String {
-        match &self.across {
-            None => write_csv(&self.along),
-            Some(across) => write_pair_csv(&self.along, across),
-        }
-    }
-
-    /// Largest acceleration at the samples; of two components, in whatever direction it is \[m/s²\].
-    pub fn peak_m_s2(&self) -> f64 {
-        match &self.across {
-            None => self.along.peak_m_s2(),
-            Some(across) => {
-                let both = self.along.accel_m_s2().iter().zip(across.accel_m_s2());
-                both.map(|(a, b)| a.hypot(*b)).fold(0.0, f64::max)
-            }
-        }
-    }
 }
 
 /// Pseudo-accelerations over periods; of two components, the largest over all horizontal directions (RotD100).
@@ -224,4 +161,69 @@ pub struct ExampleHistory {
     pub theta_rad: Vec<f64>,
     /// Each impact: time \[s\] and shock from its velocity \[g\].
     pub impacts: Vec<(f64, f64)>,
+}
+
+/// What a code gives a rigid part on each level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CodeParts {
+    /// The clause and its formula.
+    pub clause: &'static str,
+    /// Accelerations, one for each level \[g\].
+    pub accel_g: Vec<f64>,
+}
+
+/// One row of `vary.csv`: a level under one variation, or under the study as it is.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct VariedLevel {
+    /// The key that was changed; `base` for the study as it is.
+    pub parameter: String,
+    /// Its value, as a study writes it; empty for `base`.
+    pub value: String,
+    /// Name of the level.
+    pub level: String,
+    /// Height as a share of the building's, where it is known.
+    pub level_ratio: Option<f64>,
+    /// Median over the motions of the peak floor acceleration \[g\].
+    pub pfa_g_median: Option<f64>,
+    /// Share of the histories in which the object uplifts.
+    pub uplift_share: Option<f64>,
+    /// Share of the histories in which the object overturns.
+    pub overturned_share: Option<f64>,
+    /// Objects whose median over the motions is overturned.
+    pub overturned_objects: Option<usize>,
+    /// Largest over the objects of the median over the motions, where that is a number \[g\].
+    pub edge_acceleration_g_median: Option<f64>,
+    /// Largest shock of any object that survives under any motion \[g\].
+    pub edge_acceleration_g_max: Option<f64>,
+    /// Sum over the objects of the median shock, over the same sum of the base; of objects whose median is overturned in
+    /// neither. `None` where their mean in the base is below [`LEAST_MEAN_G`].
+    pub edge_acceleration_ratio: Option<f64>,
+    /// How many objects these are.
+    pub compared_objects: Option<usize>,
+    /// Why there is no result.
+    pub reason: Option<String>,
+    /// Warnings that the base has not, joined by `; `.
+    pub warnings: Option<String>,
+}
+
+impl VariedLevel {
+    /// In short words, `α₀ 20`: tables and axes have little room.
+    pub fn words(&self) -> String {
+        let key = match self.parameter.as_str() {
+            "shear_flexure" => "α₀",
+            "return_period_years" => "years",
+            "hazard_factor" => "Z",
+            other => other,
+        };
+        format!("{key} {}", self.value)
+    }
+}
+
+/// What a variation did to each level, beside the study as it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// The base first, then variation by variation; in each the levels in the order of the study.
+    pub rows: Vec<VariedLevel>,
+    /// What could not be varied, and why: one sentence each.
+    pub left_out: Vec<String>,
 }

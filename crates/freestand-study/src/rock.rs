@@ -15,8 +15,8 @@ use freestand::{G0_M_S2, rocking};
 use serde::Serialize;
 
 use crate::cushion::EdgeCushion;
-use crate::error::{Problem, ProblemKind};
-use crate::records::push_shortest;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::push_shortest;
 
 /// Sampling of a history without a motion \[s\].
 const FREE_HISTORY_DT_S: f64 = 0.005;

@@ -15,9 +15,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::cushion::{BOTTOMED, EdgeCushion};
-use crate::error::{Problem, ProblemKind};
 use crate::resolve::MAX_OBJECTS;
-use crate::tables::Field;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::rows::Field;
 
 /// Block-steps of a chunk: seconds of work, between two questions whether to go on.
 const CHUNK_STEPS: usize = 200_000_000;
@@ -311,7 +311,7 @@ impl SpectrumTally {
 mod tests {
     use super::*;
     use crate::cushion::CushionWords;
-    use crate::tables::csv_rows;
+    use freestand_output::rows::csv_rows;
 
     fn request() -> SpectrumRequest {
         let heights_m: Vec<f64> = (0..23).map(|i| 0.4 + 0.15 * f64::from(i)).collect();

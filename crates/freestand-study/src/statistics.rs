@@ -84,7 +84,7 @@ impl Ranked {
     /// As a cell of a table: the number, `overturned`, or nothing.
     pub fn cell(self) -> String {
         match self {
-            Self::Value(value) => crate::records::shortest(value),
+            Self::Value(value) => freestand_input::words::shortest(value),
             Self::Overturned => Outcome::Overturned.name().to_owned(),
             Self::NoData => String::new(),
         }

@@ -6,7 +6,6 @@ use serde_json::{Value, json};
 
 use crate::building::model_words;
 use crate::cushion::cushion_words;
-use crate::input::{InputFile, sha256_hex};
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::ranked_quantile;
 use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study};
@@ -14,6 +13,7 @@ use crate::target::Target;
 use freestand::G0_M_S2;
 use freestand::building::Building;
 use freestand::rocking::{Accuracy, Restitution};
+use freestand_input::file::{InputFile, sha256_hex};
 
 /// Name and version of the document.
 pub const SCHEMA: &str = "freestand.run/1";

@@ -5,8 +5,8 @@
 use std::path::Path;
 
 use freestand::motion::Motion;
-use freestand_study::Problem;
-use freestand_study::records::write_csv;
+use freestand_input::problem::Problem;
+use freestand_records::formats::write_csv;
 use freestand_study::resolve::{Overrides, resolve, resolve_with};
 use freestand_study::study::{Ground, Study};
 use freestand_study::vary::{parse_wish, variations};

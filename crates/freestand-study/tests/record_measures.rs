@@ -9,10 +9,10 @@
     reason = "the lint configuration exempts test functions, but not the helpers of an integration test"
 )]
 
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::Processing;
 use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, SpectrumRequest, info, spectrum};
-use freestand_study::processing::Processing;
 use freestand_study::recorded::{MotionFiles, read_recorded};
-use freestand_study::records::ReadOptions;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ fn records() -> Option<(PathBuf, Vec<(Value, ReadOptions)>)> {
     let shared = std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace.join("../shared"), PathBuf::from);
     let folder = shared.join("records");
     let Ok(text) = std::fs::read(folder.join("index.json")) else {
-        println!("skipped: no records in {}", folder.display());
+        println!("skipped: recorded motions are not in $FREESTAND_SHARED/records (../shared)");
         return None;
     };
     let index: Value = serde_json::from_slice(&text).unwrap();

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use freestand::motion::Motion;
-use freestand_study::records::{write_csv, write_pair_csv};
+use freestand_records::formats::{write_csv, write_pair_csv};
 use freestand_study::resolve::resolve;
 use freestand_study::result::{ObjectResponse, StudyResult};
 use freestand_study::run::{no_progress, run};

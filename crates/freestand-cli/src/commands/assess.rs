@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use freestand_study::assess::{Decision, Job, JobReport, SCHEMA, assess_into, inventory_of};
+use freestand_assess::assess::{Decision, Job, JobReport, SCHEMA, assess_into, inventory_of};
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 

@@ -3,9 +3,9 @@
 use clap::{Args, ValueEnum};
 use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
-use freestand_study::quantity::Dimension;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
 use freestand_study::shape::Shape;
-use freestand_study::{Problem, ProblemKind};
 
 use crate::values::Values;
 

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use freestand_input::quantity::{Dimension, format_si};
 use freestand_study::building::{damping_words, model_words};
 use freestand_study::cushion::cushion_words;
-use freestand_study::quantity::{Dimension, format_si};
 use freestand_study::resolve::{Overrides, builtin, load, motion_paths};
 use freestand_study::simulated::FoundEarthquake;
 use freestand_study::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study};

@@ -6,15 +6,15 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
+use freestand_input::words::number;
 use freestand_study::building::{Axis, AxisModel, AxisRequest, axis};
-use freestand_study::figures::{ProfilePicture, floor_profile_figure, floor_response_figure};
 use freestand_study::floor::{
     FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floors, spectra_csv,
 };
-use freestand_study::quantity::Dimension;
+use freestand_study::floor::{ProfilePicture, floor_profile_figure, floor_response_figure};
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_recorded};
-use freestand_study::words::number;
-use freestand_study::{Problem, ProblemKind};
 
 use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
@@ -232,7 +232,7 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
 
 fn profile_figure(
     report: &FloorReport,
-) -> Result<freestand_study::figures::Figure, freestand_study::figures::FigureError> {
+) -> Result<freestand_output::figure::Figure, freestand_output::figure::FigureError> {
     let levels_ratio: Vec<f64> = report.levels.iter().map(|level| level.level_ratio).collect();
     let pfa_g: Vec<Vec<f64>> =
         report.motions.iter().map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect()).collect();

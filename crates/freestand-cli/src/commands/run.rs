@@ -6,14 +6,15 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use clap::{ArgAction, Args};
-use freestand_study::output::OutputFolder;
+use freestand_output::folder::OutputFolder;
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
+use freestand_study::result::{Sensitivity, VariedLevel};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
-use freestand_study::vary::{NOTHING_CHANGES, Sensitivity, VariedLevel, Wish, parse_wish, usual_wishes, vary};
+use freestand_study::vary::{NOTHING_CHANGES, Wish, parse_wish, usual_wishes, vary};
 use serde_json::Value;
 
 use super::Done;

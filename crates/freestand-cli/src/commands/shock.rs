@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use freestand::impact::ImpactModel;
-use freestand_study::quantity::{Dimension, format_si};
+use freestand_input::quantity::{Dimension, format_si};
 use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, boundary_tests, shock};
 
 use super::Done;

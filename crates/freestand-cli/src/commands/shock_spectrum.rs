@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use freestand::shock_response::{Peak, Pulse, PulseShape, ResponseKind};
-use freestand_study::quantity::Dimension;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
 use freestand_study::shock_spectrum::{
     ShockSpectrumReport, ShockSpectrumRequest, acceleration_unit, pulse_shock_spectrum, recorded_shock_spectra,
 };
-use freestand_study::{Problem, ProblemKind};
 
 use super::Done;
 use crate::args::GlobalArgs;

@@ -7,12 +7,12 @@ use freestand::impact::{Impact, ValidityWarning, compression_warnings, stiffness
 use freestand::motion::Motion;
 use freestand::rocking::{RockingError, RockingOptions};
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
-use freestand_study::quantity::Dimension;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
 use freestand_study::rock::problem;
 use freestand_study::spectrum::{
     Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming, chunk_objects, spectrum,
 };
-use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
 use super::Done;

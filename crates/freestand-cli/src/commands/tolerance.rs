@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
-use freestand_study::library::{Library, ToleranceEntry, to_tolerance};
-use freestand_study::quantity::{Dimension, format_si};
-use freestand_study::words::number;
+use freestand_assess::library::{Library, ToleranceEntry, to_tolerance};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::number;
 use serde::Serialize;
 
 use super::Done;

@@ -1,7 +1,8 @@
 //! `freestand validate`: the paper's table and every closed form.
 
 use clap::Args;
-use freestand_study::validate::{Validation, validate};
+use freestand_assess::validate::validate;
+use freestand_study::validate::Validation;
 
 use super::Done;
 use crate::args::GlobalArgs;

@@ -1,12 +1,13 @@
 //! Cushion files: one pad as a laboratory found it, in TOML.
 
+use freestand_input::keys::KeyStyle;
 use std::fs;
 use std::path::Path;
 
-use super::{CushionWords, KeyProblem, KeyStyle};
-use crate::error::{Problem, ProblemKind, StudyError};
-use crate::input::InputFile;
+use super::{CushionWords, KeyProblem};
 use crate::options::{CushionOptions, parse_cushion};
+use freestand_input::file::InputFile;
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 
 /// A cushion file is a few lines; a table of forces some thousand.
 const LARGEST: u64 = 1 << 20;
@@ -15,12 +16,10 @@ const LARGEST: u64 = 1 << 20;
 ///
 /// # Errors
 /// A file that cannot be read, is no TOML, or has unknown keys.
-pub fn read_cushion_file(path: &Path) -> Result<(CushionWords, InputFile), StudyError> {
+pub fn read_cushion_file(path: &Path) -> Result<(CushionWords, InputFile), Problems> {
     let unreadable = |message: String| {
         let problem = Problem::new(ProblemKind::Io, message).in_file(path);
-        StudyError::from(
-            problem.hint("name a cushion file, such as the cushion.toml that freestand cushion drop writes"),
-        )
+        Problems::from(problem.hint("name a cushion file, such as the cushion.toml that freestand cushion drop writes"))
     };
     match fs::metadata(path) {
         Err(error) => return Err(unreadable(format!("cannot read the cushion: {error}"))),
@@ -37,7 +36,7 @@ pub fn read_cushion_file(path: &Path) -> Result<(CushionWords, InputFile), Study
         let hint = "a cushion file describes one pad: its stiffness is that of the pad";
         problems.push(problem.hint(hint).at_line(written.line).in_file(path));
     }
-    if problems.is_empty() { Ok((of_one_pad(&options), input)) } else { Err(StudyError { problems }) }
+    if problems.is_empty() { Ok((of_one_pad(&options), input)) } else { Err(Problems { problems }) }
 }
 
 fn of_one_pad(options: &CushionOptions) -> CushionWords {

@@ -1,4 +1,5 @@
 use super::*;
+use freestand_input::keys::KeyStyle;
 
 fn words(entries: &[(&'static str, &str)]) -> CushionWords {
     let mut words = CushionWords::new(KeyStyle::Flag);

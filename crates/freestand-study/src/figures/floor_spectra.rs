@@ -1,9 +1,9 @@
 //! Acceleration spectra of the ground and of each floor.
 
+use freestand::G0_M_S2;
 use freestand::code_spectrum::CodeSpectrum;
 use kuva::plot::BandPlot;
 use kuva::render::annotations::ReferenceLine;
-use kuva::render::layout::TickFormat;
 use kuva::render::plots::Plot;
 
 use crate::result::{PseudoSpectrum, StudyResult};
@@ -11,9 +11,9 @@ use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::{Ground, Study};
 
 use super::FigureKind;
-use super::legend::{Entry, Sign};
-use super::page::{Page, Panel, columns};
-use super::style::{Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, in_g, line, plain};
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel, columns};
+use freestand_output::figure::style::{Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, decades, line, plain};
 
 const PANEL_PX: f64 = 310.0;
 /// More motions than this are drawn as a band from 16 to 84 %.
@@ -23,7 +23,7 @@ const MARKED_MODES: usize = 3;
 const TARGET_DASH: &str = "8 6";
 
 /// Spectra of the ground, with the target where there is one, and of each level.
-pub(super) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
+pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let ground: Vec<&PseudoSpectrum> = result.ground.iter().map(|g| &g.spectrum).collect();
     let target = study.ground.code_spectrum().and_then(|target| {
         let code = &target.spectrum;
@@ -124,17 +124,9 @@ fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>,
     Panel { plots, layout }
 }
 
-/// Labels at 0.1, 1, 10 only: those of 2 and 5 would touch each other in a narrow panel. Their grid lines stay.
-pub(super) fn decades() -> TickFormat {
-    TickFormat::Custom(std::sync::Arc::new(|v| {
-        let decade = v.log10();
-        if (decade - decade.round()).abs() < 1e-6 { TickFormat::Auto.format(v) } else { String::new() }
-    }))
-}
-
 fn points(spectrum: &PseudoSpectrum) -> Vec<(f64, f64)> {
     let pairs = spectrum.periods_s.iter().zip(&spectrum.psa_m_s2);
-    pairs.filter(|&(&t, a)| t > 0.0 && a.is_finite()).map(|(&t, &a)| (t, in_g(a))).collect()
+    pairs.filter(|&(&t, a)| t > 0.0 && a.is_finite()).map(|(&t, &a)| (t, a / G0_M_S2)).collect()
 }
 
 /// 16, 50 and 84 % at each period; nothing where the curves do not share their periods.

@@ -1,18 +1,19 @@
 //! One rocking history: rotation, floor acceleration, impacts.
 
+use freestand::G0_M_S2;
 use kuva::plot::scatter::MarkerShape;
 use kuva::render::annotations::ReferenceLine;
 
 use freestand::rocking::Outcome;
 
 use crate::result::{ExampleHistory, StudyResult};
-use crate::words::number;
+use freestand_input::words::number;
 
 use super::FigureKind;
-use super::legend::{Entry, Sign};
-use super::page::{Page, Panel};
-use super::style::{Axis, DARK, curve_style, in_g, line, markers, plain};
-use super::time::{pixel, stacked, symmetric, thin, time_axis};
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel};
+use freestand_output::figure::style::{Axis, DARK, curve_style, line, markers, plain};
+use freestand_output::figure::time::{pixel, stacked, symmetric, thin, time_axis};
 
 /// Heights of the three panels \[px\].
 const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
@@ -24,13 +25,13 @@ const FLAT_RAD: f64 = 1.57;
 const HIGHEST_RATIO: f64 = 1.6;
 
 /// The history of the result, if there is one.
-pub(super) fn history(result: &StudyResult) -> Option<Page> {
+pub(crate) fn history(result: &StudyResult) -> Option<Page> {
     let h = result.history.as_ref()?;
     let (from, to) = window(h)?;
     let within = |t: f64| (from..=to).contains(&t);
     let theta: Vec<(f64, f64)> =
         h.time_s.iter().zip(&h.theta_rad).map(|(&t, &r)| (t, r / h.slenderness_angle_rad)).collect();
-    let accel: Vec<(f64, f64)> = h.time_s.iter().zip(&h.accel_m_s2).map(|(&t, &a)| (t, in_g(a))).collect();
+    let accel: Vec<(f64, f64)> = h.time_s.iter().zip(&h.accel_m_s2).map(|(&t, &a)| (t, a / G0_M_S2)).collect();
     let cut = |points: Vec<(f64, f64)>| thin(points.into_iter().filter(|p| within(p.0)), from, to);
     let (theta, accel) = (cut(theta), cut(accel));
     let impacts: Vec<(f64, f64)> = h.impacts.iter().copied().filter(|&(t, a)| within(t) && a.is_finite()).collect();

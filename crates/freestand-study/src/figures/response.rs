@@ -9,12 +9,12 @@ use kuva::render::plots::Plot;
 use crate::cushion::cushion_words;
 use crate::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
 use crate::study::Study;
-use crate::words::number;
+use freestand_input::words::number;
 
 use super::FigureKind;
-use super::legend::{Entry, Sign};
-use super::page::{Page, Panel, columns};
-use super::style::{
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel, columns};
+use freestand_output::figure::style::{
     Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, curve_style, line, markers, plain,
 };
 
@@ -40,7 +40,7 @@ struct Point {
 type Quantity = fn(&ObjectStatistics) -> ([Ranked; 3], Option<f64>);
 
 /// Uplift response spectra.
-pub(super) fn urs(study: &Study, result: &StudyResult) -> Page {
+pub(crate) fn urs(study: &Study, result: &StudyResult) -> Page {
     let quantity: Quantity = |s| (s.uplift_m.map(|r| scaled(r, 1e3)), None);
     spectra(
         FigureKind::Urs,
@@ -58,7 +58,7 @@ pub(super) fn urs(study: &Study, result: &StudyResult) -> Page {
 }
 
 /// Shock spectra.
-pub(super) fn srs(study: &Study, result: &StudyResult) -> Page {
+pub(crate) fn srs(study: &Study, result: &StudyResult) -> Page {
     let quantity: Quantity = |s| (s.edge_acceleration_g, Some(s.ceiling_g));
     spectra(
         FigureKind::Srs,
@@ -80,7 +80,7 @@ pub(super) fn srs(study: &Study, result: &StudyResult) -> Page {
 }
 
 /// Share of the motions that overturn.
-pub(super) fn overturning(study: &Study, result: &StudyResult) -> Page {
+pub(crate) fn overturning(study: &Study, result: &StudyResult) -> Page {
     let panels = result.levels.iter().map(|level| {
         let mut plots = Vec::new();
         for (index, &thickness_m) in thicknesses(study).iter().enumerate() {

@@ -6,12 +6,12 @@ use kuva::render::annotations::ReferenceLine;
 use kuva::render::layout::TickFormat;
 use kuva::render::plots::Plot;
 
-use crate::vary::{Sensitivity, VariedLevel};
+use crate::result::{Sensitivity, VariedLevel};
 
 use super::FigureKind;
-use super::legend::{Entry, Sign};
-use super::page::{Page, Panel};
-use super::style::{Axis, DARK, LABELS_PX, TITLE_PX, axes, curve_style, line, markers, plain};
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel};
+use freestand_output::figure::style::{Axis, DARK, LABELS_PX, TITLE_PX, axes, curve_style, line, markers, plain};
 
 /// Height of one row \[px\].
 const ROW_PX: f64 = 19.0;
@@ -26,7 +26,7 @@ const QUANTITIES: [Quantity; 2] = [
 ];
 
 /// Two panels a level; in each a row for every variation, from the value of the study as it is to that of the variation.
-pub(super) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
+pub(crate) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
     let mut panels = Vec::new();
     let mut most_rows = 0;
     for level in levels {

@@ -6,10 +6,10 @@ use freestand::signal::rotate::{Pair, RotateError, directional_spectrum};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::error::{Problem, ProblemKind};
-use crate::result::HorizontalMotion;
 use crate::statistics::{QUANTILES, ranked_quantile};
-use crate::tables::records_csv;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::rows::records_csv;
+use freestand_records::horizontal::HorizontalMotion;
 
 /// Response spectra to compute for every level.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,8 @@
 use super::*;
 use crate::building::{AxisModel, AxisRequest, axis};
 use crate::recorded::{MotionFiles, Second, read_recorded};
-use crate::records::ReadOptions;
 use freestand::building::Damping;
+use freestand_records::formats::ReadOptions;
 
 fn beam(period_s: f64) -> Axis {
     let model = AxisModel::Beam { period_s, shear_flexure_ratio: 5.0 };

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::MotionInfo;
-use crate::error::Problem;
+use freestand_input::problem::Problem;
 
 /// A file, or a component of one, that is not in the report.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -12,13 +12,14 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::failed::{Failed, Found};
-use crate::error::Problem;
-use crate::figures::{Figure, FigureError, Words, record_figure};
-use crate::processing::{Processed, process};
-use crate::quantity::shorten;
+use crate::inspect::{Words, record_figure};
 use crate::recorded::{MotionFiles, name_of, unique};
-use crate::records::{Component, Direction, MotionFile, read_motions};
-use crate::tables::records_csv;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_output::figure::{Figure, FigureError};
+use freestand_output::rows::records_csv;
+use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
+use freestand_records::processing::{Processed, process};
 
 /// Record files to look into.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,13 +3,19 @@
 
 mod failed;
 mod info;
+mod record_figure;
 mod rotd;
 mod spectrum;
 
+mod spectrum_figure;
+
 pub use failed::Failed;
 pub use info::{InfoReport, InfoRequest, MotionInfo, info};
+pub(crate) use record_figure::record;
+pub use record_figure::{Words, record_figure};
 pub use rotd::{PercentileSpectrum, RotdReport, RotdRequest, rotd};
 pub use spectrum::{DampedSpectrum, SpectrumReport, SpectrumRequest, check_upsampling, spectrum};
+pub use spectrum_figure::response_spectrum_figure;
 
 #[cfg(test)]
 mod tests;

@@ -4,10 +4,10 @@ use freestand::G0_M_S2;
 use freestand::signal::rotate::{Pair, directional_spectrum};
 use serde::{Serialize, Serializer};
 
-use crate::error::{Problem, ProblemKind};
 use crate::pair::ReadPair;
-use crate::processing::{not_perpendicular, process_pair, short_period_warning};
-use crate::tables::columns_csv;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::rows::columns_csv;
+use freestand_records::processing::{not_perpendicular, process_pair, short_period_warning};
 
 /// Spectra over all directions to compute.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,11 +6,12 @@ use freestand::signal::resample::{MAX_LENGTH, upsampled_sinc};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::error::{Problem, ProblemKind};
-use crate::figures::{Figure, FigureError, Words, response_spectrum_figure};
-use crate::processing::{few_steps, samples_needed};
+use crate::inspect::{Words, response_spectrum_figure};
 use crate::recorded::ReadMotion;
-use crate::tables::columns_csv;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::figure::{Figure, FigureError};
+use freestand_output::rows::columns_csv;
+use freestand_records::processing::{few_steps, samples_needed};
 
 /// A response spectrum to compute.
 #[derive(Debug, Clone, PartialEq)]

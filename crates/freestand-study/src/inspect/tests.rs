@@ -7,9 +7,9 @@ use freestand::signal::resample::MAX_LENGTH;
 
 use super::*;
 use crate::pair::{PairFiles, read_pair};
-use crate::processing::{Processing, Scale};
 use crate::recorded::{MotionFiles, ReadMotion};
-use crate::records::ReadOptions;
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::{Processing, Scale};
 
 fn request(folder: &Path, files: &[(&str, &str)]) -> InfoRequest {
     let paths = files
@@ -215,7 +215,11 @@ fn pair_warnings_are_said_once_with_their_files() {
     assert_eq!(report.processing, [vec![], vec![said.to_owned()]]);
 }
 
-fn directions(text: &str, percentiles: &[f64], processing: Processing) -> Result<RotdReport, crate::Problem> {
+fn directions(
+    text: &str,
+    percentiles: &[f64],
+    processing: Processing,
+) -> Result<RotdReport, freestand_input::problem::Problem> {
     let folder = tempfile::tempdir().unwrap();
     let mut files = request(folder.path(), &[("two.csv", text)]).files;
     files.processing = processing;

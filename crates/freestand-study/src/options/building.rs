@@ -3,7 +3,7 @@
 use toml::de::DeValue;
 
 use super::{Reader, Section, Written};
-use crate::quantity::Dimension;
+use freestand_input::quantity::Dimension;
 
 /// `[building]`, as written.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -3,7 +3,7 @@
 use toml::de::DeValue;
 
 use super::{Reader, Section, Written, bare_number};
-use crate::quantity::Dimension;
+use freestand_input::quantity::Dimension;
 
 /// The words on a cushion and their lines.
 pub(crate) type CushionOptions = Vec<(&'static str, Written<String>)>;

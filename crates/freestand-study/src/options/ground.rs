@@ -6,7 +6,7 @@ use super::point_source::{PointSourceOptions, point_source};
 use super::processing::{ProcessingOptions, processing};
 use super::target::{TargetOptions, target};
 use super::{Reader, Section, Written, bare_number};
-use crate::quantity::Dimension;
+use freestand_input::quantity::Dimension;
 
 /// `[ground]`, as written. A `None` is a key that is missing or that was refused.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -1,9 +1,9 @@
 //! The keys of `[objects]`.
 
 use super::cushion::{CushionOptions, cushion};
-use super::reader::{describe, value_problem};
 use super::{Reader, Section, Written};
-use crate::quantity::Dimension;
+use freestand_input::quantity::Dimension;
+use freestand_input::toml_reader::{describe, value_problem};
 
 /// `[objects]`, as written.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -1,7 +1,7 @@
 //! The keys of `[outputs]`.
 
 use super::{Reader, Section, Written};
-use crate::quantity::Dimension;
+use freestand_input::quantity::Dimension;
 
 /// `[outputs]`, as written.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::cushion::texts;
 use super::{Reader, Section, Written};
-use crate::quantity::Dimension;
+use freestand_input::quantity::Dimension;
 
 /// `point_source` of `[ground]`, as written.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,9 +3,9 @@
 use freestand::signal::baseline::Baseline;
 
 use super::{Reader, Section, Written};
-use crate::error::Problem;
-use crate::processing::{Scale, TargetSource, parse_baseline, parse_sa_target, parse_target_source};
-use crate::quantity::Dimension;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::Dimension;
+use freestand_records::processing::{Scale, TargetSource, parse_baseline, parse_sa_target, parse_target_source};
 
 /// `processing` of `[ground]`, as written.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::cushion::texts;
 use super::{Reader, Section, Written};
-use crate::quantity::Dimension;
+use freestand_input::quantity::Dimension;
 
 /// The words on a spectrum and their lines.
 pub(crate) type TargetOptions = Vec<(&'static str, Written<String>)>;

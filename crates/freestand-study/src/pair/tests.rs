@@ -1,6 +1,6 @@
 use super::*;
-use crate::processing::{Processing, Scale};
-use crate::records::ReadOptions;
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::{Processing, Scale};
 
 const BOTH: &str = "time [s],N [g],E [g]\n0,0,0\n0.01,0.3,0.4\n0.02,0,0\n";
 const ONE: &str = "time [s],H [g]\n0,0\n0.01,0.2\n0.02,0\n";

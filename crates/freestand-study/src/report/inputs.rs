@@ -11,9 +11,9 @@ use crate::result::StudyResult;
 use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, SyntheticGround};
 use crate::summary::{accuracy_words, restitution_words};
 use crate::target::Target;
-use crate::words::{fixed, number, percent};
+use freestand_input::words::{fixed, number, percent};
 
-use super::html::{figure, heading, paragraph, properties, table, words};
+use freestand_output::html::{figure, heading, paragraph, properties, table, words};
 
 /// Ground, building and objects.
 pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {

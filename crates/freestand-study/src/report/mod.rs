@@ -1,6 +1,5 @@
 //! `report.html`: one file that loads nothing, for the screen and for paper.
 
-pub(crate) mod html;
 mod inputs;
 mod overview;
 mod provenance;
@@ -8,12 +7,13 @@ mod reading;
 mod results;
 mod sensitivity;
 
+use freestand_output::html;
 use std::fmt::Write;
 
-use crate::figures::Figure;
 use crate::result::StudyResult;
 use crate::study::Study;
-use crate::words::escape;
+use freestand_output::figure::Figure;
+use freestand_output::html::escape;
 
 pub use provenance::{Provenance, provenance};
 

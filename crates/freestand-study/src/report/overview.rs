@@ -4,10 +4,11 @@ use crate::cushion::cushion_words;
 use crate::result::{ObjectResponse, StudyResult};
 use crate::study::{Ground, Study};
 use crate::summary::{LevelSummary, level_summaries};
-use crate::words::{escape, fixed, number, percent};
+use freestand_input::words::{fixed, number, percent};
+use freestand_output::html::escape;
 
-use super::html::{classed_table, figure, list, markup, paragraph, table, words};
 use super::provenance::Provenance;
+use freestand_output::html::{classed_table, figure, list, markup, paragraph, table, words};
 
 /// Title of the report.
 pub(super) fn title(study: &Study) -> String {

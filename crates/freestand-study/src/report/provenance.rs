@@ -1,10 +1,10 @@
 //! Where the numbers come from.
 
-use crate::input::sha256_hex;
 use crate::study::{Ground, RecordedMotion, Study};
-use crate::words::escape;
+use freestand_input::file::sha256_hex;
+use freestand_output::html::escape;
 
-use super::html::{figure, markup, paragraph, properties, table, words};
+use freestand_output::html::{figure, markup, paragraph, properties, table, words};
 
 /// What it takes to get the same numbers again.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -6,9 +6,9 @@ use freestand::code_spectrum::{CodeSpectrum, SiteClass};
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Study};
 use crate::summary::level_summary;
-use crate::words::{number, percent};
+use freestand_input::words::{number, percent};
 
-use super::html::{Cell, heading, list, markup, paragraph, table, words};
+use freestand_output::html::{Cell, heading, list, markup, paragraph, table, words};
 
 /// The paper's numbers beside this study's.
 pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {

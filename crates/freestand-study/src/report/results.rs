@@ -1,11 +1,13 @@
 //! Figures, and a table of every object for each level.
 
-use crate::figures::{Figure, MOST_RECORDS};
+use crate::figures::MOST_RECORDS;
 use crate::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
 use crate::study::{Ground, Study};
-use crate::words::{escape, fixed, number, percent};
+use freestand_input::words::{fixed, number, percent};
+use freestand_output::figure::Figure;
+use freestand_output::html::escape;
 
-use super::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
+use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
 
 /// More thicknesses than this do not fit side by side on A4.
 const MOST_COLUMNS: usize = 5;

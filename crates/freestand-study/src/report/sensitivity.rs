@@ -1,10 +1,10 @@
 //! What one changed value does to the result, where that was asked for.
 
 use crate::result::StudyResult;
-use crate::vary::VariedLevel;
-use crate::words::{fixed, percent};
+use crate::result::VariedLevel;
+use freestand_input::words::{fixed, percent};
 
-use super::html::{Cell, classed_table, figure, list, paragraph, words};
+use freestand_output::html::{Cell, classed_table, figure, list, paragraph, words};
 
 /// A table for each level; empty where nothing was varied.
 pub(super) fn sensitivity(result: &StudyResult) -> String {

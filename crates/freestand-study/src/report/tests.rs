@@ -1,6 +1,10 @@
+#[path = "../../../freestand-output/tests/print/check.rs"]
+mod print_check;
+
 use super::*;
-use crate::figures::{Figure, figures};
+use crate::figures::figures;
 use crate::fixture;
+use freestand_output::figure::Figure;
 
 fn rendered(recorded: bool) -> (Vec<Figure>, String) {
     let mut study = fixture::study();
@@ -101,7 +105,7 @@ fn the_same_result_gives_the_same_report() {
 fn report_holds_figures_tables_and_definitions() {
     let (figures, html) = rendered(false);
     check(&html);
-    html::tests::check_print(&html, "Free-standing objects in a 500-year earthquake: Melbourne, site class De", "");
+    print_check::check_print(&html, "Free-standing objects in a 500-year earthquake: Melbourne, site class De", "");
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document = roxmltree::Document::parse_with_options(&html, options).unwrap();
     let count = |tag: &str| document.descendants().filter(|n| n.tag_name().name() == tag).count();
@@ -161,8 +165,8 @@ fn records_of_every_kind_are_drawn_small() {
     let million: Vec<f64> = (0..1_000_000).map(|i| (i as f64 * 0.7).sin() * 1e-6).collect();
     for accel in [vec![0.0; 3], vec![0.0, 1.0], vec![9.0; 5000], million] {
         let motion = freestand::motion::Motion::new(0.005, accel).unwrap();
-        let words = crate::figures::Words { name: "a <b> $x$", description: "CSV", processing: &[] };
-        let figure = crate::figures::record_figure(words, &motion).unwrap();
+        let words = crate::inspect::Words { name: "a <b> $x$", description: "CSV", processing: &[] };
+        let figure = crate::inspect::record_figure(words, &motion).unwrap();
         let document = roxmltree::Document::parse(&figure.svg).unwrap();
         let texts = texts(&document);
         for label in ["Time (s)", "\u{222b}a\u{b2} dt (%)", "largest value"] {

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use super::{Resolver, or};
-use crate::assess::settings::{Accepted, Settings, Spread};
-use crate::options::{AssessmentOptions, Written};
+use crate::options::AssessmentOptions;
+use crate::study::assessment::{Accepted, Settings, Spread};
+use freestand_input::toml_reader::Written;
 
 /// Most draws of the uncertain values for each motion.
 const MOST_DRAWS: u64 = 10_000;

@@ -5,10 +5,11 @@ use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 
 use super::{MAX_STOREYS, Resolver, or};
 use crate::building::{Axis, AxisModel, AxisRequest, MOST_MODES, axis};
-use crate::error::Problem;
-use crate::options::{AxisOptions, BuildingOptions, Written};
-use crate::quantity::{Dimension, format_si, shorten};
+use crate::options::{AxisOptions, BuildingOptions};
 use crate::study::BuildingInput;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::toml_reader::Written;
 
 /// The height that both axes share, and where it is from.
 #[derive(Debug, Clone, Copy)]

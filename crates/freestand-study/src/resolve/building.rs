@@ -3,9 +3,10 @@
 use std::collections::HashSet;
 
 use super::{MAX_LEVELS, Resolver};
-use crate::options::{BuildingOptions, GroundOptions, LevelOptions, Written};
-use crate::quantity::shorten;
+use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
 use crate::study::Level;
+use freestand_input::quantity::shorten;
+use freestand_input::toml_reader::Written;
 
 impl Resolver<'_> {
     pub(super) fn levels(&mut self, written: &BuildingOptions, ground: &GroundOptions) -> Vec<Level> {

@@ -2,10 +2,10 @@
 
 use super::Resolver;
 use crate::cushion::{CushionWords, EdgeCushion, KeyProblem, read_cushion_file};
-use crate::error::Problem;
-use crate::input::InputFile;
 use crate::options::CushionOptions;
-use crate::quantity::shorten;
+use freestand_input::file::InputFile;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
 
 /// The pads of Al Abadi et al., two under an edge.
 const BUILTIN: &str = "4380 N/mm";

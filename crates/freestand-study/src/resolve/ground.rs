@@ -6,10 +6,11 @@ use rayon::prelude::*;
 use super::recorded::reading_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::matched::{MatchMethod, Matched, match_record};
-use crate::options::{GroundOptions, Written};
-use crate::quantity::shorten;
+use crate::options::GroundOptions;
 use crate::study::{Ground, RecordedMotion, SyntheticGround};
 use crate::target::{Target, TargetProblem, TargetWords};
+use freestand_input::quantity::shorten;
+use freestand_input::toml_reader::Written;
 
 const ONE_COMPONENT: &str = "a record is matched by one component";
 

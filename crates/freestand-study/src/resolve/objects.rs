@@ -5,9 +5,10 @@ use freestand::impact::{ValidityWarning, stiffness_warnings};
 use freestand::rocking::{Accuracy, Restitution};
 
 use super::{MAX_OBJECTS, Resolver, or};
-use crate::options::{ObjectsOptions, RestitutionOption, Written};
-use crate::quantity::{Dimension, format_si, shorten};
+use crate::options::{ObjectsOptions, RestitutionOption};
 use crate::study::Objects;
+use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::toml_reader::Written;
 
 impl Resolver<'_> {
     pub(super) fn objects(&mut self, written: &ObjectsOptions) -> Option<Objects> {
@@ -119,9 +120,9 @@ impl Resolver<'_> {
     }
 }
 
-/// From `from` to `to`, both included, as [`crate::quantity::parse_grid`] makes them.
+/// From `from` to `to`, both included, as [`freestand_input::quantity::parse_grid`] makes them.
 fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
-    crate::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
+    freestand_input::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
 }
 
 fn squat_warning(blocks: &[Block]) -> Option<String> {

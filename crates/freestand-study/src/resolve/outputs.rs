@@ -2,8 +2,8 @@
 
 use super::{Resolver, or};
 use crate::options::{HistoryOptions, OutputsOptions};
-use crate::quantity::{Dimension, format_si, shorten};
 use crate::study::{HistoryChoice, Level, Objects, Outputs};
+use freestand_input::quantity::{Dimension, format_si, shorten};
 
 impl Resolver<'_> {
     pub(super) fn outputs(

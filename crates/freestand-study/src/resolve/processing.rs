@@ -1,8 +1,9 @@
 //! `processing` of `[ground]`, as meant.
 
 use super::{Resolver, or};
-use crate::options::{GroundOptions, ProcessingOptions, Written};
-use crate::processing::{
+use crate::options::{GroundOptions, ProcessingOptions};
+use freestand_input::toml_reader::Written;
+use freestand_records::processing::{
     FILTER_ORDER, Processing, Scale, TargetSource, TargetSpectrum, azimuth_deg, check_scale, read_target,
 };
 

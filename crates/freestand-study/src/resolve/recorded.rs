@@ -1,10 +1,11 @@
 //! Motions from files: those of the ground, and those of floors. The keys of `[ground]` say how both are read.
 
-use crate::options::{BuildingOptions, ComponentsOption, GroundOptions, Written};
-use crate::processing::azimuth_deg;
+use crate::options::{BuildingOptions, ComponentsOption, GroundOptions};
 use crate::recorded::{MotionFiles, Second, read_recorded};
-use crate::records::ReadOptions;
 use crate::study::{Level, RecordedMotion};
+use freestand_input::toml_reader::Written;
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::azimuth_deg;
 
 use super::building::model_keys;
 use super::ground::synthetic_keys;

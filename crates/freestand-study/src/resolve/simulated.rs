@@ -88,7 +88,7 @@ impl Resolver<'_> {
     fn hazard(&mut self, written: &GroundOptions) -> Option<Target> {
         let mut at_site = written.clone();
         if !at_site.target.iter().any(|(key, _)| *key == "site") {
-            let site = crate::options::Written { value: SITE.name().to_owned(), line: 0 };
+            let site = freestand_input::toml_reader::Written { value: SITE.name().to_owned(), line: 0 };
             at_site.target.push(("site", site));
         }
         let other = |key: &str, value: &str| key == "spectrum" || (key == "code" && !is_as1170_4(value));
@@ -107,8 +107,10 @@ impl Resolver<'_> {
             if *key == "site" {
                 site = SiteClass::parse(&text.value).ok();
                 if site.is_none() {
-                    let message =
-                        format!("site \"{}\" is not a class of AS 1170.4", crate::quantity::shorten(&text.value));
+                    let message = format!(
+                        "site \"{}\" is not a class of AS 1170.4",
+                        freestand_input::quantity::shorten(&text.value)
+                    );
                     self.note(Some(text.line), message, "Ae, Be, Ce, De or Ee; left out, Be: rock");
                 }
             } else {

@@ -1,6 +1,9 @@
+#[path = "../../../freestand-records/src/formats/mseed/fixture.rs"]
+mod mseed;
+
 use super::*;
-use crate::processing::Processing;
-use crate::records::ReadOptions;
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::Processing;
 
 fn problems(text: &str) -> Vec<String> {
     match resolve(text, Some(Path::new("s.toml")), Path::new("")) {
@@ -190,7 +193,7 @@ fn recorded_motions_are_named_and_fingerprinted() {
 fn a_raw_record_has_its_station_and_its_mean_in_the_study() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    std::fs::write(folder.join("a.mseed"), crate::fixture::mseed_record()).unwrap();
+    std::fs::write(folder.join("a.mseed"), mseed::mseed_record()).unwrap();
     std::fs::create_dir(folder.join("xml")).unwrap();
     let xml = "<FDSNStationXML><Network code='XX'><Station code='ABC'><Channel code='HNE' locationCode=''><Response>\
         <InstrumentSensitivity><Value>1000</Value><InputUnits><Name>M/S**2</Name></InputUnits>\
@@ -243,7 +246,7 @@ fn a_study_scales_to_a_spectrum_beside_it() {
     assert!(motions[0].processing[0].ends_with(end), "{:?}", motions[0].processing);
     let file = motions[0].scale_target.as_ref().unwrap();
     assert_eq!(file.path, folder.path().join("targets/t.csv"));
-    assert_eq!(provenance.inputs[1], ("t.csv".to_owned(), crate::input::sha256_hex(target.as_bytes())));
+    assert_eq!(provenance.inputs[1], ("t.csv".to_owned(), freestand_input::file::sha256_hex(target.as_bytes())));
 }
 
 /// What scales the counts of a record is an input like the record itself, named or found beside it.
@@ -254,7 +257,7 @@ fn a_study_has_the_station_xml_among_its_inputs() {
     let copy = |from: &str, to: &str| std::fs::copy(seeds.join(from), folder.path().join(to)).unwrap();
     copy("mseed/int32.mseed", "a.mseed");
     copy("station_xml/one.xml", "a.xml");
-    let sha256 = crate::input::sha256_hex(&std::fs::read(folder.path().join("a.xml")).unwrap());
+    let sha256 = freestand_input::file::sha256_hex(&std::fs::read(folder.path().join("a.xml")).unwrap());
     for key in ["", "station_xml = \"a.xml\"\n"] {
         let text = format!("[ground]\nmotions = [\"a.mseed\", \"a.mseed\"]\n{key}");
         let study = resolve(&text, Some(Path::new("s.toml")), folder.path()).unwrap();
@@ -394,7 +397,7 @@ fn records_are_processed_as_the_study_says() {
 const TOWER: &str = "storey,height [m],mass [t],stiffness [kN/mm]\n1,4,100,300\n2,3,100,200\n3,3,60,200\n";
 const MODES: &str = "period [s],participation,damping [%],5 m,10 m\n0.8,1.3,2,0.5,1\n0.3,-0.3,,-1.2,1\n";
 
-fn in_folder(building: &str) -> Result<Study, StudyError> {
+fn in_folder(building: &str) -> Result<Study, Problems> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("tower.csv"), TOWER).unwrap();
     std::fs::write(folder.path().join("modes.csv"), MODES).unwrap();

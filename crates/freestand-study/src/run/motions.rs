@@ -7,18 +7,19 @@ use freestand::synthesis::{Misfit, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
-use crate::error::{Problem, ProblemKind, StudyError};
 use crate::floor::{code_parts, every_floor, largest_psa_m_s2};
-use crate::result::{FloorProfile, GroundMotion, HorizontalMotion, PseudoSpectrum};
+use crate::result::{FloorProfile, GroundMotion, PseudoSpectrum};
 use crate::simulated::simulator;
 use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, synthetic_name};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_records::horizontal::HorizontalMotion;
 
 /// Asks before each motion whether to `go_on`: a thousand of them take minutes.
-pub(crate) fn ground_motions(
+pub fn ground_motions(
     ground: &Ground,
-    go_on: impl Fn() -> Result<(), StudyError> + Sync,
-) -> Result<Vec<GroundMotion>, StudyError> {
-    let finish = |name: String, motion: HorizontalMotion, misfit| -> Result<GroundMotion, StudyError> {
+    go_on: impl Fn() -> Result<(), Problems> + Sync,
+) -> Result<Vec<GroundMotion>, Problems> {
+    let finish = |name: String, motion: HorizontalMotion, misfit| -> Result<GroundMotion, Problems> {
         let spectrum = spectrum_of(&motion)?;
         Ok(GroundMotion { name, motion, spectrum, misfit })
     };
@@ -49,9 +50,9 @@ pub(crate) fn ground_motions(
 /// Earthquake by earthquake, each motion from the streams of random numbers that `motion simulate` takes.
 fn simulated_motions(
     simulated: &SimulatedGround,
-    go_on: impl Fn() -> Result<(), StudyError> + Sync,
-    finish: impl Fn(String, HorizontalMotion, Option<Misfit>) -> Result<GroundMotion, StudyError> + Sync,
-) -> Result<Vec<GroundMotion>, StudyError> {
+    go_on: impl Fn() -> Result<(), Problems> + Sync,
+    finish: impl Fn(String, HorizontalMotion, Option<Misfit>) -> Result<GroundMotion, Problems> + Sync,
+) -> Result<Vec<GroundMotion>, Problems> {
     let wrong = "a simulated motion";
     let mut motions = Vec::new();
     for found in &simulated.earthquakes {
@@ -63,21 +64,21 @@ fn simulated_motions(
                 let along = simulator.motion(simulated.request.seed, found.stream(index)).map_err(failed(wrong))?;
                 finish(found.motion_name(index), HorizontalMotion { along, across: None }, None)
             })
-            .collect::<Result<_, StudyError>>()?;
+            .collect::<Result<_, Problems>>()?;
         motions.extend(made);
     }
     Ok(motions)
 }
 
 /// The 5 % spectrum that is shown.
-pub(super) fn spectrum_of(motion: &HorizontalMotion) -> Result<PseudoSpectrum, StudyError> {
+pub(super) fn spectrum_of(motion: &HorizontalMotion) -> Result<PseudoSpectrum, Problems> {
     let periods_s = spectrum_periods_s();
     let psa_m_s2 =
         largest_psa_m_s2(motion, SPECTRUM_DAMPING_RATIO, &periods_s).map_err(failed("a response spectrum"))?;
     Ok(PseudoSpectrum { periods_s, psa_m_s2 })
 }
 
-fn failed<E: std::fmt::Display>(what: impl std::fmt::Display) -> impl Fn(E) -> StudyError {
+fn failed<E: std::fmt::Display>(what: impl std::fmt::Display) -> impl Fn(E) -> Problems {
     move |error| Problem::new(ProblemKind::Computation, format!("{what} cannot be computed: {error}")).into()
 }
 
@@ -86,8 +87,8 @@ fn failed<E: std::fmt::Display>(what: impl std::fmt::Display) -> impl Fn(E) -> S
 pub(super) fn floors(
     study: &Study,
     ground: &[GroundMotion],
-    go_on: impl Fn() -> Result<(), StudyError> + Sync,
-) -> Result<Vec<Vec<HorizontalMotion>>, StudyError> {
+    go_on: impl Fn() -> Result<(), Problems> + Sync,
+) -> Result<Vec<Vec<HorizontalMotion>>, Problems> {
     let Some(building) = &study.building else {
         return Ok(study
             .levels
@@ -103,7 +104,7 @@ pub(super) fn floors(
             floors_under(g, building, &ratios)
         })
         // The first error in the order of the motions, whichever thread met one first.
-        .collect::<Vec<Result<_, StudyError>>>()
+        .collect::<Vec<Result<_, Problems>>>()
         .into_iter()
         .collect::<Result<_, _>>()?;
     let mut by_level = vec![Vec::with_capacity(ground.len()); ratios.len()];
@@ -119,11 +120,11 @@ pub(super) fn floors(
 pub(super) fn floor_profile(
     study: &Study,
     ground: &[GroundMotion],
-    go_on: impl Fn() -> Result<(), StudyError> + Sync,
-) -> Result<Option<FloorProfile>, StudyError> {
+    go_on: impl Fn() -> Result<(), Problems> + Sync,
+) -> Result<Option<FloorProfile>, Problems> {
     let Some(building) = &study.building else { return Ok(None) };
     let levels_ratio = every_floor(&building.along, building.storeys);
-    let peaks = |g: &GroundMotion| -> Result<(Vec<f64>, Vec<f64>), StudyError> {
+    let peaks = |g: &GroundMotion| -> Result<(Vec<f64>, Vec<f64>), Problems> {
         go_on()?;
         let floors = floors_under(g, building, &levels_ratio)?;
         Ok(floors.iter().map(|floor| (floor.peak_m_s2() / G0_M_S2, floor.peak_velocity_m_s())).unzip())
@@ -131,7 +132,7 @@ pub(super) fn floor_profile(
     let (pfa_g, pfv_m_s) = ground
         .par_iter()
         .map(peaks)
-        .collect::<Vec<Result<_, StudyError>>>()
+        .collect::<Vec<Result<_, Problems>>>()
         .into_iter()
         .collect::<Result<Vec<(Vec<f64>, Vec<f64>)>, _>>()?
         .into_iter()
@@ -147,13 +148,13 @@ pub(super) fn floor_profile(
 }
 
 /// The motions of every level under one ground motion.
-pub(crate) fn floors_under(
+pub fn floors_under(
     ground: &GroundMotion,
     building: &BuildingInput,
     ratios: &[f64],
-) -> Result<Vec<HorizontalMotion>, StudyError> {
+) -> Result<Vec<HorizontalMotion>, Problems> {
     let what = || format!("the floor motion under {}", ground.name);
-    let axis = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, StudyError> {
+    let axis = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, Problems> {
         let motion = motion.with_zero_tail(building.tail_s()).map_err(failed(what()))?;
         floor_motions(&motion, axis, ratios).map_err(failed(what()))
     };

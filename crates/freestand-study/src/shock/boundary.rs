@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use super::verdict::boundary;
 use super::{BoundaryTests, ShockRequest};
-use crate::figures::{BoundaryPicture, Figure, FigureError, damage_boundary_figure};
+use crate::shock_spectrum::{BoundaryPicture, damage_boundary_figure};
+use freestand_output::figure::{Figure, FigureError};
 
 /// A damage boundary and a demand; the keys of the JSON document.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

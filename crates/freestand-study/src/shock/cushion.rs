@@ -2,7 +2,7 @@
 
 use super::{ShockRequest, problem};
 use crate::cushion::{CushionWords, EdgeCushion};
-use crate::error::Problem;
+use freestand_input::problem::Problem;
 
 /// What the edge lands on.
 #[derive(Debug, Clone, PartialEq)]

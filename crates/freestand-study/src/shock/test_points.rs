@@ -7,8 +7,8 @@ use freestand::G0_M_S2;
 use freestand::damage_boundary::KNEE_RATIO;
 use serde::Serialize;
 
-use crate::error::{Problem, ProblemKind, StudyError};
-use crate::records::{DamageRow, load_damage_points};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_records::formats::{DamageRow, load_damage_points};
 
 /// Longest pulse of Method A \[s\].
 const LONGEST_OF_METHOD_A_S: f64 = 3e-3;
@@ -71,7 +71,7 @@ impl BoundaryTests {
 ///
 /// # Errors
 /// A file without such columns, a point whose method is not known, damage at or below what was survived.
-pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, StudyError> {
+pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
     let rows = load_damage_points(path)?;
     let mut problems = Vec::new();
     let mut points = Vec::new();
@@ -93,7 +93,7 @@ pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, StudyError> {
     if problems.is_empty() {
         return Ok(evaluated(points));
     }
-    Err(StudyError { problems: problems.into_iter().map(|problem| problem.in_file(path)).collect() })
+    Err(Problems { problems: problems.into_iter().map(|problem| problem.in_file(path)).collect() })
 }
 
 /// What a method makes larger from shock to shock.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::cushion::KeyStyle;
+use freestand_input::keys::KeyStyle;
 
 fn cabinet() -> ShockRequest {
     ShockRequest {

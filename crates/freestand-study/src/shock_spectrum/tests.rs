@@ -1,7 +1,7 @@
 use super::*;
-use crate::processing::Processing;
 use crate::recorded::{MotionFiles, read_recorded};
-use crate::records::ReadOptions;
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::Processing;
 
 /// A half-sine of 40 g and 2 ms at 100 kHz, as a drop test writes it.
 fn drop_file(folder: &std::path::Path) -> std::path::PathBuf {

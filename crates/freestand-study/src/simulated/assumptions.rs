@@ -7,7 +7,7 @@ use freestand::synthesis::{
 };
 
 use super::{Earthquakes, SimulatedRequest};
-use crate::words::number;
+use freestand_input::words::number;
 
 /// In sentences; `source` is any of the request's, with its changes.
 pub(super) fn assumptions(request: &SimulatedRequest, source: &PointSource) -> Vec<String> {

@@ -3,10 +3,10 @@
 use freestand::synthesis::{PathDuration, Preset, SimulationOptions, SourceSpectrum, Window};
 
 use super::{SourceChanges, SourceProblem};
-use crate::cushion::KeyStyle;
-use crate::error::{Problem, ProblemKind};
-use crate::options::nearest;
-use crate::quantity::{Dimension, parse_non_negative, parse_positive, shorten};
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, parse_non_negative, parse_positive, shorten};
+use freestand_input::words::nearest;
 
 /// The words; `--stress-drop` is the flag of `stress_drop`.
 pub const SOURCE_KEYS: [&str; 11] = [
@@ -90,7 +90,7 @@ impl SourceWords {
     /// words.set("stress_drop", "20 MPa");
     /// let source = words.resolve().map_err(|problems| problems[0].problem.clone())?;
     /// assert_eq!((source.distance_m, source.changes.stress_drop_pa), (Some(30e3), Some(20e6)));
-    /// # Ok::<(), freestand_study::Problem>(())
+    /// # Ok::<(), freestand_input::problem::Problem>(())
     /// ```
     pub fn resolve(&self) -> Result<SourceInput, Vec<SourceProblem>> {
         let mut problems = Vec::new();

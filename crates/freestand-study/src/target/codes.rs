@@ -9,9 +9,9 @@ use freestand::code_spectrum::{
 
 use super::Target;
 use super::words::{Code, Reader};
-use crate::options::nearest;
-use crate::quantity::{Dimension, shorten};
-use crate::words::number;
+use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::words::nearest;
+use freestand_input::words::number;
 
 /// Return period where none is given \[years\].
 const USUAL_YEARS: u32 = 500;
@@ -297,8 +297,11 @@ pub(super) fn nzs1170_5(reader: &mut Reader<'_>) -> Option<Target> {
     let distance_km = match reader.words.get("fault_distance") {
         None => None,
         Some(text) => {
-            let result =
-                crate::quantity::parse_non_negative(text, Dimension::Length, &reader.words.name("fault_distance"));
+            let result = freestand_input::quantity::parse_non_negative(
+                text,
+                Dimension::Length,
+                &reader.words.name("fault_distance"),
+            );
             Some(reader.keep("fault_distance", result)? / 1e3)
         }
     };

@@ -1,6 +1,9 @@
 //! The spectrum that motions are made for, from the words of flags and studies to a
 //! [`CodeSpectrum`].
 
+mod figure;
+
+pub use figure::{CodePicture, code_spectrum_figure};
 mod codes;
 mod table;
 mod words;
@@ -12,9 +15,9 @@ use freestand::synthesis;
 
 pub use words::{TARGET_KEYS, TargetWords};
 
-use crate::error::{Problem, ProblemKind};
-use crate::input::InputFile;
-use crate::words::number;
+use freestand_input::file::InputFile;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::number;
 
 /// A spectrum, with everything that outputs say about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,7 +63,7 @@ impl Target {
     /// words.set("ground_acceleration", "0.1 g");
     /// let target = Target::resolve(&words, "".as_ref()).map_err(|problems| problems[0].problem.clone())?;
     /// assert!((target.spectrum.sa_g(0.1) - 0.3375).abs() < 1e-15); // 2.5 · 0.1 g · 1.35
-    /// # Ok::<(), freestand_study::Problem>(())
+    /// # Ok::<(), freestand_input::problem::Problem>(())
     /// ```
     pub fn resolve(words: &TargetWords, base_dir: &Path) -> Result<Self, Vec<TargetProblem>> {
         words::resolve(words, base_dir)

@@ -5,9 +5,9 @@ use freestand::code_spectrum::{Interpolation, OutOfRange, SpectrumTable};
 
 use super::Target;
 use super::words::{Code, Reader};
-use crate::error::{Problem, ProblemKind};
-use crate::processing::{TargetSource, read_target};
-use crate::words::number;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::number;
+use freestand_records::processing::{TargetSource, read_target};
 
 /// The damping of everything that a table is held against.
 const DAMPING_RATIO: f64 = 0.05;

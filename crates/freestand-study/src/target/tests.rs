@@ -1,6 +1,6 @@
 use super::words::CODES;
 use super::*;
-use crate::cushion::KeyStyle;
+use freestand_input::keys::KeyStyle;
 
 /// Keys and their values.
 type Words<'a> = &'a [(&'static str, &'a str)];

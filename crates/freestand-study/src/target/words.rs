@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use super::{Target, TargetProblem, codes, table};
-use crate::cushion::KeyStyle;
-use crate::error::{Problem, ProblemKind};
-use crate::options::nearest;
-use crate::quantity::{Dimension, parse_grid, parse_positive, shorten};
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, parse_grid, parse_positive, shorten};
+use freestand_input::words::nearest;
 
 /// The words that describe a spectrum; the same in flags (`--hazard-factor`) and in studies (`hazard_factor`), but for
 /// `return_period_years`, which is `--return-period`.

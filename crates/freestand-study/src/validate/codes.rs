@@ -10,7 +10,7 @@ use freestand::code_spectrum::{
 };
 
 use super::{Check, check, defect};
-use crate::error::Problem;
+use freestand_input::problem::Problem;
 
 /// A few products of numbers of order one.
 const ROUNDING: f64 = 1e-12;

@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion, StressEnergy};
 
 use super::{Check, check, defect};
-use crate::error::Problem;
+use freestand_input::problem::Problem;
 
 /// The steel plate of the pad tests \[kg\], from 100 mm.
 const MASS_KG: f64 = 0.365;

@@ -9,7 +9,7 @@ use freestand::rocking::Outcome;
 use freestand::rocking::{Base, Restitution, RockingModel, RockingOptions, Until, rock, rock_observed};
 
 use super::{Check, check, defect};
-use crate::error::Problem;
+use freestand_input::problem::Problem;
 
 const HOUSNER: &str = "Housner (1963): free rocking, p T/4";
 const ENERGY: &str = "Housner (1963): cos(α−θₙ) = cos α + r²ⁿ[cos(α−θ₀) − cos α]";

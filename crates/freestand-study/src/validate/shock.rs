@@ -8,8 +8,8 @@ use freestand::shock_response::{
 use std::f64::consts::PI;
 
 use super::{Check, check, defect};
-use crate::error::Problem;
 use crate::shock_spectrum::pulse_name;
+use freestand_input::problem::Problem;
 
 /// The peaks under a pulse of 1 m/s² and 1 s at one f T.
 fn peaks(shape: PulseShape, q: f64, damping_ratio: f64, kind: ResponseKind) -> Result<ResponsePeaks, Problem> {

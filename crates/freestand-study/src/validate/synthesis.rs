@@ -4,7 +4,7 @@ use freestand::code_spectrum::{As1170_4, Edition, SiteClass};
 use freestand::synthesis::{PointSource, Preset, ShearWaveProfile, SynthesisOptions, synthesize};
 
 use super::{Check, check, defect};
-use crate::error::Problem;
+use freestand_input::problem::Problem;
 
 pub(super) fn checks() -> Result<Vec<Check>, Problem> {
     const SOURCE: &str =

@@ -3,12 +3,12 @@
 use freestand::building::Model;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SiteClass, SubsoilClass};
 
-use crate::error::{Problem, ProblemKind};
-use crate::options::nearest;
-use crate::quantity::shorten;
 use crate::resolve::Overrides;
 use crate::study::{Ground, Study};
-use crate::words::number;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use freestand_input::words::nearest;
+use freestand_input::words::number;
 
 /// A key to vary, and the values to try; none: the usual ones.
 #[derive(Debug, Clone, PartialEq)]

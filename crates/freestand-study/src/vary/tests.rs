@@ -1,12 +1,12 @@
 use std::ops::ControlFlow;
 
 use super::*;
-use crate::processing::Processing;
 use crate::recorded::{MotionFiles, Second};
-use crate::records::ReadOptions;
 use crate::resolve::{Overrides, resolve};
 use crate::result::Ranked;
 use crate::run::no_progress;
+use freestand_records::formats::ReadOptions;
+use freestand_records::processing::Processing;
 
 /// Two motions, two objects, one level: quick, and one of the objects rocks.
 const STUDY: &str = "\

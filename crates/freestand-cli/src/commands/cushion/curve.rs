@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::G0_M_S2;
-use freestand_study::cushion_curve::{CurveReport, CurveRequest, cushion_curve};
-use freestand_study::quantity::{Dimension, format_si};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_study::laboratory::cushion_curve::{CurveReport, CurveRequest, cushion_curve};
 
 use super::Done;
 use crate::args::GlobalArgs;

@@ -5,11 +5,13 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
 use freestand::identify::FittedLaw;
-use freestand_study::drop_test::{DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_csv};
-use freestand_study::figures::drop_figures;
-use freestand_study::quantity::{Dimension, format_si};
-use freestand_study::records::ReadOptions;
-use freestand_study::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_records::formats::ReadOptions;
+use freestand_study::laboratory::drop_figures;
+use freestand_study::laboratory::drop_test::{
+    DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_csv,
+};
 
 use super::static_test::{Boundary, Impactor, name};
 use crate::args::GlobalArgs;

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use clap::Args;
-use freestand_study::library::{CushionEntry, CushionLibrary};
-use freestand_study::quantity::{Dimension, format_si};
-use freestand_study::words::number;
+use freestand_assess::library::{CushionEntry, CushionLibrary};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::number;
 use serde::Serialize;
 
 use super::Done;

@@ -3,8 +3,8 @@
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand_study::quantity::{Dimension, parse_grid};
-use freestand_study::virtual_laboratory::{RecoveryRequest, RecoveryRow, recovery};
+use freestand_input::quantity::{Dimension, parse_grid};
+use freestand_study::laboratory::virtual_test::{RecoveryRequest, RecoveryRow, recovery};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;

@@ -4,9 +4,9 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
+use freestand_input::quantity::{Dimension, parse};
 use freestand_study::cushion::EdgeCushion;
-use freestand_study::quantity::{Dimension, parse};
-use freestand_study::virtual_laboratory::{drop_file, static_file};
+use freestand_study::laboratory::virtual_test::{drop_file, static_file};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;

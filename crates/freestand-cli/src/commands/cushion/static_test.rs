@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use freestand_study::Problem;
-use freestand_study::figures::static_figure;
-use freestand_study::quantity::Dimension;
-use freestand_study::static_test::{StaticRequest, StaticsReport, curve_csv, static_tests};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::Dimension;
+use freestand_study::laboratory::static_figure;
+use freestand_study::laboratory::static_test::{StaticRequest, StaticsReport, curve_csv, static_tests};
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;

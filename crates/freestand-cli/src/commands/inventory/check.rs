@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand_assess::inventory::{Inventory, Item, Reading, inspect_inventory};
+use freestand_assess::library::Libraries;
+use freestand_input::quantity::{Dimension, format_si};
 use freestand_study::cushion::cushion_words;
-use freestand_study::inventory::{Inventory, Item, Reading, inspect_inventory};
-use freestand_study::library::Libraries;
-use freestand_study::quantity::{Dimension, format_si};
 use serde::Serialize;
 
 use super::SCHEMA;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_study::inventory::convert_inventory;
+use freestand_assess::inventory::convert_inventory;
 use serde::Serialize;
 
 use super::{Format, SCHEMA, check_place, place};

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_study::inventory::{COLUMNS, template_csv, template_xlsx};
+use freestand_assess::inventory::{COLUMNS, template_csv, template_xlsx};
 use serde::Serialize;
 
 use super::{Format, SCHEMA, check_place, place};

@@ -3,11 +3,12 @@
 use clap::Args;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
-use freestand_study::figures::{CodePicture, Figure, code_spectrum_figure};
-use freestand_study::quantity::Dimension;
-use freestand_study::tables::columns_csv;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
+use freestand_output::figure::Figure;
+use freestand_output::rows::columns_csv;
 use freestand_study::target::Target;
-use freestand_study::{Problem, ProblemKind};
+use freestand_study::target::{CodePicture, code_spectrum_figure};
 use serde::Serialize;
 
 use super::plot::failed;

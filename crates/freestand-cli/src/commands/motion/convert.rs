@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use freestand::motion::Motion;
-use freestand_study::records::{write_at2, write_csv};
+use freestand_records::formats::{write_at2, write_csv};
 use freestand_study::study::RecordedMotion;
 use serde::Serialize;
 

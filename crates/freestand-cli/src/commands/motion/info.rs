@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand_study::figures::Figure;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
+use freestand_output::figure::Figure;
 use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, info};
-use freestand_study::quantity::Dimension;
-use freestand_study::{Problem, ProblemKind};
 use rayon::prelude::*;
 use serde::Serialize;
 

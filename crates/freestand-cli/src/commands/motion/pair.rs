@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand_input::quantity::Dimension;
 use freestand_study::pair::PairFiles;
-use freestand_study::quantity::Dimension;
 
 use crate::failure::problem;
 use crate::reading::{ReadArgs, two_names};
@@ -54,7 +54,7 @@ impl PairArgs {
 pub(super) fn azimuths(text: Option<&str>, values: &mut Values) -> Option<(f64, f64)> {
     let list = values.grid("--azimuths", text?, Dimension::Angle)?;
     if let [first, second] = list[..] {
-        let degrees = freestand_study::processing::azimuth_deg;
+        let degrees = freestand_records::processing::azimuth_deg;
         return Some((degrees(first), degrees(second)));
     }
     values.push(problem("--azimuths: two angles are expected", "write \"0 deg, 90 deg\", clockwise from north"));

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_study::figures::{Figure, FigureError};
-use freestand_study::output::write_file;
+use freestand_output::figure::{Figure, FigureError};
+use freestand_output::folder::write_file;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;

@@ -1,9 +1,9 @@
 //! `freestand motion rotate`: the component at another azimuth.
 
 use clap::Args;
+use freestand_input::quantity::Dimension;
+use freestand_records::processing::azimuth_deg;
 use freestand_study::pair::{RotateRequest, read_pair, rotate};
-use freestand_study::processing::azimuth_deg;
-use freestand_study::quantity::Dimension;
 use serde::Serialize;
 
 use super::convert::{Converted, Target};

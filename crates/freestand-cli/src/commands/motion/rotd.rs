@@ -1,9 +1,9 @@
 //! `freestand motion rotd`: response spectra over all horizontal directions.
 
 use clap::Args;
+use freestand_input::quantity::Dimension;
 use freestand_study::inspect::{RotdReport, RotdRequest, rotd};
 use freestand_study::pair::read_pair;
-use freestand_study::quantity::Dimension;
 
 use super::pair::PairArgs;
 use crate::args::GlobalArgs;

@@ -4,14 +4,15 @@ use clap::{Args, ValueEnum};
 use freestand::code_spectrum::SiteClass;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
-use freestand_study::cushion::KeyStyle;
-use freestand_study::figures::{MatchedPicture, Words, matched_figure, record_figure};
-use freestand_study::records::write_csv;
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_records::formats::write_csv;
+use freestand_study::inspect::{Words, record_figure};
+use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::simulated::{
     Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_rock, simulate,
 };
 use freestand_study::target::Target;
-use freestand_study::{Problem, ProblemKind};
 
 use super::plot::failed;
 use crate::args::GlobalArgs;

@@ -4,9 +4,9 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
 use freestand_study::inspect::{SpectrumReport, SpectrumRequest, spectrum};
-use freestand_study::quantity::Dimension;
-use freestand_study::{Problem, ProblemKind};
 use serde::Serialize;
 
 use super::plot::{PlotArgs, failed, place};

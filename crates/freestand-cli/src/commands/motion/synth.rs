@@ -9,13 +9,14 @@ use freestand::synthesis::{
     GENERATOR, MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions, matched_periods_s, synthesize,
     with_pga,
 };
-use freestand_study::figures::{MatchedPicture, Words, matched_figure, record_figure};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
+use freestand_records::formats::write_csv;
+use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchMethod, match_record};
-use freestand_study::quantity::Dimension;
+use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::recorded::name_of;
-use freestand_study::records::write_csv;
 use freestand_study::study::synthetic_name;
-use freestand_study::{Problem, ProblemKind};
 use rayon::prelude::*;
 use serde::Serialize;
 

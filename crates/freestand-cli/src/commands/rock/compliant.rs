@@ -3,11 +3,11 @@
 use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
 use freestand::compliant::{ASSUMED_TANGENTIAL_RATIO, CompliantBase, CompliantOptions, Start};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_output::folder::write_file;
 use freestand_study::compliant::{CompliantReport, CompliantRequest, accuracy, history_csv, rock_on_cushions};
-use freestand_study::figures::{Trace, trace_figure};
-use freestand_study::output::write_file;
-use freestand_study::quantity::{Dimension, format_si};
-use freestand_study::{Problem, ProblemKind};
+use freestand_study::compliant::{Trace, trace_figure};
 use serde::Serialize;
 
 use super::{Reading, RockArgs, read};

@@ -129,7 +129,7 @@ fn transforms_are_respaced_as_scipy_does() {
     for (from, want) in cases {
         let from = &[1.0, 2.0, -1.0, 0.5, 3.0, -2.0][..from];
         let mut values: Vec<Complex<f64>> = from.iter().map(|&re| Complex { re, im: 0.0 }).collect();
-        let mut planner = FftPlanner::new();
+        let mut planner = FftPlannerScalar::new();
         planner.plan_fft_forward(from.len()).process(&mut values);
         let mut values = respaced(&values, want.len());
         planner.plan_fft_inverse(want.len()).process(&mut values);
@@ -183,4 +183,24 @@ fn steps_that_cannot_be_are_refused() {
     let shortest = Motion::new(1.0, vec![0.0, 1.0]).unwrap();
     assert_eq!(upsampled_sinc(&shortest, 2).unwrap().accel_m_s2().len(), 3);
     assert_eq!(resampled(&shortest, 1.0).unwrap(), shortest);
+}
+
+/// A transform that the processor chooses sums in another order, and the last bits of a motion
+/// would depend on the machine.
+#[test]
+fn the_same_bits_with_and_without_vector_units() {
+    assert!(rustfft::FftPlannerAvx::<f64>::new().is_err(), "rustfft was built with vector units");
+    let motion = sampled(0.01);
+    let accel = motion.accel_m_s2();
+    let mirrored = MIRRORED.min(accel.len() - 1);
+    let old = smooth_length((accel.len() + 2 * mirrored) as f64) as usize;
+    let new = 2 * old;
+    let mut values = continued(accel, mirrored, old);
+    FftPlannerScalar::new().plan_fft_forward(old).process(&mut values);
+    let mut values = respaced(&values, new);
+    FftPlannerScalar::new().plan_fft_inverse(new).process(&mut values);
+    let doubled = upsampled_sinc(&motion, 2).unwrap();
+    for (index, (got, want)) in doubled.accel_m_s2().iter().zip(&values).enumerate().skip(1).step_by(2) {
+        assert_eq!(got.to_bits(), (want.re * (1.0 / old as f64)).to_bits(), "sample {index}");
+    }
 }

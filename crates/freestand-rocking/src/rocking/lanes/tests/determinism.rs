@@ -111,7 +111,7 @@ fn vector_units() -> Vec<(&'static str, pulp::Arch)> {
         ("x86-64-v4", pulp::x86::V4::try_new().map(pulp::Arch::V4)),
     ];
     for (name, _) in units.iter().filter(|(_, arch)| arch.is_none()) {
-        println!("left out: this processor has no {name}");
+        println!("skipped: this processor has no {name}");
     }
     units.into_iter().filter_map(|(name, arch)| Some((name, arch?))).collect()
 }
@@ -119,6 +119,6 @@ fn vector_units() -> Vec<(&'static str, pulp::Arch)> {
 /// Elsewhere there is one vector unit, and it is the default.
 #[cfg(not(target_arch = "x86_64"))]
 fn vector_units() -> Vec<(&'static str, pulp::Arch)> {
-    println!("left out: the vector units of x86-64");
+    println!("skipped: the vector units of x86-64");
     Vec::new()
 }

@@ -1,0 +1,328 @@
+//! Guards before a workbook is opened: what kind of zip file it is, and how much it really unpacks to.
+//!
+//! The library that reads workbooks believes sizes and counts that the file declares. Here everything is unpacked once,
+//! counted and thrown away, and the few declarations that it allocates by are compared with what is there.
+
+use std::io::{Cursor, Read};
+
+use memchr::{memchr, memmem};
+use zip::ZipArchive;
+
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+
+/// All members together unpack to no more \[bytes\]: some ten million cells.
+const MAX_UNPACKED: u64 = 1 << 30;
+/// Members that describe the workbook: styles, relations, the list of sheets \[bytes\].
+const MAX_SMALL: u64 = 16 << 20;
+/// Members that grow with the rows.
+const LARGE: [&str; 8] =
+    ["worksheets/", "sharedStrings", "pivotCache", "calcChain", "drawings", "comments", "tables/", "revisions"];
+/// Most that a workbook unpacks to, over its size; real ones stay below 50, the format allows 1032.
+const MAX_RATIO: u64 = 200;
+/// Up to here a ratio does no harm \[bytes\].
+const RATIO_FROM: u64 = 64 << 20;
+/// Workbooks have some dozen members, with pictures some hundred.
+const MAX_MEMBERS: usize = 4096;
+/// The longest tag \[bytes\].
+const MAX_TAG: usize = 1 << 20;
+/// The shortest entry of the table of texts, `<si><t/></si>` \[bytes\].
+const SHORTEST_TEXT: u64 = 13;
+
+const SAVE_AGAIN: &str = "open it in a spreadsheet program and save it again as .xlsx, or as CSV";
+
+/// What the workbook holds, told without opening it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Facts {
+    /// Whether any sheet has merged cells.
+    pub(super) has_merges: bool,
+}
+
+fn wrong(message: impl Into<String>, hint: &str) -> Problem {
+    Problem::new(ProblemKind::Format, message).hint(hint)
+}
+
+/// Unpacks everything once.
+///
+/// # Errors
+/// A zip file that is no workbook, is damaged or encrypted, or unpacks to more than any inventory needs.
+pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
+    let damaged =
+        |error: &dyn std::fmt::Display| wrong(format!("is a damaged workbook or zip file ({error})"), SAVE_AGAIN);
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?;
+    if archive.len() > MAX_MEMBERS {
+        return Err(wrong(format!("is a zip file of {} members, no workbook", archive.len()), SAVE_AGAIN));
+    }
+    let names: Vec<String> = archive.file_names_raw().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
+    is_workbook(&names, bytes)?;
+    let mut facts = Facts { has_merges: false };
+    let mut total = 0;
+    let mut buffer = vec![0; 1 << 16];
+    for index in 0..archive.len() {
+        let name = names.get(index).map_or("", String::as_str);
+        // Opening an encrypted member fails too, but says so in words of its own.
+        if archive.by_index_raw(index).is_ok_and(|member| member.encrypted()) {
+            return Err(wrong("is encrypted", "remove the password and save it again"));
+        }
+        let mut member = archive.by_index(index).map_err(|error| damaged(&error))?;
+        let is_small = is_xml(name) && !LARGE.iter().any(|part| name.contains(part));
+        let mut tags = is_xml(name).then(Tags::default);
+        let mut size = 0;
+        loop {
+            let count = member.read(&mut buffer).map_err(|error| damaged(&error))?;
+            let Some(chunk) = buffer.get(..count).filter(|chunk| !chunk.is_empty()) else { break };
+            size += count as u64;
+            total += count as u64;
+            let is_bomb = total > RATIO_FROM && total / MAX_RATIO > bytes.len() as u64;
+            if total > MAX_UNPACKED || is_bomb || is_small && size > MAX_SMALL {
+                let message = format!("unpacks to more than {} MB, far beyond an inventory", total >> 20);
+                return Err(wrong(message, "copy the rows into a new workbook, or save them as CSV"));
+            }
+            if let Some(tags) = &mut tags {
+                tags.feed(chunk).map_err(|what| wrong(format!("{} {what}", shorten(name)), SAVE_AGAIN))?;
+            }
+        }
+        if let Some(tags) = tags {
+            if tags.texts_declared > size / SHORTEST_TEXT {
+                let message =
+                    format!("{} declares {} texts, more than it can hold", shorten(name), tags.texts_declared);
+                return Err(wrong(message, SAVE_AGAIN));
+            }
+            facts.has_merges |= tags.has_merges;
+        }
+    }
+    Ok(facts)
+}
+
+fn is_xml(name: &str) -> bool {
+    !name.contains("/media/") && [".xml", ".rels"].iter().any(|end| name.to_ascii_lowercase().ends_with(end))
+}
+
+/// Tells a workbook from everything else that is a zip file.
+fn is_workbook(names: &[String], bytes: &[u8]) -> Result<(), Problem> {
+    let has = |name: &str| names.iter().any(|other| other.eq_ignore_ascii_case(name));
+    let starts = |folder: &str| names.iter().any(|name| name.starts_with(folder));
+    // The first member of an OpenDocument is its type, stored as it is.
+    if memmem::find(bytes.get(..200).unwrap_or(bytes), b"application/vnd.oasis.opendocument").is_some() {
+        return Err(wrong("is an OpenDocument file (ODS)", "save the sheet as .xlsx or CSV"));
+    }
+    if has("xl/workbook.bin") {
+        return Err(wrong("is a binary workbook (XLSB)", "save it as .xlsx or CSV"));
+    }
+    if let Some(inner) = names.iter().find(|name| {
+        [".xlsx", ".csv", ".xlsm", ".xls", ".ods"].iter().any(|end| name.to_ascii_lowercase().ends_with(end))
+    }) {
+        return Err(wrong(format!("is a zip file that holds {}", shorten(inner)), "unpack it first"));
+    }
+    if starts("word/") || starts("ppt/") {
+        return Err(wrong("is a text document or a presentation, no workbook", "save the table as .xlsx or CSV"));
+    }
+    if !has("[Content_Types].xml") || !has("_rels/.rels") {
+        return Err(wrong("is a zip file, but no workbook", "unpack it first, and name the .xlsx or CSV"));
+    }
+    Ok(())
+}
+
+/// Looks at the tags of a member as its bytes pass by.
+#[derive(Debug, Default)]
+struct Tags {
+    /// What is not looked at yet: the beginning of a tag.
+    rest: Vec<u8>,
+    /// The end of what is passed over.
+    until: Option<&'static [u8]>,
+    /// Whether any bytes were seen.
+    begun: bool,
+    texts_declared: u64,
+    has_merges: bool,
+}
+
+/// What is passed over, from its beginning to its end.
+const PASSED_OVER: [(&[u8], &[u8]); 3] = [(b"<!--", b"-->"), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
+
+impl Tags {
+    fn feed(&mut self, chunk: &[u8]) -> Result<(), String> {
+        if !self.begun && (chunk.starts_with(&[0xFF, 0xFE]) || chunk.starts_with(&[0xFE, 0xFF])) {
+            return Err("is UTF-16".to_owned());
+        }
+        self.begun = true;
+        let mut rest = std::mem::take(&mut self.rest);
+        rest.extend_from_slice(chunk);
+        let mut at = 0;
+        while let Some(left) = rest.get(at..).filter(|left| !left.is_empty()) {
+            if let Some(end) = self.until {
+                match memmem::find(left, end) {
+                    Some(found) => at += found + end.len(),
+                    None => {
+                        // The end itself may be cut in two.
+                        at = rest.len().saturating_sub(end.len() - 1).max(at);
+                        break;
+                    }
+                }
+                self.until = None;
+                continue;
+            }
+            let Some(found) = memchr(b'<', left) else {
+                at = rest.len();
+                break;
+            };
+            at += found;
+            let tag = rest.get(at..).unwrap_or_default();
+            if let Some((start, end)) = PASSED_OVER.iter().find(|(start, _)| tag.starts_with(start)) {
+                at += start.len();
+                self.until = Some(end);
+                continue;
+            }
+            // Not enough yet to tell a comment from a declaration.
+            if tag.len() < 9 && tag.starts_with(b"<!") || tag.len() < 2 {
+                break;
+            }
+            if tag.starts_with(b"<!") {
+                return Err("declares a document type, which no workbook does".to_owned());
+            }
+            match tag_length(tag) {
+                Some(length) => {
+                    self.tag(tag.get(1..length - 1).unwrap_or_default())?;
+                    at += length;
+                }
+                None if tag.len() > MAX_TAG => return Err("holds a tag without an end".to_owned()),
+                None => break,
+            }
+        }
+        rest.drain(..at);
+        self.rest = rest;
+        Ok(())
+    }
+
+    /// Looks at what stands between `<` and `>`.
+    fn tag(&mut self, inner: &[u8]) -> Result<(), String> {
+        let name = inner.split(|byte| byte.is_ascii_whitespace() || *byte == b'/').next().unwrap_or_default();
+        let name = name.rsplit(|&byte| byte == b':').next().unwrap_or_default();
+        match name {
+            b"c" | b"row" => attribute(inner, b"r").map_or(Ok(()), |place| check_place(place).map(|_| ())),
+            b"dimension" | b"mergeCell" | b"f" => {
+                self.has_merges |= name == b"mergeCell";
+                attribute(inner, b"ref").map_or(Ok(()), check_range)
+            }
+            b"sst" => {
+                let count = attribute(inner, b"uniqueCount").and_then(|text| std::str::from_utf8(text).ok());
+                self.texts_declared = self.texts_declared.max(count.map_or(0, declared));
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A count, whatever is written: what is no number declares nothing, what is too large everything.
+fn declared(text: &str) -> u64 {
+    let digits = text.trim();
+    if digits.bytes().all(|byte| byte.is_ascii_digit()) { digits.parse().unwrap_or(u64::MAX) } else { 0 }
+}
+
+/// Length of a tag from `<` to `>`, both included; a `>` in quotes does not end it.
+fn tag_length(tag: &[u8]) -> Option<usize> {
+    let mut quote = None;
+    for (at, &byte) in tag.iter().enumerate() {
+        match quote {
+            Some(open) if byte == open => quote = None,
+            Some(_) => {}
+            None if byte == b'>' => return Some(at + 1),
+            None if matches!(byte, b'"' | b'\'') => quote = Some(byte),
+            None => {}
+        }
+    }
+    None
+}
+
+/// The value of an attribute, by its name without a prefix.
+fn attribute<'t>(inner: &'t [u8], wanted: &[u8]) -> Option<&'t [u8]> {
+    let mut rest = inner;
+    loop {
+        let equals = memchr(b'=', rest)?;
+        let name = rest.get(..equals)?.trim_ascii();
+        let name = name.rsplit(u8::is_ascii_whitespace).next().unwrap_or_default();
+        let value = rest.get(equals + 1..)?.trim_ascii_start();
+        let quote = *value.first()?;
+        let value = value.get(1..)?;
+        let end = memchr(quote, value)?;
+        if name == wanted {
+            return value.get(..end);
+        }
+        rest = value.get(end + 1..)?;
+    }
+}
+
+/// Column and row of `A1`, column 0 for the bare row `1`.
+fn check_place(place: &[u8]) -> Result<(u32, u32), String> {
+    let letters = place.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
+    let (column, row) = place.split_at(letters);
+    let no_place = || format!("names a cell \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(place)));
+    if column.len() > 3 || row.len() > 7 || !row.iter().all(u8::is_ascii_digit) {
+        return Err(no_place());
+    }
+    let column = column.iter().fold(0, |sum, byte| 26 * sum + u32::from(byte.to_ascii_uppercase() - b'A' + 1));
+    let row = row.iter().fold(0, |sum, byte| 10 * sum + u32::from(byte - b'0'));
+    if row == 0 { Err(no_place()) } else { Ok((column, row)) }
+}
+
+fn check_range(range: &[u8]) -> Result<(), String> {
+    let mut parts = range.split(|&byte| byte == b':');
+    let first = check_place(parts.next().unwrap_or_default())?;
+    let last = parts.next().map_or(Ok(first), check_place)?;
+    if last.0 < first.0 || last.1 < first.1 || parts.next().is_some() {
+        return Err(format!("names cells \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(range))));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tags_are_found_however_the_bytes_are_cut() {
+        let text =
+            b"<?xml version='1.0'?><!-- <c r=\"A0\"> --><sst count=\"9\" uniqueCount = '77'><si><t>a > b</t></si>\
+            <![CDATA[<c r=\"AAAA1\"/>]]><x:c  r=\"XFD1048576\" t='>'/><mergeCell ref=\"A1:B2\"/></sst>";
+        for size in [1, 2, 3, 7, 64, 1000] {
+            let mut tags = Tags::default();
+            for chunk in text.chunks(size) {
+                tags.feed(chunk).unwrap();
+            }
+            assert_eq!((tags.texts_declared, tags.has_merges, tags.rest.len()), (77, true, 0), "{size}");
+        }
+    }
+
+    #[test]
+    fn places_that_no_sheet_has_are_refused() {
+        for text in [
+            "<c r=\"A0\"/>",
+            "<c r='ABCD1'/>",
+            "<c s=\"1\" r=\"A12345678\"/>",
+            "<row r=\"-1\"/>",
+            "<dimension ref=\"B5:A1\"/>",
+            "<x:f ref=\"A1:B2:C3\"/>",
+            "<!DOCTYPE a [<!ENTITY b \"c\">]>",
+        ] {
+            assert!(Tags::default().feed(text.as_bytes()).is_err(), "{text}");
+        }
+        for text in ["<c r=\"A1\"/>", "<row r=\"1048576\"/>", "<f ref=\"A1:A1\"/>", "<cols r=\"x\"/>", "<c t=\"n\">"] {
+            assert_eq!(Tags::default().feed(text.as_bytes()), Ok(()), "{text}");
+        }
+    }
+
+    #[test]
+    fn other_zip_files_are_told() {
+        assert!(check(b"PK\x03\x04garbage").unwrap_err().message.contains("damaged"));
+        let names = |all: &[&str]| is_workbook(&all.iter().map(|&name| name.to_owned()).collect::<Vec<_>>(), b"PK");
+        for (all, said) in [
+            (&["xl/workbook.bin", "[Content_Types].xml"][..], "XLSB"),
+            (&["objects.xlsx"], "holds objects.xlsx"),
+            (&["[Content_Types].xml", "_rels/.rels", "word/document.xml"], "text document"),
+            (&["readme.txt"], "no workbook"),
+        ] {
+            assert!(names(all).unwrap_err().message.contains(said));
+        }
+        assert!(names(&["[Content_Types].xml", "_rels/.rels", "xl/workbook.xml"]).is_ok());
+    }
+}

@@ -1,0 +1,378 @@
+//! From the values of a row to an object.
+
+use freestand::block::{Block, BlockError};
+use freestand::impact::stiffness_warnings;
+use freestand::rocking::Restitution;
+
+use super::cell::Cell;
+use super::columns::{COLUMNS, Column, canonical};
+use super::findings::Doubt;
+use super::layout::Role;
+use super::template::EXAMPLE;
+use super::values::Values;
+use super::{Consequences, Item};
+use crate::library::Lookup;
+use crate::library::{Confidence, Tolerance};
+use freestand_input::keys::KeyStyle;
+use freestand_input::quantity::shorten;
+use freestand_input::words::nearest;
+use freestand_study::cushion::{CushionWords, EdgeCushion, KeyProblem};
+use freestand_study::shape::Shape;
+
+/// Lower than any object that rocks, 20 mm: metres in a column of millimetres.
+const SMALLEST_HEIGHT_M: f64 = 0.02;
+/// Thinner than any object that rocks.
+const SMALLEST_SIDE_M: f64 = 0.005;
+/// Larger than any object in a building: millimetres in a column of metres.
+const LARGEST_M: f64 = 50.0;
+
+/// First words of rows that add up those above.
+const TOTALS: [&str; 9] = ["total", "totals", "grand_total", "subtotal", "sub_total", "sum", "sums", "summe", "gesamt"];
+
+/// Whether a row only adds up others: it says so and has no size.
+pub(super) fn is_total(values: &Values<'_, '_, '_>) -> bool {
+    let size = [Column::Height, Column::Thickness, Column::LevelRatio];
+    let has_size = size.iter().any(|&column| {
+        values.layout.place(column).and_then(|place| values.row.get(place.index)).is_some_and(|cell| !cell.is_blank())
+    });
+    let first = values.row.cells.iter().find(|(_, cell)| !cell.is_blank());
+    !has_size && first.is_some_and(|(_, cell)| TOTALS.contains(&canonical(&cell.shown()).as_str()))
+}
+
+/// The object of a row.
+pub(super) fn item(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Item {
+    let carried = carried(values);
+    let size = size(values);
+    let mass_kg = values.positive(Column::Mass);
+    let support = support(values, lookup, mass_kg);
+    let quantity = values.count(Column::Quantity).unwrap_or(1);
+    Item {
+        row: values.row.number,
+        id: id(values),
+        item: values.text(Column::Item),
+        quantity,
+        priority: values.text(Column::Priority),
+        location: values.text(Column::Location),
+        building: values.text(Column::Building),
+        floor: values.text(Column::Floor),
+        room: values.text(Column::Room),
+        consequences: Consequences {
+            life_safety: values.rating(Column::LifeSafety),
+            property: values.rating(Column::Property),
+            function: values.rating(Column::Function),
+        },
+        level_ratio: level(values),
+        height_m: size.height_m,
+        thickness_m: size.thickness_m,
+        width_m: size.width_m,
+        base_thickness_m: size.base_thickness_m,
+        base_width_m: size.base_width_m,
+        cg_height_m: size.cg_height_m,
+        mass_kg,
+        cushion: support.cushion,
+        cushion_log_sd: support.log_sd,
+        cushion_source: support.source,
+        tolerance: tolerance(values, lookup),
+        restitution: restitution(values, &size.blocks),
+        friction_ratio: values.range(Column::Friction),
+        accepted_ratio: values.share(Column::Accepted, false),
+        notes: values.text(Column::Notes),
+        carried,
+    }
+}
+
+fn id(values: &mut Values<'_, '_, '_>) -> String {
+    let id = values.text(Column::Id);
+    if !id.is_empty() {
+        if id.starts_with(EXAMPLE) {
+            values.doubt(Doubt::Example);
+        }
+        return id;
+    }
+    if values.layout.place(Column::Id).is_some() {
+        values.doubt(Doubt::NoId);
+    }
+    format!("row-{}", values.row.number)
+}
+
+/// Cells of columns that are not ours, as they stand there.
+fn carried(values: &mut Values<'_, '_, '_>) -> Vec<String> {
+    let mut carried = vec![String::new(); values.layout.carried.len()];
+    let row = values.row;
+    let mut too_many = None;
+    for (index, cell) in &row.cells {
+        match values.layout.role(*index) {
+            Role::Ours(_) => {}
+            Role::Unnamed if row.width.is_some() && *index >= values.layout.widest && !cell.is_blank() => {
+                too_many = Some(index + 1);
+            }
+            Role::Unnamed if cell.is_blank() => {}
+            Role::Unnamed => values.doubt(Doubt::Unnamed),
+            Role::Carried(n) => {
+                match cell {
+                    Cell::Error(_) => values.doubt(Doubt::CarriedError),
+                    Cell::Unevaluated => values.doubt(Doubt::CarriedFormula),
+                    Cell::TooLong(chars) => {
+                        let message = format!("a cell of {chars} characters, more than a spreadsheet takes");
+                        let at = values.at();
+                        values.findings.of_row(at, &message, "shorten it: is a quote not closed?");
+                    }
+                    _ => {}
+                }
+                if let Some(slot) = carried.get_mut(n) {
+                    *slot = cell.shown();
+                }
+            }
+        }
+    }
+    if let Some(count) = too_many {
+        let message = format!("{count} cells stand under {} headings", values.layout.widest);
+        let hint = "quote cells that hold the sign between the cells, or give every column a heading";
+        let at = values.at();
+        values.findings.of_row(at, &message, hint);
+    }
+    if row.width.is_some_and(|width| width < values.layout.width) {
+        values.doubt(Doubt::FewCells);
+    }
+    carried
+}
+
+fn level(values: &mut Values<'_, '_, '_>) -> Option<f64> {
+    let level = values.quantity(Column::LevelRatio)?;
+    if (0.0..=1.0).contains(&level) {
+        return Some(level);
+    }
+    let hint = if level > 1.0 {
+        "0 is the ground, 1 the roof: the height of the floor over that of the building, not its number; 50 % is 0.5"
+    } else {
+        "0 is the ground, 1 the roof; a basement moves like the ground: 0"
+    };
+    values.refuse(Column::LevelRatio, format!("the level is {level}, not from 0 to 1"), hint);
+    None
+}
+
+/// What is known of the size of an object.
+struct Size {
+    height_m: Option<f64>,
+    thickness_m: Option<f64>,
+    width_m: Option<f64>,
+    base_thickness_m: Option<f64>,
+    base_width_m: Option<f64>,
+    cg_height_m: Option<f64>,
+    /// The object in the planes of its thickness and of its width, as far as they are known.
+    blocks: Vec<Block>,
+}
+
+fn size(values: &mut Values<'_, '_, '_>) -> Size {
+    let mut size = Size {
+        height_m: values.positive(Column::Height),
+        thickness_m: values.positive(Column::Thickness),
+        width_m: values.positive(Column::Width),
+        base_thickness_m: values.positive(Column::BaseThickness),
+        base_width_m: values.positive(Column::BaseWidth),
+        cg_height_m: values.positive(Column::CgHeight),
+        blocks: Vec::new(),
+    };
+    let sides = [size.thickness_m, size.width_m];
+    if size.height_m.is_some_and(|h| h < SMALLEST_HEIGHT_M)
+        || sides.iter().flatten().any(|&side| side < SMALLEST_SIDE_M)
+    {
+        values.doubt(Doubt::SmallLength);
+    }
+    if size.height_m.iter().chain(sides.iter().flatten()).any(|&length| length > LARGEST_M) {
+        values.doubt(Doubt::LargeLength);
+    }
+    let Some(height_m) = size.height_m else { return size };
+    let planes = [
+        (size.thickness_m, size.base_thickness_m, Column::BaseThickness),
+        (size.width_m, size.base_width_m, Column::BaseWidth),
+    ];
+    let mut is_cg_refused = false;
+    for (side, base_width_m, column) in planes {
+        let Some(side_m) = side else { continue };
+        let feet = Shape { base_width_m, ..Shape::default() };
+        let whole = Shape { cg_height_m: size.cg_height_m, ..feet };
+        match (feet.block(height_m, side_m), whole.block(height_m, side_m)) {
+            (Err(error), _) => refuse_block(values, column, &error),
+            (Ok(_), Err(error)) if !is_cg_refused => {
+                is_cg_refused = true;
+                refuse_block(values, Column::CgHeight, &error);
+            }
+            (Ok(_), Err(_)) => {}
+            (Ok(_), Ok(block)) => size.blocks.push(block),
+        }
+    }
+    if size.blocks.iter().any(|block| block.landing_ratio() < 0.0) {
+        values.doubt(Doubt::Squat);
+    }
+    size
+}
+
+fn refuse_block(values: &mut Values<'_, '_, '_>, column: Column, error: &BlockError) {
+    let hint = match error {
+        BlockError::OutOfObject { .. } => {
+            "the feet stand under the object, and its centre of gravity lies in it: check the numbers and their units"
+        }
+        _ => "check the number and its unit",
+    };
+    values.refuse(column, error.to_string(), hint);
+}
+
+/// What stands under an edge.
+#[derive(Default)]
+struct Support {
+    cushion: Option<EdgeCushion>,
+    log_sd: Option<f64>,
+    source: Option<String>,
+}
+
+fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -> Support {
+    let mut words = CushionWords::new(KeyStyle::File);
+    for column in [Column::Stiffness, Column::PadStiffness, Column::SeriesStiffness, Column::PadThickness] {
+        if let Some((_, text)) = values.positive_text(column) {
+            words.set(column.name(), text);
+        }
+    }
+    if let Some(pads) = values.count(Column::PadsPerEdge) {
+        words.set(Column::PadsPerEdge.name(), pads.to_string());
+    }
+    let entry = values.text(Column::Cushion);
+    let mut support = Support::default();
+    if !entry.is_empty() {
+        let Some(prior) = (lookup.cushion)(&entry) else {
+            refuse_entry(values, Column::Cushion, &entry, lookup.cushion_names, "cushion");
+            return support;
+        };
+        words.set(Column::Cushion.name(), entry);
+        match joined(words, prior.words) {
+            Ok(both) => words = both,
+            Err((key, problem)) => {
+                values.wrong(column_of(key), &problem);
+                return support;
+            }
+        }
+        support.log_sd = Some(prior.log_sd);
+        support.source = Some(prior.source);
+    }
+    if words.is_empty() {
+        return support;
+    }
+    // What is missing costs the verdict, not the file.
+    if words.get("stiffness").is_none() && words.get("pad_stiffness").is_none() && words.get("law").is_none() {
+        values.doubt(Doubt::PadAlone);
+        return Support::default();
+    }
+    if words.get("pad_stiffness").is_some() && words.get("pads_per_edge").is_none() {
+        values.doubt(Doubt::PadsMissing);
+        return Support::default();
+    }
+    match words.resolve(mass_kg) {
+        Ok(edge) => {
+            let doubts = mass_kg.map(|mass| stiffness_warnings(mass, &edge.cushion, edge.pad_thickness_m));
+            if doubts.is_some_and(|doubts| !doubts.is_empty()) {
+                values.doubt(Doubt::Stiffness);
+            }
+            support.cushion = Some(edge);
+            support
+        }
+        Err(problems) => {
+            if mass_kg.is_none() && problems.iter().all(|(key, _)| *key == "damping") {
+                values.doubt(Doubt::DampingMass);
+            } else {
+                for (key, problem) in &problems {
+                    values.wrong(column_of(key), problem);
+                }
+            }
+            Support::default()
+        }
+    }
+}
+
+/// The words of a row with those of the entry that it names: they may add pads, layers and a thickness, no other law.
+fn joined(words: CushionWords, entry: CushionWords) -> Result<CushionWords, KeyProblem> {
+    let mut words = words;
+    // Of all that is under an edge, an entry needs no count of pads; of one pad, a missing count costs only the shock.
+    let is_counted = words.get("pads_per_edge").is_some() || entry.get("pads_per_edge").is_some();
+    if !is_counted {
+        words.set("pads_per_edge", "1");
+    }
+    let mut both = words.with_file(entry)?;
+    if !is_counted {
+        both.remove("pads_per_edge");
+    }
+    Ok(both)
+}
+
+/// The column that a key of a cushion stands in; those of a library entry belong to the entry.
+fn column_of(key: &str) -> Column {
+    COLUMNS.iter().find(|spec| spec.name == key).map_or(Column::Cushion, |spec| spec.column)
+}
+
+fn refuse_entry(values: &mut Values<'_, '_, '_>, column: Column, entry: &str, names: &[String], library: &str) {
+    let all: Vec<&str> = names.iter().map(String::as_str).collect();
+    let entry = shorten(entry);
+    let hint = match nearest(&entry, &all) {
+        Some(near) => format!("did you mean {near}?"),
+        None if all.is_empty() => {
+            format!("there is no {library} library here: write the values into their own columns")
+        }
+        None => {
+            let some: Vec<&str> = all.iter().copied().take(6).collect();
+            format!("known: {}{}", some.join(", "), if all.len() > 6 { " and more" } else { "" })
+        }
+    };
+    values.refuse(column, format!("\"{entry}\" is no entry of the {library} library"), &hint);
+}
+
+fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tolerance> {
+    let stated = Tolerance {
+        peak_m_s2: values.positive(Column::Tolerance),
+        duration_s: values.positive(Column::ToleranceDuration),
+        velocity_change_m_s: values.positive(Column::ToleranceVelocityChange),
+        edge_lift_m: values.positive(Column::ToleranceEdgeLift),
+        source: "the inventory".to_owned(),
+        confidence: Confidence::Stated,
+    };
+    let Tolerance { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m, .. } = &stated;
+    let is_stated = [peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m].into_iter().any(Option::is_some);
+    if duration_s.is_some() && peak_m_s2.is_none() {
+        values.doubt(Doubt::PeakMissing);
+    }
+    let entry = values.text(Column::ToleranceEntry);
+    if entry.is_empty() {
+        return is_stated.then_some(stated);
+    }
+    if is_stated {
+        let hint = "keep one of them: what the entry says, or what you know";
+        values.refuse(Column::ToleranceEntry, "an entry and a tolerance of its own exclude each other", hint);
+        return None;
+    }
+    let found = (lookup.tolerance)(&entry);
+    if found.is_none() {
+        refuse_entry(values, Column::ToleranceEntry, &entry, lookup.tolerance_names, "tolerance");
+    }
+    found
+}
+
+fn restitution(values: &mut Values<'_, '_, '_>, blocks: &[Block]) -> Restitution {
+    let is_housner = values.cell(Column::Restitution).is_some_and(|(_, cell)| canonical(&cell.shown()) == "housner");
+    let value = if is_housner { None } else { values.share(Column::Restitution, true) };
+    let factor = values.positive(Column::RestitutionFactor);
+    match (value, factor) {
+        (None, None) => Restitution::Housner,
+        (Some(value), None) => Restitution::Value(value),
+        (Some(_), Some(_)) => {
+            let hint = "keep one of them; the factor is on Housner's ratio";
+            values.refuse(Column::RestitutionFactor, "restitution and restitution_factor exclude each other", hint);
+            Restitution::Housner
+        }
+        (None, Some(factor)) => {
+            let largest = blocks.iter().map(Block::landing_ratio).fold(0.0, f64::max) * factor;
+            if largest > 1.0 {
+                let message = format!("makes the restitution {largest:.4}: the object would gain energy");
+                values.refuse(Column::RestitutionFactor, message, "the product with Housner's ratio must not exceed 1");
+            }
+            Restitution::Factor(factor)
+        }
+    }
+}

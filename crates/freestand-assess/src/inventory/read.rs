@@ -1,0 +1,157 @@
+//! Reading: a file in, an inventory or everything that is wrong with it out.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use super::cell::{Flow, Row};
+use super::columns::Column;
+use super::findings::{At, Doubt, Findings};
+use super::item::{is_total, item};
+use super::layout::{ColumnRead, Layout};
+use super::source::{Source, load};
+use super::values::{Signs, Values};
+use super::{Inventory, Item};
+use crate::library::Lookup;
+use freestand_input::file::sha256_hex;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::shorten;
+
+/// Cells that are carried through, over all rows: half a gigabyte if they are empty.
+const MAX_CARRIED_CELLS: usize = 20_000_000;
+
+/// An inventory with how its file was understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// What was read.
+    pub inventory: Inventory,
+    /// Our columns, in the order of the file.
+    pub columns: Vec<ColumnRead>,
+    /// The row of the headings, counted from 1.
+    pub header_row: u32,
+}
+
+/// Reads an inventory from a CSV or a workbook (XLSX), told by the content and not by the name: every quantity in SI,
+/// what is missing `None`.
+///
+/// `sheet` names a sheet of a workbook; without it the first visible one that has our headings is read. The headings may
+/// stand in any order, each with its unit, below titles. Columns that are not ours are carried through.
+///
+/// # Accuracy
+/// A number in a CSV and the same number in a workbook are the same f64, whatever the unit.
+///
+/// # Errors
+/// Everything that is wrong with the file at once, each with its sheet, row and column and a remedy, up to 200. A file
+/// beyond 512 MB, 1,048,576 rows, 16,384 columns, 32,767 characters a cell, or that unpacks to more than 1 GiB is refused.
+///
+/// # Example
+/// ```
+/// use freestand_assess::inventory::{Lookup, read_inventory};
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("objects.csv");
+/// std::fs::write(&path, "id,item,level_ratio,height [mm],depth [cm],mass\nA1,cabinet,0.5,2300,60,0.14 t\n")?;
+/// let inventory = read_inventory(&path, None, &Lookup::NONE)?;
+/// let cabinet = &inventory.items[0];
+/// assert_eq!((cabinet.height_m, cabinet.thickness_m, cabinet.mass_kg), (Some(2.3), Some(0.6), Some(140.0)));
+/// assert_eq!((cabinet.row, cabinet.tolerance.as_ref()), (2, None));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_inventory(path: &Path, sheet: Option<&str>, lookup: &Lookup<'_>) -> Result<Inventory, Problems> {
+    inspect_inventory(path, sheet, lookup).map(|reading| reading.inventory)
+}
+
+/// As [`read_inventory`], with how the file was understood.
+///
+/// # Errors
+/// As [`read_inventory`].
+pub fn inspect_inventory(path: &Path, sheet: Option<&str>, lookup: &Lookup<'_>) -> Result<Reading, Problems> {
+    parse_inventory(load(path)?, path, sheet, lookup)
+}
+
+/// As [`inspect_inventory`], of the bytes of a file; `path` is for messages.
+///
+/// # Errors
+/// As [`read_inventory`].
+pub fn parse_inventory(
+    bytes: Vec<u8>,
+    path: &Path,
+    sheet: Option<&str>,
+    lookup: &Lookup<'_>,
+) -> Result<Reading, Problems> {
+    let sha256 = sha256_hex(&bytes);
+    let in_file = |problem: freestand_input::problem::Problem| problem.in_file(path);
+    let mut source = Source::open(bytes, sheet).map_err(in_file)?;
+    let mut findings = Findings::new(path, source.sheet.clone());
+    let mut warnings = std::mem::take(&mut source.warnings);
+    warnings.extend(source.title_warning());
+    let layout = Layout::new(&source.header, &mut findings, &mut warnings);
+    let merges = source.merges().map_err(in_file)?;
+    let has_decimal_comma = source.has_decimal_comma();
+    let mut items: Vec<Item> = Vec::new();
+    let (mut signs, mut carried) = (Signs::default(), 0);
+    let mut is_full = false;
+    let read = source.rows(&mut |row: Row| {
+        let mut values = Values {
+            row: &row,
+            layout: &layout,
+            merges: &merges,
+            has_decimal_comma,
+            signs: &mut signs,
+            findings: &mut findings,
+        };
+        if is_total(&values) {
+            values.doubt(Doubt::Totals);
+            return Flow::More;
+        }
+        carried += layout.carried.len();
+        is_full = carried > MAX_CARRIED_CELLS;
+        if is_full {
+            return Flow::Enough;
+        }
+        items.push(item(&mut values, lookup));
+        Flow::More
+    });
+    match read {
+        Ok(formulas) => warnings.extend(formulas.warning()),
+        Err(problem) => findings.push(problem),
+    }
+    if is_full {
+        let message = format!("more than {MAX_CARRIED_CELLS} cells are none of ours");
+        findings.of_file(None, message, "remove the columns that nobody needs, or split the file");
+    }
+    if let Some(row) = signs.mixed() {
+        findings.doubt(Doubt::DecimalPoint, row);
+    }
+    if items.is_empty() && !is_full {
+        findings.of_file(source.header.line, "no rows stand under the headings", "write one object into each row");
+    }
+    find_duplicates(&items, &layout, &mut findings);
+    warnings.extend(findings.finish()?);
+    let inventory = Inventory {
+        libraries: Vec::new(),
+        path: path.to_path_buf(),
+        sha256,
+        sheet: source.sheet,
+        carried: layout.carried.clone(),
+        items,
+        warnings,
+    };
+    Ok(Reading { inventory, columns: layout.columns(), header_row: source.header.row })
+}
+
+/// Two rows of one id cannot be told apart in any output.
+fn find_duplicates(items: &[Item], layout: &Layout, findings: &mut Findings<'_>) {
+    let mut seen: HashMap<&str, u32> = HashMap::with_capacity(items.len());
+    for item in items {
+        let Some(first) = seen.insert(&item.id, item.row) else { continue };
+        // The first row keeps the name, however many follow.
+        seen.insert(&item.id, first);
+        let message = format!("the id \"{}\" is that of row {first} already", shorten(&item.id));
+        let hint = "give every row an id of its own, or leave the column out: the row number makes one";
+        // A row may span lines in a CSV: its number is what people look for.
+        let at = At { row: item.row, line: None };
+        match layout.place(Column::Id) {
+            Some(place) => findings.of_cell(at, place.index, &place.heading, &message, Some(hint.to_owned())),
+            None => findings.of_row(at, &message, hint),
+        }
+    }
+}

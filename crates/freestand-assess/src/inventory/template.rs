@@ -1,0 +1,154 @@
+//! An inventory to fill in: headings with their units, examples that are marked as such, and what each column means.
+
+use rust_xlsxwriter::{Format, FormatAlign, Workbook, XlsxError};
+
+use super::columns::{COLUMNS, Column, ColumnSpec, Holds};
+use super::write::{Table, Written, csv, xlsx};
+use freestand_input::problem::Problem;
+
+/// Begins the ids of the example rows.
+pub(super) const EXAMPLE: &str = "example-";
+
+/// What the example rows say, by column; a hospital's.
+const EXAMPLES: [&[(Column, &str)]; 3] = [
+    &[
+        (Column::Id, "example-1"),
+        (Column::Item, "EXAMPLE, delete this row: instrument cabinet"),
+        (Column::Quantity, "2"),
+        (Column::Priority, "1"),
+        (Column::Location, "operating theatre"),
+        (Column::Building, "Block A"),
+        (Column::Floor, "Level 3"),
+        (Column::Room, "3.12"),
+        (Column::LifeSafety, "H"),
+        (Column::Property, "M"),
+        (Column::Function, "M"),
+        (Column::LevelRatio, "0.5"),
+        (Column::Height, "1800"),
+        (Column::Thickness, "450"),
+        (Column::Width, "900"),
+        (Column::Mass, "140"),
+        (Column::PadStiffness, "2190"),
+        (Column::PadsPerEdge, "2"),
+        (Column::PadThickness, "10"),
+        (Column::Tolerance, "15"),
+        (Column::ToleranceDuration, "11"),
+        (Column::Friction, "0.3-0.5"),
+        (Column::Notes, "four feet, two share a landing"),
+    ],
+    &[
+        (Column::Id, "example-2"),
+        (Column::Item, "EXAMPLE, delete this row: monitoring rack"),
+        (Column::Quantity, "1"),
+        (Column::Location, "nurses' station"),
+        (Column::Building, "Block A"),
+        (Column::Floor, "Level 5"),
+        (Column::LifeSafety, "M"),
+        (Column::Property, "M"),
+        (Column::Function, "H"),
+        (Column::LevelRatio, "0.8"),
+        (Column::Height, "2000"),
+        (Column::Thickness, "600"),
+        (Column::Width, "800"),
+        (Column::BaseThickness, "540"),
+        (Column::CgHeight, "850"),
+        (Column::Mass, "310"),
+        (Column::Stiffness, "4380"),
+        (Column::Tolerance, "5"),
+        (Column::ToleranceDuration, "11"),
+        (Column::ToleranceEdgeLift, "50"),
+        (Column::Accepted, "0.05"),
+        (Column::Notes, "stiffness of all under one edge, from a drop test"),
+    ],
+    &[
+        (Column::Id, "example-3"),
+        (Column::Item, "EXAMPLE, delete this row: gas cylinder"),
+        (Column::Quantity, "6"),
+        (Column::Building, "Block A"),
+        (Column::Floor, "Basement"),
+        (Column::LifeSafety, "H"),
+        (Column::Property, "L"),
+        (Column::Function, "L"),
+        (Column::LevelRatio, "0"),
+        (Column::Height, "1500"),
+        (Column::Thickness, "230"),
+        (Column::Notes, "no mass, cushion or tolerance: it is asked only whether it overturns"),
+    ],
+];
+
+/// The heading of a column, with its unit.
+fn heading(spec: &ColumnSpec) -> String {
+    if spec.unit.is_empty() { spec.name.to_owned() } else { format!("{} [{}]", spec.name, spec.unit) }
+}
+
+fn table() -> Table {
+    let row = |example: &&[(Column, &str)]| {
+        let cell = |spec: &ColumnSpec| {
+            let text = example.iter().find(|(column, _)| *column == spec.column).map_or("", |(_, text)| text);
+            Written::of(text, !matches!(spec.holds, Holds::Text | Holds::Rating | Holds::Range))
+        };
+        COLUMNS.iter().map(cell).collect()
+    };
+    Table { headings: COLUMNS.iter().map(heading).collect(), rows: EXAMPLES.iter().map(row).collect() }
+}
+
+/// The template as CSV.
+///
+/// # Errors
+/// None that the user can cause.
+pub fn template_csv() -> Result<Vec<u8>, Problem> {
+    csv(&table())
+}
+
+/// The template as a workbook, with a second sheet that explains the columns. Always the same bytes.
+///
+/// # Errors
+/// None that the user can cause.
+pub fn template_xlsx() -> Result<Vec<u8>, Problem> {
+    xlsx(&table(), explain)
+}
+
+/// The sheet that says what each column means.
+fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
+    let bold = Format::new().set_bold().set_background_color("#DDE7F0");
+    let wrap = Format::new().set_text_wrap().set_align(FormatAlign::Top);
+    let sheet = workbook.add_worksheet().set_name("Columns")?;
+    for (column, (title, width)) in
+        (0u16..).zip([("Column", 26), ("Unit", 8), ("Required", 10), ("Cells", 28), ("Meaning", 70), ("Example", 18)])
+    {
+        sheet.write_string_with_format(0, column, title, &bold)?;
+        sheet.set_column_width(column, width)?;
+    }
+    for (row, spec) in (1u32..).zip(&COLUMNS) {
+        let cells =
+            [spec.name, spec.unit, if spec.is_required { "yes" } else { "" }, cells(spec), spec.meaning, spec.example];
+        for (column, text) in (0u16..).zip(cells) {
+            sheet.write_string_with_format(row, column, text, &wrap)?;
+        }
+    }
+    let notes = [
+        "The columns may stand in any order; those that nobody fills in may be removed, others added: they are carried through.",
+        "Units may be changed: height [m], mass [t], stiffness [kN/m] … A heading without a unit takes cells such as 2.3 m.",
+        "An empty cell is a value that is not known. It costs the verdict of its object, not the file.",
+    ];
+    let first = COLUMNS.len() as u32 + 2;
+    for (row, text) in (first..).zip(notes) {
+        sheet.write_string(row, 0, text)?;
+    }
+    sheet.set_freeze_panes(1, 0)?;
+    Ok(())
+}
+
+/// What the cells of a column hold, in words.
+fn cells(spec: &ColumnSpec) -> &'static str {
+    match (spec.column, spec.holds) {
+        (_, Holds::Text) => "words",
+        (_, Holds::Count) => "a whole number from 1",
+        (_, Holds::Rating) => "H, M or L",
+        (_, Holds::Range) => "a value, or a range 0.3-0.5",
+        (Column::Accepted, _) => "between 0 and 1, or 10 %",
+        (Column::LevelRatio, _) => "from 0 to 1, or 50 %",
+        (_, Holds::Quantity(_)) if spec.unit.is_empty() => "a ratio",
+        (_, Holds::Quantity(_)) => "a number, in the unit of the heading",
+    }
+}

@@ -1,0 +1,248 @@
+//! Files that break readers: each a clear error, or read, in bounded time and memory.
+
+use crate::library::Lookup;
+use proptest::prelude::*;
+
+use super::*;
+
+/// A data row of a workbook whose cell D (the height) is `height`.
+fn with_height(height: &str) -> Vec<u8> {
+    workbook(&(row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", height, "600", ""])), "")
+}
+
+#[test]
+fn cells_that_are_no_numbers() {
+    for (cell, said) in [
+        ("<t=\"e\"><v>#REF!</v></c>", "is the error #REF!"),
+        ("<t=\"b\"><v>1</v></c>", "TRUE is no number"),
+        ("<s=\"1\"><v>45413</v></c>", "is a date (2024-05-01)"),
+        ("<><f>B1*2</f></c>", "saved without its value"),
+        ("<t=\"d\"><v>2024-05-01</v></c>", "is a date"),
+        ("1.500,5", "\"1.500,5\" has a comma in the number"),
+        ("1 800", "is more than one number"),
+    ] {
+        let said_here = problems(with_height(cell));
+        assert!(said_here[0].contains("sheet \"Objects\", row 2, column D (height [mm])"), "{said_here:?}");
+        assert!(said_here[0].contains(said), "{said_here:?}");
+    }
+}
+
+#[test]
+fn formulas_give_their_saved_values() {
+    let reading = read(with_height("<><f>900*2</f><v>1800</v></c>")).unwrap();
+    assert_eq!(reading.inventory.items[0].height_m, Some(1.8));
+    assert_eq!(
+        reading.inventory.warnings,
+        ["1 cell holds a formula, the first D2: the values that were saved with them are read"]
+    );
+    let carried = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600", "<t=\"e\"><v>#N/A</v></c>"]);
+    let reading = read(workbook(&carried, "")).unwrap();
+    assert_eq!(reading.inventory.items[0].carried, ["#N/A"]);
+    assert!(reading.inventory.warnings[0].starts_with("row 2 has an error such as #REF!"));
+}
+
+#[test]
+fn merged_cells_are_told_from_empty_ones() {
+    let rows = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"]) + &row(3, &["b", "y", "", "1800", "600"]);
+    let said = problems(workbook(&rows, "<mergeCells count=\"1\"><mergeCell ref=\"C2:C3\"/></mergeCells>"));
+    assert_eq!(said.len(), 1);
+    assert!(
+        said[0].contains("row 3, column C (level_ratio): is empty because it is merged with C2 | unmerge"),
+        "{said:?}"
+    );
+    // A merged title costs nothing.
+    let title = "<mergeCells count=\"1\"><mergeCell ref=\"A1:XFD1\"/></mergeCells>";
+    let rows = row(1, &["Register"]) + &row(2, &HEADINGS) + &row(3, &["a", "x", "0.5", "1800", "600"]);
+    assert_eq!(read(workbook(&rows, title)).unwrap().inventory.items.len(), 1);
+}
+
+#[test]
+fn a_million_blank_rows_cost_nothing() {
+    let mut rows = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"]);
+    for number in 3..=1_048_576 {
+        rows += &format!("<row r=\"{number}\"><c r=\"A{number}\" s=\"0\"/></row>");
+    }
+    let book = workbook(&rows, "");
+    let started = std::time::Instant::now();
+    assert_eq!(read(book).unwrap().inventory.items.len(), 1);
+    // It takes a second or two; a reader that makes a table of the used range needs 137 GB.
+    assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
+}
+
+#[test]
+fn wide_sheets() {
+    let mut headings: Vec<String> = HEADINGS.iter().map(|&text| text.to_owned()).collect();
+    headings.extend((headings.len()..16_384).map(|n| format!("x{n}")));
+    let texts: Vec<&str> = headings.iter().map(String::as_str).collect();
+    let said = problems(workbook(&(row(1, &texts) + &row(2, &["a", "x", "0.5", "1800", "600"])), ""));
+    assert!(said[0].contains("16379 columns are none of ours"), "{said:?}");
+    assert!(problems(headings.join(",") + "\na,x,0.5,1800,600\n")[0].contains("16379 columns"), "{said:?}");
+    let unnamed = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600", "", "stray"]);
+    assert!(
+        read(workbook(&unnamed, "")).unwrap().inventory.warnings[0]
+            .starts_with("row 2 has cells in columns without a heading")
+    );
+}
+
+#[test]
+fn a_cell_of_ten_megabytes() {
+    let long = "x".repeat(10 << 20);
+    let rows = row(1, &HEADINGS)
+        + &row(2, &["a", &long, "0.5", "1800", "600"])
+        + &row(3, &["b", "y", "0.5", "1800", "600", &long]);
+    let said = problems(workbook(&rows, ""));
+    assert!(
+        said[0].contains("column B (item): has 10485760 characters") && said[1].contains("a cell of 10485760"),
+        "{said:?}"
+    );
+    let said = problems(format!("id,item,level_ratio,height [m],depth [m]\na,{long},0,1,1\n"));
+    assert!(said[0].contains("row 2 has 10 MB"), "{said:?}");
+}
+
+#[test]
+fn archives_that_unpack_to_too_much_or_lie() {
+    let parts_with = |name: &str, bytes: Vec<u8>| {
+        let mut parts = parts(&[("Objects", "", &sheet(&row(1, &HEADINGS), ""))]);
+        parts.retain(|(other, _)| other != name);
+        parts.push((name.to_owned(), bytes));
+        archive_of(&parts)
+    };
+    // 1 : 1000, as far as deflate goes.
+    let bomb = parts_with("xl/worksheets/sheet2.xml", vec![b' '; 300 << 20]);
+    assert!(bomb.len() < 1 << 20);
+    let said = problems(&bomb);
+    assert!(said[0].contains("unpacks to more than 64 MB"), "{said:?}");
+    let styles = parts_with("xl/styles.xml", vec![b' '; 17 << 20]);
+    assert!(problems(styles)[0].contains("unpacks to more than 1"));
+    // The reader would set aside 24 bytes for each text that is declared.
+    let liar = format!("<sst xmlns=\"{MAIN}\" uniqueCount=\"99999999999\"><si><t>a</t></si></sst>");
+    assert!(problems(parts_with("xl/sharedStrings.xml", liar.into_bytes()))[0].contains("declares 99999999999 texts"));
+    let places = sheet("<row r=\"1\"><c r=\"ZZZZZZZZZZ99999999999\"/></row>", "");
+    assert!(problems(parts_with("xl/worksheets/sheet1.xml", places.into_bytes()))[0].contains("which no sheet has"));
+    // A header that declares another size than there is: the checksum and the count say so.
+    let mut lying = workbook(&row(1, &HEADINGS), "");
+    let start = lying.windows(4).position(|four| four == b"PK\x01\x02").unwrap();
+    lying[start + 24..start + 28].copy_from_slice(&3u32.to_le_bytes());
+    let _ = read(&lying);
+    lying[start + 16..start + 20].copy_from_slice(&[1, 2, 3, 4]);
+    assert!(problems(&lying)[0].contains("damaged"));
+}
+
+#[test]
+fn what_is_no_inventory_at_all() {
+    let book = workbook(&(row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"])), "");
+    for cut in [3, 30, book.len() / 2, book.len() - 1] {
+        assert!(problems(&book[..cut]).len() == 1, "{cut}");
+    }
+    let nested = archive_of(&[("objects.xlsx".to_owned(), book)]);
+    assert!(problems(nested)[0].contains("is a zip file that holds objects.xlsx | unpack it first"));
+    let ods = archive_of(&[("mimetype".to_owned(), b"application/vnd.oasis.opendocument.spreadsheet".to_vec())]);
+    assert!(problems(&ods)[0].contains("zip file"), "deflated, its type is not seen");
+    let stored = [
+        b"PK\x03\x04................................mimetypeapplication/vnd.oasis.opendocument.spreadsheet".as_slice(),
+        &ods,
+    ]
+    .concat();
+    assert!(problems(stored)[0].contains("OpenDocument"));
+    for (bytes, said) in [
+        (b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1".to_vec(), "old workbook (.xls), or one with a password"),
+        (Vec::new(), "empty"),
+        (b"\x7FELF\x02\x01\x01\0\0\0".to_vec(), "no text"),
+        (b"id,level_ratio,height [m],depth [m]\na,0,1\0,1\n".to_vec(), "NUL"),
+        (b"id,level_ratio,height [m],depth [m]\n\"a,0,1,1\nb,0,1,1\n".to_vec(), "a quote is not closed"),
+    ] {
+        assert!(problems(&bytes)[0].contains(said), "{:?}", problems(&bytes));
+    }
+    // Rows that go backwards would overwrite what was read.
+    let rows =
+        row(3, &HEADINGS) + &row(5, &["a", "x", "0.5", "1800", "600"]) + &row(4, &["b", "x", "0.5", "1800", "600"]);
+    assert!(problems(workbook(&rows, ""))[0].contains("row 4 stands behind row 5"));
+}
+
+#[test]
+fn columns_carried_through_are_bounded() {
+    // 200 columns × 100,001 rows are one row more than are kept.
+    let mut text = "id,level_ratio,height [m],depth [m]".to_owned();
+    for n in 0..200 {
+        text += &format!(",x{n}");
+    }
+    for n in 0..100_001 {
+        text += &format!("\n{n},0,1,1");
+    }
+    assert!(problems(text)[0].contains("20000000 cells are none of ours"));
+}
+
+fn check(bytes: Vec<u8>) {
+    match parse_inventory(bytes.clone(), Path::new("objects"), None, &Lookup::NONE) {
+        Ok(reading) => {
+            assert!(!reading.inventory.items.is_empty());
+            let finite = |value: Option<f64>| value.is_none_or(|value| value.is_finite() && value >= 0.0);
+            for item in &reading.inventory.items {
+                assert!(
+                    !item.id.is_empty() && item.quantity > 0 && item.carried.len() == reading.inventory.carried.len()
+                );
+                assert!(
+                    finite(item.height_m)
+                        && finite(item.thickness_m)
+                        && finite(item.mass_kg)
+                        && finite(item.level_ratio)
+                );
+            }
+        }
+        Err(error) => {
+            for problem in &error.problems {
+                assert!(problem.path.is_some() && problem.hint.is_some() && !problem.message.is_empty(), "{problem:?}");
+            }
+        }
+    }
+    let _ = convert_bytes(bytes, Path::new("objects"), None, Target::Csv);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn changed_bytes_never_break_the_reader(
+        changes in proptest::collection::vec((any::<proptest::sample::Index>(), any::<u8>()), 1..8),
+        kind in 0..3usize,
+        cut in proptest::option::of(any::<proptest::sample::Index>()),
+    ) {
+        let mut bytes = match kind {
+            0 => template_csv().unwrap(),
+            1 => template_xlsx().unwrap(),
+            // UTF-16 without a mark.
+            _ => template_csv().unwrap().iter().flat_map(|&b| [b, 0]).collect(),
+        };
+        for (at, byte) in changes {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        if let Some(cut) = cut {
+            bytes.truncate(cut.index(bytes.len()));
+        }
+        check(bytes);
+    }
+
+    #[test]
+    fn changed_xml_never_breaks_the_reader(
+        changes in proptest::collection::vec((any::<proptest::sample::Index>(), any::<u8>()), 1..6),
+        part in 0..6usize,
+    ) {
+        let rows = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "<s=\"1\"><v>45413</v></c>", "<><f>1</f><v>600</v></c>"]);
+        let merged = "<mergeCells count=\"1\"><mergeCell ref=\"C2:C3\"/></mergeCells>";
+        let mut parts = parts(&[("Objects", "", &sheet(&rows, merged))]);
+        let count = parts.len();
+        let bytes = &mut parts[part % count].1;
+        for (at, byte) in changes {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        check(archive_of(&parts));
+    }
+
+    #[test]
+    fn any_text_is_read_or_refused(text in "[a-c0-9,;\"'\\t\\n\\r\\. =+\\-@]{0,200}") {
+        check(format!("id,item,level_ratio,height [mm],thickness [mm],x\n{text}").into_bytes());
+        check(text.into_bytes());
+    }
+}

@@ -1,0 +1,216 @@
+//! The rows of a workbook (XLSX), cell by cell as they stand in it: empty ones cost nothing.
+
+use std::collections::BTreeMap;
+use std::io::Cursor;
+
+use calamine::{DataRef, Dimensions, ExcelDateTime, Reader, SheetVisible, Xlsx, XlsxError};
+
+use super::archive;
+use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row};
+use super::columns::letters;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+
+/// A workbook that was opened.
+pub(super) struct Workbook {
+    xlsx: Xlsx<Cursor<Vec<u8>>>,
+    has_merges: bool,
+}
+
+/// What is to be said of formulas.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Formulas {
+    /// How many there were.
+    pub(super) count: usize,
+    /// The first of them, such as `F12`.
+    pub(super) first: Option<String>,
+}
+
+impl Formulas {
+    /// What is to be said of them.
+    pub(super) fn warning(&self) -> Option<String> {
+        let first = self.first.as_ref()?;
+        let cells = if self.count == 1 { "cell holds a formula" } else { "cells hold formulas" };
+        Some(format!("{} {cells}, the first {first}: the values that were saved with them are read", self.count))
+    }
+}
+
+fn unreadable(error: &XlsxError) -> Problem {
+    let message = match error {
+        XlsxError::Password => "the workbook is protected with a password".to_owned(),
+        _ => format!("the workbook cannot be read: {}", shorten(&error.to_string())),
+    };
+    Problem::new(ProblemKind::Format, message)
+        .hint("open it in a spreadsheet program and save it again as .xlsx without a password, or as CSV")
+}
+
+impl Workbook {
+    /// Opens a workbook, once it is known what it unpacks to.
+    ///
+    /// # Errors
+    /// What [`archive::check`] refuses, and what is no workbook for all that.
+    pub(super) fn open(bytes: Vec<u8>) -> Result<Self, Problem> {
+        let facts = archive::check(&bytes)?;
+        let xlsx = Xlsx::new(Cursor::new(bytes)).map_err(|error| unreadable(&error))?;
+        Ok(Self { xlsx, has_merges: facts.has_merges })
+    }
+
+    /// The sheets in their order, and whether each is to be seen.
+    pub(super) fn sheets(&self) -> Vec<(String, bool)> {
+        let sheets = self.xlsx.sheets_metadata().iter();
+        sheets.map(|sheet| (sheet.name.clone(), sheet.visible == SheetVisible::Visible)).collect()
+    }
+
+    /// Gives the rows of a sheet that are not empty to `on_row`, as long as it wants more.
+    ///
+    /// # Errors
+    /// A sheet that cannot be read, or whose rows stand in disorder. One that is a chart has no rows.
+    pub(super) fn rows(&mut self, sheet: &str, on_row: &mut dyn FnMut(Row) -> Flow) -> Result<Formulas, Problem> {
+        let mut formulas = Formulas::default();
+        let mut cells = match self.xlsx.worksheet_cells_reader(sheet) {
+            Ok(cells) => cells,
+            Err(XlsxError::NotAWorksheet(_)) => return Ok(formulas),
+            Err(error) => return Err(unreadable(&error)),
+        };
+        let mut row = Row { number: 0, line: None, cells: Vec::new(), width: None };
+        while let Some(read) = cells.next_cell_with_formula_metadata().map_err(|error| unreadable(&error))? {
+            let (at, column) = read.pos;
+            let place = || format!("{}{}", letters(column as usize), u64::from(at) + 1);
+            if at >= MAX_ROWS || column >= MAX_COLUMNS {
+                let problem = Problem::new(ProblemKind::Format, "a cell lies outside of what a sheet can have");
+                return Err(problem.hint("save the workbook again, or as CSV"));
+            }
+            let Some(cell) = cell(&read.value, read.formula.is_some()) else { continue };
+            if read.formula.is_some() {
+                formulas.count += 1;
+                formulas.first.get_or_insert_with(place);
+            }
+            let number = at + 1;
+            if number < row.number {
+                let problem =
+                    Problem::new(ProblemKind::Format, format!("row {number} stands behind row {}", row.number));
+                return Err(problem.hint("the workbook is damaged: save it again, or as CSV"));
+            }
+            if number > row.number && !row.cells.is_empty() {
+                let done = std::mem::replace(&mut row, Row { number, line: None, cells: Vec::new(), width: None });
+                if on_row(sorted(done)) == Flow::Enough {
+                    return Ok(formulas);
+                }
+            }
+            row.number = number;
+            row.cells.push((column, cell));
+        }
+        if !row.cells.is_empty() {
+            on_row(sorted(row));
+        }
+        Ok(formulas)
+    }
+
+    /// Cells of a sheet that are merged with one before them.
+    ///
+    /// # Errors
+    /// A sheet that cannot be read.
+    pub(super) fn merges(&mut self, sheet: &str) -> Result<Merges, Problem> {
+        if !self.has_merges {
+            return Ok(Merges::default());
+        }
+        let all = self.xlsx.merge_cells_by_sheet_name(sheet).map_err(|error| unreadable(&error))?;
+        Ok(Merges::new(&all))
+    }
+}
+
+/// Cells may stand in any order within their row, though no program writes them so.
+fn sorted(mut row: Row) -> Row {
+    if !row.cells.is_sorted_by_key(|(column, _)| *column) {
+        row.cells.sort_by_key(|(column, _)| *column);
+    }
+    row.cells.dedup_by_key(|(column, _)| *column);
+    row
+}
+
+/// What a cell holds; `None`: nothing.
+fn cell(value: &DataRef<'_>, is_formula: bool) -> Option<Cell> {
+    let text = |text: &str| (!text.is_empty()).then(|| Cell::text(text.to_owned()));
+    match value {
+        DataRef::Empty => is_formula.then_some(Cell::Unevaluated),
+        DataRef::String(value) => text(value),
+        DataRef::SharedString(value) => text(value),
+        DataRef::Int(value) => Some(Cell::Number(*value as f64)),
+        DataRef::Float(value) => Some(Cell::Number(*value)),
+        DataRef::Bool(value) => Some(Cell::Bool(*value)),
+        DataRef::DateTime(value) => Some(Cell::Date(date(value))),
+        DataRef::DateTimeIso(value) | DataRef::DurationIso(value) => Some(Cell::Date(shorten(value))),
+        DataRef::Error(value) => Some(Cell::Error(value.to_string())),
+    }
+}
+
+/// `2024-05-01`, `2024-05-01T12:30:00`, or the days of a duration.
+fn date(value: &ExcelDateTime) -> String {
+    if value.is_duration() {
+        return format!("{} days", value.as_f64());
+    }
+    let (year, month, day, hour, minute, second, _) = value.to_ymd_hms_milli();
+    let date = format!("{year:04}-{month:02}-{day:02}");
+    if (hour, minute, second) == (0, 0, 0) { date } else { format!("{date}T{hour:02}:{minute:02}:{second:02}") }
+}
+
+/// First row, last row (from 1), and the cell with the value (from 0).
+type Merged = (u32, u32, (u32, u32));
+
+/// Cells that are empty because they are merged with another, by column: the rows from … to, and the cell that has the
+/// value.
+#[derive(Debug, Default)]
+pub(super) struct Merges {
+    by_column: BTreeMap<u32, Vec<Merged>>,
+}
+
+/// More merged cells than this in one sheet are not looked at column by column.
+const MAX_MERGED_COLUMNS: usize = 1_000_000;
+
+impl Merges {
+    fn new(all: &[Dimensions]) -> Self {
+        let mut by_column: BTreeMap<u32, Vec<Merged>> = BTreeMap::new();
+        let mut count = 0;
+        for one in all {
+            for column in one.start.1..=one.end.1.min(MAX_COLUMNS - 1) {
+                count += 1;
+                if count > MAX_MERGED_COLUMNS {
+                    break;
+                }
+                by_column.entry(column).or_default().push((one.start.0 + 1, one.end.0 + 1, one.start));
+            }
+        }
+        for column in by_column.values_mut() {
+            column.sort_unstable();
+        }
+        Self { by_column }
+    }
+
+    /// The cell that has the value of this one, where it is another; `row` counts from 1.
+    pub(super) fn value_of(&self, row: u32, column: u32) -> Option<String> {
+        let rows = self.by_column.get(&column)?;
+        // Merged cells do not overlap: only the last that begins above can reach here.
+        let before = rows.partition_point(|(first, ..)| *first <= row).checked_sub(1)?;
+        let (_, last, (top, left)) = rows.get(before)?;
+        let is_other = (*top + 1, *left) != (row, column);
+        (row <= *last && is_other).then(|| format!("{}{}", letters(*left as usize), top + 1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn merged_cells_name_the_one_that_has_the_value() {
+        // B2:B4 and D5:F5, counted from 0 in the file.
+        let merges =
+            Merges::new(&[Dimensions { start: (4, 3), end: (4, 5) }, Dimensions { start: (1, 1), end: (3, 1) }]);
+        assert_eq!(merges.value_of(2, 1), None);
+        assert_eq!(merges.value_of(3, 1).as_deref(), Some("B2"));
+        assert_eq!(merges.value_of(4, 1).as_deref(), Some("B2"));
+        assert_eq!(merges.value_of(5, 1), None);
+        assert_eq!(merges.value_of(5, 5).as_deref(), Some("D5"));
+        assert_eq!(merges.value_of(5, 6), None);
+    }
+}

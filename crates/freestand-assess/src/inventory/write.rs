@@ -1,0 +1,192 @@
+//! Writing: tables of cells as CSV or as a workbook, the same bytes for the same cells.
+
+use rust_xlsxwriter::{
+    DataValidation, DocProperties, ExcelDateTime, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError,
+};
+
+use super::cell::{MAX_CELL_CHARS, MAX_ROWS, guarded};
+use super::columns::{Column, Heading, Holds, heading};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
+
+/// Name of the sheet that the objects stand in.
+pub(super) const SHEET: &str = "Inventory";
+/// Rows below the last that the drop-down lists go on for.
+const ROWS_TO_COME: u32 = 1000;
+/// More cells than this do not go into a workbook: they are held in memory while it is made.
+const MAX_CELLS: usize = 8_000_000;
+
+/// A cell to be written.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Written {
+    Empty,
+    Text(String),
+    Number(f64),
+}
+
+/// A table to be written: headings, and rows that are no longer than they.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Table {
+    pub(super) headings: Vec<String>,
+    pub(super) rows: Vec<Vec<Written>>,
+}
+
+impl Written {
+    /// Words that read back as they are: a number only where it reads back digit by digit.
+    pub(super) fn of(text: &str, may_be_number: bool) -> Self {
+        if text.is_empty() {
+            return Self::Empty;
+        }
+        match text.parse::<f64>() {
+            Ok(value) if may_be_number && value.is_finite() && format!("{value}") == text => Self::Number(value),
+            _ => Self::Text(text.to_owned()),
+        }
+    }
+}
+
+/// A table as CSV: commas, LF, UTF-8 without a mark. Text that a spreadsheet would take for a formula begins with a `'`.
+///
+/// # Errors
+/// None that the user can cause.
+pub(super) fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
+    let mut writer =
+        csv::WriterBuilder::new().flexible(true).terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new());
+    let failed =
+        |error: &dyn std::fmt::Display| Problem::new(ProblemKind::Io, format!("cannot write the CSV: {error}"));
+    let headings: Vec<String> = table.headings.iter().map(|heading| guarded(heading)).collect();
+    writer.write_record(&headings).map_err(|error| failed(&error))?;
+    for row in &table.rows {
+        let mut cells: Vec<String> = row.iter().map(Written::in_csv).collect();
+        cells.resize(table.headings.len().max(cells.len()), String::new());
+        writer.write_record(&cells).map_err(|error| failed(&error))?;
+    }
+    writer.into_inner().map_err(|error| failed(&error))
+}
+
+impl Written {
+    fn in_csv(&self) -> String {
+        match self {
+            Self::Empty => String::new(),
+            Self::Text(text) => guarded(text),
+            Self::Number(value) => format!("{value}"),
+        }
+    }
+}
+
+/// What rust_xlsxwriter refuses, as a problem.
+fn failed(error: &XlsxError) -> Problem {
+    Problem::new(ProblemKind::Computation, format!("cannot make the workbook: {error}"))
+        .hint("write a CSV instead, and please report this")
+}
+
+/// A table as a workbook: its first sheet, and then what `more` adds.
+///
+/// # Errors
+/// More rows or cells than a workbook takes, a text that is too long for a cell.
+pub(super) fn xlsx(
+    table: &Table,
+    more: impl FnOnce(&mut Workbook) -> Result<(), XlsxError>,
+) -> Result<Vec<u8>, Problem> {
+    check(table)?;
+    let mut workbook = Workbook::new();
+    let make = |workbook: &mut Workbook| -> Result<Vec<u8>, XlsxError> {
+        // Without a fixed date the bytes would change from second to second.
+        let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
+        workbook.set_properties(&DocProperties::new().set_title("Inventory").set_creation_datetime(&created));
+        fill(workbook.add_worksheet().set_name(SHEET)?, table)?;
+        more(workbook)?;
+        workbook.save_to_buffer()
+    };
+    make(&mut workbook).map_err(|error| failed(&error))
+}
+
+fn check(table: &Table) -> Result<(), Problem> {
+    let refused =
+        |message: String| Err(Problem::new(ProblemKind::Value, message).hint("write a CSV (--to csv) instead"));
+    if table.rows.len() >= MAX_ROWS as usize {
+        return refused(format!("{} rows and their headings do not fit into a sheet", table.rows.len()));
+    }
+    let cells: usize = table.rows.iter().map(Vec::len).sum();
+    if cells > MAX_CELLS {
+        return refused(format!("{cells} cells are more than the {MAX_CELLS} that go into a workbook here"));
+    }
+    let is_long = |cell: &Written| matches!(cell, Written::Text(text) if text.chars().count() > MAX_CELL_CHARS);
+    match table.rows.iter().position(|row| row.iter().any(is_long)) {
+        Some(row) => refused(format!("a cell of row {} has more than {MAX_CELL_CHARS} characters", row + 2)),
+        None => Ok(()),
+    }
+}
+
+/// How the cells of a column look.
+fn number_format(heading_text: &str) -> Option<Format> {
+    let Heading::Ours(column, unit) = heading(heading_text) else { return None };
+    match (column, column.spec().holds) {
+        (Column::Accepted, _) if unit.is_none() => Some(Format::new().set_num_format("0.##%")),
+        (_, Holds::Quantity(Dimension::Ratio)) => Some(Format::new().set_num_format("0.00##")),
+        (_, Holds::Quantity(_)) => Some(Format::new().set_num_format("0.######")),
+        (_, Holds::Text | Holds::Rating | Holds::Range) => Some(Format::new().set_num_format("@")),
+        (_, Holds::Count) => Some(Format::new().set_num_format("0")),
+    }
+}
+
+fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
+    let header = Format::new()
+        .set_bold()
+        .set_text_wrap()
+        .set_align(FormatAlign::Top)
+        .set_border_bottom(FormatBorder::Thin)
+        .set_background_color("#DDE7F0");
+    let rows = u32::try_from(table.rows.len()).unwrap_or(MAX_ROWS);
+    for (column, text) in (0u16..).zip(&table.headings) {
+        sheet.write_string_with_format(0, column, text, &header)?;
+        if let Some(format) = number_format(text) {
+            sheet.set_column_format(column, &format)?;
+        }
+        sheet.set_column_width(column, width(table, column))?;
+        if let Heading::Ours(ours, _) = heading(text)
+            && ours.spec().holds == Holds::Rating
+        {
+            let list = DataValidation::new()
+                .allow_list_strings(&["H", "M", "L"])?
+                .set_input_title(ours.name())?
+                .set_input_message("High, medium or low; empty where nobody says")?;
+            sheet.add_data_validation(1, column, (rows + ROWS_TO_COME).min(MAX_ROWS - 1), column, &list)?;
+        }
+    }
+    sheet.set_row_height(0, 32)?;
+    sheet.set_freeze_panes(1, 0)?;
+    let formats: Vec<Option<Format>> = table.headings.iter().map(|text| number_format(text)).collect();
+    for (row, cells) in (1u32..).zip(&table.rows) {
+        for ((column, cell), format) in (0u16..).zip(cells).zip(formats.iter().chain(std::iter::repeat(&None))) {
+            match (cell, format) {
+                (Written::Empty, _) => {}
+                (Written::Number(value), Some(format)) => {
+                    sheet.write_number_with_format(row, column, *value, format)?;
+                }
+                (Written::Number(value), None) => {
+                    sheet.write_number(row, column, *value)?;
+                }
+                // Never by a method that guesses: text that begins with = stays text.
+                (Written::Text(text), Some(format)) => {
+                    sheet.write_string_with_format(row, column, text, format)?;
+                }
+                (Written::Text(text), None) => {
+                    sheet.write_string(row, column, text)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Width for the heading and the first rows, in characters.
+fn width(table: &Table, column: u16) -> u32 {
+    let index = usize::from(column);
+    let heading = table.headings.get(index).map_or(0, |text| text.chars().count() / 2 + 4);
+    let cells = table.rows.iter().take(100).filter_map(|row| match row.get(index)? {
+        Written::Text(text) => Some(text.chars().count() + 2),
+        Written::Number(value) => Some(format!("{value}").len() + 2),
+        Written::Empty => None,
+    });
+    cells.fold(heading, usize::max).clamp(8, 48) as u32
+}

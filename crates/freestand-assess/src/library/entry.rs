@@ -1,0 +1,316 @@
+//! One entry of the tolerance library.
+
+use freestand::G0_M_S2;
+use freestand::shock_response::{Pulse, PulseShape};
+use serde::Serialize;
+
+use super::reader::RowReader;
+use super::sheet::{Column, Sheet, SheetRow};
+use super::{Confidence, Tolerance};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::number;
+use freestand_study::shock_spectrum::pulse_name;
+
+/// The columns of a tolerance library; numbers state their unit in brackets, such as `peak [g]`.
+pub const TOLERANCE_COLUMNS: [Column; 23] = [
+    Column::needed("id"),
+    Column::needed("class"),
+    Column::needed("kind"),
+    Column::needed("state"),
+    Column::text("axis"),
+    Column::number("peak", Dimension::Acceleration),
+    Column::number("peak_high", Dimension::Acceleration),
+    Column::number("duration", Dimension::Time),
+    Column::text("shape"),
+    Column::number("velocity_change", Dimension::Velocity),
+    Column::number("edge_lift", Dimension::Length),
+    Column::number("pfa_median", Dimension::Acceleration),
+    Column::number("pfv_median", Dimension::Velocity),
+    Column::number("beta", Dimension::Ratio),
+    Column::text("n_shocks"),
+    Column::needed("source"),
+    Column::text("edition"),
+    Column::text("clause"),
+    Column::text("page"),
+    Column::text("licence"),
+    Column::text("notice"),
+    Column::needed("confidence"),
+    Column::text("note"),
+];
+
+/// What the numbers of an entry are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Its maker says that it stands this: a survived level, not a median.
+    VendorLimit,
+    /// It passed, or must pass, a test of this severity.
+    TestSeverity,
+    /// A range for a class of things; the low end is the tolerance.
+    Class,
+    /// Median and spread of the floor motion at which such things fail or fall: context beside a verdict, never a tolerance.
+    Fragility,
+}
+
+impl Kind {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::VendorLimit, Self::TestSeverity, Self::Class, Self::Fragility];
+
+    /// The name in files and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::VendorLimit => "vendor-limit",
+            Self::TestSeverity => "test-severity",
+            Self::Class => "class",
+            Self::Fragility => "fragility",
+        }
+    }
+}
+
+/// The state that an object is in when it stands the shock.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum State {
+    /// Working, and going on to.
+    Operating,
+    /// Switched off.
+    NonOperating,
+    /// In its packaging.
+    Packaged,
+    /// The source does not say, or leaves it to the product.
+    Any,
+}
+
+impl State {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Operating, Self::NonOperating, Self::Packaged, Self::Any];
+
+    /// The name in files and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Operating => "operating",
+            Self::NonOperating => "non-operating",
+            Self::Packaged => "packaged",
+            Self::Any => "any",
+        }
+    }
+}
+
+/// What somebody says that something stands; `None` where they do not say. The keys are those of the JSON document.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ToleranceEntry {
+    /// Unique, in small letters.
+    pub id: String,
+    /// What it is.
+    pub class: String,
+    /// What the numbers are.
+    pub kind: Kind,
+    /// In which state.
+    pub state: State,
+    /// Along which axis: `any`, or in words.
+    pub axis: String,
+    /// Peak acceleration \[m/s²\]; of a range the low end.
+    pub peak_m_s2: Option<f64>,
+    /// \[g\].
+    pub peak_g: Option<f64>,
+    /// High end of the range \[m/s²\].
+    pub peak_high_m_s2: Option<f64>,
+    /// \[g\].
+    pub peak_high_g: Option<f64>,
+    /// Duration of the pulse of that peak \[s\].
+    pub duration_s: Option<f64>,
+    /// `half-sine`, `trapezoid`, `terminal-sawtooth`, …; `None` without a duration.
+    pub shape: Option<&'static str>,
+    /// Velocity change of that pulse itself; of a half-sine 2AT/π \[m/s\]. Not a tolerance of its own.
+    pub pulse_velocity_change_m_s: Option<f64>,
+    /// Critical velocity change: below it no peak does harm \[m/s\].
+    pub velocity_change_m_s: Option<f64>,
+    /// Lift of one edge, or drop, from which it may fall back \[m\].
+    pub edge_lift_m: Option<f64>,
+    /// Peak floor acceleration at which half fail \[m/s²\].
+    pub pfa_median_m_s2: Option<f64>,
+    /// \[g\].
+    pub pfa_median_g: Option<f64>,
+    /// Peak floor velocity at which half fail \[m/s\].
+    pub pfv_median_m_s: Option<f64>,
+    /// Standard deviation of the logarithm of the median's demand.
+    pub beta: Option<f64>,
+    /// Number of shocks of the test.
+    pub n_shocks: Option<u32>,
+    /// Document.
+    pub source: String,
+    /// Its edition.
+    pub edition: String,
+    /// Clause, table or entry in it.
+    pub clause: String,
+    /// Page.
+    pub page: String,
+    /// Licence of the numbers.
+    pub licence: String,
+    /// The notice that goes with them.
+    pub notice: String,
+    /// How sure.
+    pub confidence: Confidence,
+    /// Whether a verdict may rest on it.
+    pub decides: bool,
+    /// Notes.
+    pub note: String,
+    /// `built-in`, or the file of the user's.
+    pub origin: String,
+}
+
+impl ToleranceEntry {
+    /// Reads a row.
+    pub(super) fn read(sheet: &Sheet, row: &SheetRow, origin: &str) -> Result<Self, Vec<Problem>> {
+        let mut reader = RowReader::new(sheet, row);
+        let id = reader.id();
+        let class = reader.needed("class");
+        let kind = reader.word("kind", &Kind::ALL.map(|kind| (kind.name(), kind)));
+        let state = reader.word("state", &State::ALL.map(|state| (state.name(), state)));
+        let peak_m_s2 = reader.positive("peak", Dimension::Acceleration);
+        let peak_high_m_s2 = reader.positive("peak_high", Dimension::Acceleration);
+        let duration_s = reader.positive("duration", Dimension::Time);
+        let shape = shape(&mut reader, duration_s);
+        let in_g = |value: Option<f64>| value.map(|value| value / G0_M_S2);
+        let pfa_median_m_s2 = reader.positive("pfa_median", Dimension::Acceleration);
+        let axis = Some(reader.text("axis")).filter(|axis| !axis.is_empty()).unwrap_or_else(|| "any".to_owned());
+        let pulse = shape.zip(peak_m_s2).zip(duration_s);
+        let confidence = reader.confidence();
+        let entry = Self {
+            id,
+            class,
+            kind: kind.unwrap_or(Kind::Class),
+            state: state.unwrap_or(State::Any),
+            axis,
+            peak_m_s2,
+            peak_g: in_g(peak_m_s2),
+            peak_high_m_s2,
+            peak_high_g: in_g(peak_high_m_s2),
+            duration_s,
+            shape: shape.map(pulse_name),
+            pulse_velocity_change_m_s: pulse
+                .and_then(|((shape, peak), duration)| Pulse::new(shape, peak, duration).ok())
+                .map(|pulse| pulse.velocity_change_m_s()),
+            velocity_change_m_s: reader.positive("velocity_change", Dimension::Velocity),
+            edge_lift_m: reader.positive("edge_lift", Dimension::Length),
+            pfa_median_m_s2,
+            pfa_median_g: in_g(pfa_median_m_s2),
+            pfv_median_m_s: reader.positive("pfv_median", Dimension::Velocity),
+            beta: reader.positive("beta", Dimension::Ratio),
+            n_shocks: reader.count("n_shocks"),
+            source: reader.text("source"),
+            edition: reader.text("edition"),
+            clause: reader.text("clause"),
+            page: reader.text("page"),
+            licence: reader.text("licence"),
+            notice: notice(reader.text("notice")),
+            confidence,
+            decides: confidence.decides() && kind != Some(Kind::Fragility),
+            note: reader.text("note"),
+            origin: origin.to_owned(),
+        };
+        // Cells that cannot be read would be missed once more.
+        if reader.problems.is_empty() {
+            entry.check(&mut reader);
+        }
+        if reader.problems.is_empty() { Ok(entry) } else { Err(reader.problems) }
+    }
+
+    /// Refuses numbers that do not go together.
+    fn check(&self, reader: &mut RowReader<'_>) {
+        let medians = [self.pfa_median_m_s2, self.pfv_median_m_s].iter().flatten().count();
+        let limits = [self.peak_m_s2, self.velocity_change_m_s, self.edge_lift_m].iter().flatten().count();
+        if self.kind == Kind::Fragility {
+            if medians != 1 || self.beta.is_none() || limits > 0 {
+                let hint = "pfa_median or pfv_median, with beta, and no peak, velocity_change or edge_lift";
+                reader.note("kind", "a fragility is one median and its spread", hint);
+            }
+        } else {
+            if medians > 0 || self.beta.is_some() {
+                reader.note("kind", "medians and beta are a fragility's", "give them an entry of the kind fragility");
+            }
+            if limits == 0 {
+                reader.note("peak", "nothing is said to be stood", "give peak, velocity_change or edge_lift");
+            }
+        }
+        if self.duration_s.is_some() && self.peak_m_s2.is_none() {
+            reader.note("duration", "a duration needs its peak", "give the peak of the pulse");
+        }
+        if self.peak_high_m_s2.is_some_and(|high| self.peak_m_s2.is_none_or(|low| high < low)) {
+            reader.note("peak_high", "a range goes from peak up to peak_high", "give the low end in peak");
+        }
+    }
+
+    /// What it stands, in words: `5 g, 11 ms half-sine`, `median PFV 0.29 m/s, β 0.5`.
+    pub fn words(&self) -> String {
+        let range = |low: f64, high: Option<f64>, dimension| match high {
+            Some(high) => {
+                let (low, high) = (format_si(low, dimension), format_si(high, dimension));
+                format!("{}–{high}", low.split(' ').next().unwrap_or(&low))
+            }
+            None => format_si(low, dimension),
+        };
+        let mut parts = Vec::new();
+        if let Some(peak) = self.peak_m_s2 {
+            parts.push(range(peak, self.peak_high_m_s2, Dimension::Acceleration));
+        }
+        if let (Some(duration), Some(shape)) = (self.duration_s, self.shape) {
+            parts.push(format!("{} {shape}", format_si(duration, Dimension::Time)));
+        }
+        parts.extend(self.velocity_change_m_s.map(|v| format!("Δv {}", format_si(v, Dimension::Velocity))));
+        parts.extend(self.edge_lift_m.map(|lift| format!("edge lift {}", format_si(lift, Dimension::Length))));
+        parts.extend(self.pfa_median_m_s2.map(|a| format!("median PFA {}", format_si(a, Dimension::Acceleration))));
+        parts.extend(self.pfv_median_m_s.map(|v| format!("median PFV {}", format_si(v, Dimension::Velocity))));
+        parts.extend(self.beta.map(|beta| format!("β {}", number(beta, 3))));
+        parts.join(", ")
+    }
+
+    /// Where it comes from, ready to print: document, edition, clause, page.
+    pub fn source_words(&self) -> String {
+        source_words(&self.source, &self.edition, &self.clause, &self.page)
+    }
+}
+
+/// `document, edition, clause, p. 7`, without what is empty.
+pub(super) fn source_words(source: &str, edition: &str, clause: &str, page: &str) -> String {
+    let page = if page.is_empty() { String::new() } else { format!("p. {page}") };
+    let parts = [source, edition, clause, &page].into_iter().filter(|part| !part.is_empty());
+    let words = parts.collect::<Vec<_>>().join(", ");
+    if words.is_empty() { "no source".to_owned() } else { words }
+}
+
+/// The shape of a pulse: a half-sine where there is a duration and nothing else is said.
+fn shape(reader: &mut RowReader<'_>, duration_s: Option<f64>) -> Option<PulseShape> {
+    let text = reader.text("shape");
+    match (text.is_empty(), duration_s) {
+        (true, _) => duration_s.map(|_| PulseShape::HalfSine),
+        (false, None) => {
+            let hint = "give the duration, or leave the shape empty";
+            reader.note("shape", "a shape needs the duration of the pulse", hint);
+            None
+        }
+        (false, Some(_)) => reader.word("shape", &PulseShape::ALL.map(|shape| (pulse_name(shape), shape))),
+    }
+}
+
+/// Notices that many entries share, by their short names.
+fn notice(text: String) -> String {
+    if text == "dlml" { include_str!("dlml-notice.txt").trim().to_owned() } else { text }
+}
+
+/// What an inventory's object with this entry stands; `None`: the entry is a fragility, which is no tolerance, or its pulse has
+/// another shape than the half-sine that demands are compared as.
+///
+/// Of a range the low end. The velocity change of the pulse is not passed on as a critical one.
+pub fn to_tolerance(entry: &ToleranceEntry) -> Option<Tolerance> {
+    let is_comparable = entry.shape.is_none_or(|shape| shape == pulse_name(PulseShape::HalfSine));
+    (entry.kind != Kind::Fragility && is_comparable).then(|| Tolerance {
+        peak_m_s2: entry.peak_m_s2,
+        duration_s: entry.duration_s,
+        velocity_change_m_s: entry.velocity_change_m_s,
+        edge_lift_m: entry.edge_lift_m,
+        source: format!("{}: {} ({})", entry.id, entry.source_words(), entry.confidence.name()),
+        confidence: entry.confidence,
+    })
+}

@@ -1,0 +1,262 @@
+//! Assessments from end to end: the same bytes whatever happens to the run, probabilities against integrals.
+
+#![expect(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may stop")]
+
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::fs;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use freestand_assess::assess::{Job, JobReport, assess_into, inventory_of};
+use freestand_study::resolve::resolve;
+use freestand_study::run::{Progress, Step, no_progress};
+use freestand_study::study::Study;
+
+/// A low building under four motions: what a test has time for.
+fn study(assessment: &str) -> Study {
+    let text = format!(
+        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ndraws = 2\nmost_draws = 4\ncompliant = false\n{assessment}"
+    );
+    resolve(&text, None, Path::new("")).unwrap()
+}
+
+const HEADER: &str =
+    "id,item,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],tolerance [g],notes\n";
+
+/// Slender and squat ones, on three floors, some with something missing.
+fn rows(count: usize) -> Vec<String> {
+    (0..count)
+        .map(|i| {
+            let (height, thickness) = (600 + 170 * (i % 11), 150 + 60 * (i % 7));
+            let tolerance = if i % 5 == 4 { String::new() } else { format!("{}", 2 + i % 3) };
+            let level = ["0", "0.5", "1"][i % 3];
+            format!("o{i},box {i},{level},{height},{thickness},{},80,3000,{tolerance},=1+{i}\n", thickness + 200)
+        })
+        .collect()
+}
+
+fn inventory_file(folder: &Path, rows: &[String]) -> std::path::PathBuf {
+    let path = folder.join("objects-in.csv");
+    fs::write(&path, HEADER.to_owned() + &rows.concat()).unwrap();
+    path
+}
+
+fn run(study: &Study, rows: &[String], out: &Path, job: &Job, progress: Progress) -> JobReport {
+    let folder = tempfile::tempdir().unwrap();
+    let inventory = inventory_of(study, Some(&inventory_file(folder.path(), rows)), None).unwrap();
+    assess_into(study, &inventory, out, job, progress).unwrap()
+}
+
+/// Every file of a folder by its name.
+fn contents(folder: &Path) -> HashMap<String, Vec<u8>> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+    entries
+        .filter(|entry| entry.file_type().unwrap().is_file())
+        .map(|entry| (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap()))
+        .collect()
+}
+
+/// One column of `objects.csv`, by id.
+fn column(folder: &Path, name: &str) -> HashMap<String, String> {
+    let mut reader = csv::Reader::from_path(folder.join("objects.csv")).unwrap();
+    let headers = reader.headers().unwrap().clone();
+    let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
+    let (id, wanted) = (place("id"), place(name));
+    reader.records().map(|row| row.unwrap()).map(|row| (row[id].to_owned(), row[wanted].to_owned())).collect()
+}
+
+fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
+}
+
+#[test]
+fn the_same_bytes_on_any_number_of_threads() {
+    let (study, rows) = (study(""), rows(24));
+    let of = |threads: usize| {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let job = Job { parquet: true, ..Job::default() };
+        let report = on_threads(threads, || run(&study, &rows, &out, &job, &no_progress));
+        assert_eq!((report.objects, report.resumed, report.computed, report.interrupted), (24, 0, 24, false));
+        contents(&out)
+    };
+    let one = of(1);
+    assert_eq!(one.len(), 5, "{:?}", one.keys());
+    assert_eq!((&one, &one), (&of(2), &of(7)));
+}
+
+/// Stopped while the motions are made, in the middle of the second part, and there again; then gone on with: the bytes of a run that
+/// nobody disturbed, and no part twice.
+#[test]
+fn a_run_that_was_stopped_goes_on() {
+    let (study, rows) = (study("pages = 3\n"), rows(300));
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
+    run(&study, &rows, &whole, &Job::default(), &no_progress);
+    let go_on = Job { resume: true, ..Job::default() };
+    let stopped_in = |place: usize| {
+        let calls = AtomicUsize::new(0);
+        let stops = |step: Step| {
+            // Counted from the first call of the part on.
+            let is_there = calls.load(Ordering::Relaxed) > 0 || (step.stage == "objects" && step.done >= place);
+            let stop = (is_there || place == 0) && calls.fetch_add(1, Ordering::Relaxed) >= 3;
+            if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let report = run(&study, &rows, &out, &go_on, &stops);
+        // What was finished is there to be looked at, and says that it is not all.
+        let done = report.resumed + report.computed;
+        assert_eq!(column(&out, "decision").values().filter(|decision| !decision.is_empty()).count(), done);
+        (report.interrupted, report.resumed, report.computed)
+    };
+    assert_eq!(stopped_in(0), (true, 0, 0));
+    assert_eq!(stopped_in(256), (true, 0, 256));
+    assert_eq!(stopped_in(256), (true, 256, 0));
+    let report = run(&study, &rows, &out, &go_on, &no_progress);
+    assert_eq!((report.resumed, report.computed, report.interrupted), (256, 44, false));
+    assert_eq!(contents(&whole), contents(&out));
+    assert!(!out.join("progress").exists());
+    // Once more: nothing is left to do.
+    let report = run(&study, &rows, &out, &go_on, &no_progress);
+    assert_eq!((report.resumed, report.computed), (300, 0));
+}
+
+/// A kill leaves finished parts and a manifest that knows them; one that was cut short is made again.
+#[test]
+fn a_run_that_was_killed_goes_on() {
+    let (study, rows) = (study(""), rows(520));
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
+    run(&study, &rows, &whole, &Job::default(), &no_progress);
+    let seen = AtomicUsize::new(0);
+    let killed = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+        let dies = |step: Step| {
+            if step.stage == "objects" && step.done >= 512 {
+                seen.fetch_add(1, Ordering::Relaxed);
+                panic!("killed");
+            }
+            ControlFlow::Continue(())
+        };
+        run(&study, &rows, &out, &Job::default(), &dies)
+    }));
+    assert!(killed.is_err() && out.join("progress/000001.jsonl").exists());
+    let part = out.join("progress/000001.jsonl");
+    let bytes = fs::read(&part).unwrap();
+    fs::write(&part, &bytes[..bytes.len() / 2]).unwrap();
+    let report = run(&study, &rows, &out, &Job { resume: true, ..Job::default() }, &no_progress);
+    assert_eq!((report.resumed, report.computed), (256, 264));
+    assert_eq!(contents(&whole), contents(&out));
+}
+
+/// What is said of an object hangs on its own row: not on the others, nor on their order.
+#[test]
+fn the_order_of_the_rows_does_not_matter() {
+    let (study, rows) = (study(""), rows(24));
+    let folder = tempfile::tempdir().unwrap();
+    let (out, turned, alone) = (folder.path().join("a"), folder.path().join("b"), folder.path().join("c"));
+    run(&study, &rows, &out, &Job::default(), &no_progress);
+    let mut reversed = rows.clone();
+    reversed.reverse();
+    run(&study, &reversed, &turned, &Job::default(), &no_progress);
+    run(&study, &rows[5..6], &alone, &Job::default(), &no_progress);
+    let lines = |folder: &Path| -> Vec<String> {
+        let mut lines: Vec<String> =
+            fs::read_to_string(folder.join("objects.csv")).unwrap().lines().map(str::to_owned).collect();
+        lines.sort();
+        lines
+    };
+    assert_eq!(lines(&out), lines(&turned));
+    for name in ["p_exceed", "p_overturn", "decision", "why", "edge_acceleration_g_median", "draws"] {
+        assert_eq!(column(&out, name)["o5"], column(&alone, name)["o5"], "{name}");
+    }
+}
+
+/// With a history that is certain, the shock is lognormal about Eq. (5): P = Σ Φ(ln(a/a_c)/β)/n, β² = (β_k² + β_m²)/4 + β_model².
+#[test]
+fn monte_carlo_against_the_integral() {
+    let spread =
+        "restitution_spread = 0\ngeometry_spread = 0\nstiffness_spread = 0.3\nmass_spread = 0.2\nmodel_spread = 0.1\n";
+    let draws = 4096;
+    let text = format!(
+        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ncompliant = false\ndraws = {draws}\nmost_draws = {draws}\n{spread}"
+    );
+    let certain = |tolerance: &str| format!("a,box,1,1500,400,,150,4380,{tolerance},\n");
+    let beta = ((0.3f64.powi(2) + 0.2f64.powi(2)) / 4.0 + 0.01).sqrt();
+    let study = resolve(&text, None, Path::new("")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    // What `run`, which knows nothing of draws, finds for the same box under the same motions.
+    let shocks_g = shocks();
+    let mut between = 0;
+    for tolerance_g in [4.5, 5.0, 5.5, 6.0, 6.5, 7.0] {
+        let out = folder.path().join(format!("{tolerance_g}"));
+        run(&study, &[certain(&tolerance_g.to_string())], &out, &Job::default(), &no_progress);
+        let got: f64 = column(&out, "p_exceed")["a"].parse().unwrap();
+        let by_motion = shocks_g.iter().map(|shock_g| normal_probability((shock_g / tolerance_g).ln() / beta));
+        let expected = by_motion.sum::<f64>() / shocks_g.len() as f64;
+        between += usize::from((0.02..0.98).contains(&expected));
+        // Four standard deviations of a mean of draws, none of which is above that of a fair coin.
+        let error = 4.0 * (0.25 / (4.0 * f64::from(draws))).sqrt();
+        assert!((got - expected).abs() <= error, "{tolerance_g} g: {got} {expected}");
+    }
+    // Certain cases are no test of a probability.
+    assert!(between >= 3, "{shocks_g:?}");
+}
+
+/// Φ by its series: 1e-15 for the arguments here.
+fn normal_probability(x: f64) -> f64 {
+    if x.abs() > 8.0 {
+        return if x > 0.0 { 1.0 } else { 0.0 };
+    }
+    let (mut term, mut sum, mut n) = (x, x, 1.0);
+    while term.abs() > 1e-17 * sum.abs() {
+        n += 2.0;
+        term *= x * x / n;
+        sum += term;
+    }
+    0.5 + sum * (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt()
+}
+
+/// The larger shock of the box of [`monte_carlo_against_the_integral`] under each motion, by the main job.
+fn shocks() -> Vec<f64> {
+    let text = "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\nlevels = [{ name = \"roof\", level_ratio = 1.0 }]\n[objects]\nheights = \"1.5 m\"\nthicknesses = \"400 mm\"\n";
+    let study = resolve(text, None, Path::new("")).unwrap();
+    let result = freestand_study::run::run(&study, &no_progress).unwrap();
+    let responses = result.levels[0].responses.iter().map(|row| &row[0]);
+    responses
+        .map(|response| match response {
+            freestand_study::result::ObjectResponse::Done { shock, .. } => {
+                let sources = [shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g];
+                sources.into_iter().flatten().fold(0.0, f64::max)
+            }
+            freestand_study::result::ObjectResponse::Failed(reason) => panic!("{reason}"),
+        })
+        .collect()
+}
+
+/// Missing data costs the verdict, never gives one.
+#[test]
+fn missing_data_is_no_verdict() {
+    let rows = [
+        "no-height,box,1,,400,,150,4380,5,\n",
+        "no-mass,box,1,1500,400,,,4380,5,\n",
+        "no-tolerance,box,0,300,900,,150,4380,,\n",
+        "falls,box,1,4000,150,,150,4380,,\n",
+        "stands,box,0,300,900,,150,4380,5,\n",
+    ]
+    .map(str::to_owned);
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    run(&study(""), &rows, &out, &Job::default(), &no_progress);
+    let (decision, why) = (column(&out, "decision"), column(&out, "why"));
+    let mut text = String::new();
+    for id in ["no-height", "no-mass", "no-tolerance", "falls", "stands"] {
+        writeln!(text, "{id} {}", decision[id]).unwrap();
+    }
+    assert_eq!(
+        text,
+        "no-height no-verdict\nno-mass no-verdict\nno-tolerance no-verdict\nfalls restrain\nstands leave\n"
+    );
+    assert!(why["no-tolerance"].starts_with("rocking: none; floor PFA "), "{}", why["no-tolerance"]);
+    assert!(why["no-height"].contains("height missing"), "{}", why["no-height"]);
+}

@@ -1,0 +1,128 @@
+//! `freestand inventory`: the objects of a building as a spreadsheet.
+
+mod check;
+mod convert;
+mod template;
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand, ValueEnum};
+use freestand_assess::inventory::Target;
+use freestand_output::folder::write_file;
+
+use super::Done;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::files::Files;
+use crate::printer::Printer;
+use crate::reading::path_text;
+
+/// Inventories of objects: a template to fill in, a check, CSV to XLSX and back
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand inventory template --xlsx objects.xlsx
+  freestand inventory check objects.xlsx
+  freestand inventory convert objects.xlsx --to csv > objects.csv")]
+pub(crate) struct InventoryArgs {
+    #[command(subcommand)]
+    command: InventoryCommand,
+}
+
+#[derive(Debug, Subcommand)]
+enum InventoryCommand {
+    Template(template::TemplateArgs),
+    Check(check::CheckArgs),
+    Convert(convert::ConvertArgs),
+}
+
+pub(crate) fn run(args: &InventoryArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    match &args.command {
+        InventoryCommand::Template(args) => template::run(args, global, printer),
+        InventoryCommand::Check(args) => check::run(args, global, printer),
+        InventoryCommand::Convert(args) => convert::run(args, global, printer),
+    }
+}
+
+const SCHEMA: &str = "freestand.inventory/1";
+
+/// A format of an inventory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Commas, UTF-8
+    Csv,
+    /// A workbook
+    Xlsx,
+}
+
+impl Format {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Xlsx => "xlsx",
+        }
+    }
+
+    fn target(self) -> Target {
+        match self {
+            Self::Csv => Target::Csv,
+            Self::Xlsx => Target::Xlsx,
+        }
+    }
+
+    /// The format that a file's name asks for.
+    fn of(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?;
+        let formats = [Self::Csv, Self::Xlsx];
+        formats.into_iter().find(|format| format.name().eq_ignore_ascii_case(extension))
+    }
+}
+
+/// Where an inventory went: a file that is named, one in `--out`, or nowhere yet: its text is to be printed.
+struct Placed {
+    path: Option<String>,
+    text: Option<String>,
+}
+
+/// Writes an inventory; a workbook is never printed.
+fn place(
+    bytes: &[u8],
+    format: Format,
+    file: Option<&PathBuf>,
+    global: &GlobalArgs,
+    files: &Files,
+    inputs: &[PathBuf],
+) -> Result<Placed, Failure> {
+    if let Some(file) = file {
+        write_file(file, bytes, inputs)?;
+        return Ok(Placed { path: Some(path_text(file)), text: None });
+    }
+    debug_assert!(global.out.is_some() || format == Format::Csv);
+    let path = files.write(&format!("inventory.{}", format.name()), || bytes)?;
+    let text = path.is_none().then(|| String::from_utf8_lossy(bytes).into_owned());
+    Ok(Placed { path, text })
+}
+
+/// Refuses a workbook without a file to be, and two places for one file.
+fn check_place(format: Format, file: Option<&PathBuf>, global: &GlobalArgs) -> Result<(), Failure> {
+    match (file, &global.out) {
+        (Some(file), Some(_)) => {
+            let message = format!("both {} and --out are named", file.display());
+            Err(Failure::usage(message, "name the file, or the folder"))
+        }
+        (None, None) if format == Format::Xlsx => Err(Failure::usage(
+            "a workbook is not printed",
+            "name a file, such as objects.xlsx, or a folder with --out",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The file itself, or where it is.
+fn shown(text: &Option<String>, path: &Option<String>) -> String {
+    match (text, path) {
+        (Some(text), _) => text.clone(),
+        (None, Some(path)) => format!("{path}\n"),
+        (None, None) => String::new(),
+    }
+}

@@ -1,0 +1,66 @@
+//! `freestand motion`: records and synthetic motions.
+
+mod code;
+mod convert;
+mod info;
+mod pair;
+mod plot;
+mod rotate;
+mod rotd;
+mod simulate;
+mod spectrum;
+mod synth;
+
+use clap::{Args, Subcommand};
+
+use super::Done;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::printer::Printer;
+
+/// Ground and floor motions: read, measure, convert, turn, synthesise, match, simulate
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand motion info record.AT2
+  freestand motion spectrum record.AT2 --damping 5% --periods \"0.05 s:3 s:60\"
+  freestand motion synth --site De --city Melbourne --count 3 --out motions")]
+pub(crate) struct MotionArgs {
+    #[command(subcommand)]
+    command: MotionCommand,
+}
+
+#[derive(Debug, Subcommand)]
+enum MotionCommand {
+    Info(info::InfoArgs),
+    Spectrum(spectrum::SpectrumArgs),
+    Convert(convert::ConvertArgs),
+    Rotate(rotate::RotateArgs),
+    Rotd(rotd::RotdArgs),
+    Synth(synth::SynthArgs),
+    Match(Box<synth::MatchArgs>),
+    Simulate(simulate::SimulateArgs),
+    CodeSpectrum(code::CodeSpectrumArgs),
+}
+
+pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    match &args.command {
+        MotionCommand::Info(args) => info::run(args, global, printer),
+        MotionCommand::Spectrum(args) => spectrum::run(args, global, printer),
+        MotionCommand::Convert(args) => convert::run(args, global, printer),
+        MotionCommand::Rotate(args) => rotate::run(args, global, printer),
+        MotionCommand::Rotd(args) => rotd::run(args, global, printer),
+        MotionCommand::Synth(args) => synth::run(args, global, printer),
+        MotionCommand::Match(args) => synth::run_match(args, global, printer),
+        MotionCommand::Simulate(args) => simulate::run(args, global, printer),
+        MotionCommand::CodeSpectrum(args) => code::run(args, global, printer),
+    }
+}
+
+/// Periods of a spectrum: as asked for, or those that synthetic motions are matched at with T = 0 before them.
+pub(super) fn periods(text: Option<&str>, values: &mut crate::values::Values) -> Vec<f64> {
+    match text {
+        Some(text) => values.grid("--periods", text, freestand_input::quantity::Dimension::Time).unwrap_or_default(),
+        None => std::iter::once(0.0).chain(freestand::synthesis::matched_periods_s()).collect(),
+    }
+}

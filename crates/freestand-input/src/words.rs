@@ -1,0 +1,116 @@
+//! Numbers and texts as people read them.
+
+use std::fmt::Write;
+
+/// A number with `digits` significant digits: `300.0`, `1.500`, `1.50e-5`; an exponent only where the plain form would be
+/// long, `–` where it is not finite.
+pub fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    // The exponent after rounding: 9.9996 with four digits is 10.00.
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let exponent = scientific.split_once('e').and_then(|(_, power)| power.parse::<i32>().ok()).unwrap_or(0);
+    if (-4..9).contains(&exponent) {
+        let decimals = usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0);
+        format!("{value:.decimals$}")
+    } else {
+        scientific
+    }
+}
+
+/// The same without trailing zeros: `300`, `1.5`, `0.196`.
+pub fn number(value: f64, digits: usize) -> String {
+    let text = significant(value, digits);
+    let (mantissa, power) = text.split_once('e').map_or((text.as_str(), None), |(m, p)| (m, Some(p)));
+    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    power.map_or_else(|| mantissa.to_owned(), |power| format!("{mantissa}e{power}"))
+}
+
+/// A number with a fixed count of decimals; `–` where it is not finite.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    if value.is_finite() { format!("{value:.decimals$}") } else { "–".to_owned() }
+}
+
+/// A share in percent.
+pub fn percent(share: f64, decimals: usize) -> String {
+    format!("{} %", fixed(100.0 * share, decimals))
+}
+
+/// A number of a CSV: the shortest text that reads back as `value`.
+pub fn shortest(value: f64) -> String {
+    let mut text = String::new();
+    push_shortest(&mut text, value);
+    text
+}
+
+/// The shortest text that reads back as `value`; plain where that is short. (Writing to a `String` cannot fail.)
+pub fn push_shortest(out: &mut String, value: f64) {
+    let size = value.abs();
+    let _ = if size == 0.0 || (1e-5..1e16).contains(&size) { write!(out, "{value}") } else { write!(out, "{value:e}") };
+}
+
+/// The candidate that a mistyped word most likely meant: at most a third of its letters differ.
+pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    let (distance, best) = candidates
+        .iter()
+        .map(|candidate| (edit_distance(&word, &candidate.to_lowercase()), *candidate))
+        .min_by_key(|&(distance, _)| distance)?;
+    (3 * distance <= word.chars().count().max(best.chars().count())).then_some(best)
+}
+
+/// Levenshtein distance with transpositions counted as two; words are short, so the plain table does.
+pub fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let change = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = change.min(row[j] + 1).min(row[j + 1] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, digits, expected) in [
+            (300.0, 4, "300"),
+            (1.5, 4, "1.5"),
+            (0.19654, 3, "0.197"),
+            (4380.0, 6, "4380"),
+            (12345.0, 3, "12345"),
+            (0.0, 3, "0"),
+            (-0.083, 2, "-0.083"),
+            (1e-7, 2, "1e-7"),
+            (9.99996, 4, "10"),
+            (f64::NAN, 3, "–"),
+        ] {
+            assert_eq!(number(value, digits), expected);
+        }
+    }
+
+    #[test]
+    fn rounding_up_a_decade_adds_no_digit() {
+        assert_eq!((significant(9.99996, 4), significant(0.0999999, 3)), ("10.00".to_owned(), "0.100".to_owned()));
+        assert_eq!((significant(2.7835e-5, 4), significant(4.38e6, 3)), ("2.784e-5".to_owned(), "4380000".to_owned()));
+    }
+
+    #[test]
+    fn nearest_words() {
+        assert_eq!(nearest("storey_hight", &["storeys", "storey_height"]), Some("storey_height"));
+        assert_eq!(nearest("banana", &["storeys", "storey_height"]), None);
+        assert_eq!(nearest("x", &[]), None);
+    }
+}

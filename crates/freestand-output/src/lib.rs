@@ -1,0 +1,10 @@
+//! Outputs that appear complete or not at all: staged folders, streamed files, tables, JSON, HTML and figures. Nothing here
+//! knows an earthquake.
+
+pub mod figure;
+pub mod folder;
+pub mod html;
+pub mod json;
+pub mod paths;
+pub mod rows;
+pub mod streamed;

@@ -1,0 +1,196 @@
+//! Output that is too long for memory: a file that grows under a temporary name, and a document of rows in pieces.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use serde_json::json;
+
+use crate::json::document;
+use crate::paths::{beside, clear_leftovers, io_problem, no_name, real_path, refuse_input};
+use freestand_input::problem::{Problem, ProblemKind};
+
+/// A file in the making. It has its name only after [`finish`](StreamedFile::finish); dropped before, it is gone, and
+/// what stood in its place is as it was.
+#[derive(Debug)]
+pub struct StreamedFile {
+    file: io::BufWriter<fs::File>,
+    /// The name that the user knows.
+    path: PathBuf,
+    /// The temporary name and the final one; `None` for what is written in its place: a device, a staging folder.
+    rename: Option<(PathBuf, PathBuf)>,
+}
+
+impl StreamedFile {
+    /// Begins the file that will be `path`, under a temporary name beside it. No file of `inputs` is replaced.
+    ///
+    /// # Errors
+    /// A folder that is absent or may not be written, a folder in the file's place, or an input.
+    pub fn begin(path: &Path, inputs: &[PathBuf]) -> Result<Self, Problem> {
+        let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
+        refuse_input(&inputs, path, "name another file to write")?;
+        let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
+        if path.is_dir() {
+            return Err(Problem::new(ProblemKind::Io, "is a folder, a file is to be written there")
+                .in_file(path)
+                .hint("name a file"));
+        }
+        // A device such as /dev/null or a pipe is written into, not replaced by a file.
+        if fs::metadata(path).is_ok_and(|data| !data.is_file()) {
+            let device = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
+            return Ok(Self::of(device, path));
+        }
+        // A link stays a link: the file that it names is the one to replace.
+        let target = real_path(path);
+        let temporary = beside(&target, "partial").ok_or_else(|| no_name(path))?;
+        clear_leftovers(&target, true);
+        let file = fs::File::create(&temporary).map_err(failed)?;
+        // Held while we write, so that nobody takes it for a leftover; where files cannot be locked, the number of the
+        // process says whose it is.
+        let _ = file.try_lock();
+        let mut file = Self::of(file, path);
+        file.rename = Some((temporary, target));
+        Ok(file)
+    }
+
+    /// A file that is written where it stands; `path` is its name in messages.
+    pub fn of(file: fs::File, path: &Path) -> Self {
+        Self { file: io::BufWriter::with_capacity(1 << 16, file), path: path.to_path_buf(), rename: None }
+    }
+
+    /// Appends, and hands everything to the system: a disk that is full is met here, before what is said of it elsewhere.
+    ///
+    /// # Errors
+    /// A disk that is full.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), Problem> {
+        self.file.write_all(bytes).and_then(|()| self.file.flush()).map_err(|error| self.failed(&error))
+    }
+
+    /// Ends the file and gives it its name.
+    ///
+    /// # Errors
+    /// A disk that is full, or a folder that was taken away.
+    pub fn finish(mut self) -> Result<(), Problem> {
+        self.file.flush().map_err(|error| self.failed(&error))?;
+        if let Some((temporary, target)) = &self.rename {
+            fs::rename(temporary, target).map_err(|error| self.failed(&error))?;
+            self.rename = None;
+        }
+        Ok(())
+    }
+
+    fn failed(&self, error: &io::Error) -> Problem {
+        io_problem(&self.path, "cannot write the file", error)
+    }
+}
+
+impl Drop for StreamedFile {
+    fn drop(&mut self) {
+        if let Some((temporary, _)) = &self.rename {
+            // What cannot be removed is untidy; the reason why we are here is the one to report.
+            let _ = fs::remove_file(temporary);
+        }
+    }
+}
+
+/// The [`document`] of a body `{"rows": […], …}`, up to and with the opening of its rows.
+///
+/// # Errors
+/// None in practice: a schema is a text.
+pub fn rows_head(schema: &str) -> Result<String, Problem> {
+    let (head, _) = split(schema, &json!({}), &[])?;
+    Ok(format!("{head}  \"rows\": ["))
+}
+
+/// What follows the last row: the other keys of the body, and the warnings.
+///
+/// # Errors
+/// A body that is no JSON: a defect.
+pub fn rows_tail<T: Serialize>(schema: &str, others: &T, warnings: &[String]) -> Result<String, Problem> {
+    let (_, tail) = split(schema, others, warnings)?;
+    Ok(format!("\n  ],\n{tail}"))
+}
+
+/// A document before and behind the end of its `schema`.
+fn split<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<(String, String), Problem> {
+    let text = document(schema, body, warnings)?;
+    // The first line is the brace, the second the schema; a line end within a text is escaped.
+    let end = text.match_indices('\n').nth(1).map_or(text.len(), |(index, _)| index + 1);
+    let (head, tail) = text.split_at(end);
+    Ok((head.to_owned(), tail.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rows::{Field, json_rows};
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        entries.collect()
+    }
+
+    #[test]
+    fn a_file_has_its_name_when_it_is_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("rows.csv");
+        fs::write(&path, "before").unwrap();
+        let mut file = StreamedFile::begin(&path, &[]).unwrap();
+        file.write(&vec![b'x'; 1 << 20]).unwrap();
+        assert_eq!((names(folder.path()).len(), fs::read(&path).unwrap()), (2, b"before".to_vec()));
+        drop(file);
+        assert_eq!((names(folder.path()), fs::read(&path).unwrap()), (vec!["rows.csv".into()], b"before".to_vec()));
+        let mut file = StreamedFile::begin(&path, &[]).unwrap();
+        file.write(b"after").unwrap();
+        file.finish().unwrap();
+        assert_eq!((names(folder.path()), fs::read(&path).unwrap()), (vec!["rows.csv".into()], b"after".to_vec()));
+        // Of a process that was killed, and of one that runs: no process has a number above 2^22, and 1 always runs.
+        for process in [4_194_999, 1] {
+            fs::write(folder.path().join(format!(".rows.csv.partial-{process}-0")), "left").unwrap();
+        }
+        drop(StreamedFile::begin(&path, &[]).unwrap());
+        let mut left = names(folder.path());
+        left.sort();
+        if cfg!(target_os = "linux") {
+            assert_eq!(left, [".rows.csv.partial-1-0", "rows.csv"]);
+        }
+        assert!(StreamedFile::begin(&path, std::slice::from_ref(&path)).is_err());
+        assert!(StreamedFile::begin(folder.path(), &[]).is_err());
+    }
+
+    /// The pieces make the document that is written in one.
+    #[test]
+    fn rows_in_pieces_are_the_document() {
+        #[derive(Serialize)]
+        struct Row {
+            name: &'static str,
+            value: Option<f64>,
+            count: usize,
+            flag: bool,
+        }
+        #[derive(Serialize)]
+        struct Whole {
+            rows: [Row; 2],
+            timing: serde_json::Value,
+        }
+        let rows = [
+            Row { name: "a \"b\"\nü", value: Some(1e-300), count: 3, flag: true },
+            Row { name: "", value: None, count: 0, flag: false },
+        ];
+        let fields = |row: &Row| {
+            vec![
+                ("name", Field::Text(row.name.into())),
+                ("value", row.value.into()),
+                ("count", Field::Count(row.count)),
+                ("flag", Field::Flag(row.flag)),
+            ]
+        };
+        let timing = json!({"solve_s": 1.0});
+        let warnings = ["one".to_owned()];
+        let mut text = rows_head("s/1").unwrap();
+        text += &String::from_utf8(json_rows(rows.iter().map(fields)).unwrap()).unwrap()[1..];
+        text += &rows_tail("s/1", &json!({"timing": timing}), &warnings).unwrap();
+        assert_eq!(text, document("s/1", &Whole { rows, timing }, &warnings).unwrap());
+    }
+}

@@ -1,0 +1,215 @@
+//! PEER AT2: prose, a unit, a line with NPTS and DT, then the values in any number a line.
+
+use super::fortran::{bad_field, fields, scan};
+use super::gaps::Markers;
+use super::lines::{Line, lines};
+use super::prints::Prints;
+use super::units::{Stated, decide, not_known, requested, unit_in_prose};
+use super::{Direction, Found, ReadOptions, Reading};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::Dimension;
+use std::path::Path;
+
+/// How far down the line with NPTS and DT may stand: the fourth in every file of PEER, a few more in copies.
+const HEADER_LINES: usize = 20;
+
+/// The line that says how many values there are and how far apart.
+struct Counts {
+    line: usize,
+    npts: usize,
+    dt_s: f64,
+}
+
+/// Whether the text is an AT2 file, or one of its velocity and displacement sisters.
+pub(super) fn is_at2(bytes: &[u8]) -> bool {
+    header_end(bytes).is_some()
+}
+
+/// The number of the line that names NPTS and DT. Where several do (a title may, too), the fourth is the one.
+fn header_end(bytes: &[u8]) -> Option<usize> {
+    // Elsewhere than on the fourth line it must be readable: a table's prose may mention both words.
+    let named = |line: &Line<'_>| {
+        let text = line.text();
+        !line.is_comment() && names_counts(&text) && (line.number == 4 || read_counts(&text).is_ok())
+    };
+    let found: Vec<usize> = lines(bytes).take(HEADER_LINES).filter(named).map(|line| line.number).collect();
+    if found.contains(&4) { Some(4) } else { found.first().copied() }
+}
+
+fn names_counts(text: &str) -> bool {
+    let upper = text.to_ascii_uppercase();
+    find_word(&upper, "NPTS").is_some()
+        && find_word(&upper, "DT").is_some()
+        && upper.contains(|c: char| c.is_ascii_digit())
+}
+
+/// Where `word` stands on its own in `text`.
+fn find_word(text: &str, word: &str) -> Option<usize> {
+    let letter_at =
+        |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_alphanumeric);
+    text.match_indices(word)
+        .map(|(at, _)| at)
+        .find(|&at| !letter_at(at.checked_sub(1)) && !letter_at(Some(at + word.len())))
+}
+
+/// Reads an AT2 file.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let Some(header_line) = header_end(bytes) else {
+        return Err(Problem::new(ProblemKind::Format, "no line names NPTS and DT").hint("an AT2 header has four lines"));
+    };
+    let header: Vec<String> = lines(bytes).take(header_line).map(|line| line.text()).collect();
+    refuse_sisters(&header)?;
+    let counts = header.last().ok_or("is missing").and_then(|text| read_counts(text)).map_err(|what| {
+        Problem::new(ProblemKind::Format, format!("the number of values or the time step {what}"))
+            .at_line(header_line)
+            .hint("the header line reads like \"NPTS=  4000, DT= .01000 SEC\"")
+    })?;
+    let counts = Counts { line: header_line, ..counts };
+
+    // The last line that states a unit is the one nearest to the values; line 3 in every file of PEER.
+    let stated = header
+        .iter()
+        .enumerate()
+        .rev()
+        .find_map(|(i, text)| unit_in_prose(text).map(|unit| Stated { unit, line: i + 1 }));
+    let unit = decide(stated, requested(options.unit.as_deref())?, "the record").map_err(|problem| {
+        let lines = header.iter().enumerate().map(|(i, text)| (i + 1, text.as_str()));
+        let units = lines.filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
+        not_known(units).filter(|_| stated.is_none()).unwrap_or(problem)
+    })?;
+
+    let mut notes = Vec::new();
+    let (values, line) = read_values(bytes, &counts, &mut notes)?;
+    let (name, station) = name_and_station(header.get(1).map_or("", String::as_str), path);
+    let direction = station.as_ref().and_then(|_| Direction::parse(&name));
+    let (unit, dt_s, line_of_step) = (*unit, counts.dt_s, counts.line);
+    let component =
+        Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: false }.component(options)?;
+    Ok(Reading { format: "PEER AT2", components: vec![component], notes })
+}
+
+/// VT2 and DT2 look the same and hold velocity and displacement.
+fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
+    for (i, text) in header.iter().enumerate() {
+        let upper = text.to_ascii_uppercase();
+        for (word, name) in [("VELOCITY", "velocity record (VT2)"), ("DISPLACEMENT", "displacement record (DT2)")] {
+            let series = ["TIME SERIES", "TIME HISTORY", "UNITS OF"].iter().any(|rest| upper.contains(rest));
+            let stated = unit_in_prose(text).filter(|unit| unit.dimension != Dimension::Acceleration);
+            // "PEAK VELOCITY" or "SHEAR WAVE VELOCITY" may be mentioned in the header of an acceleration record.
+            if upper.contains(word)
+                && !upper.contains("ACCEL")
+                && (series && upper.trim_start().starts_with(word) || stated.is_some())
+            {
+                return Err(Problem::new(
+                    ProblemKind::Format,
+                    format!("is a {name}, an acceleration record is expected"),
+                )
+                .at_line(i + 1)
+                .hint("use the AT2 file of the same record"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// `NPTS=  4000, DT= .01000 SEC`, `DT=0.01 NPTS=4000`, `NPTS, DT: 4000 .01`, or with the numbers first: `4000  .01  NPTS, DT`.
+fn read_counts(text: &str) -> Result<Counts, &'static str> {
+    let upper = text.to_ascii_uppercase();
+    let (npts_at, dt_at) =
+        (find_word(&upper, "NPTS").ok_or("is missing")?, find_word(&upper, "DT").ok_or("is missing")?);
+    let (npts, dt, tail) = match (value_after(&upper, npts_at + 4), value_after(&upper, dt_at + 2)) {
+        (Some((npts, _)), Some((dt, end))) => (npts, dt, end),
+        (None, Some((npts, end))) if npts_at < dt_at => {
+            let (dt, end) = value_after(&upper, end).ok_or("is missing")?;
+            (npts, dt, end)
+        }
+        (None, None) => {
+            let (npts, end) = value_after(&upper, 0).ok_or("is missing")?;
+            let (dt, end) = value_after(&upper, end).ok_or("is missing")?;
+            (npts, dt, end)
+        }
+        _ => return Err("is missing"),
+    };
+    if !(npts >= 0.0 && npts.fract() == 0.0 && npts < 1e15) {
+        return Err("is not a whole number");
+    }
+    let unit: String = upper[tail..].trim_start().chars().take_while(char::is_ascii_alphabetic).collect();
+    let dt_s = if matches!(unit.as_str(), "MS" | "MSEC" | "MSECS" | "MILLISECONDS") { dt / 1000.0 } else { dt };
+    // "0,01" in some countries.
+    if dt.fract() == 0.0
+        && upper[tail..].starts_with(',')
+        && upper[tail + 1..].starts_with(|c: char| c.is_ascii_digit())
+    {
+        return Err("has a decimal comma: write a point");
+    }
+    if !(dt_s > 0.0 && dt_s.is_finite()) {
+        return Err("is not positive");
+    }
+    Ok(Counts { line: 0, npts: npts as usize, dt_s })
+}
+
+/// The number that follows `at`, after blanks, `=`, `:` and commas; with the position after it.
+fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
+    let rest = text.get(at..)?;
+    let trimmed = rest.trim_start_matches(|c: char| c.is_whitespace() || "=:,".contains(c));
+    let number = scan(trimmed.as_bytes())?;
+    Some((number.value, at + rest.len() - trimmed.len() + number.length))
+}
+
+fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result<(Vec<f64>, usize), Problem> {
+    // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two bytes.
+    let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
+    // Of no values, the line that says so.
+    let (mut line_of_first_value, mut prints, mut markers) = (counts.line, Prints::default(), Markers::default());
+    for line in lines(bytes).skip(counts.line) {
+        let before = values.len();
+        fields(line.bytes, |number| {
+            prints.see(&number, line.number);
+            values.push(number.value);
+        })
+        .map_err(|bad| bad_field(&bad, line.number))?;
+        for value in &values[before..] {
+            markers.see(*value, line.number)?;
+        }
+        if before == 0 && !values.is_empty() {
+            line_of_first_value = line.number;
+        }
+    }
+    notes.extend(markers.judge(&values)?);
+    if values.len() == counts.npts {
+        notes.extend(prints.note());
+        return Ok((values, line_of_first_value));
+    }
+    let hint = if values.len() == 2 * counts.npts {
+        "if these are columns of time and acceleration, put # in front of the line with NPTS"
+    } else {
+        "the file may be cut off: fetch it again, or correct NPTS if the values are complete"
+    };
+    let message = format!("the header declares {} values, the file has {}", counts.npts, values.len());
+    Err(Problem::new(ProblemKind::Format, message).at_line(counts.line).hint(hint))
+}
+
+/// PEER's second line is `event, date, station, component`; anything else is prose, and the file's name must do.
+fn name_and_station(title: &str, path: &Path) -> (String, Option<String>) {
+    let parts: Vec<&str> = title.split(',').map(str::trim).collect();
+    let is_date = |part: &&str| {
+        part.split(' ').any(|word| {
+            let numbers: Vec<&str> = word.split('/').collect();
+            numbers.len() == 3 && numbers.iter().all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+        })
+    };
+    if let [.., station, component] = parts.as_slice()
+        && parts.len() >= 3
+        && parts[..parts.len() - 2].iter().any(is_date)
+    {
+        // "140 (USGS STATION 931)" is component 140.
+        let component = component.split('(').next().unwrap_or(component).trim();
+        if !component.is_empty() {
+            return (component.to_owned(), Some((*station).to_owned()));
+        }
+    }
+    (super::file_stem(path), None)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,174 @@
+//! Iran's strong-motion network (BHRC), volume 1: uncorrected, components L, V and T a file, in tenths of g.
+//!
+//! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line that ends the record.
+
+use super::format::Format;
+use super::fortran::{Number, fields, is_missing_value, scan};
+use super::lines::{Line, Lines, lines};
+use super::units::TENTHS_OF_G;
+use super::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use std::path::Path;
+
+const VALUES: Format = Format::new(10, 13);
+const TEXT_LINES: usize = 13;
+/// Lines of integers and of reals, which hold nothing that the text does not.
+const NUMBER_LINES: usize = 14;
+
+/// The volume that the first line of a component names: `* VOL1DS FILE`.
+fn volume(line: &Line<'_>) -> Option<String> {
+    let text = line.text().to_ascii_uppercase();
+    let name = text.trim_start().strip_prefix('*')?.split_whitespace().next()?.to_owned();
+    (name.starts_with("VOL") && name.ends_with("DS")).then_some(name)
+}
+
+/// Whether the text is a BHRC file.
+pub(super) fn is_bhrc(bytes: &[u8]) -> bool {
+    lines(bytes).take(20).find(|line| !line.is_blank()).is_some_and(|line| volume(&line).is_some())
+}
+
+/// Reads a BHRC file.
+pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let (mut components, mut notes) = (Vec::new(), Vec::new());
+    while let Some(title) = next_title(&mut rest)? {
+        let number = components.len() + 1;
+        components.push(component(&mut rest, &title, number, options, &mut notes)?);
+    }
+    notes.extend(end_note(bytes, "end of record"));
+    if components.len() < 3 {
+        notes.push(format!("the file has {} of three components: it may be cut off", components.len()));
+    }
+    Ok(Reading { format: "BHRC volume 1", components, notes })
+}
+
+/// The first line of the next component, behind the line that ends the one before.
+///
+/// # Errors
+/// Numbers where a component should begin.
+fn next_title<'a>(rest: &mut Lines<'a>) -> Result<Option<Line<'a>>, Problem> {
+    for line in rest.by_ref().filter(|line| !line.is_blank()) {
+        if volume(&line).is_some() {
+            return Ok(Some(line));
+        }
+        if fields(line.bytes, |_| {}).is_ok() {
+            return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
+                .at_line(line.number)
+                .hint("the number of values in the header does not fit the file: fetch it again"));
+        }
+    }
+    Ok(None)
+}
+
+fn component(
+    rest: &mut Lines<'_>,
+    title: &Line<'_>,
+    number: usize,
+    options: &ReadOptions,
+    notes: &mut Vec<String>,
+) -> Result<Component, Problem> {
+    if let Some(volume) = volume(title).filter(|volume| volume != "VOL1DS") {
+        return Err(Problem::new(ProblemKind::Format, format!("is a {} file, VOL1DS is read", shorten(&volume)))
+            .at_line(title.number)
+            .hint("use the uncorrected file (volume 1) of the same record"));
+    }
+    let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
+    let (npts, dt_s, line_of_step) = npts_and_step(&text, title.number)?;
+    rest.by_ref().take(NUMBER_LINES).for_each(drop);
+    let block = VALUES.read(rest, npts, "acceleration")?;
+    notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
+    // The letter stands alone on its line.
+    let name = text.iter().map(|line| line.trim()).find(|line| matches!(*line, "L" | "V" | "T" | "l" | "v" | "t"));
+    let name = name.map_or_else(|| format!("component {number}"), str::to_ascii_uppercase);
+    notes.push(format!("{name}: the time step {dt_s} s is the duration over the number of values"));
+    Found {
+        direction: direction(&text, &name),
+        name,
+        station: station(title, &text),
+        unit: TENTHS_OF_G,
+        dt_s,
+        line_of_step,
+        values: block.values,
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)
+}
+
+/// `NO OF POINTS = 6013  DURATION = 30.065 SEC`: the line that names the duration, else the eleventh of the header.
+fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, usize), Problem> {
+    let at = text.iter().position(|line| line.to_ascii_uppercase().contains("DURATION")).unwrap_or(9);
+    let line = line_of_title + at + 1;
+    let numbers = text.get(at).map(|line| numbers_in(line)).unwrap_or_default();
+    // Both must be told before a step can be made of them.
+    if let [count, duration] = numbers.as_slice()
+        && count.value >= 2.0
+        && count.value < 1e9
+        && count.value.fract() == 0.0
+        && duration.value > 0.0
+    {
+        return Ok((count.value as usize, step(count.value, *duration), line));
+    }
+    Err(Problem::new(ProblemKind::Format, "the header has no number of values and duration")
+        .at_line(line)
+        .hint("the line has two numbers, how many values there are and the duration in s"))
+}
+
+/// The step \[s\] of `count` values in a duration that is printed with some decimals. Files count the last interval in or
+/// leave it out; where one of the two makes a step of whole half milliseconds, as the network's recorders have, it is
+/// that one, else the duration over the number of values.
+fn step(count: f64, duration: Number) -> f64 {
+    let half_digit = 0.5 * 10f64.powi(duration.last_digit_exponent.clamp(-300, 300));
+    for intervals in [count, count - 1.0] {
+        let plain = (duration.value / intervals * 2000.0).round() / 2000.0;
+        if plain > 0.0 && (plain * intervals - duration.value).abs() <= half_digit * (1.0 + 1e-9) {
+            return plain;
+        }
+    }
+    duration.value / count
+}
+
+/// The numbers in a line of prose.
+fn numbers_in(text: &str) -> Vec<Number> {
+    let bytes = text.as_bytes();
+    let mut numbers = Vec::new();
+    let mut at = 0;
+    while at < bytes.len() {
+        // "VOL1" and "SSA-2" hold digits, but no numbers.
+        let is_inside_word = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'-');
+        match scan(&bytes[at..]).filter(|_| !is_inside_word) {
+            Some(number) => {
+                at += number.length;
+                numbers.push(number);
+            }
+            None => at += 1,
+        }
+    }
+    numbers
+}
+
+/// The azimuths of L and T are the last two of the five numbers behind the word Station: latitude, longitude, height.
+fn direction(text: &[String], name: &str) -> Option<Direction> {
+    let at = match name {
+        "V" => return Some(Direction::Up),
+        "L" => 3,
+        "T" => 4,
+        _ => return None,
+    };
+    let place = text.iter().find_map(|line| Some(&line[line.to_ascii_lowercase().find("station")?..]))?;
+    let azimuth = numbers_in(place).get(at)?.value;
+    (0.0..=360.0).contains(&azimuth).then_some(Direction::Azimuth(azimuth % 360.0))
+}
+
+/// The name before the word Station, else the code behind the colon of the title.
+fn station(title: &Line<'_>, text: &[String]) -> Option<String> {
+    let name = text.iter().find_map(|line| line.get(..line.to_ascii_lowercase().find("station")?));
+    let title = title.text();
+    let code = title.split_once(':').and_then(|(_, rest)| rest.split('/').next()).unwrap_or("");
+    let found = [name.unwrap_or(""), code].into_iter().map(str::trim).find(|text| !text.is_empty());
+    found.map(str::to_owned)
+}
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -1,0 +1,372 @@
+//! Motions in columns: with or without a time column, a header, units.
+
+use super::dialect::Separator;
+use super::even_grid::on_even_grid;
+use super::fortran::is_missing_value;
+use super::gaps::{gap, ordinary_note};
+use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
+use super::sampling::{Uneven, even_step, time_step};
+use super::stated_step::{count_in_words, dt_in_comment, step_in_prose};
+use super::table::{self, Table};
+use super::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
+use super::{Component, Direction, ReadOptions, Reading, motion};
+use freestand::motion::MAX_SAMPLES;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, shorten};
+use std::path::Path;
+
+/// What is stated above the numbers.
+struct Stating {
+    headings: Option<Vec<Heading>>,
+    /// Line of the headings.
+    line: usize,
+    unit: Option<Stated>,
+    dt_s: Option<(f64, usize)>,
+}
+
+/// Where the time comes from.
+enum Time {
+    /// The first column.
+    Column,
+    /// A step from outside the columns: every column is a component.
+    Step(f64),
+}
+
+/// The step of the samples; and the times \[s\] of the rows, where these must be brought to it.
+struct Spacing {
+    dt_s: f64,
+    /// Time of the first row \[s\], where there is a column of times.
+    start_s: Option<f64>,
+    uneven_s: Option<Vec<f64>>,
+}
+
+/// Reads text with columns.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut table = table::read(bytes)?;
+    let mut notes = Vec::new();
+    let stating = what_is_stated(&table, &mut notes)?;
+    let format = match table.dialect.separator {
+        Separator::Byte(b',' | b';') => "CSV",
+        _ => "columns",
+    };
+    let first = usize::from(counts_rows(&table, &stating, options));
+    if first > 0 {
+        notes.push("column 1 counts the rows and was not read".to_owned());
+    }
+    let time = time_source(&table, first, &stating, options)?;
+    let (spacing, skip) = match time {
+        Time::Step(dt_s) => {
+            if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
+                notes.push(format!(
+                    "column {} rises by {dt_s} from row to row: if it is the time, leave out the step (--dt)",
+                    first + 1
+                ));
+            }
+            (Spacing { dt_s, start_s: None, uneven_s: None }, first)
+        }
+        Time::Column => (spacing_of_column(&table, bytes, first, &stating, options, &mut notes)?, first + 1),
+    };
+    refuse_spectrum(&stating, first)?;
+    let requested = requested(options.unit.as_deref())?;
+    let mut components = Vec::new();
+    let mut refused = None;
+    let count = table.columns.len() - skip;
+    for (i, column) in std::mem::take(&mut table.columns).into_iter().enumerate().skip(skip) {
+        let heading = stating.headings.as_ref().and_then(|all| all.get(i)).cloned().unwrap_or_default();
+        let what = if count == 1 { "the acceleration".to_owned() } else { format!("column {}", i + 1) };
+        if let Some(other) = other_quantity(&heading) {
+            notes.push(format!("column {} ({}) is {other} and was not read", i + 1, shorten(&heading.name)));
+            refused.get_or_insert(other);
+            continue;
+        }
+        let stated = heading.unit.map(|unit| Stated { unit, line: stating.line }).or(stating.unit);
+        let unit = decide(stated, requested, &what).map_err(|problem| {
+            let own = [(stating.line, heading.name.as_str())];
+            let others = table
+                .comments
+                .iter()
+                .chain(&table.header)
+                .filter(|(_, text)| text.to_ascii_lowercase().contains("unit"));
+            let lines = own.into_iter().chain(others.map(|(line, text)| (*line, text.as_str())));
+            not_known(lines).filter(|_| stated.is_none()).unwrap_or(problem)
+        })?;
+        notes.extend(column.prints.note());
+        let mut values = column.values;
+        if let Some(row) = gap(&values, is_missing_value) {
+            return Err(missing(&values[row].to_string(), table.line_of_row(bytes, row)));
+        }
+        if let Some(row) = values.iter().position(|&value| is_missing_value(value)) {
+            notes.push(ordinary_note(values[row], table.line_of_row(bytes, row)));
+        }
+        for value in &mut values {
+            *value = unit.to_si(*value);
+        }
+        if let Some(times_s) = &spacing.uneven_s {
+            // All columns together are no more than one motion may be: two rows of many columns are a short file.
+            values = resampled(times_s, &values, spacing.dt_s, MAX_SAMPLES / count.max(1), &mut notes)
+                .map_err(|uneven| uneven_problem(uneven, &table, bytes))?;
+        }
+        let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
+        let name = match heading.name.as_str() {
+            "" if count == 1 => super::file_stem(path),
+            // Numbered as --component counts them, which is not how the columns are counted.
+            "" => format!("component {}", components.len() + 1),
+            name => name.to_owned(),
+        };
+        let line_of_first_value = table.line_of_first_value;
+        // `1` and `2` number their columns; an azimuth has three digits, or says that it is one.
+        let is_number = heading.name.len() < 3 && heading.name.bytes().all(|b| b.is_ascii_digit());
+        let direction = Direction::parse(&heading.name).filter(|_| !is_number);
+        let unit = unit.symbol;
+        components.push(Component {
+            name,
+            station: None,
+            direction,
+            unit,
+            is_raw: false,
+            start_s: spacing.start_s,
+            station_xml: None,
+            motion,
+            line_of_first_value,
+        });
+    }
+    if components.is_empty() {
+        let what = refused.unwrap_or("a time");
+        return Err(Problem::new(ProblemKind::Format, format!("no column holds an acceleration, only {what}"))
+            .at_line(table.line_of_first_value)
+            .hint("a column of acceleration beside the time is needed"));
+    }
+    Ok(Reading { format, components, notes })
+}
+
+fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Problem> {
+    let mut stating = Stating { headings: None, line: table.line_of_first_value, unit: None, dt_s: None };
+    if let Some(dt_s) = table.series_dt_s {
+        stating.dt_s = Some((dt_s, table.line_of_first_value));
+        notes.push(format!("the first row is read as the number of values and the time step, {dt_s} s"));
+    } else if table.has_row_of_counts {
+        notes.push("the first row is read as the number of values".to_owned());
+    } else if let Some(count) = table.possible_count() {
+        notes.push(format!(
+            "the first row, {count}, is read as a value; as many rows follow: remove it if it is their number"
+        ));
+    }
+    for (line, text) in &table.comments {
+        if let Some(unit) = unit_in_prose(text) {
+            stating.unit = Some(Stated { unit, line: *line });
+            notes.push(format!("the unit {} is taken from the comment on line {line}", unit.symbol));
+        }
+        if let Some(dt_s) = dt_in_comment(text) {
+            let dt_s = dt_s.map_err(|problem| problem.at_line(*line))?;
+            stating.dt_s = Some((dt_s, *line));
+            notes.push(format!("the time step {dt_s} s is taken from the comment on line {line}"));
+        }
+    }
+    let rows = table.columns.first().map_or(0, |column| column.values.len());
+    for (line, text) in table.header.iter().chain(&table.comments) {
+        if let Some(count) = count_in_words(text).filter(|count| *count != rows as f64) {
+            notes.push(format!("line {line} states {count} values, the table has {rows} rows: it may be cut off"));
+        }
+    }
+    if let Some((headings, line)) = headings_of(table) {
+        (stating.headings, stating.line) = (Some(headings), line);
+    }
+    if stating.unit.is_none() && !table.header.is_empty() {
+        // Prose above the numbers may state the unit in so many words; brackets in it would be no such statement.
+        let prose = table
+            .header
+            .iter()
+            .filter(|(line, text)| says_unit(text) && (stating.headings.is_none() || *line != stating.line));
+        stating.unit =
+            prose.filter_map(|(line, text)| unit_in_prose(text).map(|unit| Stated { unit, line: *line })).next_back();
+        if let Some(stated) = stating.unit {
+            notes.push(format!("the unit {} is taken from line {}", stated.unit.symbol, stated.line));
+        }
+    }
+    if stating.dt_s.is_none() && has_no_time(table, &stating) {
+        stating.dt_s = table.header.iter().find_map(|(line, text)| Some((step_in_prose(text)?, *line)));
+        if let Some((dt_s, line)) = stating.dt_s {
+            notes.push(format!("the time step {dt_s} s is taken from line {line}"));
+        }
+    }
+    Ok(stating)
+}
+
+/// Whether the columns cannot have a time among them: prose may speak of a step that is not theirs, and counts only here.
+fn has_no_time(table: &Table, stating: &Stating) -> bool {
+    let first = stating.headings.as_ref().and_then(|headings| headings.first());
+    // Names of directions, "NS,EW,UD", or accelerations.
+    let is_acceleration = first.is_some_and(|heading| {
+        Direction::parse(&heading.name).is_some()
+            || heading.unit.is_some_and(|unit| unit.dimension == Dimension::Acceleration)
+    });
+    table.columns.len() == 1 || is_acceleration
+}
+
+/// With a step from the flag or the file every column is a component, unless the header says that the first is the time.
+fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOptions) -> Result<Time, Problem> {
+    let first = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    let named = names_time(stating, at);
+    if let (Some(dt_s), Some((stated_s, line))) = (options.dt_s, stating.dt_s) {
+        agree(dt_s, stated_s, line)?;
+    }
+    // A step in a comment does not make a component of a column that counts the time in just that step.
+    let counts_time =
+        |dt_s: f64| options.dt_s.is_none() && table.columns.len() > at + 1 && is_time(table, at, Some(dt_s));
+    let step = options.dt_s.or(stating.dt_s.map(|(dt_s, _)| dt_s));
+    match step {
+        Some(dt_s) if counts_time(dt_s) => Ok(Time::Column),
+        Some(dt_s) if !named => Ok(Time::Step(dt_s)),
+        _ if table.columns.len() == 1 => Err(Problem::new(ProblemKind::Value, "there is one column and no time step")
+            .at_line(table.line_of_first_value)
+            .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")),
+        _ if first.and_then(|heading| heading.unit).is_some_and(|unit| unit.dimension != Dimension::Time) => {
+            Err(Problem::new(ProblemKind::Format, "the first column is not the time")
+                .at_line(stating.line)
+                .hint("put the time first; where there is none, give the step (--dt, or dt in the study)"))
+        }
+        _ => Ok(Time::Column),
+    }
+}
+
+/// Refuses a column of periods where the time is expected: no motion has one.
+fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    match heading.filter(|heading| heading.name.to_ascii_lowercase().starts_with("period")) {
+        None => Ok(()),
+        Some(heading) => {
+            let name = shorten(&heading.name);
+            Err(Problem::new(
+                ProblemKind::Format,
+                format!("\"{name}\" is no time: this seems to be a spectrum, not a record"),
+            )
+            .at_line(stating.line)
+            .hint("name the record; a spectrum is what a record is scaled to (--scale-to-spectrum)"))
+        }
+    }
+}
+
+fn names_time(stating: &Stating, at: usize) -> bool {
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    heading.is_some_and(|heading| match heading.unit {
+        Some(unit) => unit.dimension == Dimension::Time,
+        None => is_time_name(&heading.name),
+    })
+}
+
+/// Whether a column rises in equal steps from 0 or from one step, as no motion does: steps of `dt_s`, where it is given.
+fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
+    let Some(column) = table.columns.get(at).filter(|column| column.values.len() > 2) else { return false };
+    let Ok(step) = time_step(&column.values, column.last_digit_exponent) else { return false };
+    // One part in a thousand, as for a step that is stated beside printed times.
+    let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
+    column.values.first().is_some_and(|first| *first == 0.0 || is_step(*first)) && dt_s.is_none_or(is_step)
+}
+
+/// Whether the first column is 1, 2, 3 … and the second the time: the first would make a step of one second.
+fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool {
+    let [numbers, _, _, ..] = table.columns.as_slice() else { return false };
+    let counts = numbers.last_digit_exponent == 0 && numbers.values.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
+    let is_named = names_time(stating, 1);
+    counts && !names_time(stating, 0) && (is_named || options.dt_s.is_none() && is_time(table, 1, None))
+}
+
+fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
+    // One part in a thousand: a step read from printed times may carry their rounding.
+    if (given_s - stated_s).abs() <= 1e-3 * stated_s {
+        return Ok(());
+    }
+    Err(Problem::new(ProblemKind::Value, format!("the time step is {stated_s} s as the file says, not {given_s} s"))
+        .at_line(line)
+        .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"))
+}
+
+/// The step that the time column means, in seconds.
+fn spacing_of_column(
+    table: &Table,
+    bytes: &[u8],
+    at: usize,
+    stating: &Stating,
+    options: &ReadOptions,
+    notes: &mut Vec<String>,
+) -> Result<Spacing, Problem> {
+    let Some(column) = table.columns.get(at) else {
+        return Err(Problem::new(ProblemKind::Format, "there are no columns"));
+    };
+    let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
+    if let Some(heading) = heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '('])) {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("\"{}\" states no unit of time", shorten(&heading.name)),
+        )
+        .at_line(stating.line)
+        .hint("the first column is the time; write it in s or ms; where there is none, give the step (--dt, or dt in the study)"));
+    }
+    let stated = heading.and_then(|heading| heading.unit);
+    if stated.is_none() {
+        let column = if at == 0 { "the first column".to_owned() } else { format!("column {}", at + 1) };
+        notes.push(format!("{column} is read as time in seconds"));
+    }
+    let to_si = |time: f64| stated.map_or(time, |unit| unit.to_si(time));
+    let step = match (time_step(&column.values, column.last_digit_exponent), options.uneven_dt_s) {
+        (Ok(step), _) => step,
+        (Err(_), Some(dt_s)) => {
+            let times_s: Vec<f64> = column.values.iter().copied().map(to_si).collect();
+            return Ok(Spacing { dt_s, start_s: times_s.first().copied(), uneven_s: Some(times_s) });
+        }
+        (Err(uneven), None) => {
+            let problem = uneven_problem(uneven, table, bytes);
+            return Err(match even_step(&column.values, column.last_digit_exponent) {
+                Some(step) => problem.hint(format!(
+                    "interpolate on straight lines to equal steps (--resample {}s), or repair the gap",
+                    to_si(step)
+                )),
+                None => problem,
+            });
+        }
+    };
+    let dt_s = to_si(step);
+    for (other_s, line) in options.dt_s.map(|dt_s| (dt_s, stating.line)).into_iter().chain(stating.dt_s) {
+        agree(other_s, dt_s, line)?;
+    }
+    Ok(Spacing { dt_s, start_s: column.values.first().copied().map(to_si), uneven_s: None })
+}
+
+fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {
+    Problem::new(ProblemKind::Format, uneven.message).at_line(table.line_of_row(bytes, uneven.row)).hint(uneven.hint)
+}
+
+/// A component on equal steps, with notes of what that did to it.
+fn resampled(
+    times_s: &[f64],
+    values: &[f64],
+    dt_s: f64,
+    most: usize,
+    notes: &mut Vec<String>,
+) -> Result<Vec<f64>, Uneven> {
+    let samples = on_even_grid(times_s, values, dt_s, most)?;
+    let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
+    let (before, after) = (peak(values), peak(&samples));
+    let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));
+    let note = format!(
+        "uneven times are interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps were \
+         off by up to {furthest:.3e} s",
+        values.len(),
+        samples.len()
+    );
+    // Several components share their times.
+    if !notes.contains(&note) {
+        notes.push(note);
+    }
+    // A peak between two samples is cut; a step that has every time on its grid cuts none.
+    if after < before * (1.0 - 1e-9) {
+        notes
+            .push(format!("interpolation reduced a peak from {before:.5} to {after:.5} m/s2: a shorter step keeps it"));
+    }
+    Ok(samples)
+}
+
+#[cfg(test)]
+mod dialects;
+#[cfg(test)]
+mod tests;

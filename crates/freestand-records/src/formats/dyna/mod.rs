@@ -1,0 +1,110 @@
+//! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`, then one value a line.
+
+use super::keyed::{Header, entry, read_rows};
+use super::lines::lines;
+use super::units::{Stated, decide, record_unit, requested};
+use super::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Unit, shorten};
+use std::path::Path;
+
+/// How far down the keys are looked for that tell the format.
+const HEAD_LINES: usize = 100;
+
+/// Whether the text is a DYNA file: its first key with others that no prose has, or the two that no file can do without.
+pub(super) fn is_dyna(bytes: &[u8]) -> bool {
+    let head: Vec<_> = lines(bytes).take(HEAD_LINES).filter(|line| !line.is_blank()).map(|line| entry(&line)).collect();
+    let has = |key: &str| head.iter().any(|entry| entry.is(key));
+    let is_first = head.first().is_some_and(|entry| entry.is("EVENT_NAME"));
+    is_first && ["EVENT_ID", "STATION_CODE", "SAMPLING_INTERVAL_S", "NDATA", "UNITS"].into_iter().any(has)
+        || has("NDATA") && has("SAMPLING_INTERVAL_S")
+}
+
+/// Reads a DYNA file.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let header = Header::read(&mut rest);
+    refuse_other_series(&header)?;
+    let unit = unit(&header, options)?;
+    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options)?;
+    let mut notes = Vec::new();
+    let declared = header.count("NDATA")?;
+    let rows = read_rows(&mut rest, 1, declared, &mut notes)?;
+    let values = rows.columns.into_iter().next().unwrap_or_default();
+    if declared.is_none() {
+        notes.push(format!("the header does not say how many values there are; {} were found", values.len()));
+    }
+    if header.text("BASELINE_CORRECTION").to_ascii_uppercase().contains("NOT REMOVED") {
+        notes.push("the header says that the baseline is not removed: the values may have an offset".to_owned());
+    }
+    let (name, direction) = name_and_direction(&header, path);
+    let component = Found {
+        name,
+        station: station(&header),
+        direction,
+        unit: *unit,
+        dt_s,
+        line_of_step,
+        values,
+        line: rows.first_line,
+        is_raw: false,
+    }
+    .component(options)?;
+    // The peak is a check and no reason to refuse a record.
+    if let Ok(Some((peak, _))) = header.number("PGA_CM/S^2") {
+        notes.extend(peak_note(&component, 0.01 * peak));
+    }
+    if let Ok(Some((duration_s, _))) = header.number("DURATION_S") {
+        notes.extend(length_note(&component, duration_s));
+    }
+    Ok(Reading { format: "DYNA", components: vec![component], notes })
+}
+
+/// The archives give velocities, displacements and spectra in files of the same form.
+fn refuse_other_series(header: &Header) -> Result<(), Problem> {
+    let Some(stated) = header.get("DATA_TYPE") else { return Ok(()) };
+    let upper = stated.value.to_ascii_uppercase();
+    let is_other = ["SPECTR", "VELOCITY", "DISPLACEMENT"].iter().any(|word| upper.contains(word));
+    if is_other || !upper.contains("ACCEL") {
+        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&stated.value));
+        return Err(Problem::new(ProblemKind::Format, message)
+            .at_line(stated.line)
+            .hint("use the acceleration file (ACC) of the same record"));
+    }
+    Ok(())
+}
+
+fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem> {
+    let requested = requested(options.unit.as_deref())?;
+    let Some(stated) = header.get("UNITS") else { return decide(None, requested, "the record") };
+    let unit = record_unit(&stated.value).ok_or_else(|| {
+        Problem::new(ProblemKind::Format, format!("the unit \"{}\" is not known", shorten(&stated.value)))
+            .at_line(stated.line)
+            .hint("an acceleration in cm/s^2 is expected")
+    })?;
+    decide(Some(Stated { unit, line: stated.line }), requested, "the record")
+}
+
+/// `HNE` of the SEED channel, or the `NS`, `WE`, `UP` of the oldest files, whose WE is positive to the east.
+fn name_and_direction(header: &Header, path: &Path) -> (String, Option<Direction>) {
+    if let Some(stream) = header.get("STREAM") {
+        return (stream.value.clone(), Direction::parse(&stream.value));
+    }
+    match header.text("COMPONENT") {
+        "" => (file_stem(path), None),
+        name if name.eq_ignore_ascii_case("WE") => (name.to_owned(), Some(Direction::Azimuth(90.0))),
+        name => (name.to_owned(), Direction::parse(name)),
+    }
+}
+
+/// `HI.ARS1 Town Hall, Argos`, as far as the header has it.
+fn station(header: &Header) -> Option<String> {
+    let code = [header.text("NETWORK"), header.text("STATION_CODE")];
+    let code = code.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(".");
+    let parts = [code.as_str(), header.text("STATION_NAME")];
+    let name = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+    (!name.is_empty()).then_some(name)
+}
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -1,0 +1,214 @@
+//! GeoNet's V1A (uncorrected) and V2A (corrected), New Zealand: up to three components a file, mm/s².
+//!
+//! For each component 16 lines of text, 40 integers (10I8), 60 reals (10F8) and the accelerations (10F8); a V2A file
+//! has the velocities and displacements behind them. Source: GeoNet, "Strong motion file formats".
+
+use super::format::{Block, Format};
+use super::fortran::{fields, is_missing_value};
+use super::lines::{Line, Lines, lines};
+use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Unit, shorten};
+use std::path::Path;
+
+const INTEGERS: Format = Format::new(10, 8);
+const REALS: Format = Format::new(10, 8);
+const VALUES: Format = Format::new(10, 8);
+const UNIT: Unit = Unit::acceleration("mm/s2", -3, 1.0);
+const TEXT_LINES: usize = 16;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Volume {
+    Uncorrected,
+    Corrected,
+}
+
+/// What the first line of a component says it is.
+fn volume(line: &Line<'_>) -> Option<Volume> {
+    let title = line.text().trim_start().to_ascii_lowercase();
+    if title.starts_with("uncorrected accelerogram") {
+        return Some(Volume::Uncorrected);
+    }
+    title.starts_with("corrected accelerogram").then_some(Volume::Corrected)
+}
+
+/// Whether the text is a GeoNet file. Other agencies call their records corrected accelerograms, too: GNS Science must
+/// be named, or the second line must begin with the site; and a line must name the component.
+pub(super) fn is_geonet(bytes: &[u8]) -> bool {
+    let mut head = lines(bytes).take(20).filter(|line| !line.is_blank());
+    let Some(title) = head.next().filter(|line| volume(line).is_some()) else { return false };
+    let title = title.text().to_ascii_lowercase();
+    let site = head.next().is_some_and(|line| line.text().trim_start().to_ascii_lowercase().starts_with("site "));
+    (site || title.contains("gns science") || title.contains("geonet"))
+        && head.any(|line| line.text().trim_start().to_ascii_lowercase().starts_with("component"))
+}
+
+/// Reads a GeoNet file.
+pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let (mut components, mut notes) = (Vec::new(), Vec::new());
+    let mut format = "GeoNet V2A";
+    while let Some(title) = next_title(&mut rest, &mut notes)? {
+        let Some(volume) = volume(&title) else { break };
+        if components.is_empty() && volume == Volume::Uncorrected {
+            format = "GeoNet V1A";
+        }
+        let number = components.len() + 1;
+        components.push(component(&mut rest, volume, number, options, &mut notes)?);
+    }
+    if components.len() < 3 {
+        notes.push(format!("the file has {} of three components: it may be cut off", components.len()));
+    }
+    Ok(Reading { format, components, notes })
+}
+
+/// The first line of the next component.
+///
+/// # Errors
+/// Numbers where a component should begin: the header declared fewer than there are.
+fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<Option<Line<'a>>, Problem> {
+    let mut ignored = 0;
+    let mut title = None;
+    for line in rest.by_ref().filter(|line| !line.is_blank()) {
+        if volume(&line).is_some() {
+            title = Some(line);
+            break;
+        }
+        if fields(line.bytes, |_| {}).is_ok() {
+            return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
+                .at_line(line.number)
+                .hint("the number of values in the header does not fit the file: fetch it again"));
+        }
+        ignored += 1;
+    }
+    if ignored > 0 {
+        notes.push(format!("{ignored} lines of text between or behind the components were not read"));
+    }
+    Ok(title)
+}
+
+/// Reads what follows the first line of a component.
+fn component(
+    rest: &mut Lines<'_>,
+    volume: Volume,
+    number: usize,
+    options: &ReadOptions,
+    notes: &mut Vec<String>,
+) -> Result<Component, Problem> {
+    let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
+    let integers = INTEGERS.read(rest, 40, "the integer header")?;
+    let reals = REALS.read(rest, 60, "the real header")?;
+    let count = |at: usize, what: &str| integers.count(at, INTEGERS, what);
+    // Integers 31 and 34 to 36: samples digitised, and in the blocks of acceleration, velocity and displacement. An
+    // uncorrected record has all that was digitised; where its two numbers differ, the block that ends well decides.
+    let accelerations = count(33, "accelerations")?;
+    let counts = match volume {
+        Volume::Corrected => vec![accelerations],
+        Volume::Uncorrected => vec![count(30, "samples")?, accelerations],
+    };
+    let others = [count(34, "velocities")?, count(35, "displacements")?];
+    let block = data(rest, &counts, others)?;
+    let found = block.values.len();
+    notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
+
+    let name = name(&text).unwrap_or_else(|| format!("component {number}"));
+    // Real 8 makes mm/s² of the readings of an uncorrected record; it is 1 wherever they are in mm/s² already.
+    let factor = reals.values[7];
+    let is_scaled = volume == Volume::Uncorrected && factor > 0.0 && (factor - 1.0).abs() > 1e-9;
+    if is_scaled {
+        notes.push(format!("{}: the readings are in units of {factor} mm/s2, as the header says", shorten(&name)));
+    }
+    let scale = if is_scaled { factor } else { 1.0 };
+    let component = Found {
+        direction: Direction::parse(&name),
+        name,
+        station: station(&text),
+        unit: UNIT,
+        // Real 26 is the interval of the samples in the file; real 25 that of the instrument, which may be finer.
+        dt_s: reals.values[25],
+        line_of_step: reals.first_line + 2,
+        values: block.values.into_iter().map(|value| value * scale).collect(),
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)?;
+    // Reals 31 and 36: the peaks of the unfiltered and of the filtered record.
+    let peak = if volume == Volume::Uncorrected { reals.values[30] } else { reals.values[35] };
+    notes.extend(peak_note(&component, UNIT.to_si(peak)));
+    // Real 24: the duration. Integers 34 to 36 are one number in a file that is whole.
+    notes.extend(length_note(&component, reals.values[23]));
+    if let Some(other) = others.into_iter().find(|&other| other != 0 && other != found) {
+        notes.push(format!(
+            "{}: {found} accelerations were read, the header declares {other} velocities or displacements",
+            shorten(&component.name)
+        ));
+    }
+    Ok(component)
+}
+
+/// The accelerations; the first of `counts` for which a component or the end of the file follows is their number.
+///
+/// # Errors
+/// No count fits, or the file ends within the velocities and displacements: it was cut off, whatever is whole before them.
+fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Block, Problem> {
+    let mut refused = None;
+    for &count in counts {
+        let mut tail = rest.clone();
+        let read = VALUES.read(&mut tail, count, "acceleration").and_then(|block| {
+            skip_others(&mut tail, others)?;
+            next_title(&mut tail.clone(), &mut Vec::new()).map(|_| block)
+        });
+        match read {
+            Ok(block) => {
+                *rest = tail;
+                return Ok(block);
+            }
+            Err(problem) => {
+                refused.get_or_insert(problem);
+            }
+        }
+    }
+    Err(refused.unwrap_or_else(|| Problem::new(ProblemKind::Format, "the header declares no values")))
+}
+
+/// Skips velocities and displacements. Only their extent matters, so that a value too large for its field does no harm.
+fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> {
+    for (count, what) in others.into_iter().zip(["velocity", "displacement"]) {
+        let wanted = count.div_ceil(VALUES.per_line);
+        let (mut found, mut width) = (0, 0);
+        for line in rest.by_ref().filter(|line| !line.is_blank()).take(wanted) {
+            (found, width) = (found + 1, line.bytes.trim_ascii_end().len());
+        }
+        // At the end of the file the last line must have all its fields, too.
+        let fields_in_last = count - VALUES.per_line * wanted.saturating_sub(1);
+        if found < wanted || rest.bytes_left() == 0 && width < fields_in_last * VALUES.width {
+            return Err(Problem::new(
+                ProblemKind::Format,
+                format!("the file ends after {found} of {wanted} lines of {what}"),
+            )
+            .at_line(rest.line_number())
+            .hint("the file is cut off: fetch it again"));
+        }
+    }
+    Ok(())
+}
+
+/// `Component S16W  Longitudinal Accelerometer Axis`.
+fn name(text: &[String]) -> Option<String> {
+    let mut words = text.iter().map(|line| line.split_whitespace());
+    words.find_map(|mut words| {
+        words.next().filter(|word| word.eq_ignore_ascii_case("component"))?;
+        words.next().map(str::to_owned)
+    })
+}
+
+/// The code of the site on the second line, and its name on the third.
+fn station(text: &[String]) -> Option<String> {
+    let mut site = text.first()?.split_whitespace();
+    site.next().filter(|word| word.eq_ignore_ascii_case("site"))?;
+    let name = text.get(1).map_or("", |line| line.trim());
+    Some(format!("{} {name}", site.next()?).trim_end().to_owned())
+}
+
+#[cfg(test)]
+pub(super) mod tests;

@@ -1,0 +1,209 @@
+//! K-NET and KiK-net ASCII, of the National Research Institute for Earth Science and Disaster Resilience (NIED), Japan:
+//! one component a file, in counts that keep the instrument's offset.
+
+use super::fortran::{fields, scan};
+use super::found::peak_note_of;
+use super::head::{Head, leading_number};
+use super::lines::{Lines, lines};
+use super::sampling::step_of_rate;
+use super::units::{missing, record_unit};
+use super::{Direction, Found, ReadOptions, Reading, file_stem};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, Unit, shorten};
+use std::path::Path;
+
+/// How far down the last header line may stand: the 17th in every file of NIED, more where the memo is long.
+const HEADER_LINES: usize = 60;
+
+/// Whether the text is a K-NET file: the origin time first, then at least one of the lines about the instrument.
+pub(super) fn is_knet(bytes: &[u8]) -> bool {
+    let mut head = lines(bytes).take(HEADER_LINES).filter(|line| !line.is_blank());
+    head.next().is_some_and(|line| value_of(&line.text(), "origin time").is_some())
+        && head.any(|line| {
+            let text = line.text();
+            ["station code", "sampling freq", "scale factor"].iter().any(|key| value_of(&text, key).is_some())
+        })
+}
+
+/// Reads a K-NET file: header lines of a name and a value, the last of them the memo, then counts.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let header = Header::read(&mut rest);
+    let rate_hz = header.number("sampling freq")?;
+    let (line_of_step, _) = header.value("sampling freq")?;
+    let dt_s = step_of_rate(rate_hz, line_of_step)?;
+    let scale = header.scale()?;
+    let (name, direction, borehole) = component(&header, path);
+    let (mut values, line) = read_counts(&mut rest)?;
+    let mut notes = Vec::new();
+    notes.extend(check_duration(&header, rate_hz, values.len())?);
+    if borehole {
+        notes.push(format!("{}: recorded at the bottom of a borehole, not at the surface", shorten(&name)));
+    }
+    for count in &mut values {
+        *count *= scale.per_count;
+    }
+    let station = header.value("station code").ok().map(|(_, code)| code.to_owned()).filter(|code| !code.is_empty());
+    let unit = *scale.unit;
+    let component =
+        Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: true }.component(options)?;
+    // The header's peak is the one about the mean, in gal, as NIED's description of the format says.
+    if let Ok(peak) = header.number("max acc") {
+        let (accel_m_s2, mean_m_s2) = (component.motion.accel_m_s2(), component.motion.mean_m_s2());
+        let found = accel_m_s2.iter().fold(0.0f64, |largest, a| largest.max((a - mean_m_s2).abs()));
+        notes.extend(peak_note_of(&component.name, found, 0.01 * peak));
+    }
+    Ok(Reading { format: "K-NET", components: vec![component], notes })
+}
+
+/// What stands behind `key` at the start of a header line, whatever points, brackets and capitals are in the name:
+/// `Max. Acc. (gal)    4.954` has `4.954` behind `max acc`.
+fn value_of<'a>(line: &'a str, key: &str) -> Option<&'a str> {
+    let mut rest = line.trim_start();
+    for letter in key.chars().filter(|c| *c != ' ') {
+        rest = rest.trim_start_matches([' ', '.']);
+        let first = rest.chars().next()?;
+        if !first.eq_ignore_ascii_case(&letter) {
+            return None;
+        }
+        rest = &rest[first.len_utf8()..];
+    }
+    // "Direction" is another word than "Dir".
+    if rest.starts_with(char::is_alphabetic) {
+        return None;
+    }
+    // Only the point that ends the name: the value may begin with one of its own, as .000634 does.
+    let rest = rest.strip_prefix('.').unwrap_or(rest).trim_start();
+    let rest = rest.strip_prefix('(').and_then(|unit| unit.split_once(')')).map_or(rest, |(_, value)| value);
+    Some(rest.trim_start_matches(':').trim())
+}
+
+/// The lines above the counts.
+struct Header(Head);
+
+/// What one count is worth.
+struct Scale {
+    per_count: f64,
+    unit: &'static Unit,
+}
+
+impl Header {
+    /// Takes the lines down to the memo; where there is none, down to the first line of numbers.
+    fn read(rest: &mut Lines<'_>) -> Self {
+        let mut is_below_memo = false;
+        Self(Head::take(rest, HEADER_LINES, |line| {
+            let ends = is_below_memo || !line.is_blank() && fields(line.bytes, |_| ()).is_ok();
+            is_below_memo = value_of(&line.text(), "memo").is_some();
+            ends
+        }))
+    }
+
+    /// The line that begins with `key`, and what stands on it.
+    fn value(&self, key: &str) -> Result<(usize, &str), Problem> {
+        let hint = "a K-NET header has 17 lines, from Origin Time to Memo.: fetch the file again";
+        self.0.find(key, hint, |text| value_of(text, key))
+    }
+
+    fn number(&self, key: &str) -> Result<f64, Problem> {
+        leading_number(key, self.value(key)?)
+    }
+
+    /// `3920(gal)/6182761`: so many gal over so many counts.
+    fn scale(&self) -> Result<Scale, Problem> {
+        let (line, text) = self.value("scale factor")?;
+        parse_scale(text).ok_or_else(|| {
+            Problem::new(ProblemKind::Format, format!("the scale factor is \"{}\"", shorten(text)))
+                .at_line(line)
+                .hint("it reads like 3920(gal)/6182761: so much acceleration for so many counts")
+        })
+    }
+}
+
+fn parse_scale(text: &str) -> Option<Scale> {
+    let (range, counts) = match text.split_once('/') {
+        // A slash may also belong to the unit: 3920(cm/s/s)/6182761.
+        Some(_) if text.contains(')') => {
+            let (range, rest) = text.split_at(text.rfind(')')? + 1);
+            (range, rest.trim().strip_prefix('/'))
+        }
+        Some((range, counts)) => (range, Some(counts)),
+        None => (text, None),
+    };
+    let number = scan(range.trim().as_bytes())?;
+    let unit = record_unit(&range.trim()[number.length..])?;
+    let counts = match counts {
+        Some(text) => {
+            let text = text.trim();
+            scan(text.as_bytes()).filter(|number| number.length == text.len())?.value
+        }
+        None => 1.0,
+    };
+    let per_count = number.value / counts;
+    let sensible = unit.dimension == Dimension::Acceleration && per_count.is_normal() && per_count > 0.0;
+    sensible.then_some(Scale { per_count, unit })
+}
+
+/// Name, direction, and whether the sensor is at the bottom of a borehole.
+///
+/// KiK-net numbers its channels 1 to 3 below and 4 to 6 at the surface, north, east and up each time, and ends the names
+/// of its files with `NS1` to `UD2`; a component is called by these.
+fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) {
+    let text = header.value("dir").map_or("", |(_, text)| text);
+    let name = match text {
+        "" => return (file_stem(path), None, false),
+        "1" => "NS1",
+        "2" => "EW1",
+        "3" => "UD1",
+        "4" => "NS2",
+        "5" => "EW2",
+        "6" => "UD2",
+        other => other,
+    };
+    // A number here is a channel, never an azimuth.
+    if name.bytes().all(|b| b.is_ascii_digit()) {
+        return (name.to_owned(), None, false);
+    }
+    match name.strip_suffix(['1', '2']).and_then(Direction::parse) {
+        Some(direction) => (name.to_owned(), Some(direction), name.ends_with('1')),
+        None => (name.to_owned(), Direction::parse(name), false),
+    }
+}
+
+/// The counts and the line of the first. -999 and -32768 are counts like others; only what is no number is missing.
+fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
+    let (mut values, mut first_line) = (Vec::new(), rest.line_number() + 1);
+    for line in rest {
+        let before = values.len();
+        fields(line.bytes, |number| values.push(number.value))
+            .map_err(|bad| super::fortran::bad_field(&bad, line.number))?;
+        if let Some(odd) = values[before..].iter().find(|value| value.abs() >= 1e30) {
+            return Err(missing(&odd.to_string(), line.number));
+        }
+        if before == 0 && !values.is_empty() {
+            first_line = line.number;
+        }
+    }
+    Ok((values, first_line))
+}
+
+/// The header states the duration in place of the number of values. One value more or less is a matter of where the last
+/// second ends.
+fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<String>, Problem> {
+    let (line, _) = header.value("duration time")?;
+    let duration_s = header.number("duration time")?;
+    let expected = (duration_s * rate_hz).round();
+    let difference = (found as f64 - expected).abs();
+    if difference > 1.0 {
+        let message = format!(
+            "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values; the file has {found}"
+        );
+        return Err(Problem::new(ProblemKind::Format, message)
+            .at_line(line)
+            .hint("the file may be cut off: fetch it again, or correct the duration if the values are complete"));
+    }
+    Ok((difference == 1.0)
+        .then(|| format!("{found} values were read, {duration_s} s at {rate_hz} Hz would be {expected}")))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,97 @@
+//! The older text files of Turkey's network (AFAD, NSMN): lines `KEY : value`, then columns N-S, E-W and U-D in gal.
+
+use super::fortran::scan;
+use super::keyed::{Entry, Header, entry, read_rows};
+use super::lines::lines;
+use super::units::{Stated, decide, requested, unit_in_prose};
+use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::lookup;
+use std::path::Path;
+
+const COLUMNS: [&str; 3] = ["N-S", "E-W", "U-D"];
+const STEP: &str = "SAMPLING INTERVAL";
+const COUNT: &str = "NUMBER OF DATA";
+const KEYS: [&str; 4] = [STEP, COUNT, "STATION ID", "RECORD TIME"];
+
+/// Whether the text is such a file: its title, and a key that no prose has. The country is spelt in several ways and
+/// encodings, so it is not looked at.
+pub(super) fn is_nsmn(bytes: &[u8]) -> bool {
+    let mut head = lines(bytes).take(60).filter(|line| !line.is_blank());
+    let title = head.next().map_or_else(String::new, |line| line.text().trim().to_ascii_uppercase());
+    let is_key = |entry: &Entry| KEYS.iter().any(|key| entry.is(key));
+    title.starts_with("STRONG GROUND MOTION RECORD") && head.any(|line| is_key(&entry(&line)))
+}
+
+/// Reads such a file.
+pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let header = Header::read(&mut rest);
+    let (dt_s, line_of_step) = header.step_s(STEP, options)?;
+    let mut notes = Vec::new();
+    let names = column_names(&header, &mut notes);
+    let declared = header.count(COUNT)?;
+    let rows = read_rows(&mut rest, names.len(), declared, &mut notes)?;
+    // The line of the peaks states the unit; the form itself is in gal, whatever lines are missing.
+    let peaks = header.entries.iter().find(|entry| entry.key.to_ascii_uppercase().contains("PGA"));
+    let stated = peaks.and_then(|entry| Some(Stated { unit: unit_in_prose(&entry.key)?, line: entry.line }));
+    let requested = requested(options.unit.as_deref())?;
+    let unit = match (stated, requested, lookup("gal")) {
+        (None, None, Some(gal)) => {
+            notes.push("no line states the unit: the values are read in gal, as in all files of this form".to_owned());
+            gal
+        }
+        _ => decide(stated, requested, "the record")?,
+    };
+    let station = station(&header);
+    let mut components = Vec::new();
+    for (name, values) in names.into_iter().zip(rows.columns) {
+        let component = Found {
+            direction: Direction::parse(&name),
+            name,
+            station: station.clone(),
+            unit: *unit,
+            dt_s,
+            line_of_step,
+            values,
+            line: rows.first_line,
+            is_raw: false,
+        }
+        .component(options)?;
+        let stated = peaks.and_then(|entry| peak_of(&entry.value, &component.name));
+        notes.extend(stated.and_then(|peak| peak_note(&component, unit.to_si(peak))));
+        components.push(component);
+    }
+    Ok(Reading { format: "AFAD/NSMN text", components, notes })
+}
+
+/// The words of the line above the numbers, if every one is a direction; else the order that all files have.
+fn column_names(header: &Header, notes: &mut Vec<String>) -> Vec<String> {
+    let last = header.entries.last().filter(|entry| entry.value.is_empty());
+    let names: Vec<String> =
+        last.map(|entry| entry.key.split_whitespace().map(str::to_owned).collect()).unwrap_or_default();
+    if !names.is_empty() && names.iter().all(|name| Direction::parse(name).is_some()) {
+        return names;
+    }
+    notes.push(format!(
+        "no line names the columns: they are read as {}, as in all files of this form",
+        COLUMNS.join(", ")
+    ));
+    COLUMNS.map(str::to_owned).to_vec()
+}
+
+/// `(N-S) 0.316125 (E-W) 0.331524 (U-D) 0.363887`.
+fn peak_of(value: &str, name: &str) -> Option<f64> {
+    let (_, rest) = value.split_once(&format!("({name})"))?;
+    scan(rest.trim_start().as_bytes()).map(|number| number.value)
+}
+
+/// The station's number and the place, as far as the header has them.
+fn station(header: &Header) -> Option<String> {
+    let parts = [header.text("STATION ID"), header.text("PLACE")];
+    let name = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+    (!name.is_empty()).then_some(name)
+}
+
+#[cfg(test)]
+pub(super) mod tests;

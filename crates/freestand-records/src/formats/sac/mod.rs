@@ -1,0 +1,218 @@
+//! SAC, the Seismic Analysis Code's files: a header of 632 bytes, single-precision samples, and no unit.
+
+use super::binary::{Order, as_written, field};
+use super::instant::Instant;
+use super::lines::lines;
+use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note, units, without_line};
+use freestand_input::problem::{Problem, ProblemKind};
+use std::path::Path;
+
+/// Bytes before the samples.
+const HEADER: usize = 632;
+/// Double-precision values behind the samples in version 7.
+const FOOTER: usize = 22 * 8;
+/// What an unset number of the header is.
+const UNSET: f32 = -12345.0;
+
+/// Numbers of the words of the header that are used.
+mod word {
+    pub(super) const DELTA: usize = 0;
+    pub(super) const DEPMIN: usize = 1;
+    pub(super) const DEPMAX: usize = 2;
+    pub(super) const SCALE: usize = 3;
+    pub(super) const B: usize = 5;
+    pub(super) const E: usize = 6;
+    pub(super) const CMPAZ: usize = 57;
+    pub(super) const CMPINC: usize = 58;
+    /// Year, day of the year, hour, minute, second and millisecond of the reference time.
+    pub(super) const NZYEAR: usize = 70;
+    pub(super) const NVHDR: usize = 76;
+    pub(super) const NPTS: usize = 79;
+    pub(super) const IFTYPE: usize = 85;
+    pub(super) const IDEP: usize = 86;
+    pub(super) const LEVEN: usize = 105;
+}
+
+/// The order in which the version of the header is 6 or 7 and the other fields are possible.
+fn order(bytes: &[u8]) -> Option<Order> {
+    let fits = |order: &Order| {
+        let at = |word: usize| order.i32(bytes, 4 * word);
+        matches!(at(word::NVHDR), Some(6 | 7))
+            && matches!(at(word::LEVEN), Some(0 | 1 | -12345))
+            && at(word::IFTYPE).is_some_and(|kind| (1..=100).contains(&kind) || kind == -12345)
+    };
+    (bytes.len() >= HEADER).then(|| [Order::Little, Order::Big].into_iter().find(fits)).flatten()
+}
+
+/// Whether this is a SAC file.
+pub(super) fn is_sac(bytes: &[u8]) -> bool {
+    order(bytes).is_some()
+}
+
+/// Whether this is a SAC file in text: five numbers a line, fourteen lines of reals and then whole numbers, of which the
+/// seventh is the version; what is not set is -12345.
+pub(super) fn is_text_sac(bytes: &[u8]) -> bool {
+    let head: Vec<String> = lines(bytes).take(16).map(|line| line.text()).collect();
+    let words: Vec<Vec<&str>> = head.iter().map(|text| text.split_whitespace().collect()).collect();
+    let has_five = |fields: &Vec<&str>| fields.len() == 5 && fields.iter().all(|field| field.parse::<f64>().is_ok());
+    words.len() == 16
+        && words.iter().all(has_five)
+        && matches!(words[15][1], "6" | "7")
+        && words.iter().flatten().filter(|field| field.starts_with("-12345")).count() > 5
+}
+
+/// Refuses SAC in text.
+pub(super) fn read_text(_: &[u8], _: &Path, _: &ReadOptions) -> Result<Reading, Problem> {
+    Err(Problem::new(ProblemKind::Format, "is a SAC file in text (alphanumeric), which is not read")
+        .hint("convert it to binary SAC (in SAC: read alpha FILE, then write)"))
+}
+
+/// Reads a SAC file.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let wrong = |message: String| Problem::new(ProblemKind::Format, message);
+    let Some(order) = order(bytes) else { return Err(wrong("is no SAC file".to_owned())) };
+    let header = Header { bytes, order };
+    header.refuse_other_kinds()?;
+    let version = header.integer(word::NVHDR);
+    let npts = usize::try_from(header.integer(word::NPTS)).map_err(|_| {
+        wrong(format!("the number of samples (NPTS) is {}", header.integer(word::NPTS)))
+            .hint("the file is damaged, or NPTS was never set: fetch it again")
+    })?;
+    let footer = if version == 7 { FOOTER } else { 0 };
+    if npts.checked_mul(4).and_then(|size| size.checked_add(HEADER + footer)) != Some(bytes.len()) {
+        let found = bytes.len().saturating_sub(HEADER + footer) as f64 / 4.0;
+        return Err(wrong(format!("the header declares {npts} samples (NPTS), the file has room for {found}"))
+            .hint("the file is damaged or cut off: fetch it again"));
+    }
+    let Some(unit) = units::requested(options.unit.as_deref())? else {
+        return Err(Problem::new(ProblemKind::Value, "a SAC file states no unit").hint(
+            "give it (--unit, or unit in the study): nm/s2 in what data centres deliver, g in records of the Community Seismic Network, cm/s2 or m/s2 elsewhere",
+        ));
+    };
+    let values: Vec<f64> = (0..npts).filter_map(|i| order.f32(bytes, HEADER + 4 * i)).map(f64::from).collect();
+    if let Some(at) = values.iter().position(|value| !value.is_finite()) {
+        return Err(wrong(format!("sample {} is {}, which stands for a missing value", at + 1, values[at]))
+            .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
+    }
+    let mut notes = vec![format!("the samples are taken to be in {}; a SAC file does not say", unit.symbol)];
+    notes.extend(header.notes());
+    let text = |word: usize, bytes: usize| header.text(word, bytes);
+    let channel = text(600, 8);
+    let component = Found {
+        name: channel.clone().unwrap_or_else(|| super::file_stem(path)),
+        station: match (text(608, 8), text(440, 8)) {
+            (Some(network), Some(station)) => Some(format!("{network}.{station}")),
+            (network, station) => station.or(network),
+        },
+        direction: header.direction().or_else(|| channel.as_deref().and_then(Direction::parse)),
+        unit: *unit,
+        dt_s: header.step(version, HEADER + 4 * npts)?,
+        line_of_step: 1,
+        values,
+        line: 1,
+        is_raw: true,
+    }
+    .component(options)
+    .map_err(without_line)?;
+    let component = Component { start_s: header.start_s(), ..component };
+    if let (Some(begin_s), Some(end_s)) = (header.real(word::B), header.real(word::E)) {
+        notes.extend(length_note(&component, f64::from(end_s) - f64::from(begin_s)));
+    }
+    let stated = [word::DEPMIN, word::DEPMAX].iter().filter_map(|&at| header.real(at));
+    notes.extend(peak_note(&component, unit.to_si(stated.fold(0.0, |a: f64, b| a.max(f64::from(b).abs())))));
+    Ok(Reading { format: "SAC", components: vec![component], notes })
+}
+
+/// The first 632 bytes.
+struct Header<'a> {
+    bytes: &'a [u8],
+    order: Order,
+}
+
+impl Header<'_> {
+    fn integer(&self, word: usize) -> i32 {
+        self.order.i32(self.bytes, 4 * word).unwrap_or(-12345)
+    }
+
+    /// Time of the first sample: B seconds after the reference time, where the header has both.
+    fn start_s(&self) -> Option<f64> {
+        let field = |i: usize| u32::try_from(self.integer(word::NZYEAR + i)).ok();
+        let (year, day) = (u16::try_from(field(0)?).ok()?, u16::try_from(field(1)?).ok()?);
+        let (hour, minute, second, millisecond) = (field(2)?, field(3)?, field(4)?, field(5)?);
+        if hour > 24 || minute > 60 || second > 60 || millisecond > 1000 {
+            return None;
+        }
+        let reference = Instant::from_day(year, day, 3600 * hour + 60 * minute + second, 1_000_000 * millisecond);
+        Some(reference.later_by_s(f64::from(self.real(word::B)?)).seconds())
+    }
+
+    fn real(&self, word: usize) -> Option<f32> {
+        self.order.f32(self.bytes, 4 * word).filter(|value| *value != UNSET && value.is_finite())
+    }
+
+    fn text(&self, at: usize, length: usize) -> Option<String> {
+        Some(field(self.bytes, at, at + length)).filter(|text| !text.is_empty() && !text.starts_with("-12345"))
+    }
+
+    fn refuse_other_kinds(&self) -> Result<(), Problem> {
+        let refused = |message: String, hint: &str| Err(Problem::new(ProblemKind::Format, message).hint(hint));
+        let time_series = "a time series (IFTYPE = ITIME) is expected";
+        match self.integer(word::IFTYPE) {
+            1 => {}
+            2 | 3 => return refused(format!("is a spectrum; {time_series}"), "transform it back to a time series"),
+            other => return refused(format!("holds no time series (IFTYPE = {other})"), time_series),
+        }
+        match self.integer(word::LEVEN) {
+            0 => {
+                return refused(
+                    "has unevenly spaced samples (LEVEN is false)".to_owned(),
+                    "interpolate it to equal steps first",
+                );
+            }
+            1 => {}
+            other => {
+                return refused(
+                    format!("does not say whether its samples are evenly spaced (LEVEN = {other})"),
+                    "set LEVEN",
+                );
+            }
+        }
+        let what = match self.integer(word::IDEP) {
+            6 => "a displacement (IDEP = IDISP)",
+            7 => "a velocity (IDEP = IVEL)",
+            50 => "a voltage (IDEP = IVOLTS)",
+            5 | 8 | -12345 => return Ok(()),
+            other => {
+                return refused(format!("holds something unknown (IDEP = {other})"), "an acceleration has IDEP = IACC");
+            }
+        };
+        refused(format!("is {what}, an acceleration is expected"), "use the record of the accelerometer")
+    }
+
+    /// The time step \[s\]: version 7 repeats it in double precision behind the samples.
+    fn step(&self, version: i32, footer_at: usize) -> Result<f64, Problem> {
+        let double = (version == 7).then(|| self.order.f64(self.bytes, footer_at)).flatten();
+        let double = double.filter(|step| *step > 0.0 && step.is_finite());
+        double.or_else(|| self.real(word::DELTA).map(as_written)).filter(|step| *step > 0.0).ok_or_else(|| {
+            Problem::new(ProblemKind::Format, "the time step (DELTA) is missing").hint("set DELTA in the header")
+        })
+    }
+
+    fn notes(&self) -> Option<String> {
+        let scale = self.real(word::SCALE).filter(|scale| *scale != 1.0)?;
+        Some(format!("SCALE is {scale} in the header, and the samples are not multiplied by it"))
+    }
+
+    /// CMPINC is degrees from upwards, CMPAZ degrees from north; within five degrees of an axis.
+    fn direction(&self) -> Option<Direction> {
+        let incidence = f64::from(self.real(word::CMPINC)?);
+        if incidence.abs() <= 5.0 {
+            return Some(Direction::Up);
+        }
+        let azimuth = as_written(self.real(word::CMPAZ)?);
+        ((incidence - 90.0).abs() <= 5.0).then(|| Direction::Azimuth(azimuth.rem_euclid(360.0)))
+    }
+}
+
+#[cfg(test)]
+mod tests;

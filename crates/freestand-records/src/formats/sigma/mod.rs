@@ -1,0 +1,82 @@
+//! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values a line that may touch.
+
+use super::format::Format;
+use super::fortran::is_missing_value;
+use super::keyed::{Header, entry, refuse_more_values};
+use super::lines::lines;
+use super::units::{Stated, decide, requested, unit_in_prose};
+use super::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use std::path::Path;
+
+const VALUES: Format = Format::new(5, 14);
+
+/// Whether the text is such a file: its first key, with another that no prose has.
+pub(super) fn is_sigma(bytes: &[u8]) -> bool {
+    let mut head = lines(bytes).take(40).filter(|line| !line.is_blank()).map(|line| entry(&line));
+    let others = ["Time Increment", "Number of Data", "Orientation", "PGA", "Station Code / Name"];
+    head.next().is_some_and(|first| first.is("Event Date & Time"))
+        && head.any(|entry| others.iter().any(|key| entry.is(key)))
+}
+
+/// Reads such a file.
+pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let header = Header::read(&mut rest);
+    refuse_other_series(&header)?;
+    // The title of the series states the unit; the peak has it too.
+    let stated = header.entries.iter().rev().find_map(|entry| {
+        let unit = unit_in_prose(&entry.key).filter(|_| entry.value.is_empty() || entry.is("PGA"))?;
+        Some(Stated { unit, line: entry.line })
+    });
+    let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
+    let (dt_s, line_of_step) = header.step_s("Time Increment", options)?;
+    let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
+        Problem::new(ProblemKind::Format, "the header has no number of values (Number of Data)")
+            .at_line(1)
+            .hint("the file may be damaged: fetch it again")
+    })?;
+    let mut notes = Vec::new();
+    let block = VALUES.read(&mut rest, npts, "acceleration")?;
+    notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
+    refuse_more_values(&mut rest, &mut notes)?;
+    let name = match header.text("Orientation") {
+        "" => file_stem(path),
+        name => name.to_owned(),
+    };
+    let station = Some(header.text("Station Code / Name").to_owned()).filter(|name| !name.is_empty());
+    let component = Found {
+        direction: Direction::parse(&name),
+        name,
+        station,
+        unit: *unit,
+        dt_s,
+        line_of_step,
+        values: block.values,
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)?;
+    // The peak is a check and no reason to refuse a record.
+    if let Ok(Some((peak, _))) = header.number("PGA") {
+        notes.extend(peak_note(&component, unit.to_si(peak)));
+    }
+    Ok(Reading { format: "SIGMA/RESORCE", components: vec![component], notes })
+}
+
+/// The line above the values says of what they are.
+fn refuse_other_series(header: &Header) -> Result<(), Problem> {
+    let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else { return Ok(()) };
+    let lower = title.key.to_ascii_lowercase();
+    if ["veloc", "displ", "spectr"].iter().any(|word| lower.contains(word)) {
+        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&title.key));
+        return Err(Problem::new(ProblemKind::Format, message)
+            .at_line(title.line)
+            .hint("use the acceleration file (.acc) of the same record"));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+pub(super) mod tests;

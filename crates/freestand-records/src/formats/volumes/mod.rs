@@ -1,0 +1,387 @@
+//! The layout in which Caltech published accelerograms, and which others took over: channels one after another, each with
+//! lines of text, 100 whole numbers, 50 or 100 reals, and the series.
+//!
+//! Volume I has the record as it was digitised, as pairs of time and value or, later, as values at equal steps below a
+//! title line. Volume II has acceleration, velocity and displacement, each below a title line.
+//! Source: Hudson et al. (1969-1975), Strong Motion Earthquake Accelerograms, EERL, and the files of CSMIP, USC, RENADIC.
+
+mod header;
+
+pub(super) use header::{first_integer, is_full_integer_row, step_in};
+
+use super::format::{Block, Format};
+use super::fortran::is_missing_value;
+use super::lines::{Line, Lines, lines};
+use super::units::{decide, requested};
+use super::{
+    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, pairs, peak_note,
+};
+use freestand::G0_M_S2;
+use freestand::motion::MAX_SAMPLES;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Unit, shorten};
+use header::{Header, number_after, read_header, unit_of};
+
+/// What differs from one network to the other.
+pub(super) struct Network {
+    pub(super) volume_one: &'static str,
+    pub(super) volume_two: &'static str,
+    /// Columns of text; behind them stand numbers that count something else.
+    pub(super) columns: usize,
+    /// What the line that ends a channel has, where every file has one.
+    pub(super) end_mark: Option<&'static str>,
+}
+
+/// The line above equally spaced values.
+struct Title {
+    line: usize,
+    text: String,
+    count: usize,
+}
+
+/// Most lines of reals: 7 in volume I, 13 in volume II.
+const MOST_REALS: usize = 20;
+
+/// The first lines that are not blank, in capitals.
+pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
+    lines(bytes).filter(|line| !line.is_blank()).take(count).map(|line| line.text().to_ascii_uppercase()).collect()
+}
+
+/// Volume III has response and Fourier spectra.
+pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
+    if head.first().is_some_and(|line| line.contains("RESPONSE")) {
+        return Err(Problem::new(
+            ProblemKind::Format,
+            "holds response spectra (volume III), an acceleration record is expected",
+        )
+        .at_line(1)
+        .hint("use the file of volume II of the same record"));
+    }
+    Ok(())
+}
+
+/// Reads the channels of a file.
+pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Result<Reading, Problem> {
+    let mut rest = lines(bytes);
+    let (mut components, mut notes, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
+    let mut format = network.volume_one;
+    let (mut channel, mut last_text) = (0, Vec::new());
+    while let Some(header) = read_header(&mut rest, network.columns, channel > 0, &mut notes)? {
+        channel += 1;
+        if channel == 1 && is_volume_two(&header.text) {
+            format = network.volume_two;
+        }
+        let title = find_title(&mut rest)?;
+        if let Some((what, line)) = other_quantity(&header) {
+            skip_values(title.as_ref(), &mut rest)?;
+            left_out.push((what, line));
+        } else {
+            let (component, said) = match title {
+                Some(title) => read_series(&header, &title, channel, &mut rest, options),
+                None => read_pairs(&header, channel, &mut rest, options, room(&components)),
+            }?;
+            notes.extend(said);
+            notes.extend(peak_of(&header, format == network.volume_two, &component));
+            notes.extend(header.length_s().and_then(|stated_s| length_note(&component, stated_s)));
+            components.push(component);
+        }
+        last_text = header.text;
+        skip_to_next_channel(&mut rest)?;
+    }
+    if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
+        return Err(not_acceleration(what, *line));
+    }
+    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} is left out")));
+    notes.extend(channels_note(&last_text, channel));
+    notes.extend(network.end_mark.and_then(|mark| end_note(bytes, mark)));
+    super::tell_apart(&mut components);
+    Ok(Reading { format, components, notes })
+}
+
+fn not_acceleration(what: &str, line: usize) -> Problem {
+    Problem::new(ProblemKind::Format, format!("holds {what}, an acceleration record is expected"))
+        .at_line(line)
+        .hint("use the acceleration file of the same record")
+}
+
+/// Volume II names the uncorrected record too, from which it was made.
+fn is_volume_two(text: &[String]) -> bool {
+    let first = text.first().map_or_else(String::new, |line| line.to_ascii_uppercase());
+    first.replace("UNCORRECTED", "").contains("CORRECTED ACCELEROGRAM")
+}
+
+/// Skips the reals, to the title of a series or to the first pairs.
+fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
+    let mut ahead = rest.clone();
+    let mut behind_reals = None;
+    for _ in 0..MOST_REALS {
+        let Some(line) = ahead.find(|line| !line.is_blank()) else { break };
+        if line.is_text() {
+            let text = line.text();
+            let Some(count) = first_integer(&text).filter(|_| is_title(&text)) else { break };
+            *rest = ahead;
+            return Ok(Some(Title { line: line.number, text, count }));
+        }
+        // 50 and 100 are no multiples of 8: the last row of reals is short.
+        if behind_reals.is_none() && line.bytes.trim_ascii_end().len() <= 60 {
+            behind_reals = Some(ahead.clone());
+        }
+    }
+    let Some(behind) = behind_reals else {
+        return Err(Problem::new(ProblemKind::Format, "the real header does not end")
+            .at_line(rest.line_number())
+            .hint("50 or 100 reals in rows of 8 are expected: the file may be damaged"));
+    };
+    *rest = behind;
+    Ok(None)
+}
+
+fn is_title(text: &str) -> bool {
+    let upper = text.to_ascii_uppercase();
+    ["POINT", "PTS", "FORMAT", "UNIT", "DATA"].iter().any(|word| upper.contains(word))
+}
+
+type Read = Result<(Component, Vec<String>), Problem>;
+
+fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions) -> Read {
+    let upper = title.text.to_ascii_uppercase();
+    if !upper.contains("ACC") && ["VEL", "DIS"].iter().any(|word| upper.contains(word)) {
+        return Err(not_acceleration(&format!("\"{}\"", shorten(title.text.trim())), title.line));
+    }
+    let format = format_of(title, rest);
+    let block = format.read(rest, title.count, "acceleration")?;
+    let mut notes = Vec::from_iter(block.refuse_missing(format, is_missing_value)?);
+    if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
+        return Err(Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", title.count))
+            .at_line(line.number)
+            .hint(format!("the number of values on line {} does not fit the file", title.line)));
+    }
+    let of_header = || header.step().map(|dt_s| (dt_s, header.first_line));
+    let at_title = |dt_s| (dt_s, title.line);
+    let Some(step) = step_in(&upper).map(at_title).or_else(of_header).or(options.dt_s.map(at_title)) else {
+        return Err(Problem::new(ProblemKind::Format, "the time step is not stated above the values")
+            .at_line(title.line)
+            .hint("give the step, such as \"0.02 s\" (--dt, or dt in the study)"));
+    };
+    let unit = match unit_of(&title.text, title.line)? {
+        None if !is_volume_two(&header.text) => header.unit()?,
+        stated => stated,
+    };
+    let name = shorten(&header.name(channel));
+    if let Some(other) = header.other_count(title.count, is_volume_two(&header.text)) {
+        notes.push(format!("{name}: line {} declares {} values, the header {other}", title.line, title.count));
+    }
+    // One part in a thousand: rates and steps are printed with three digits or more.
+    let (dt_s, _) = step;
+    if let Some(other_s) = header.step().filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s) {
+        notes.push(format!("{name}: the time step is {dt_s} s above the values and {other_s} s in the header"));
+    }
+    found(header, channel, unit, step, block, options).map(|component| (component, notes))
+}
+
+/// How many samples interpolation may still make: all channels together are no more than one motion may be, for a short
+/// file can have many channels with damaged times.
+fn room(components: &[Component]) -> usize {
+    let taken: usize = components.iter().map(|one| one.motion.accel_m_s2().len()).sum();
+    MAX_SAMPLES.saturating_sub(taken)
+}
+
+fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions, room: usize) -> Read {
+    let mut pairs = pairs::read(rest)?;
+    let notes = std::mem::take(&mut pairs.notes);
+    let count = pairs.times_s.len();
+    let of_integers = [27, 32].map(|at| header.integers.get(at).copied().flatten());
+    let of_text = header.points();
+    // Programs keep the count in one place or another: integer 28, 33, or the text.
+    if count == 0 || ![of_text, of_integers[0], of_integers[1]].contains(&Some(count as f64)) {
+        let declared = of_text.or(of_integers[0]).map_or_else(|| "no".to_owned(), |count| count.to_string());
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("the header declares {declared} points, the channel has {count}"),
+        )
+        .at_line(pairs.first_line.max(header.first_line))
+        .hint("the file may be cut off: fetch it again"));
+    }
+    let first_line = pairs.first_line;
+    let name = header.name(channel);
+    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options, room)?;
+    let block = Block { values, first_line };
+    // The step given by the user is for files that state none; here the times state it.
+    found(header, channel, header.unit()?, (dt_s, first_line), block, options)
+        .map(|component| (component, notes.into_iter().chain(note).collect()))
+}
+
+fn found(
+    header: &Header,
+    channel: usize,
+    unit: Option<Unit>,
+    (dt_s, line_of_step): (f64, usize),
+    block: Block,
+    options: &ReadOptions,
+) -> Result<Component, Problem> {
+    let unit = match unit {
+        Some(unit) => unit,
+        None => *decide(None, requested(options.unit.as_deref())?, "the record")
+            .map_err(|problem| problem.at_line(block.first_line))?,
+    };
+    let name = header.name(channel);
+    Found {
+        direction: Direction::parse(&name),
+        name,
+        station: header.station(),
+        unit,
+        dt_s,
+        line_of_step,
+        values: block.values,
+        line: block.first_line,
+        is_raw: false,
+    }
+    .component(options)
+}
+
+/// The format in the title; where there is none, eight equal fields on a line.
+fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
+    Format::named_in(&title.text).unwrap_or_else(|| {
+        let length = rest.ahead().map_or(0, |line| line.bytes.trim_ascii_end().len());
+        Format::new(8, if title.count >= 8 && length.is_multiple_of(8) { (length / 8).clamp(1, 20) } else { 10 })
+    })
+}
+
+/// What a channel holds where its text says that it is no acceleration: `Data: Velocity`, response spectra.
+fn other_quantity(header: &Header) -> Option<(String, usize)> {
+    let data = header.lines_with("DATA:").find_map(|line| {
+        let (_, tail) = line.split_once("DATA:")?;
+        let word = tail.trim_start();
+        let name = if word.starts_with("VEL") {
+            "a velocity"
+        } else if word.starts_with("DIS") {
+            "a displacement"
+        } else {
+            return None;
+        };
+        Some(name.to_owned())
+    });
+    data.map(|what| (what, header.first_line))
+}
+
+/// Leaves `rest` at the first line of the next channel: behind the velocity and the displacement, and the `/&` that ends
+/// a channel. Not every channel has that mark, nor a title that says accelerogram: a full row of integers shows that the
+/// text above it is a header.
+///
+/// # Errors
+/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them. Numbers that
+/// no line announces.
+fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
+    let mut text_from: Option<Lines<'_>> = None;
+    loop {
+        let before = rest.clone();
+        let Some(line) = rest.next() else { break };
+        if is_numbers(&line) {
+            if is_full_integer_row(&line) && text_from.is_some() {
+                break;
+            }
+            return Err(unannounced(&line));
+        }
+        if !line.is_text() {
+            continue;
+        }
+        let upper = line.text().to_ascii_uppercase();
+        let text = upper.trim_start();
+        if text.starts_with("/&") || text.contains("END OF ") {
+            return Ok(());
+        }
+        match first_integer(text) {
+            None if text.contains("ACCELEROGRAM") => {
+                *rest = before;
+                return Ok(());
+            }
+            Some(count) if is_title(text) => {
+                let title = Title { line: line.number, text: upper, count };
+                skip_series(&title, rest)?;
+            }
+            _ => {
+                text_from.get_or_insert(before);
+            }
+        }
+    }
+    if let Some(text) = text_from {
+        *rest = text;
+    }
+    Ok(())
+}
+
+/// Whether a line has numbers and nothing else, even where they touch.
+fn is_numbers(line: &Line<'_>) -> bool {
+    let is_of_number = |b: &u8| {
+        b.is_ascii_digit() || b.is_ascii_whitespace() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E' | b'd' | b'D')
+    };
+    line.bytes.iter().all(is_of_number) && line.bytes.iter().any(u8::is_ascii_digit)
+}
+
+/// What is to be said of numbers that may be a channel whose first lines are damaged.
+fn unannounced(line: &Line<'_>) -> Problem {
+    Problem::new(ProblemKind::Format, "these numbers belong to no series")
+        .at_line(line.number)
+        .hint("the line above that counts them may be damaged: fetch the file again")
+}
+
+/// Skips what a channel holds that is left out.
+fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Problem> {
+    if let Some(title) = title {
+        return skip_series(title, rest);
+    }
+    loop {
+        let before = rest.clone();
+        match rest.next() {
+            Some(line) if line.is_text() => {
+                *rest = before;
+                return Ok(());
+            }
+            Some(_) => {}
+            None => return Ok(()),
+        }
+    }
+}
+
+/// Skips the lines of a series; only how many there are matters, so that a value too large for its field does no harm.
+fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
+    let wanted = title.count.div_ceil(format_of(title, rest).per_line);
+    for found in 0..wanted {
+        let before = rest.clone();
+        match rest.find(|line| !line.is_blank()) {
+            Some(line) if line.is_text() => {
+                *rest = before;
+                return Ok(());
+            }
+            Some(_) => {}
+            None => {
+                let name = shorten(title.text.trim());
+                return Err(Problem::new(
+                    ProblemKind::Format,
+                    format!("the file ends after {found} of {wanted} lines of \"{name}\""),
+                )
+                .at_line(rest.line_number())
+                .hint("the file is cut off: fetch it again"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What is to be said where the values do not have the peak that the text states.
+fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Option<String> {
+    if is_volume_two {
+        let line = header.lines_with("PEAK ACC").next()?;
+        return peak_note(component, 0.01 * number_after(&line, "=")?);
+    }
+    let line = header.lines_with("MAX").next()?;
+    let (_, tail) = line.split_once("MAX")?;
+    let stated = number_after(tail, "=").filter(|_| tail.contains(" G,") || tail.contains(" G."))? * G0_M_S2;
+    // Printed to 0.001 g, of which half is rounding.
+    let rounding = 6e-4 * G0_M_S2;
+    let is_near = (component.motion.peak_m_s2() - stated.abs()).abs() <= rounding;
+    peak_note(component, stated).filter(|_| !is_near)
+}
+
+#[cfg(test)]
+mod tests;

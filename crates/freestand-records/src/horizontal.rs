@@ -1,0 +1,66 @@
+//! A motion in the plane of a floor.
+
+use std::borrow::Cow;
+
+use freestand::measures::cumulative_trapezoid;
+use freestand::motion::{Motion, MotionError};
+
+use crate::formats::{write_csv, write_pair_csv};
+
+/// A motion in the plane of the floor: one component, or two at right angles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HorizontalMotion {
+    /// The first component, or the only one.
+    pub along: Motion,
+    /// The second, of the same length and time step.
+    pub across: Option<Motion>,
+}
+
+impl HorizontalMotion {
+    /// The component in a direction counted from the first one towards the second \[degrees\]:
+    /// `a₁ cos θ + a₂ sin θ`. Without a second component, the first whatever the direction.
+    ///
+    /// # Errors
+    /// Samples that overflow.
+    pub fn in_direction(&self, direction_deg: f64) -> Result<Cow<'_, Motion>, MotionError> {
+        let Some(across) = &self.across else { return Ok(Cow::Borrowed(&self.along)) };
+        if direction_deg == 0.0 {
+            return Ok(Cow::Borrowed(&self.along));
+        }
+        if direction_deg == 90.0 {
+            return Ok(Cow::Borrowed(across));
+        }
+        let (sin, cos) = direction_deg.to_radians().sin_cos();
+        let samples = self.along.accel_m_s2().iter().zip(across.accel_m_s2()).map(|(a, b)| a * cos + b * sin);
+        Motion::new(self.along.dt_s(), samples.collect()).map(Cow::Owned)
+    }
+
+    /// Largest velocity, from rest by the trapezoid rule; of two components, in whatever direction it is \[m/s\].
+    pub fn peak_velocity_m_s(&self) -> f64 {
+        let velocity = |motion: &Motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
+        let along = velocity(&self.along);
+        match self.across.as_ref().map(velocity) {
+            None => along.iter().fold(0.0, |peak: f64, v| peak.max(v.abs())),
+            Some(across) => along.iter().zip(&across).map(|(a, b)| a.hypot(*b)).fold(0.0, f64::max),
+        }
+    }
+
+    /// As a file: `time_s,accel_m_s2`, or `time_s,along_m_s2,across_m_s2`.
+    pub fn csv(&self) -> String {
+        match &self.across {
+            None => write_csv(&self.along),
+            Some(across) => write_pair_csv(&self.along, across),
+        }
+    }
+
+    /// Largest acceleration at the samples; of two components, in whatever direction it is \[m/s²\].
+    pub fn peak_m_s2(&self) -> f64 {
+        match &self.across {
+            None => self.along.peak_m_s2(),
+            Some(across) => {
+                let both = self.along.accel_m_s2().iter().zip(across.accel_m_s2());
+                both.map(|(a, b)| a.hypot(*b)).fold(0.0, f64::max)
+            }
+        }
+    }
+}

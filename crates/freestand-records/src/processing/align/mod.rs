@@ -1,0 +1,125 @@
+//! Two components brought to the times that both have.
+
+use freestand::motion::Motion;
+
+use super::raw::take_mean;
+use super::refused;
+use crate::formats::Component;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::number;
+
+/// Part of a sample by which clocks of two channels may differ without a word: they agree to some microseconds, and times
+/// in columns to their last digit.
+const SAME_TIME: f64 = 0.05;
+
+const ONE_RECORD: &str = "give two components of one record";
+
+/// One of two components from the same time on, with the same number of samples; a raw one without its mean.
+#[derive(Debug)]
+pub(super) struct Aligned {
+    /// The motion.
+    pub(super) motion: Motion,
+    /// What was done to it unasked; what concerns both stands with the first.
+    pub(super) steps: Vec<String>,
+}
+
+/// Brings two components to the times that both have; `names` are what they are called in words.
+///
+/// # Errors
+/// Components that have no time in common. Steps that differ are left to differ, for the next step to refuse.
+pub(super) fn aligned(
+    (first, second): (&Component, &Component),
+    names: (&str, &str),
+    keep_mean: bool,
+) -> Result<[Aligned; 2], Problem> {
+    let mut both = Vec::new();
+    let later = later_by((first, second), names, &mut both)?;
+    let skipped = |by: i64| usize::try_from(by).unwrap_or(0);
+    let (skip_1, skip_2) = (skipped(later), skipped(-later));
+    let left = |component: &Component, skip: usize| component.motion.accel_m_s2().len().saturating_sub(skip);
+    let (left_1, left_2) = (left(first, skip_1), left(second, skip_2));
+    let length = left_1.min(left_2);
+    let mut one = cut(first, names.0, skip_1..skip_1 + length, keep_mean)?;
+    let mut two = cut(second, names.1, skip_2..skip_2 + length, keep_mean)?;
+    if let Some(step) = one_step(&one.motion, &two.motion, names) {
+        two.motion = Motion::new(one.motion.dt_s(), two.motion.accel_m_s2().to_vec())
+            .map_err(|error| refused("the time step", error, ONE_RECORD))?;
+        two.steps.insert(0, step);
+    }
+    if one.motion.accel_m_s2() == two.motion.accel_m_s2() && one.motion.peak_m_s2() > 0.0 {
+        both.push(format!("components {} and {} are equal sample by sample", names.0, names.1));
+    }
+    one.steps.splice(..0, both);
+    Ok([one, two])
+}
+
+/// Samples by which the second component begins later than the first (earlier: negative), by the times that both have.
+fn later_by(
+    (first, second): (&Component, &Component),
+    names: (&str, &str),
+    both: &mut Vec<String>,
+) -> Result<i64, Problem> {
+    let (Some(start_1_s), Some(start_2_s)) = (first.start_s, second.start_s) else { return Ok(0) };
+    let later = (start_2_s - start_1_s) / first.motion.dt_s();
+    let whole = later.round();
+    let longest = first.motion.accel_m_s2().len().max(second.motion.accel_m_s2().len());
+    if whole.abs() >= longest as f64 {
+        let after_s = number(start_2_s - start_1_s, 6);
+        let message =
+            format!("component {} begins {after_s} s after {}: they have no time in common", names.1, names.0);
+        return Err(Problem::new(ProblemKind::Value, message).hint(ONE_RECORD));
+    }
+    if (later - whole).abs() > SAME_TIME {
+        let part = number((later - whole).abs(), 2);
+        both.push(format!("components {} and {} are {part} of a sample apart", names.0, names.1));
+    }
+    Ok(whole as i64)
+}
+
+/// What is said where two steps differ, but by so little that the last samples are still of one time: two recordings of one
+/// clock whose times were rounded. `None`: they do not differ, or by more.
+fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<String> {
+    let (dt_s, other_s) = (one.dt_s(), two.dt_s());
+    let intervals = one.accel_m_s2().len().saturating_sub(1) as f64;
+    let drift = (dt_s - other_s).abs() * intervals / dt_s.min(other_s);
+    let is_one = dt_s != other_s && drift < SAME_TIME;
+    is_one.then(|| {
+        format!(
+            "time step of {} taken as {dt_s} s, that of {}, in place of {other_s} s: they differ by {} of a sample at the end",
+            names.1,
+            names.0,
+            number(drift, 2)
+        )
+    })
+}
+
+/// The samples of a component that are kept, of a raw one without their mean, and what was done.
+fn cut(component: &Component, name: &str, kept: std::ops::Range<usize>, keep_mean: bool) -> Result<Aligned, Problem> {
+    let mut steps = Vec::new();
+    let mut motion = component.motion.clone();
+    let samples = motion.accel_m_s2();
+    let (skip, surplus) = (kept.start, samples.len().saturating_sub(kept.end));
+    if skip > 0 || surplus > 0 {
+        let within = samples.get(kept).unwrap_or_default().to_vec();
+        motion =
+            Motion::new(motion.dt_s(), within).map_err(|error| refused("the time in common", error, ONE_RECORD))?;
+        let samples = |count: usize, end: &str| {
+            if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") }
+        };
+        if skip > 0 {
+            steps.push(format!("{} of {name} left out: the other component begins after", samples(skip, "first")));
+        }
+        if surplus > 0 {
+            steps.push(format!("{} of {name} left out: the other component ends before", samples(surplus, "last")));
+        }
+    }
+    if component.is_raw && !keep_mean {
+        let (centred, mean_m_s2) = take_mean(&motion)?;
+        steps.push(format!("mean of {mean_m_s2:.6} m/s2 removed from {name} (raw record)"));
+        motion = centred;
+    }
+    Ok(Aligned { motion, steps })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,168 @@
+//! Two horizontal components of a record, taken together.
+
+use freestand::signal::rotate::{Pair, RotateError};
+
+use super::align::{Aligned, aligned};
+use super::{Processed, Processing, Scale, finish, refused};
+use crate::formats::{Component, Direction, MotionFile};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use freestand_input::words::number;
+
+/// A component and its azimuth \[degrees clockwise from north\].
+pub type Bearing<'f> = (&'f Component, f64);
+
+/// The two horizontal components of a file, with the azimuths that the file states.
+///
+/// # Errors
+/// More or fewer than two components with an azimuth; the message says which component has none.
+pub fn horizontal_pair(file: &MotionFile) -> Result<(Bearing<'_>, Bearing<'_>), Problem> {
+    let horizontal: Vec<Bearing<'_>> =
+        file.components.iter().filter_map(|one| azimuth_of(one).map(|azimuth_deg| (one, azimuth_deg))).collect();
+    if let [first, second] = horizontal[..] {
+        return Ok((first, second));
+    }
+    let silent: Vec<&Component> = file.components.iter().filter(|one| one.direction.is_none()).collect();
+    let message = match horizontal.len() {
+        count if count > 2 => {
+            let all: Vec<&Component> = horizontal.iter().map(|one| one.0).collect();
+            format!("has {count} horizontal components, two are turned: {}", names(&all))
+        }
+        _ if !silent.is_empty() => format!("the file does not say which way it points: {}", names(&silent)),
+        1 => "has 1 horizontal component, two are turned".to_owned(),
+        count => format!("has {count} horizontal components, two are turned"),
+    };
+    Err(Problem::new(ProblemKind::Value, message)
+        .in_file(&file.path)
+        .hint("freestand motion rotate takes two files, or two components of one, and their azimuths"))
+}
+
+fn azimuth_of(component: &Component) -> Option<f64> {
+    match component.direction {
+        Some(Direction::Azimuth(azimuth_deg)) => Some(azimuth_deg),
+        _ => None,
+    }
+}
+
+fn names(components: &[&Component]) -> String {
+    const MOST: usize = 8;
+    let listed: Vec<String> = components.iter().take(MOST).map(|one| shorten(&one.name)).collect();
+    listed.join(", ") + if components.len() > MOST { ", …" } else { "" }
+}
+
+/// Two components of one file: those that are called for by name or number, else the only two that have an azimuth, else
+/// the only two that do not point up.
+///
+/// # Errors
+/// No such two.
+pub fn pair_of_one<'f>(
+    file: &'f MotionFile,
+    called: Option<(&str, &str)>,
+) -> Result<(&'f Component, &'f Component), Problem> {
+    if let Some((first, second)) = called {
+        let (first, second) = (file.select(Some(first))?, file.select(Some(second))?);
+        if std::ptr::eq(first, second) {
+            return Err(Problem::new(ProblemKind::Value, format!("\"{}\" is named twice", shorten(&first.name)))
+                .in_file(&file.path)
+                .hint("name two components"));
+        }
+        return Ok((first, second));
+    }
+    let with_azimuth: Vec<&Component> = file.components.iter().filter(|one| azimuth_of(one).is_some()).collect();
+    let level: Vec<&Component> = file.components.iter().filter(|one| one.direction != Some(Direction::Up)).collect();
+    match (with_azimuth.as_slice(), level.as_slice()) {
+        ([first, second], _) | (_, [first, second]) => Ok((first, second)),
+        _ => {
+            let all: Vec<&Component> = file.components.iter().collect();
+            let message = format!("it is not clear which two components are meant: {}", names(&all));
+            Err(Problem::new(ProblemKind::Value, message)
+                .in_file(&file.path)
+                .hint("name two (--components, or components in a study), or give two files"))
+        }
+    }
+}
+
+/// Two components with their azimuths: those given, else those that the files state.
+///
+/// # Errors
+/// A component whose azimuth is neither given nor stated.
+pub fn with_azimuths<'f>(
+    pair: (&'f Component, &'f Component),
+    given_deg: Option<(f64, f64)>,
+) -> Result<(Bearing<'f>, Bearing<'f>), Problem> {
+    let (first, second) = pair;
+    if let Some((one_deg, two_deg)) = given_deg {
+        return Ok(((first, one_deg), (second, two_deg)));
+    }
+    let bearing = |component: &'f Component| {
+        azimuth_of(component).map(|azimuth_deg| (component, azimuth_deg)).ok_or_else(|| {
+            let name = shorten(&component.name);
+            Problem::new(ProblemKind::Value, format!("the file does not say which way it points: {name}"))
+                .hint("give the azimuths of both, such as --azimuths \"0 deg, 90 deg\"")
+        })
+    };
+    Ok((bearing(first)?, bearing(second)?))
+}
+
+/// Both components of a pair, each processed by itself. `names` are what they are called in words; what concerns both
+/// stands with the first.
+///
+/// # Errors
+/// A scale that is found from the record, which would not be the same for both; otherwise as [`super::process`].
+pub fn process_pair(
+    (first, second): (&Component, &Component),
+    names: (&str, &str),
+    processing: &Processing,
+) -> Result<(Processed, Processed), Problem> {
+    if !matches!(processing.scale, Scale::Factor(_)) {
+        return Err(Problem::new(ProblemKind::Value, "two components have no one factor to a target")
+            .hint("give the factor itself: --scale"));
+    }
+    let [one, two] = aligned((first, second), names, processing.keep_mean)?;
+    let finished = |one: Aligned| finish(one.motion, one.steps, None, processing);
+    Ok((finished(one)?, finished(two)?))
+}
+
+/// What must be said of components that are taken as perpendicular but point otherwise.
+pub fn not_perpendicular(first: &Component, second: &Component) -> Option<String> {
+    let turn = (azimuth_of(first)? - azimuth_of(second)?).rem_euclid(180.0);
+    let between = turn.min(180.0 - turn);
+    (between < 89.0).then(|| {
+        format!("the components are {between} degrees apart: spectra over all directions take them as perpendicular")
+    })
+}
+
+/// The component at an azimuth, of two others, processed. The means of raw ones are removed before; where one is longer,
+/// what the other does not have is left out. `names` are what they are called in words.
+///
+/// # Errors
+/// Different time steps, components nearly parallel; otherwise as [`super::process`].
+pub fn turned(
+    first: Bearing<'_>,
+    second: Bearing<'_>,
+    names: (&str, &str),
+    azimuth_deg: f64,
+    processing: &Processing,
+) -> Result<Processed, Problem> {
+    let [Aligned { motion: one, steps: mut unasked }, two] = aligned((first.0, second.0), names, processing.keep_mean)?;
+    unasked.extend(two.steps);
+    let rotated = Pair::new(&one, &two.motion).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
+    let motion = rotated.map_err(|error| {
+        let hint = match error {
+            RotateError::Steps { .. } => {
+                "resample one of them to the step of the other first: freestand motion convert"
+            }
+            _ => "give the two horizontal components of one record, and their azimuths",
+        };
+        refused("azimuth", error, hint)
+    })?;
+    let step = format!(
+        "components {} ({} deg) and {} ({} deg) turned to {} deg",
+        names.0,
+        number(first.1, 6),
+        names.1,
+        number(second.1, 6),
+        number(azimuth_deg, 6)
+    );
+    finish(motion, unasked, Some(step), processing)
+}

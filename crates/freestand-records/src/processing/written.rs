@@ -1,0 +1,236 @@
+//! Processing as people write it, in flags and in studies.
+
+use freestand::signal::baseline::{Baseline, MAX_DEGREE};
+
+use super::{Scale, TargetSource};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
+
+const KNOWN: &str = "known: mean, pre-event:5s, linear, quadratic, cubic, poly:4, graizer, graizer:2:5s, boore:10s:25s";
+
+/// A baseline, as `mean`, `pre-event:5s`, `linear`, `quadratic`, `cubic`, `poly:4`, `graizer` (degree 2 from 0 s),
+/// `graizer:3:5s`, `boore:10s:25s`.
+///
+/// # Errors
+/// An unknown word, a part that is missing or too many, a time without its unit, a degree above 10.
+///
+/// # Example
+/// ```
+/// use freestand::signal::baseline::Baseline;
+/// use freestand_records::processing::parse_baseline;
+/// assert_eq!(parse_baseline("pre-event:5s")?, Baseline::PreEvent { until_s: 5.0 });
+/// assert_eq!(parse_baseline("Quadratic")?, Baseline::Polynomial { degree: 2 });
+/// # Ok::<(), freestand_input::problem::Problem>(())
+/// ```
+pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
+    let parts: Vec<&str> = text.split(':').map(str::trim).collect();
+    let word = parts.first().map(|word| word.to_lowercase()).unwrap_or_default();
+    let time = |text: &str| parse(text, Dimension::Time);
+    let from_zero = |text: &str| freestand_input::quantity::parse_non_negative(text, Dimension::Time, "the time");
+    match (word.as_str(), parts.get(1..).unwrap_or_default()) {
+        ("mean", []) => Ok(Baseline::Mean),
+        ("pre-event", [until]) => {
+            Ok(Baseline::PreEvent { until_s: parse_positive(until, Dimension::Time, "the time")? })
+        }
+        ("linear", []) => Ok(Baseline::Polynomial { degree: 1 }),
+        ("quadratic", []) => Ok(Baseline::Polynomial { degree: 2 }),
+        ("cubic", []) => Ok(Baseline::Polynomial { degree: 3 }),
+        ("poly", [degree]) => Ok(Baseline::Polynomial { degree: parse_degree(degree, 0)? }),
+        ("graizer", []) => Ok(Baseline::Graizer { degree: 2, from_s: 0.0 }),
+        ("graizer", [degree]) => Ok(Baseline::Graizer { degree: parse_degree(degree, 1)?, from_s: 0.0 }),
+        ("graizer", [degree, from]) => {
+            Ok(Baseline::Graizer { degree: parse_degree(degree, 1)?, from_s: from_zero(from)? })
+        }
+        ("boore", [t1, t2]) => {
+            let (t1_s, t2_s) = (from_zero(t1)?, time(t2)?);
+            if t1_s < t2_s {
+                return Ok(Baseline::Boore2001 { t1_s, t2_s });
+            }
+            Err(wrong(text, "ends before it begins").hint("the shaking lasts from the first time to the second"))
+        }
+        ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is not complete").hint(KNOWN)),
+        _ => Err(wrong(text, "is not a baseline").hint(KNOWN)),
+    }
+}
+
+fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
+    let degree = text.parse::<usize>().ok().filter(|degree| (least..=MAX_DEGREE).contains(degree));
+    degree.ok_or_else(|| {
+        wrong(text, "is not a degree").hint(format!("a whole number from {least} to {MAX_DEGREE}, such as poly:4"))
+    })
+}
+
+/// A target of scaling, as `0.4 g at 1.2 s`, or with another damping than 5 % `0.4 g at 1.2 s, 2 %`.
+///
+/// # Errors
+/// Anything else, a target that is not positive, a negative period, damping of 100 % or more.
+///
+/// # Example
+/// ```
+/// use freestand_records::processing::{Scale, parse_sa_target};
+/// let target = parse_sa_target("3 m/s2 at 1.2 s")?;
+/// assert_eq!(target, Scale::Sa { target_m_s2: 3.0, period_s: 1.2, damping_ratio: 0.05 });
+/// # Ok::<(), freestand_input::problem::Problem>(())
+/// ```
+pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
+    const HINT: &str = "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for another damping than 5 %";
+    let Some((target, rest)) = text.split_once(" at ") else {
+        return Err(wrong(text, "is no acceleration at a period").hint(HINT));
+    };
+    let (period, damping) = rest.split_once(',').map_or((rest, None), |(period, damping)| (period, Some(damping)));
+    let damping_ratio = match damping {
+        Some(damping) => parse(damping, Dimension::Ratio)?,
+        None => 0.05,
+    };
+    if !(0.0..1.0).contains(&damping_ratio) {
+        return Err(wrong(text, "has no damping from 0 to below 100 %").hint(HINT));
+    }
+    Ok(Scale::Sa {
+        target_m_s2: parse_positive(target, Dimension::Acceleration, "the acceleration")?,
+        period_s: freestand_input::quantity::parse_non_negative(period, Dimension::Time, "the period")?,
+        damping_ratio,
+    })
+}
+
+/// A file with a target spectrum, as `target.csv`, and behind commas a range of periods and a damping that is not the file's,
+/// `target.csv, 0.1 s to 2 s, 2 %`. The path stays as it is written.
+///
+/// # Errors
+/// No file, a range that ends before it begins, damping of 100 % or more, a part too many.
+///
+/// # Example
+/// ```
+/// use freestand_records::processing::{TargetSource, parse_target_source};
+/// let source = parse_target_source("target.csv, 200 ms to 2 s")?;
+/// let expected = TargetSource { path: "target.csv".into(), range_s: Some((0.2, 2.0)), damping_ratio: None };
+/// assert_eq!(source, expected);
+/// # Ok::<(), freestand_input::problem::Problem>(())
+/// ```
+pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
+    const HINT: &str =
+        "write the name of a file, and behind commas periods and damping: \"target.csv, 0.1 s to 2 s, 2 %\"";
+    let mut parts = text.split(',').map(str::trim);
+    let path = parts.next().filter(|path| !path.is_empty()).ok_or_else(|| wrong(text, "names no file").hint(HINT))?;
+    let mut source = TargetSource { path: path.into(), range_s: None, damping_ratio: None };
+    for part in parts {
+        let given = if let Some((from, to)) = part.split_once(" to ") {
+            let from_s = freestand_input::quantity::parse_non_negative(from, Dimension::Time, "the period")?;
+            let to_s = parse(to, Dimension::Time)?;
+            if from_s > to_s {
+                return Err(wrong(part, "ends before it begins").hint(HINT));
+            }
+            source.range_s.replace((from_s, to_s)).is_some()
+        } else {
+            let ratio = parse(part, Dimension::Ratio)
+                .map_err(|_| wrong(part, "is no range of periods and no damping").hint(HINT))?;
+            if !(0.0..1.0).contains(&ratio) {
+                return Err(wrong(part, "is no damping from 0 to below 100 %").hint(HINT));
+            }
+            source.damping_ratio.replace(ratio).is_some()
+        };
+        if given {
+            return Err(wrong(part, "is one part too many").hint(HINT));
+        }
+    }
+    Ok(source)
+}
+
+/// Radians to degrees, without the last bits that the way there and back leaves: 30 degrees are 30.
+pub fn azimuth_deg(azimuth_rad: f64) -> f64 {
+    (azimuth_rad.to_degrees() * 1e9).round() / 1e9
+}
+
+fn wrong(text: &str, why: &str) -> Problem {
+    Problem::new(ProblemKind::Value, format!("\"{}\" {why}", shorten(text.trim())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn baselines_are_read_as_they_are_written() {
+        for (text, expected) in [
+            ("mean", Baseline::Mean),
+            (" Mean ", Baseline::Mean),
+            ("pre-event:500 ms", Baseline::PreEvent { until_s: 0.5 }),
+            ("linear", Baseline::Polynomial { degree: 1 }),
+            ("cubic", Baseline::Polynomial { degree: 3 }),
+            ("poly:0", Baseline::Polynomial { degree: 0 }),
+            ("poly: 10", Baseline::Polynomial { degree: 10 }),
+            ("graizer", Baseline::Graizer { degree: 2, from_s: 0.0 }),
+            ("graizer:3", Baseline::Graizer { degree: 3, from_s: 0.0 }),
+            ("graizer:3:5s", Baseline::Graizer { degree: 3, from_s: 5.0 }),
+            ("boore:10s:25 s", Baseline::Boore2001 { t1_s: 10.0, t2_s: 25.0 }),
+        ] {
+            assert_eq!(parse_baseline(text), Ok(expected), "{text}");
+        }
+        for text in [
+            "",
+            "means",
+            "mean:3",
+            "pre-event",
+            "pre-event:5",
+            "pre-event:-5s",
+            "pre-event:0s",
+            "poly",
+            "poly:-1",
+            "poly:11",
+            "poly:2.5",
+            "graizer:0",
+            "graizer:2:-1s",
+            "graizer:2:1s:2s",
+            "boore",
+            "boore:5s",
+            "boore:5s:5s",
+            "boore:nan s:5s",
+            "linear:2",
+        ] {
+            let problem = parse_baseline(text).unwrap_err();
+            assert!(problem.hint.is_some() || problem.message.contains("must"), "{text}: {problem:?}");
+        }
+    }
+
+    #[test]
+    fn targets_are_read_as_they_are_written() {
+        let target = parse_sa_target("0.4 g at 1200 ms, 2 %").unwrap();
+        assert_eq!(target, Scale::Sa { target_m_s2: 0.4 * freestand::G0_M_S2, period_s: 1.2, damping_ratio: 0.02 });
+        for text in
+            ["0.4 g", "0.4 at 1 s", "0.4 g at 1", "-1 g at 1 s", "0 g at 1 s", "1 g at -1 s", "1 g at 1 s, 100 %", ""]
+        {
+            assert!(parse_sa_target(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn sources_of_targets_are_read_as_they_are_written() {
+        let whole = TargetSource { path: "a b/t.csv".into(), range_s: None, damping_ratio: None };
+        for (text, expected) in [
+            (" a b/t.csv ", whole.clone()),
+            ("a b/t.csv, 2 %", TargetSource { damping_ratio: Some(0.02), ..whole.clone() }),
+            ("a b/t.csv,0.02", TargetSource { damping_ratio: Some(0.02), ..whole.clone() }),
+            ("a b/t.csv, 0 s to 500 ms", TargetSource { range_s: Some((0.0, 0.5)), ..whole.clone() }),
+            (
+                "a b/t.csv, 0 %, 1 s to 1 s",
+                TargetSource { range_s: Some((1.0, 1.0)), damping_ratio: Some(0.0), ..whole.clone() },
+            ),
+        ] {
+            assert_eq!(parse_target_source(text), Ok(expected), "{text}");
+        }
+        for text in [
+            "",
+            ", 5 %",
+            "t.csv,",
+            "t.csv, 5 s",
+            "t.csv, 100 %",
+            "t.csv, -1 %",
+            "t.csv, 2 s to 1 s",
+            "t.csv, -1 s to 1 s",
+            "t.csv, 1 to 2",
+            "t.csv, 1 %, 2 %",
+            "t.csv, 1 s to 2 s, 1 s to 2 s",
+        ] {
+            assert!(parse_target_source(text).is_err(), "{text}");
+        }
+    }
+}

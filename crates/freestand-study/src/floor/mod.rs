@@ -1,0 +1,426 @@
+//! Floors of a building under ground motions: request → report.
+
+mod profile_figure;
+mod spectra_figure;
+
+use crate::result::CodeParts;
+use freestand::G0_M_S2;
+use freestand::building::{Building, FloorPeaks, Mode, floor_motions, floor_peaks};
+use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
+use freestand::measures::cumulative_trapezoid;
+use freestand::motion::Motion;
+pub(crate) use profile_figure::floor_profile;
+pub use profile_figure::{ProfilePicture, floor_profile_figure};
+use serde::Serialize;
+pub use spectra_figure::floor_response_figure;
+
+use crate::building::{Axis, damping_words, model_words};
+use crate::inspect::check_upsampling;
+use crate::recorded::ReadMotion;
+use crate::statistics::{QUANTILES, ranked_quantile};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::significant;
+use freestand_output::rows::records_csv;
+use freestand_records::horizontal::HorizontalMotion;
+
+mod spectra;
+
+pub use spectra::{LevelSpectra, SpectraReport, SpectraRequest, largest_psa_m_s2, spectra_csv};
+
+/// A building and the levels of it that are asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloorRequest {
+    /// Along the first axis.
+    pub along: Axis,
+    /// Along the second; `None`: as along the first.
+    pub across: Option<Axis>,
+    /// Height of the roof \[m\].
+    pub height_m: f64,
+    /// Shares of the height.
+    pub levels_ratio: Vec<f64>,
+    /// Whether each level is the floor above the one before it, so that their drifts are those of storeys.
+    pub is_storeys: bool,
+    /// Zeros behind the record \[s\].
+    pub tail_s: f64,
+    /// Points at which peaks are looked for in each sample interval; the ground is linear between its samples.
+    pub upsample: usize,
+    /// Response spectra of the floors, where they are asked for.
+    pub spectra: Option<SpectraRequest>,
+    /// A code, whose accelerations of rigid parts stand beside those of the floors.
+    pub code: Option<CodeSpectrum>,
+}
+
+/// The ground and every floor of a building as shares of its height: those of its table, or of equal storeys.
+pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
+    match building.floors_ratio() {
+        [] => (0..=storeys).map(|floor| floor as f64 / storeys as f64).collect(),
+        floors => std::iter::once(0.0).chain(floors.iter().copied()).collect(),
+    }
+}
+
+/// Accelerations of rigid parts by a code, `building_period_s` the shorter of the two axes; `None` for a spectrum that is not of a code.
+pub fn code_parts(
+    code: &CodeSpectrum,
+    building_height_m: f64,
+    building_period_s: f64,
+    levels_ratio: &[f64],
+) -> Option<CodeParts> {
+    let part = |&level_ratio: &f64| {
+        let building_period_s = Some(building_period_s);
+        floor_acceleration_g(code, &PartsQuestion { level_ratio, building_height_m, building_period_s })
+    };
+    let accel_g = levels_ratio.iter().map(part).collect::<Option<Vec<f64>>>()?;
+    Some(CodeParts { clause: clause(code)?, accel_g })
+}
+
+/// The floors under one motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionFloors {
+    /// What is reported of them.
+    pub report: MotionReport,
+    /// The motions of the levels, as long as the record and its tail.
+    pub floors: Vec<HorizontalMotion>,
+    /// Pseudo-accelerations, `[level][damping][period]` \[g\]; empty where none are asked for.
+    pub spectra_g: Vec<Vec<Vec<f64>>>,
+    /// What is to be said.
+    pub warnings: Vec<String>,
+}
+
+/// The floors under all motions; of several, the median of each number.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct FloorReport {
+    pub motion: String,
+    pub processing: Vec<String>,
+    pub building_height_m: f64,
+    pub model: String,
+    pub damping: String,
+    pub damping_ratio: Option<f64>,
+    pub shear_flexure_ratio: Option<f64>,
+    pub pga_g: f64,
+    pub modes: Vec<ModeReport>,
+    pub across: Option<AxisReport>,
+    pub levels: Vec<LevelReport>,
+    pub motions: Vec<MotionReport>,
+    pub spectra: Option<SpectraReport>,
+    /// The clause of the code that `code_part_g` of the levels is from.
+    pub code_clause: Option<&'static str>,
+}
+
+/// The second axis, where it is not as the first.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct AxisReport {
+    pub model: String,
+    pub damping: String,
+    pub modes: Vec<ModeReport>,
+}
+
+/// One mode.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct ModeReport {
+    pub period_s: f64,
+    pub damping_ratio: f64,
+    pub participation_ratio: f64,
+    pub effective_mass_ratio: Option<f64>,
+    /// Γφ at the roof.
+    pub roof_share_ratio: f64,
+}
+
+/// One level over all motions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct LevelReport {
+    pub level_ratio: f64,
+    pub height_m: f64,
+    pub pfa_g: f64,
+    /// 16 and 84 % over the motions; null for one motion.
+    pub pfa_g_p16: Option<f64>,
+    pub pfa_g_p84: Option<f64>,
+    pub pfv_m_s: f64,
+    pub pfd_m: f64,
+    pub drift_ratio: Option<f64>,
+    /// What a code gives a rigid part there, where one was named.
+    pub code_part_g: Option<f64>,
+    /// The floor's motion, where there is one and it was written.
+    pub path: Option<String>,
+}
+
+/// The floors under one motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct MotionReport {
+    pub motion: String,
+    pub processing: Vec<String>,
+    pub components: usize,
+    pub pga_g: f64,
+    pub levels: Vec<MotionLevel>,
+}
+
+/// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest in whatever direction; displacement
+/// (relative to the ground) and drift are the larger of the two axes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct MotionLevel {
+    pub level_ratio: f64,
+    pub pfa_g: f64,
+    pub pfa_along_g: f64,
+    pub pfa_across_g: Option<f64>,
+    /// Direction of the largest, from the first axis towards the second, 0 to 180; null for one component.
+    pub pfa_direction_deg: Option<f64>,
+    pub pfv_m_s: f64,
+    pub pfd_m: f64,
+    pub drift_ratio: Option<f64>,
+    pub path: Option<String>,
+}
+
+/// The floors under one motion.
+///
+/// # Errors
+/// A tail or a number of samples that no memory holds; floors that overflow.
+pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors, Problem> {
+    let recorded = &read.motion;
+    let along = AxisFloors::new(&recorded.motion, &request.along.building, request)?;
+    let across_building = request.across.as_ref().unwrap_or(&request.along);
+    let across = recorded.across.as_ref();
+    let across =
+        across.map(|second| AxisFloors::new(&second.motion, &across_building.building, request)).transpose()?;
+    let mut warnings = read.notes.clone();
+    let mut levels = Vec::with_capacity(request.levels_ratio.len());
+    for (i, &level_ratio) in request.levels_ratio.iter().enumerate() {
+        let axes: Vec<&AxisFloors> = std::iter::once(&along).chain(&across).collect();
+        warnings.extend(late_peak_warning(&recorded.name, level_ratio, &axes, i));
+        levels.push(motion_level(level_ratio, &axes, i, request)?);
+    }
+    let fine: Vec<HorizontalMotion> = pairs(along.fine, across.as_ref().map(|axis| axis.fine.clone()));
+    let spectra_g = match &request.spectra {
+        Some(spectra) => fine.iter().map(|floor| spectra::of_floor(floor, spectra)).collect::<Result<_, _>>()?,
+        None => Vec::new(),
+    };
+    let second = recorded.across.as_ref().map(|second| second.motion.clone());
+    let ground = HorizontalMotion { along: recorded.motion.clone(), across: second };
+    Ok(MotionFloors {
+        report: MotionReport {
+            motion: recorded.name.clone(),
+            processing: recorded.processing.clone(),
+            components: if across.is_some() { 2 } else { 1 },
+            pga_g: ground.peak_m_s2() / G0_M_S2,
+            levels,
+        },
+        floors: pairs(along.floors, across.map(|axis| axis.floors)),
+        spectra_g,
+        warnings,
+    })
+}
+
+fn pairs(along: Vec<Motion>, across: Option<Vec<Motion>>) -> Vec<HorizontalMotion> {
+    match across {
+        Some(across) => {
+            let both = along.into_iter().zip(across);
+            both.map(|(along, across)| HorizontalMotion { along, across: Some(across) }).collect()
+        }
+        None => along.into_iter().map(|along| HorizontalMotion { along, across: None }).collect(),
+    }
+}
+
+/// The levels along one axis.
+struct AxisFloors {
+    floors: Vec<Motion>,
+    /// With more samples in each interval; the same where none are asked for.
+    fine: Vec<Motion>,
+    peaks: Vec<FloorPeaks>,
+    /// Peaks at the samples of the record, and those with the building's ring-down behind it.
+    within_m_s2: Vec<f64>,
+    later_m_s2: Vec<f64>,
+}
+
+impl AxisFloors {
+    fn new(ground: &Motion, building: &Building, request: &FloorRequest) -> Result<Self, Problem> {
+        let ground = &with_tail(ground, request.tail_s)?;
+        check_upsampling(request.upsample, ground.accel_m_s2().len())?;
+        let failed = |error: freestand::building::BuildingError| {
+            Problem::new(ProblemKind::Computation, error.to_string()).hint("check the record and its scale")
+        };
+        let levels_ratio = &request.levels_ratio;
+        let floors = floor_motions(ground, building, levels_ratio).map_err(failed)?;
+        let later = floor_peaks(&with_tail(ground, building.tail_s())?, building, levels_ratio).map_err(failed)?;
+        let upsampled = (request.upsample > 1).then(|| ground.upsampled(request.upsample));
+        let fine = match &upsampled {
+            Some(ground) => floor_motions(ground, building, levels_ratio).map_err(failed)?,
+            None => floors.clone(),
+        };
+        let peaks = floor_peaks(upsampled.as_ref().unwrap_or(ground), building, levels_ratio).map_err(failed)?;
+        Ok(Self {
+            within_m_s2: floors.iter().map(Motion::peak_m_s2).collect(),
+            later_m_s2: later.iter().map(|peak| peak.accel_m_s2).collect(),
+            floors,
+            fine,
+            peaks,
+        })
+    }
+}
+
+/// The motion and its zeros; a tail that no memory holds is refused.
+fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Problem> {
+    motion.with_zero_tail(tail_s).map_err(|error| {
+        let message = format!("{tail_s} s of zeros at steps of {} s: {error}", motion.dt_s());
+        Problem::new(ProblemKind::Value, message)
+            .hint("check --tail, --period and the time step of the record; ten periods of the building are enough")
+    })
+}
+
+fn motion_level(
+    level_ratio: f64,
+    axes: &[&AxisFloors],
+    index: usize,
+    request: &FloorRequest,
+) -> Result<MotionLevel, Problem> {
+    let gone = || Problem::new(ProblemKind::Computation, "a level has no motion").hint("this is a defect");
+    let fine = axes.iter().map(|axis| axis.fine.get(index)).collect::<Option<Vec<_>>>().ok_or_else(gone)?;
+    let peaks = axes.iter().map(|axis| axis.peaks.get(index)).collect::<Option<Vec<_>>>().ok_or_else(gone)?;
+    let accelerations: Vec<&[f64]> = fine.iter().map(|motion| motion.accel_m_s2()).collect();
+    let velocities: Vec<Vec<f64>> =
+        fine.iter().map(|motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2())).collect();
+    let velocities: Vec<&[f64]> = velocities.iter().map(Vec::as_slice).collect();
+    let (pfa_m_s2, direction_deg) = largest(&accelerations);
+    let larger = |of: fn(&FloorPeaks) -> f64| peaks.iter().map(|peak| of(peak)).fold(0.0, f64::max);
+    let below_ratio = index.checked_sub(1).and_then(|below| request.levels_ratio.get(below)).copied().unwrap_or(0.0);
+    let storey_m = (level_ratio - below_ratio) * request.height_m;
+    let has_drift = request.is_storeys && storey_m > 0.0;
+    Ok(MotionLevel {
+        level_ratio,
+        pfa_g: pfa_m_s2 / G0_M_S2,
+        pfa_along_g: fine.first().map_or(0.0, |motion| motion.peak_m_s2()) / G0_M_S2,
+        pfa_across_g: fine.get(1).map(|motion| motion.peak_m_s2() / G0_M_S2),
+        pfa_direction_deg: direction_deg,
+        pfv_m_s: largest(&velocities).0,
+        pfd_m: larger(|peak| peak.displacement_m),
+        drift_ratio: has_drift.then(|| larger(|peak| peak.drift_m) / storey_m),
+        path: None,
+    })
+}
+
+/// The largest value of one history, or the longest vector of two and its direction, 0 to 180 degrees.
+fn largest(histories: &[&[f64]]) -> (f64, Option<f64>) {
+    match histories {
+        [along, across] => {
+            let longest = along.iter().zip(*across).max_by(|a, b| a.0.hypot(*a.1).total_cmp(&b.0.hypot(*b.1)));
+            let (x, y) = longest.map_or((0.0, 0.0), |(x, y)| (*x, *y));
+            (x.hypot(y), Some(y.atan2(x).to_degrees().rem_euclid(180.0)))
+        }
+        _ => (histories.iter().flat_map(|one| one.iter()).fold(0.0, |peak: f64, a| peak.max(a.abs())), None),
+    }
+}
+
+/// The floor goes on moving when the record ends; say so where its peak is still to come.
+fn late_peak_warning(motion: &str, level_ratio: f64, axes: &[&AxisFloors], index: usize) -> Option<String> {
+    let later = axes.iter().filter_map(|axis| Some((axis.within_m_s2.get(index)?, *axis.later_m_s2.get(index)?)));
+    let late = later.filter(|(within, later)| later > within).map(|(_, later)| later).reduce(f64::max)?;
+    Some(format!(
+        "{motion}, level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with --tail",
+        significant(late / G0_M_S2, 4)
+    ))
+}
+
+impl FloorReport {
+    /// The report of all motions, in their order; `None` where there are none.
+    pub fn new(request: &FloorRequest, motions: Vec<MotionReport>, spectra: Option<SpectraReport>) -> Option<Self> {
+        let first = motions.first()?.clone();
+        let building = &request.along.building;
+        let several = motions.len() > 1;
+        let quantiles = |of: &dyn Fn(&MotionReport) -> Option<f64>| -> [Option<f64>; 3] {
+            let mut values: Vec<f64> = motions.iter().filter_map(of).collect();
+            QUANTILES.map(|quantile| ranked_quantile(&mut values, quantile).value())
+        };
+        let code = request.code.as_ref();
+        let across_s = request.across.as_ref().map_or(f64::INFINITY, |axis| axis.building.period_s());
+        let period_s = building.period_s().min(across_s);
+        let code = code.and_then(|code| code_parts(code, request.height_m, period_s, &request.levels_ratio));
+        let levels = request.levels_ratio.iter().enumerate().map(|(i, &level_ratio)| {
+            let of = |value: fn(&MotionLevel) -> Option<f64>| {
+                quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))
+            };
+            let [p16, median, p84] = of(|level| Some(level.pfa_g));
+            LevelReport {
+                level_ratio,
+                height_m: level_ratio * request.height_m,
+                pfa_g: median.unwrap_or_default(),
+                pfa_g_p16: p16.filter(|_| several),
+                pfa_g_p84: p84.filter(|_| several),
+                pfv_m_s: of(|level| Some(level.pfv_m_s))[1].unwrap_or_default(),
+                pfd_m: of(|level| Some(level.pfd_m))[1].unwrap_or_default(),
+                drift_ratio: of(|level| level.drift_ratio)[1],
+                code_part_g: code.as_ref().and_then(|code| code.accel_g.get(i)).copied(),
+                path: first.levels.get(i).and_then(|level| level.path.clone()).filter(|_| !several),
+            }
+        });
+        let levels = levels.collect();
+        Some(Self {
+            motion: first.motion,
+            processing: first.processing,
+            building_height_m: request.height_m,
+            model: model_words(building),
+            damping: damping_words(building),
+            damping_ratio: building.damping_ratio(),
+            shear_flexure_ratio: building.shear_flexure_ratio(),
+            pga_g: quantiles(&|motion: &MotionReport| Some(motion.pga_g))[1].unwrap_or_default(),
+            modes: mode_reports(building),
+            across: request.across.as_ref().map(|axis| AxisReport {
+                model: model_words(&axis.building),
+                damping: damping_words(&axis.building),
+                modes: mode_reports(&axis.building),
+            }),
+            levels,
+            motions,
+            spectra,
+            code_clause: code.map(|code| code.clause),
+        })
+    }
+
+    /// The profile up the height as CSV.
+    ///
+    /// # Errors
+    /// None in practice: see [`records_csv`].
+    pub fn profile_csv(&self) -> Result<Vec<u8>, Problem> {
+        #[derive(Serialize)]
+        struct Row {
+            level_ratio: f64,
+            height_m: f64,
+            pfa_g: f64,
+            pfa_g_p16: Option<f64>,
+            pfa_g_p84: Option<f64>,
+            pfv_m_s: f64,
+            pfd_m: f64,
+            drift_ratio: Option<f64>,
+            code_part_g: Option<f64>,
+        }
+        let rows = self.levels.iter().map(|level| Row {
+            level_ratio: level.level_ratio,
+            height_m: level.height_m,
+            pfa_g: level.pfa_g,
+            pfa_g_p16: level.pfa_g_p16,
+            pfa_g_p84: level.pfa_g_p84,
+            pfv_m_s: level.pfv_m_s,
+            pfd_m: level.pfd_m,
+            drift_ratio: level.drift_ratio,
+            code_part_g: level.code_part_g,
+        });
+        records_csv(&rows.collect::<Vec<_>>())
+    }
+}
+
+fn mode_reports(building: &Building) -> Vec<ModeReport> {
+    let report = |mode: &Mode| ModeReport {
+        period_s: mode.period_s(),
+        damping_ratio: mode.damping_ratio(),
+        participation_ratio: mode.participation_ratio(),
+        effective_mass_ratio: mode.effective_mass_ratio(),
+        roof_share_ratio: mode.share_ratio(1.0),
+    };
+    building.modes().iter().map(report).collect()
+}
+
+#[cfg(test)]
+mod tests;

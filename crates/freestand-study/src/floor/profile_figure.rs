@@ -1,0 +1,160 @@
+//! Peak floor accelerations up the height of a building.
+
+use kuva::plot::scatter::MarkerShape;
+use kuva::render::plots::Plot;
+
+use crate::statistics::{QUANTILES, ranked_quantile};
+use freestand_input::words::number;
+
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel, draw};
+use freestand_output::figure::style::{Axis, GREY, axes, curve_style, line, markers, plain};
+use freestand_output::figure::{Figure, FigureError};
+
+const PANEL_PX: f64 = 420.0;
+/// So few levels are marked one by one.
+const MARKED_LEVELS: usize = 12;
+const QUANTILE_DASH: &str = "3 4";
+const CODE_DASH: &str = "10 6";
+
+/// What a picture of peak floor accelerations shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProfilePicture<'a> {
+    /// The title.
+    pub title: &'a str,
+    /// Levels as shares of the height, in any order.
+    pub levels_ratio: &'a [f64],
+    /// Height of the roof \[m\], where it is known; else the shares are drawn.
+    pub height_m: Option<f64>,
+    /// Peak floor accelerations, `[motion][level]` \[g\].
+    pub pfa_g: &'a [Vec<f64>],
+    /// Peak ground acceleration of each motion \[g\]; drawn where no level is the ground. May be empty.
+    pub pga_g: &'a [f64],
+    /// A code's line for parts and components: its name and its points (share of the height, g).
+    pub code: Option<(&'a str, &'a [(f64, f64)])>,
+}
+
+/// The profile.
+pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
+    let scale = picture.height_m.unwrap_or(1.0);
+    let curves: Vec<Vec<(f64, f64)>> = picture
+        .pfa_g
+        .iter()
+        .enumerate()
+        .map(|(i, motion)| curve(picture, motion, picture.pga_g.get(i), scale))
+        .collect();
+    let several = curves.len() > 1;
+    let mut plots: Vec<Plot> = Vec::new();
+    let mut legend = Vec::new();
+    if several {
+        plots.extend(curves.iter().map(|curve| line(curve, GREY, 0.9, None)));
+        legend.push(entry(Sign::Line { colour: GREY, width_px: 0.9, dash: None }, "each motion"));
+    }
+    let [low, median, high] = QUANTILES.map(|quantile| quantile_curve(&curves, quantile));
+    let colour = curve_style(0).colour;
+    if several {
+        for curve in [&low, &high] {
+            plots.push(line(curve, colour, 1.4, Some(QUANTILE_DASH)));
+        }
+    }
+    plots.push(line(&median, colour, 2.4, None));
+    if median.len() <= MARKED_LEVELS {
+        plots.push(markers(&median, colour, MarkerShape::Circle, 3.5));
+    }
+    let words = if several { "median" } else { "the motion" };
+    legend.push(entry(Sign::Line { colour, width_px: 2.4, dash: None }, words));
+    if several {
+        legend.push(entry(Sign::Line { colour, width_px: 1.4, dash: Some(QUANTILE_DASH) }, "16 and 84 %"));
+    }
+    let code: Vec<(f64, f64)> =
+        picture.code.iter().flat_map(|(_, line)| line.iter()).map(|&(x, g)| (g, scale * x)).collect();
+    if let Some((name, _)) = picture.code {
+        let colour = curve_style(1).colour;
+        plots.push(line(&code, colour, 2.0, Some(CODE_DASH)));
+        legend.push(entry(Sign::Line { colour, width_px: 2.0, dash: Some(CODE_DASH) }, name));
+    }
+    let largest = curves.iter().flatten().chain(&code).map(|point| point.0).fold(0.0, f64::max);
+    let label = if picture.height_m.is_some() { "Height (m)" } else { "Height as a share z/H (–)" };
+    let y = Axis { from: 0.0, to: 1.02 * scale, step: None, label: label.into() };
+    let layout = axes(Axis::from_zero(1.02 * largest, "Peak floor acceleration (g)"), y);
+    Page {
+        name: name.to_owned(),
+        title: plain(picture.title),
+        caption: caption(picture, &median),
+        panels: vec![Panel { plots, layout }],
+        columns: 1,
+        row_heights_px: vec![PANEL_PX],
+        legend,
+    }
+}
+
+fn caption(picture: &ProfilePicture<'_>, median: &[(f64, f64)]) -> String {
+    let of = |point: Option<&(f64, f64)>| point.map_or_else(|| "–".to_owned(), |point| number(point.0, 3));
+    let motions = match picture.pfa_g.len() {
+        1 => "one motion".to_owned(),
+        n => format!("{n} motions, their median"),
+    };
+    let code = picture.code.map_or_else(String::new, |(name, _)| {
+        format!(" Dashed: the acceleration that a rigid part is designed for, {name}.")
+    });
+    format!(
+        "Largest absolute acceleration of the floors up the height under {motions} from {} g at the lowest level to {} g at \
+         the highest.{code}",
+        of(median.first()),
+        of(median.last())
+    )
+}
+
+fn entry(sign: Sign, words: &str) -> Entry {
+    Entry { sign, words: words.into() }
+}
+
+/// Acceleration and height of the levels of one motion, from the lowest up, with the ground where no level is it.
+fn curve(picture: &ProfilePicture<'_>, motion: &[f64], pga_g: Option<&f64>, scale: f64) -> Vec<(f64, f64)> {
+    let levels = picture.levels_ratio.iter().zip(motion);
+    let mut points: Vec<(f64, f64)> = levels.map(|(&level, &pfa)| (pfa, scale * level)).collect();
+    if !picture.levels_ratio.contains(&0.0) {
+        points.extend(pga_g.map(|&pga| (pga, 0.0)));
+    }
+    points.sort_by(|a, b| a.1.total_cmp(&b.1));
+    points
+}
+
+fn quantile_curve(curves: &[Vec<(f64, f64)>], quantile: f64) -> Vec<(f64, f64)> {
+    let Some(first) = curves.first() else { return Vec::new() };
+    let point = |(i, &(_, height)): (usize, &(f64, f64))| {
+        let mut values: Vec<f64> = curves.iter().filter_map(|curve| curve.get(i)).map(|point| point.0).collect();
+        Some((ranked_quantile(&mut values, quantile).value()?, height))
+    };
+    first.iter().enumerate().filter_map(point).collect()
+}
+
+/// Draws peak floor accelerations up the height of a building.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn floor_profile_figure(picture: &ProfilePicture<'_>) -> Result<Figure, FigureError> {
+    draw(floor_profile("profile", picture))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ground_is_added_where_no_level_is_it() {
+        let pfa = [vec![0.4, 0.2], vec![0.8, 0.6]];
+        let mut picture = ProfilePicture {
+            title: "",
+            levels_ratio: &[1.0, 0.5],
+            height_m: Some(10.0),
+            pfa_g: &pfa,
+            pga_g: &[0.1, 0.3],
+            code: None,
+        };
+        let curve = |picture: &ProfilePicture<'_>| curve(picture, &picture.pfa_g[0], picture.pga_g.first(), 10.0);
+        assert_eq!(curve(&picture), [(0.1, 0.0), (0.2, 5.0), (0.4, 10.0)]);
+        picture.levels_ratio = &[1.0, 0.0];
+        assert_eq!(curve(&picture), [(0.2, 0.0), (0.4, 10.0)]);
+    }
+}

@@ -1,0 +1,179 @@
+//! The study as written: a TOML text, read key by key with the line of each value.
+//!
+//! Nothing stops at the first problem: every reader takes what it can, notes what is wrong and goes on, so that a file
+//! is put right in one round. Unknown keys are found because each reader says which keys it knows.
+
+mod assessment;
+mod building;
+mod cushion;
+mod ground;
+mod objects;
+mod outputs;
+mod point_source;
+mod processing;
+mod target;
+
+use std::path::Path;
+
+use toml::de::DeTable;
+
+use assessment::assessment;
+use building::building;
+use freestand_input::problem::Problem;
+use freestand_input::toml_reader::{Reader, Section, Written, bare_number, example};
+use ground::ground;
+use objects::objects;
+use outputs::outputs;
+
+pub(crate) use assessment::AssessmentOptions;
+pub(crate) use building::{AxisOptions, BuildingOptions, LevelOptions};
+pub(crate) use cushion::CushionOptions;
+pub(crate) use ground::{ComponentsOption, GroundOptions};
+pub(crate) use objects::{ObjectsOptions, RestitutionOption};
+pub(crate) use outputs::{HistoryOptions, OutputsOptions};
+pub(crate) use point_source::PointSourceOptions;
+pub(crate) use processing::ProcessingOptions;
+
+/// A study as written.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Options {
+    pub(crate) ground: GroundOptions,
+    pub(crate) building: BuildingOptions,
+    pub(crate) objects: ObjectsOptions,
+    pub(crate) outputs: OutputsOptions,
+    pub(crate) assessment: AssessmentOptions,
+}
+
+/// Whether a text is TOML and has a table of a study.
+pub(crate) fn has_table_of_ours(text: &str) -> bool {
+    let names = ["ground", "building", "objects", "outputs", "assessment"];
+    DeTable::parse(text.trim_start_matches('\u{feff}'))
+        .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
+}
+
+/// Reads a study; what is wrong goes into the problems, what could be read into the options.
+pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>) {
+    let mut reader = Reader::new(text, source);
+    let mut options = Options::default();
+    let Some(document) = reader.document(text) else { return (options, reader.problems) };
+    let mut top = Section::new("", document.get_ref(), 1);
+    if let Some(mut table) = top.table(&mut reader, "ground") {
+        options.ground = ground(&mut reader, &mut table);
+        table.finish(&mut reader);
+        options.ground.is_incomplete = !reader.problems.is_empty();
+    }
+    if let Some(mut table) = top.table(&mut reader, "building") {
+        options.building = building(&mut reader, &mut table);
+        table.finish(&mut reader);
+    }
+    if let Some(mut table) = top.table(&mut reader, "objects") {
+        options.objects = objects(&mut reader, &mut table);
+        table.finish(&mut reader);
+    }
+    if let Some(mut table) = top.table(&mut reader, "outputs") {
+        options.outputs = outputs(&mut reader, &mut table);
+        table.finish(&mut reader);
+    }
+    if let Some(mut table) = top.table(&mut reader, "assessment") {
+        options.assessment = assessment(&mut reader, &mut table);
+        table.finish(&mut reader);
+    }
+    top.finish(&mut reader);
+    (options, reader.problems)
+}
+
+/// Reads a cushion file, in which the keys stand at the top.
+pub(crate) fn parse_cushion(text: &str, source: &Path) -> (CushionOptions, Vec<Problem>) {
+    let mut reader = Reader::new(text, Some(source));
+    let Some(document) = reader.document(text) else { return (CushionOptions::new(), reader.problems) };
+    let mut top = Section::new("", document.get_ref(), 1);
+    let options = cushion::cushion(&mut reader, &mut top);
+    top.finish(&mut reader);
+    (options, reader.problems)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn problems(text: &str) -> Vec<String> {
+        let (_, problems) = parse(text, Some(Path::new("s.toml")));
+        problems.iter().map(|p| format!("{p} | {}", p.hint.as_deref().unwrap_or("-"))).collect()
+    }
+
+    #[test]
+    fn quantities_take_strings_with_units_or_keys_that_state_them() {
+        let (options, problems) = parse(
+            "[building]\nstorey_height_mm = 3200\nperiod = \"1.92 s\"\ndamping = \"5 %\"\n[objects]\nheights = [\"0.5 m\", \"700 mm\"]\nthicknesses_mm = [200, 300.5]\nstiffness_n_mm = 4380\n",
+            None,
+        );
+        assert_eq!(problems, []);
+        assert_eq!(options.building.storey_height_m, Some(Written { value: 3.2, line: 2 }));
+        assert_eq!(options.building.along.period_s, Some(Written { value: 1.92, line: 3 }));
+        assert_eq!(options.building.along.damping, Some(Written { value: 0.05, line: 4 }));
+        assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
+        assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
+        assert_eq!(
+            (options.objects.cushion[0].0, options.objects.cushion[0].1.value.as_str()),
+            ("stiffness", "4380 N/mm")
+        );
+    }
+
+    #[test]
+    fn a_key_with_a_unit_takes_a_number_a_list_and_a_grid() {
+        for (value, expected) in [
+            ("500", &[0.5][..]),
+            ("\"500\"", &[0.5]),
+            ("[500, 1000]", &[0.5, 1.0]),
+            ("[\"500\", 1000.0]", &[0.5, 1.0]),
+            ("\"500, 1000\"", &[0.5, 1.0]),
+            ("\"500:1000:3\"", &[0.5, 0.75, 1.0]),
+        ] {
+            let (options, problems) = parse(&format!("[objects]\nheights_mm = {value}\n"), None);
+            assert_eq!(problems, []);
+            assert_eq!(options.objects.heights_m.unwrap().value, expected, "{value}");
+        }
+        assert_eq!(
+            problems("[objects]\nheights_mm = \"500 mm, 1 m\"\n"),
+            [
+                "s.toml:2: heights_mm: \"500 mm\" is not a number | the unit is stated already (mm): write the number alone"
+            ]
+        );
+    }
+
+    #[test]
+    fn every_problem_is_reported_with_its_line() {
+        let got = problems(
+            "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nstorey_height = 3.2\nlevels = 4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\n",
+        );
+        assert_eq!(
+            got,
+            [
+                "s.toml:3: site must be text, not 5 | write it in \"quotes\"",
+                "s.toml:2: unknown key cout in [ground] | did you mean count?",
+                "s.toml:7: storey_height: \"3.2\" needs a unit | write \"3.2 m\" or \"3.2 mm\"",
+                "s.toml:8: levels must be a list, not 4 | write levels = [{ name = \"roof\", level_ratio = 1.0 }]",
+                "s.toml:11: mass and mass_kg both state the same value | keep one of them",
+                "s.toml:10: mass: \"3 m\" is a length, a mass is expected | known units: kg, t",
+                "s.toml:4: unknown table [bulding] | did you mean [building]?",
+            ]
+        );
+    }
+
+    #[test]
+    fn text_that_is_not_toml_is_one_message_with_its_line() {
+        let got = problems("[ground]\ncount = = 3\n");
+        assert!(got[0].starts_with("s.toml:2: not TOML: "), "{got:?}");
+        // One fault is one message: no key without a value, no table cut short, is reported beside it.
+        for text in [
+            "[ground]\nseed=\n",
+            "[ground]\nseed = \n[objects]\nmass = 3\n",
+            "[ground]\rcount = 3\r[objects]\rmass = \"150 kg\"\r",
+            "[ground\ncount = \"x\"\n",
+        ] {
+            let got = problems(text);
+            assert!(got.len() == 1 && got[0].contains("not TOML"), "{text:?}: {got:?}");
+        }
+        assert!(problems("[ground]\rcount = 3\r")[0].contains("CR LF"));
+    }
+}

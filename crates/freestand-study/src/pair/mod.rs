@@ -1,0 +1,197 @@
+//! Two horizontal components from record files: read, and turned.
+
+use std::path::PathBuf;
+
+use crate::recorded::{MotionFiles, name_of, start_note};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use freestand_input::words::number;
+use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
+use freestand_records::processing::{Processed, pair_of_one, turned, with_azimuths};
+
+/// Record files with two horizontal components.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PairFiles {
+    /// One file with both, or two files with one each; with two, `component` is the one to take of each.
+    pub files: MotionFiles,
+    /// The two of one file, by name or number; `None`: the only two that can be meant.
+    pub components: Option<(String, String)>,
+}
+
+/// Files with two horizontal components, read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadPair {
+    /// What was asked for.
+    pub request: PairFiles,
+    /// One file or two.
+    pub files: Vec<MotionFile>,
+}
+
+/// Reads the files of a pair.
+///
+/// # Errors
+/// Not one file or two, one file twice, a choice of components that does not go with them, an azimuth (the direction to
+/// turn to is that of a [`RotateRequest`]); everything that is wrong with either file.
+pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Vec<Problem>> {
+    let wrong = misfit(request);
+    if !wrong.is_empty() {
+        return Err(wrong);
+    }
+    refuse_same_file(&request.files.paths)?;
+    let (mut files, mut problems) = (Vec::new(), Vec::new());
+    for path in &request.files.paths {
+        match read_motions(path, &request.files.read) {
+            Ok(file) => files.push(file),
+            Err(error) => problems.extend(error.problems),
+        }
+    }
+    if problems.is_empty() { Ok(ReadPair { request: request.clone(), files }) } else { Err(problems) }
+}
+
+/// What does not go together in a request.
+fn misfit(request: &PairFiles) -> Vec<Problem> {
+    let is_one = request.files.paths.len() == 1;
+    let wrong = [
+        (
+            !matches!(request.files.paths.len(), 1 | 2),
+            "one or two files are expected",
+            "one with both components, or two with one each",
+        ),
+        (
+            request.files.processing.azimuth_deg.is_some(),
+            "an azimuth turns the components of one file, and a pair is read as it is",
+            "turn it with freestand motion rotate (--to)",
+        ),
+        (
+            request.components.is_some() && !is_one,
+            "two components are chosen from one file (--components)",
+            "choose the same one of each of two files (--component)",
+        ),
+        (
+            request.files.component.is_some() && is_one,
+            "one component is chosen from each of two files (--component)",
+            "choose two components of one file (--components)",
+        ),
+    ];
+    let found = wrong.into_iter().filter(|(is_wrong, ..)| *is_wrong);
+    found.map(|(_, message, hint)| Problem::new(ProblemKind::Value, message).hint(hint)).collect()
+}
+
+/// One file given twice would be one component taken for two: of each file the same is chosen.
+fn refuse_same_file(paths: &[PathBuf]) -> Result<(), Vec<Problem>> {
+    let [first, second] = paths else { return Ok(()) };
+    let real = |path: &PathBuf| std::fs::canonicalize(path).ok();
+    match (real(first), real(second)) {
+        // A device or a pipe may give other bytes each time.
+        (Some(one), Some(two)) if one == two && one.is_file() => {
+            let message = "is given twice: two components are two files, or two of one file";
+            Err(vec![
+                Problem::new(ProblemKind::Value, message)
+                    .in_file(second)
+                    .hint("give it once, and name two components with --components where it has more"),
+            ])
+        }
+        _ => Ok(()),
+    }
+}
+
+impl ReadPair {
+    /// The two components.
+    ///
+    /// # Errors
+    /// No such two (see [`MotionFile::select`] and [`pair_of_one`]), or one of them vertical.
+    pub fn components(&self) -> Result<(&Component, &Component), Problem> {
+        let pair = match self.files.as_slice() {
+            [one, two] => {
+                let component = self.request.files.component.as_deref();
+                Ok((one.select(component)?, two.select(component)?))
+            }
+            [one] => {
+                let called = self.request.components.as_ref();
+                pair_of_one(one, called.map(|(first, second)| (first.as_str(), second.as_str())))
+            }
+            _ => {
+                Err(Problem::new(ProblemKind::Value, "one or two files are expected").hint("read them with read_pair"))
+            }
+        }?;
+        match [pair.0, pair.1].into_iter().find(|one| one.direction == Some(Direction::Up)) {
+            Some(up) => Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))
+                .hint("name the two horizontal components: --components, or --component with two files")),
+            None => Ok(pair),
+        }
+    }
+
+    /// What the two components are called in words: by their names where those differ, else with the names of their files
+    /// too, else with their paths.
+    pub fn names(&self, components: (&Component, &Component)) -> (String, String) {
+        let (one, two) = (components.0.name.clone(), components.1.name.clone());
+        match self.files.as_slice() {
+            [first, second] if one == two => {
+                let short = |file: &MotionFile| {
+                    file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy().into_owned()
+                };
+                let mut files = (short(first), short(second));
+                if files.0 == files.1 {
+                    files = (first.path.display().to_string(), second.path.display().to_string());
+                }
+                (format!("{one} of {}", files.0), format!("{two} of {}", files.1))
+            }
+            _ => (one, two),
+        }
+    }
+
+    /// What the readers concluded or left out, file by file.
+    pub fn warnings(&self) -> Vec<String> {
+        let of = |file: &MotionFile| {
+            let path = file.path.display().to_string();
+            file.notes.iter().map(move |note| format!("{path}: {note}")).collect::<Vec<_>>()
+        };
+        self.files.iter().flat_map(of).collect()
+    }
+}
+
+/// A direction to turn to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RotateRequest {
+    /// Where to \[degrees clockwise from north\].
+    pub azimuth_deg: f64,
+    /// Azimuths of the two components \[degrees\]; `None`: as the files state them.
+    pub azimuths_deg: Option<(f64, f64)>,
+}
+
+/// The component of a pair in another direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rotated {
+    /// A name for outputs: that of the first file and the azimuth.
+    pub name: String,
+    /// The first file.
+    pub path: PathBuf,
+    /// Where it points \[degrees clockwise from north\].
+    pub azimuth_deg: f64,
+    /// The motion, and what was done.
+    pub processed: Processed,
+    /// What was concluded or left out.
+    pub warnings: Vec<String>,
+}
+
+/// Turns a pair to an azimuth and processes it.
+///
+/// # Errors
+/// An azimuth that neither the file nor the request states; otherwise as [`ReadPair::components`] and [`turned`].
+pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Problem> {
+    let components = read.components()?;
+    let (first, second) = with_azimuths(components, request.azimuths_deg)?;
+    let names = read.names(components);
+    let names = (names.0.as_str(), names.1.as_str());
+    let processed = turned(first, second, names, request.azimuth_deg, &read.request.files.processing)?;
+    let path = read.files.first().map(|file| file.path.clone()).unwrap_or_default();
+    let mut warnings = read.warnings();
+    let start = |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
+    warnings.extend(read.files.iter().filter_map(start));
+    warnings.extend(processed.notes.iter().cloned());
+    let name = format!("{}-{}deg", name_of(&path), number(request.azimuth_deg.rem_euclid(360.0), 6));
+    Ok(Rotated { name, path, azimuth_deg: request.azimuth_deg, processed, warnings })
+}
+
+#[cfg(test)]
+mod tests;

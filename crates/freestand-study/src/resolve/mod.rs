@@ -1,0 +1,242 @@
+//! The study as meant: defaults filled in, everything checked, files loaded; all problems at once.
+
+mod assessment;
+mod axis;
+mod building;
+mod cushion;
+mod ground;
+mod objects;
+mod outputs;
+mod processing;
+mod recorded;
+mod simulated;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use crate::options::{self, Options};
+use crate::recorded::MotionFiles;
+use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::toml_reader::Written;
+
+use recorded::has_measured_floors;
+
+/// Most synthetic motions of a study.
+pub const MAX_MOTIONS: u64 = 1000;
+/// Most objects of a study's grid.
+pub const MAX_OBJECTS: usize = 1_000_000;
+/// Most storeys of a building.
+pub const MAX_STOREYS: u64 = 500;
+/// Most levels of a study.
+pub const MAX_LEVELS: usize = 100;
+
+/// What the command line puts in place of what the study says.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Overrides {
+    /// Seed of the synthetic motions.
+    pub seed: Option<u64>,
+    /// Files in place of the study's ground motions, which are then not looked at.
+    pub motions: Option<MotionFiles>,
+    /// Step between the directions in which objects are tried, for motions with two components \[degrees\].
+    pub rotation_step_deg: Option<f64>,
+}
+
+/// The built-in study as TOML, with comments: what `--dump-study` prints.
+pub fn builtin_toml() -> &'static str {
+    include_str!("../builtin.toml")
+}
+
+/// The built-in study.
+///
+/// # Errors
+/// None without overrides; with them those of the motion files.
+pub fn builtin(overrides: &Overrides) -> Result<Study, Problems> {
+    resolve_with(builtin_toml(), None, Path::new(""), overrides)
+}
+
+/// Reads a study from a file; paths in it are relative to its folder.
+///
+/// # Errors
+/// A file that cannot be read, or whatever [`resolve`] finds wrong with it.
+pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, Problems> {
+    resolve_with(&read_text(path)?, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
+}
+
+/// Whether a file is a study by its name and what it holds, so that one given for a record can be told.
+pub fn is_study_file(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+        && read_text(path).is_ok_and(|text| options::has_table_of_ours(&text))
+}
+
+fn read_text(path: &Path) -> Result<String, Problems> {
+    const LARGEST: u64 = 16 << 20;
+    let unreadable =
+        |message: String, hint: &str| Problems::from(Problem::new(ProblemKind::Io, message).in_file(path).hint(hint));
+    let failed = |error: std::io::Error| {
+        unreadable(format!("cannot read the study: {error}"), "check the path and its permissions")
+    };
+    let file = File::open(path).map_err(failed)?;
+    if file.metadata().is_ok_and(|facts| facts.is_dir()) {
+        return Err(unreadable("is a folder, not a study".to_owned(), "name the TOML file in it"));
+    }
+    // A pipe or a device does not say how long it is: count what comes.
+    let mut bytes = Vec::new();
+    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(unreadable("is too large for a study".to_owned(), "a study is a TOML text of some lines"));
+    }
+    String::from_utf8(bytes).map_err(|_| {
+        let problem = Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path);
+        Problems::from(problem.hint("a study is a TOML text; freestand run --dump-study prints one to start from"))
+    })
+}
+
+/// The study of a TOML text; `source` names it in messages, paths in it are relative to `base_dir`.
+///
+/// # Errors
+/// Everything that is wrong with it, each with its line and a hint.
+///
+/// # Example
+/// ```
+/// use freestand_study::resolve::resolve;
+/// let study = resolve("[building]\nstoreys = 12\n", None, "".as_ref())?;
+/// assert_eq!(study.building.map(|building| building.storeys), Some(12));
+/// assert_eq!(study.objects.mass_kg, 150.0); // not said: as in the built-in study
+/// let error = resolve("[building]\nstoreys = -1\nstory_height = \"3 m\"\n", None, "".as_ref()).unwrap_err();
+/// assert_eq!(error.problems.len(), 2);
+/// # Ok::<(), freestand_input::problem::Problems>(())
+/// ```
+pub fn resolve(text: &str, source: Option<&Path>, base_dir: &Path) -> Result<Study, Problems> {
+    resolve_with(text, source, base_dir, &Overrides::default())
+}
+
+/// As [`resolve`], with what the command line puts in place.
+///
+/// # Errors
+/// As [`resolve`].
+pub fn resolve_with(
+    text: &str,
+    source: Option<&Path>,
+    base_dir: &Path,
+    overrides: &Overrides,
+) -> Result<Study, Problems> {
+    let (options, problems) = options::parse(text, source);
+    let is_complete = problems.is_empty();
+    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete };
+    let Options { ground, building, objects, outputs, assessment } = options;
+    let levels = resolver.levels(&building, &ground);
+    let (ground_input, building_input) = if has_measured_floors(&building) {
+        resolver.check_measured(&ground, &building, &levels, overrides);
+        (Some(Ground::OnFloors), Some(None))
+    } else {
+        (resolver.ground(&ground, overrides), resolver.building(&building).map(Some))
+    };
+    let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
+    if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
+        && !two
+    {
+        resolver.warnings.push("[building] across is not used: the motions have one component".to_owned());
+    }
+    let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
+    let objects = resolver.objects(&objects);
+    let assessment = resolver.assessment(&assessment);
+    let names = ground_input.as_ref().map(|input| input.names(&levels));
+    let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
+    match (ground_input, building_input, objects) {
+        (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => Ok(Study {
+            source: source.map(Path::to_path_buf),
+            toml: text.to_owned(),
+            ground,
+            directions_deg,
+            building,
+            levels,
+            objects,
+            outputs,
+            assessment,
+            warnings: resolver.warnings,
+        }),
+        _ => {
+            resolver.problems.sort_by_key(|problem| problem.line);
+            Err(Problems { problems: resolver.problems })
+        }
+    }
+}
+
+struct Resolver<'a> {
+    source: Option<&'a Path>,
+    base_dir: &'a Path,
+    problems: Vec<Problem>,
+    warnings: Vec<String>,
+    /// No key was refused when the text was read.
+    is_complete: bool,
+}
+
+/// The value, or the default where the key is missing. A key that was refused also comes here as the default: its
+/// problem is noted already, and the study with it is never used.
+fn or<T: Clone>(written: &Option<Written<T>>, default: T) -> T {
+    written.as_ref().map_or(default, |written| written.value.clone())
+}
+
+impl Resolver<'_> {
+    fn note(&mut self, line: Option<usize>, message: impl Into<String>, hint: impl Into<String>) {
+        let mut problem = Problem::new(ProblemKind::Value, message).hint(hint);
+        problem.line = line;
+        problem.path = self.source.map(Path::to_path_buf);
+        self.problems.push(problem);
+    }
+
+    /// Notes a value for which `accept` does not hold.
+    fn require<T: Copy + std::fmt::Display>(
+        &mut self,
+        written: &Option<Written<T>>,
+        accept: impl Fn(T) -> bool,
+        key: &str,
+        expected: &str,
+    ) {
+        if let Some(Written { value, line }) = written
+            && !accept(*value)
+        {
+            self.note(
+                Some(*line),
+                format!("{key} must be {expected}, not {value}"),
+                format!("give {key} as {expected}"),
+            );
+        }
+    }
+
+    fn positive(&mut self, written: &Option<Written<f64>>, key: &str, dimension: Dimension) {
+        if let Some(Written { value, line }) = written
+            && !(*value > 0.0 && value.is_finite())
+        {
+            let message = format!("{key} must be positive, not {}", format_si(*value, dimension));
+            self.note(Some(*line), message, format!("give {} above 0", dimension.with_article()));
+        }
+    }
+
+    /// Notes two keys that exclude each other; the line is that of the second.
+    fn exclusive<A, B>(&mut self, first: (&str, &Option<Written<A>>), second: (&str, &Option<Written<B>>)) {
+        if let (Some(a), Some(b)) = (first.1, second.1) {
+            let line = a.line.max(b.line);
+            self.note(Some(line), format!("{} and {} exclude each other", first.0, second.0), "keep one of them");
+        }
+    }
+}
+
+/// The paths of the files that a study's motions were read from, those of StationXML and of target spectra among them,
+/// and of its building's tables.
+pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
+    let recorded: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
+    let target = match &study.ground {
+        Ground::Synthetic(synthetic) => synthetic.target.file.as_ref(),
+        Ground::Simulated(_) | Ground::Recorded(_) | Ground::OnFloors => None,
+    };
+    let others = recorded.iter().flat_map(|motion| motion.other_inputs()).chain(target).map(|file| &file.path);
+    let tables = study.building.iter().flat_map(|building| &building.tables).map(|(_, table)| &table.file.path);
+    recorded.iter().map(|motion| &motion.path).chain(others).chain(tables).cloned().collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,262 @@
+//! From a study to its result: ground motions, floor motions, every object on every floor under every motion.
+
+mod motions;
+mod warnings;
+
+use std::ops::ControlFlow;
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::impact::{ImpactModel, Landing};
+use freestand::rocking::{Base, HistoryRecorder, Outcome, RockingOptions, Until, rock_observed};
+use freestand::spectra::{UpliftCell, uplift_spectrum};
+use rayon::prelude::*;
+
+use crate::cushion::BOTTOMED;
+use crate::result::{ExampleHistory, LevelResult, ObjectResponse, StudyResult};
+use crate::statistics::object_statistics;
+use crate::study::{Level, Study};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_records::horizontal::HorizontalMotion;
+use motions::{floor_profile, floors, spectrum_of};
+pub use motions::{floors_under, ground_motions};
+use warnings::result_warnings;
+
+/// Longest wait for a block to settle after the motion \[s\]; only a restitution of nearly 1 needs more.
+pub const LONGEST_TAIL_S: f64 = 120.0;
+
+/// Damping of every spectrum that is shown.
+pub const SPECTRUM_DAMPING_RATIO: f64 = 0.05;
+
+/// How far a run has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Step {
+    /// What is being done.
+    pub stage: &'static str,
+    /// Histories that are done.
+    pub done: usize,
+    /// Histories in all.
+    pub total: usize,
+}
+
+/// Hears of every step; `Break` stops the run.
+pub type Progress<'a> = &'a (dyn Fn(Step) -> ControlFlow<()> + Sync);
+
+/// A [`Progress`] that listens to nothing.
+pub fn no_progress(_: Step) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Periods at which spectra are shown \[s\]: 0.02 to 10 s, 20 a decade.
+pub fn spectrum_periods_s() -> Vec<f64> {
+    let (first, last, count) = (0.02f64, 10.0f64, 109);
+    (0..count).map(|i| first * (last / first).powf(f64::from(i) / f64::from(count - 1))).collect()
+}
+
+/// Runs `study` on the current thread pool; the result does not depend on its size.
+///
+/// # Errors
+/// A motion that cannot be made or filtered, or a run that was stopped. An object that cannot be followed is a row with
+/// its reason, not an error.
+pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
+    let names = study.ground.names(&study.levels);
+    let directions = study.directions_deg.len();
+    let total = study.levels.len() * study.objects.blocks.len() * names.len() * directions;
+    let tell = |stage, done| {
+        progress(Step { stage, done, total })
+            .is_continue()
+            .then_some(())
+            .ok_or_else(|| Problems::from(Problem::new(ProblemKind::Computation, "the run was stopped before its end")))
+    };
+    let ground = ground_motions(&study.ground, || tell("ground motions", 0))?;
+    let floors = floors(study, &ground, || tell("floor motions", 0))?;
+    let profile = floor_profile(study, &ground, || tell("floor motions", 0))?;
+
+    let finished = std::sync::atomic::AtomicUsize::new(0);
+    let pairs: Vec<(usize, usize)> =
+        (0..study.levels.len()).flat_map(|level| (0..names.len()).map(move |motion| (level, motion))).collect();
+    let responses: Vec<Vec<ObjectResponse>> = pairs
+        .par_iter()
+        .map(|&(level, motion)| {
+            let mut governing: Vec<ObjectResponse> = Vec::new();
+            for &direction_deg in &study.directions_deg {
+                let row = object_responses(study, &floors[level][motion], direction_deg);
+                let done = finished.fetch_add(row.len(), std::sync::atomic::Ordering::Relaxed) + row.len();
+                tell("rocking histories", done)?;
+                governing = if governing.is_empty() { row } else { larger(governing, row) };
+            }
+            Ok(governing)
+        })
+        .collect::<Result<_, Problems>>()?;
+
+    let mut responses = responses.into_iter();
+    let mut levels = Vec::with_capacity(study.levels.len());
+    for (level, floors) in study.levels.iter().zip(floors) {
+        let responses: Vec<_> = responses.by_ref().take(floors.len()).collect();
+        levels.push(level_result(level, floors, responses)?);
+    }
+    let mut warnings = study.warnings.clone();
+    warnings.extend(result_warnings(study, &ground, &levels));
+    let history = example_history(study, &names, &levels).unwrap_or_else(|error| {
+        warnings.push(format!("the rocking history that was asked for cannot be drawn: {error}"));
+        None
+    });
+    let modes = study.building.as_ref().map_or_else(Vec::new, |building| building.along.modes().to_vec());
+    Ok(StudyResult { motions: names, ground, modes, profile, levels, history, sensitivity: None, warnings })
+}
+
+fn options(study: &Study) -> RockingOptions {
+    RockingOptions {
+        restitution: study.objects.restitution,
+        accuracy: study.objects.accuracy,
+        until: Until::Settled { at_most_s: LONGEST_TAIL_S },
+        ..RockingOptions::default()
+    }
+}
+
+fn object_responses(study: &Study, floor: &HorizontalMotion, direction_deg: f64) -> Vec<ObjectResponse> {
+    let objects = &study.objects;
+    let motion = match floor.in_direction(direction_deg) {
+        Ok(motion) => motion,
+        Err(error) => return vec![ObjectResponse::Failed(error.to_string()); objects.blocks.len()],
+    };
+    let base = Base { horizontal: Some(&motion), vertical: None };
+    let direction_deg = floor.across.is_some().then_some(direction_deg);
+    uplift_spectrum(&objects.blocks, base, &options(study))
+        .into_iter()
+        .map(|cell| match cell {
+            Ok(uplift) => {
+                let shock = uplift.shock(objects.mass_kg, &objects.cushion.cushion, ImpactModel::Paper, G0_M_S2);
+                if shock.is_beyond_numbers() {
+                    return ObjectResponse::Failed(BOTTOMED.to_owned());
+                }
+                ObjectResponse::Done { uplift, shock, direction_deg }
+            }
+            Err(error) => ObjectResponse::Failed(error.to_string()),
+        })
+        .collect()
+}
+
+/// Object by object the response that governs: a history that failed, since it may have been the worst; then the one that
+/// overturns, then the one whose centre of gravity rises higher, on which the shock hangs. Equal ones leave the first. The
+/// shock from the impact velocity is the largest of all directions, which may be another one's.
+fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<ObjectResponse> {
+    let rank = |response: &ObjectResponse| match response {
+        ObjectResponse::Failed(_) => (2, 0.0),
+        ObjectResponse::Done { uplift, .. } => {
+            (u8::from(uplift.rocking.outcome == Outcome::Overturned), uplift.rocking.cg_rise_m)
+        }
+    };
+    let governs = |one: &ObjectResponse, other: &ObjectResponse| {
+        let (one, other) = (rank(one), rank(other));
+        other.0 > one.0 || (other.0 == one.0 && other.1 > one.1)
+    };
+    let velocity_g = |response: &ObjectResponse| match response {
+        ObjectResponse::Done { shock, .. } => shock.edge_acceleration_impact_velocity_g,
+        ObjectResponse::Failed(_) => None,
+    };
+    let merged = |(one, other): (ObjectResponse, ObjectResponse)| {
+        let (one_g, other_g) = (velocity_g(&one), velocity_g(&other));
+        let mut governing = if governs(&one, &other) { other } else { one };
+        if let ObjectResponse::Done { shock, .. } = &mut governing
+            && let Some(governing_g) = &mut shock.edge_acceleration_impact_velocity_g
+        {
+            *governing_g = [one_g, other_g].into_iter().flatten().fold(*governing_g, f64::max);
+        }
+        governing
+    };
+    first.into_iter().zip(second).map(merged).collect()
+}
+
+fn level_result(
+    level: &Level,
+    floors: Vec<HorizontalMotion>,
+    responses: Vec<Vec<ObjectResponse>>,
+) -> Result<LevelResult, Problems> {
+    let spectra = floors.par_iter().map(spectrum_of).collect::<Result<_, _>>()?;
+    let objects = responses.first().map_or(0, Vec::len);
+    let statistics =
+        (0..objects).map(|object| object_statistics(responses.iter().map(|motion| &motion[object]))).collect();
+    Ok(LevelResult { level: level.clone(), floors, spectra, responses, statistics })
+}
+
+/// The history that is drawn: the study's choice, or else the survivor with the largest shock on the highest floor
+/// under the first motion under which anything rocks.
+fn example_history(
+    study: &Study,
+    names: &[String],
+    levels: &[LevelResult],
+) -> Result<Option<ExampleHistory>, Box<dyn std::error::Error>> {
+    let Some((level, motion, block)) = history_choice(study, names, levels) else { return Ok(None) };
+    let direction_deg = governing_direction(study, &level.responses[motion], &block);
+    let floor = level.floors[motion].in_direction(direction_deg.unwrap_or(0.0))?;
+    let floor = floor.as_ref();
+    let base = Base { horizontal: Some(floor), vertical: None };
+    let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
+    let rocking = rock_observed(&block, base, &options(study), |segment| recorder.observe(segment))?;
+    let points = recorder.finish(&rocking);
+    let landing = Landing::rocking(&block, ImpactModel::Paper);
+    let shock_g = |omega: f64| {
+        let (mass, cushion) = (study.objects.mass_kg, &study.objects.cushion.cushion);
+        landing.impact_at_omega(mass, cushion, omega, G0_M_S2).edge_acceleration_m_s2 / G0_M_S2
+    };
+    Ok(Some(ExampleHistory {
+        level: level.level.name.clone(),
+        motion: names[motion].clone(),
+        direction_deg,
+        height_m: block.height_m(),
+        thickness_m: block.thickness_m(),
+        slenderness_angle_rad: block.pivot().slenderness_angle_rad,
+        outcome: rocking.outcome,
+        time_s: points.iter().map(|p| p.time_s).collect(),
+        accel_m_s2: points.iter().map(|p| p.base_accel_m_s2).collect(),
+        theta_rad: points.iter().map(|p| p.theta_rad).collect(),
+        impacts: rocking.impacts.iter().map(|i| (i.time_s, shock_g(i.omega_before_rad_s))).collect(),
+    }))
+}
+
+/// The direction that governs an object of the grid; sizes of a grid are interpolated, so they agree to rounding.
+fn governing_direction(study: &Study, row: &[ObjectResponse], block: &Block) -> Option<f64> {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
+    let is_it = |one: &Block| near(one.height_m(), block.height_m()) && near(one.thickness_m(), block.thickness_m());
+    let object = study.objects.blocks.iter().position(is_it)?;
+    match row.get(object)? {
+        ObjectResponse::Done { direction_deg, .. } => *direction_deg,
+        ObjectResponse::Failed(_) => None,
+    }
+}
+
+/// Level, index of the motion and object of the history that is drawn; `None` where nothing rocks.
+fn history_choice<'a>(
+    study: &Study,
+    names: &[String],
+    levels: &'a [LevelResult],
+) -> Option<(&'a LevelResult, usize, Block)> {
+    Some(match &study.outputs.history {
+        Some(choice) => {
+            let level = levels.iter().find(|level| level.level.name == choice.level)?;
+            let motion = match &choice.motion {
+                Some(wanted) => names.iter().position(|name| name == wanted)?,
+                None => 0,
+            };
+            (level, motion, Block::uniform(choice.height_m, choice.thickness_m).ok()?)
+        }
+        None => {
+            // A level whose height is not known ranks below the others.
+            let height = |level: &LevelResult| level.level.level_ratio.unwrap_or(-1.0);
+            let level = levels.iter().max_by(|a, b| height(a).total_cmp(&height(b)))?;
+            let hardest = |row: &[ObjectResponse]| -> Option<UpliftCell> {
+                let shocks = row.iter().filter_map(|response| match response {
+                    ObjectResponse::Done { uplift, shock, .. } if uplift.rocking.outcome == Outcome::Rocked => {
+                        Some((*uplift, shock.edge_acceleration_g?))
+                    }
+                    _ => None,
+                });
+                shocks.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(uplift, _)| uplift)
+            };
+            let (motion, cell) =
+                level.responses.iter().enumerate().find_map(|(motion, row)| Some((motion, hardest(row)?)))?;
+            (level, motion, cell.block)
+        }
+    })
+}

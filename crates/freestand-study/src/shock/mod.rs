@@ -1,0 +1,670 @@
+//! One landing, from what is known of the object to the shock and the verdict.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::cushion::Cushion;
+use freestand::impact::{
+    self, Impact, ImpactModel, Landing, ValidityWarning, compression_warnings, impact_friction_needed_ratio,
+    stiffness_warnings,
+};
+use freestand::spectra::BEYOND_ALL_G;
+use serde::Serialize;
+
+mod boundary;
+mod cushion;
+mod test_points;
+mod verdict;
+
+pub use boundary::DamageBoundaryReport;
+use cushion::{Contact, contact};
+pub use test_points::{BoundaryTests, Bracket, TestPoint, boundary_tests};
+pub use verdict::DemandCapacity;
+use verdict::{max_stiffness, verdict};
+
+use crate::cushion::{CushionWords, cushion_words};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::{Dimension, format_si};
+
+/// What ends the fall, Fig. 1 of Al Abadi et al.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Scenario {
+    /// The edge lands and the object rocks on, Fig. 1(c).
+    #[default]
+    Rocking,
+    /// The edge lands and the object stops, Fig. 1(b).
+    Halted,
+    /// The object falls over onto the floor, Fig. 1(a).
+    OverturnFloor,
+    /// The object falls against an obstacle, Fig. 1(a).
+    OverturnObstacle,
+}
+
+impl Scenario {
+    /// The name in flags and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rocking => "rocking",
+            Self::Halted => "halted",
+            Self::OverturnFloor => "overturn-floor",
+            Self::OverturnObstacle => "overturn-obstacle",
+        }
+    }
+
+    fn overturns(self) -> bool {
+        matches!(self, Self::OverturnFloor | Self::OverturnObstacle)
+    }
+}
+
+/// The name of a model in flags and outputs: `paper`, `halted`, `free-corner`.
+pub fn model_name(model: ImpactModel) -> &'static str {
+    match model {
+        ImpactModel::Paper => "paper",
+        ImpactModel::Halted => "halted",
+        ImpactModel::FreeCorner => "free-corner",
+    }
+}
+
+/// Where the energy of the landing comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Energy {
+    /// The centre of gravity rose by this much \[m\].
+    CgRise(f64),
+    /// The free base edge was lifted by this much \[m\].
+    Uplift(f64),
+    /// The object was rotated by this much \[rad\].
+    Rotation(f64),
+    /// The object turns at this speed just before the contact \[rad/s\].
+    AngularVelocity(f64),
+}
+
+/// A landing to be evaluated: SI units, `None` where nobody says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShockRequest {
+    /// The object; it tilts to the left and lands on its right edge.
+    pub block: Block,
+    /// Its mass \[kg\].
+    pub mass_kg: f64,
+    /// What stands under one edge.
+    pub cushion: CushionWords,
+    /// Stiffness of the side on the floor or the obstacle, when the object falls over \[N/m\].
+    pub contact_stiffness_n_m: Option<f64>,
+    /// A measured drop acceleration (same mass, same rise) in place of the stiffness \[m/s²\].
+    pub drop_acceleration_m_s2: Option<f64>,
+    /// The energy; overturning has its own.
+    pub energy: Option<Energy>,
+    /// What ends the fall.
+    pub scenario: Scenario,
+    /// The impact model; `None`: that of the scenario.
+    pub model: Option<ImpactModel>,
+    /// Distance to the obstacle \[m\].
+    pub gap_m: Option<f64>,
+    /// Height of the obstacle; `None`: taller than the object \[m\].
+    pub obstacle_height_m: Option<f64>,
+    /// A point of the object: from the old pivot and above the base \[m\].
+    pub at_m: Option<(f64, f64)>,
+    /// Gravity \[m/s²\].
+    pub gravity_m_s2: f64,
+    /// Coefficient of friction, for the guard against sliding.
+    pub friction_ratio: Option<f64>,
+    /// Peak acceleration that the object stands \[m/s²\].
+    pub tolerance_m_s2: Option<f64>,
+    /// Duration of the half-sine of that peak that it stands \[s\].
+    pub tolerance_duration_s: Option<f64>,
+    /// Velocity change below which no peak does harm \[m/s\].
+    pub tolerance_velocity_change_m_s: Option<f64>,
+    /// Tests of the object, in place of the peak and the velocity change that it stands.
+    pub boundary_tests: Option<BoundaryTests>,
+    /// Lift of one edge from which it may fall back: bench handling \[m\].
+    pub tolerance_edge_lift_m: Option<f64>,
+    /// Frequency of its most delicate component \[Hz\], with [`ShockRequest::component_capacity_m_s2`].
+    pub component_frequency_hz: Option<f64>,
+    /// Acceleration that this component itself stands \[m/s²\].
+    pub component_capacity_m_s2: Option<f64>,
+}
+
+impl ShockRequest {
+    /// An object and its mass; everything else is not yet said.
+    pub fn new(block: Block, mass_kg: f64) -> Self {
+        Self {
+            block,
+            mass_kg,
+            cushion: CushionWords::default(),
+            contact_stiffness_n_m: None,
+            drop_acceleration_m_s2: None,
+            energy: None,
+            scenario: Scenario::Rocking,
+            model: None,
+            gap_m: None,
+            obstacle_height_m: None,
+            at_m: None,
+            gravity_m_s2: G0_M_S2,
+            friction_ratio: None,
+            tolerance_m_s2: None,
+            tolerance_duration_s: None,
+            tolerance_velocity_change_m_s: None,
+            boundary_tests: None,
+            tolerance_edge_lift_m: None,
+            component_frequency_hz: None,
+            component_capacity_m_s2: None,
+        }
+    }
+}
+
+/// The shock of each model for the same landing \[g\]; `None` where a model does not apply.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ModelShocks {
+    /// Eq. (5).
+    pub paper_g: Option<f64>,
+    /// Eq. (8).
+    pub halted_g: Option<f64>,
+    /// The frictionless landing edge, for comparison only.
+    pub free_corner_g: Option<f64>,
+}
+
+/// Shock at a point of the object.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PointShock {
+    /// From the old pivot \[m\].
+    pub x_m: f64,
+    /// Above the base \[m\].
+    pub z_m: f64,
+    /// Horizontal part \[g\].
+    pub horizontal_g: f64,
+    /// Vertical part \[g\].
+    pub vertical_g: f64,
+}
+
+/// The shock of a landing; the keys of the JSON document.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShockReport {
+    /// What ends the fall.
+    pub scenario: &'static str,
+    /// The model that was used: a squat object is halted.
+    pub model: &'static str,
+    /// Where the energy comes from: `uplift`, `impact-velocity`, `fall-from-balance`, `measured`.
+    pub energy_source: &'static str,
+    /// a, Eq. (7), or as measured \[g\].
+    pub drop_acceleration_g: f64,
+    /// a_edge \[g\].
+    pub edge_acceleration_g: f64,
+    /// a_edge \[m/s²\].
+    pub edge_acceleration_m_s2: f64,
+    /// a_edge/a.
+    pub amplification_ratio: f64,
+    /// R_D, Eq. (6).
+    pub landing_ratio: f64,
+    /// m_eff \[kg\].
+    pub effective_mass_kg: f64,
+    /// Velocity of the contact point before the contact \[m/s\].
+    pub edge_velocity_m_s: Option<f64>,
+    /// Angular velocity before the contact \[rad/s\].
+    pub angular_velocity_rad_s: Option<f64>,
+    /// d \[m\].
+    pub contact_distance_m: f64,
+    /// R \[m\].
+    pub half_diagonal_m: f64,
+    /// α \[rad\].
+    pub slenderness_angle_rad: f64,
+    /// Δh that feeds the landing \[m\].
+    pub cg_rise_m: Option<f64>,
+    /// Lift of the free base edge at that rise \[m\].
+    pub uplift_m: Option<f64>,
+    /// Rotation at that rise \[rad\].
+    pub rotation_rad: Option<f64>,
+    /// Stiffness that acted, given or implied by the measured drop acceleration; `None` for a law that has none \[N/m\].
+    pub stiffness_n_m: Option<f64>,
+    /// The law of the cushion: `linear`, `power`, …
+    pub law: Option<&'static str>,
+    /// The cushion in words.
+    pub cushion: Option<String>,
+    /// Duration of the contact, π√(m_eff/k) on a spring \[s\].
+    pub pulse_duration_s: Option<f64>,
+    /// (1 + e)v, 2v on a spring \[m/s\].
+    pub velocity_change_m_s: Option<f64>,
+    /// Largest compression of the cushion \[m\].
+    pub compression_m: Option<f64>,
+    /// R(1 − cos α): the largest rise before the object falls \[m\].
+    pub balance_rise_m: f64,
+    /// Shock from that rise \[g\].
+    pub ceiling_g: Option<f64>,
+    /// Friction without which the landing edge slips; `None` where the object does not rock through.
+    pub impact_friction_needed_ratio: Option<f64>,
+    /// All models side by side.
+    pub models: ModelShocks,
+    /// Shock at the point that was asked for.
+    pub at: Option<PointShock>,
+    /// Peak that the object stands \[g\].
+    pub tolerance_g: Option<f64>,
+    /// Lift of one edge that the object stands \[m\].
+    pub tolerance_edge_lift_m: Option<f64>,
+    /// The test points of a damage boundary and what they say of it.
+    pub damage_boundary_tests: Option<BoundaryTests>,
+    /// The damage boundary of tests or of the component, with the demand.
+    pub damage_boundary: Option<DamageBoundaryReport>,
+    /// Demand over capacity for each kind of tolerance.
+    pub demand_capacity: Option<DemandCapacity>,
+    /// The one that governs.
+    pub demand_capacity_ratio: Option<f64>,
+    /// `damage-boundary`, `spectrum`, `component`, `edge-lift`, or `peak` where nothing else is known.
+    pub governing: Option<&'static str>,
+    /// `ok`, `exceeded` or `no-verdict`.
+    pub verdict: &'static str,
+    /// The largest stiffness that keeps a_edge within the tolerance at this rise \[N/m\].
+    pub max_stiffness_n_m: Option<f64>,
+    /// How the input was read.
+    pub notes: Vec<String>,
+    /// Validity warnings.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+}
+
+impl ShockReport {
+    /// Whether a tolerance was given and exceeded.
+    pub fn exceeded(&self) -> bool {
+        self.demand_capacity_ratio.is_some_and(|ratio| ratio > 1.0)
+    }
+}
+
+fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
+    Problem::new(ProblemKind::Value, message).hint(hint)
+}
+
+/// Evaluates a landing.
+///
+/// # Errors
+/// Dimensions that are no object, keys that contradict each other or are missing, a rise beyond the balance point of a
+/// rocking object. All of them at once.
+///
+/// # Example
+/// Test 1 of Table I of Al Abadi et al., with g = 9.81 m/s² as the paper has it:
+/// ```
+/// use freestand_study::cushion::CushionWords;
+/// use freestand_study::shock::{Energy, ShockRequest, shock};
+/// let mut cabinet = ShockRequest::new(freestand::block::Block::uniform(2.3, 0.6)?, 140.0);
+/// cabinet.cushion = CushionWords::spring(4.38e6);
+/// cabinet.energy = Some(Energy::CgRise(0.016));
+/// let report = shock(&cabinet)?;
+/// assert!((report.edge_acceleration_g - 4.526).abs() < 1e-3);
+/// assert_eq!(report.verdict, "no-verdict");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn shock(request: &ShockRequest) -> Result<ShockReport, Problems> {
+    let mut problems = Vec::new();
+    let request = &with_tests(request, &mut problems);
+    let contact = contact(request, &mut problems);
+    check_combinations(request, &mut problems);
+    let block = &request.block;
+    let Some(landing) = keep(&mut problems, landing(request, block)) else { return Err(Problems { problems }) };
+    let energy = keep(&mut problems, fall(request, block, &landing));
+    match (contact, energy) {
+        (Some(contact), Some(fall)) if problems.is_empty() => Ok(report(request, block, &landing, &contact, &fall)?),
+        _ => Err(Problems { problems }),
+    }
+}
+
+fn keep<T>(problems: &mut Vec<Problem>, result: Result<T, Problem>) -> Option<T> {
+    result.map_err(|problem| problems.push(problem)).ok()
+}
+
+/// The request with the peak and the velocity change that its tests say.
+fn with_tests(request: &ShockRequest, problems: &mut Vec<Problem>) -> ShockRequest {
+    let mut request = request.clone();
+    let Some(tests) = &request.boundary_tests else { return request };
+    let stated = [request.tolerance_m_s2, request.tolerance_velocity_change_m_s, request.tolerance_duration_s];
+    if stated.iter().any(Option::is_some) {
+        problems.push(problem(
+            "the test points of --damage-boundary take the place of --tolerance and what goes with it",
+            "leave --tolerance, --tolerance-velocity-change and --tolerance-duration out",
+        ));
+    }
+    if let Some((acceleration_m_s2, velocity_change_m_s)) = tests.critical() {
+        request.tolerance_m_s2 = Some(acceleration_m_s2);
+        request.tolerance_velocity_change_m_s = Some(velocity_change_m_s);
+    }
+    request
+}
+
+fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
+    if !(request.mass_kg > 0.0 && request.mass_kg.is_finite()) {
+        problems.push(problem("the mass must be positive and finite", "give --mass in kg or t"));
+    }
+    let halted_only = request.scenario != Scenario::Rocking;
+    if let Some(model) = request.model
+        && halted_only
+        && model != ImpactModel::Halted
+    {
+        problems.push(problem(
+            format!("the scenario {} is always halted, not {}", request.scenario.name(), model_name(model)),
+            "leave --model out",
+        ));
+    }
+    if request.scenario != Scenario::OverturnObstacle
+        && (request.gap_m.is_some() || request.obstacle_height_m.is_some())
+    {
+        problems.push(problem(
+            "--gap and --obstacle-height belong to the scenario overturn-obstacle",
+            "add --scenario overturn-obstacle, or leave them out",
+        ));
+    }
+    let kinds = [request.tolerance_duration_s, request.tolerance_velocity_change_m_s];
+    if request.tolerance_m_s2.is_none() && kinds.iter().flatten().next().is_some() {
+        problems.push(problem(
+            "--tolerance-duration and --tolerance-velocity-change go with --tolerance",
+            "give the peak acceleration that the object stands, such as --tolerance \"5 g\"",
+        ));
+    }
+    if request.component_frequency_hz.is_some() != request.component_capacity_m_s2.is_some() {
+        problems.push(problem(
+            "--component-frequency and --component-capacity go together",
+            "such as --component-frequency \"100 Hz\" --component-capacity \"40 g\"",
+        ));
+    }
+    if request.tolerance_m_s2.is_some()
+        && kinds.iter().flatten().next().is_some()
+        && request.drop_acceleration_m_s2.is_some()
+        && request.energy.is_none()
+    {
+        problems.push(problem(
+            "a drop acceleration alone gives neither duration nor velocity change to compare with the tolerance",
+            "give the rise at which it was measured as well, such as --cg-rise \"16 mm\"",
+        ));
+    }
+}
+
+fn landing(request: &ShockRequest, block: &Block) -> Result<Landing, Problem> {
+    match request.scenario {
+        Scenario::Rocking => Ok(Landing::rocking(block, request.model.unwrap_or(ImpactModel::Paper))),
+        Scenario::Halted => Ok(Landing::rocking(block, ImpactModel::Halted)),
+        Scenario::OverturnFloor => Ok(Landing::overturning_onto_floor(block)),
+        Scenario::OverturnObstacle => {
+            let gap_m = request.gap_m.ok_or_else(|| {
+                problem(
+                    "the scenario overturn-obstacle needs --gap",
+                    "the distance to the obstacle, such as --gap \"0.5 m\"",
+                )
+            })?;
+            Landing::overturning_onto_obstacle(block, gap_m, request.obstacle_height_m)
+                .map_err(|error| problem(error.to_string(), "use --scenario overturn-floor"))
+        }
+    }
+}
+
+/// The energy of the landing, as a fall of the centre of gravity.
+struct Fall {
+    source: &'static str,
+    rise_m: Option<f64>,
+    rotation_rad: Option<f64>,
+    warning: Option<String>,
+}
+
+fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall, Problem> {
+    let pivot = landing.pivot;
+    if let Some(Energy::AngularVelocity(omega)) = request.energy {
+        let rise_m = Some(landing.equivalent_rise_m(omega, request.gravity_m_s2));
+        return Ok(Fall { source: "impact-velocity", rise_m, rotation_rad: None, warning: None });
+    }
+    if request.scenario.overturns() {
+        return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
+            Some(fall) => Ok(Fall {
+                source: "fall-from-balance",
+                rise_m: Some(fall),
+                rotation_rad: None,
+                warning: Some(
+                    "the fall starts from rest at the balance point: a lower estimate; the speed that a rocking history still has there comes on top"
+                        .to_owned(),
+                ),
+            }),
+            None if request.scenario == Scenario::OverturnFloor => Err(problem(
+                "the centre of gravity lies higher on its side than at the balance point: there is no fall to take the energy from",
+                "check the centre of gravity and the feet, or give the speed of the contact as --angular-velocity",
+            )),
+            None => Err(problem(
+                "the object touches the obstacle before it reaches its balance point: there is no fall to take the energy from",
+                "give the speed of the contact from a rocking history, such as --angular-velocity \"1.2 rad/s\"",
+            )),
+        };
+    }
+    let alpha = pivot.slenderness_angle_rad;
+    let rotation = match request.energy {
+        None if request.drop_acceleration_m_s2.is_some() => {
+            return Ok(Fall { source: "measured", rise_m: None, rotation_rad: None, warning: None });
+        }
+        None => {
+            return Err(problem(
+                "nothing says how far the object was lifted or how fast it lands",
+                "give one of --cg-rise, --uplift, --rotation, --angular-velocity or --drop-acceleration",
+            ));
+        }
+        Some(Energy::CgRise(rise_m)) if rise_m <= pivot.balance_rise_m() => {
+            let rotation_rad = pivot.rotation_at_rise_rad(rise_m);
+            return Ok(Fall { source: "uplift", rise_m: Some(rise_m), rotation_rad, warning: None });
+        }
+        Some(Energy::Rotation(theta)) => Some(theta.abs()),
+        Some(Energy::Uplift(uplift_m)) if uplift_m <= block.base_width_m() => {
+            Some((uplift_m / block.base_width_m()).asin())
+        }
+        Some(_) => None,
+    };
+    if let Some(theta) = rotation.filter(|&theta| theta <= alpha) {
+        let rise_m = Some(pivot.cg_rise_m(theta));
+        return Ok(Fall { source: "uplift", rise_m, rotation_rad: Some(theta), warning: None });
+    }
+    let balance = format!(
+        "balance point (a rise of the centre of gravity of {}, a rotation of {:.4} rad, an uplift of {})",
+        format_si(pivot.balance_rise_m(), Dimension::Length),
+        alpha,
+        format_si(block.base_width_m() * alpha.sin(), Dimension::Length),
+    );
+    if request.scenario == Scenario::Halted {
+        let rise_m = match request.energy {
+            Some(Energy::CgRise(rise_m)) => rise_m,
+            _ => pivot.balance_rise_m(),
+        };
+        let warning = Some(format!("the object was taken beyond its {balance}: left alone it would overturn"));
+        return Ok(Fall { source: "uplift", rise_m: Some(rise_m), rotation_rad: rotation, warning });
+    }
+    Err(problem(
+        format!("the object does not come back from beyond its {balance}"),
+        "for the fall itself use --scenario overturn-floor or overturn-obstacle",
+    ))
+}
+
+fn report(
+    request: &ShockRequest,
+    block: &Block,
+    landing: &Landing,
+    contact: &Contact,
+    fall: &Fall,
+) -> Result<ShockReport, Problem> {
+    let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
+    let mut warnings: Vec<String> = fall.warning.iter().cloned().collect();
+    let mut notes = Vec::new();
+    let (cushion, pad_thickness_m) = match contact {
+        Contact::Cushion(edge) => {
+            notes.extend(edge.notes.iter().cloned());
+            (Some(edge.cushion.clone()), edge.pad_thickness_m)
+        }
+        Contact::Measured(a) => (implied_spring(*a, mass_kg, fall.rise_m, gravity, &mut notes)?, None),
+    };
+    let cushion = cushion.as_ref();
+    let impact_of =
+        |landing: &Landing| -> Option<Impact> { Some(landing.impact(mass_kg, cushion?, fall.rise_m?, gravity)) };
+    let impact = impact_of(landing);
+    let drop_m_s2 = match contact {
+        Contact::Measured(a) => *a,
+        Contact::Cushion(_) => impact.map_or(0.0, |impact| impact.drop_acceleration_m_s2),
+    };
+    let edge_of = |landing: &Landing| {
+        let measured = || landing.amplification_ratio() * drop_m_s2;
+        impact_of(landing).map_or_else(measured, |impact| impact.edge_acceleration_m_s2)
+    };
+    let edge_m_s2 = edge_of(landing);
+    let overturns = request.scenario.overturns();
+    // A law that is driven into its end gives numbers of any size before it gives none.
+    let largest_m_s2 = edge_m_s2.max(drop_m_s2);
+    if edge_m_s2.is_nan() || largest_m_s2 > BEYOND_ALL_G * G0_M_S2 {
+        return Err(problem(
+            "the shock is beyond all numbers",
+            "check the sizes, the mass and the cushion: one that bottoms must hold the energy of the landing",
+        ));
+    }
+
+    if landing.model == ImpactModel::Halted
+        && request.scenario == Scenario::Rocking
+        && request.model != Some(ImpactModel::Halted)
+    {
+        warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
+    }
+    let edge_keys = ["stiffness", "pad_stiffness", "cushion", "compressions"];
+    if overturns && edge_keys.iter().any(|key| request.cushion.get(key).is_some()) {
+        warnings.push("an object that falls over lands on its side: the stiffness of its edge is not used".to_owned());
+    }
+    if overturns && request.energy.is_some() && fall.source == "fall-from-balance" {
+        warnings.push(
+            "an object that falls over starts from its balance point: the rise that was given is not used".to_owned(),
+        );
+    }
+    if let Some(cushion) = cushion {
+        warnings.extend(stiffness_warnings(mass_kg, cushion, pad_thickness_m).iter().map(ToString::to_string));
+    }
+    if let Some((impact, cushion)) = impact.zip(cushion).filter(|_| !overturns) {
+        let beyond = compression_warnings(impact.compression_m, cushion, pad_thickness_m);
+        warnings.extend(beyond.iter().map(ToString::to_string));
+    }
+    let rocks_through = request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;
+    let friction_needed = rocks_through.then(|| impact_friction_needed_ratio(block, block.landing_ratio()));
+    let friction_ratio = request.friction_ratio.unwrap_or(impact::ASSUMED_FRICTION);
+    if let Some(needed_ratio) = friction_needed.filter(|&needed| needed > friction_ratio) {
+        warnings.push(ValidityWarning::Sliding { needed_ratio, friction_ratio, when: "in an impact" }.to_string());
+    }
+    if landing.model == ImpactModel::FreeCorner {
+        warnings.push("the free-corner model is for comparison only".to_owned());
+    }
+
+    let uplift_m = fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin());
+    let verdict = verdict(request, edge_m_s2, uplift_m, impact.as_ref());
+    warnings.extend(request.boundary_tests.iter().flat_map(|tests| tests.warnings.iter().cloned()));
+    let damage_boundary = impact.as_ref().and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
+    let share = request.at_m.map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
+    if let Some((x_m, z_m, _)) = share
+        && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
+    {
+        warnings.push("the point of --at lies outside the object".to_owned());
+    }
+    // The advice is about springs: of another law it would not be the stiffness that was stated.
+    let rise_on_a_spring_m = fall.rise_m.filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
+    let (max_stiffness_n_m, stiffness_note) =
+        rise_on_a_spring_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
+    notes.extend(stiffness_note.map(str::to_owned));
+    warnings.extend(not_compared(request, verdict.map(|verdict| verdict.0)));
+    Ok(ShockReport {
+        scenario: request.scenario.name(),
+        model: model_name(landing.model),
+        energy_source: fall.source,
+        drop_acceleration_g: drop_m_s2 / G0_M_S2,
+        edge_acceleration_g: edge_m_s2 / G0_M_S2,
+        edge_acceleration_m_s2: edge_m_s2,
+        amplification_ratio: landing.amplification_ratio(),
+        landing_ratio: block.landing_ratio(),
+        effective_mass_kg: landing.effective_mass_ratio * mass_kg,
+        edge_velocity_m_s: fall.rise_m.map(|rise| landing.edge_velocity_m_s(rise, gravity)),
+        angular_velocity_rad_s: fall.rise_m.map(|rise| landing.omega_rad_s(rise, gravity)),
+        contact_distance_m: landing.contact_distance_m,
+        half_diagonal_m: landing.pivot.half_diagonal_m,
+        slenderness_angle_rad: landing.pivot.slenderness_angle_rad,
+        cg_rise_m: fall.rise_m,
+        uplift_m,
+        rotation_rad: fall.rotation_rad,
+        stiffness_n_m: cushion.and_then(Cushion::linear_stiffness_n_m),
+        law: cushion.map(|cushion| cushion.law().name()),
+        cushion: cushion.map(cushion_words),
+        pulse_duration_s: impact.map(|impact| impact.pulse_duration_s),
+        velocity_change_m_s: impact.map(|impact| impact.velocity_change_m_s),
+        compression_m: impact.map(|impact| impact.compression_m),
+        balance_rise_m: landing.pivot.balance_rise_m(),
+        ceiling_g: cushion
+            .filter(|_| !overturns)
+            .map(|cushion| {
+                landing.edge_acceleration_m_s2(mass_kg, cushion, landing.pivot.balance_rise_m(), gravity) / G0_M_S2
+            })
+            .filter(|ceiling_g| ceiling_g.is_finite()),
+        impact_friction_needed_ratio: friction_needed,
+        models: models(request, block, landing, &edge_of),
+        at: share.map(|(x_m, z_m, (horizontal, vertical))| PointShock {
+            x_m,
+            z_m,
+            horizontal_g: horizontal * edge_m_s2 / G0_M_S2,
+            vertical_g: vertical * edge_m_s2 / G0_M_S2,
+        }),
+        tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
+        tolerance_edge_lift_m: request.tolerance_edge_lift_m,
+        damage_boundary_tests: request.boundary_tests.clone(),
+        damage_boundary,
+        demand_capacity: verdict.map(|verdict| verdict.0),
+        demand_capacity_ratio: verdict.map(|verdict| verdict.1),
+        governing: verdict.map(|verdict| verdict.2),
+        verdict: verdict.map_or("no-verdict", |(_, ratio, _)| if ratio > 1.0 { "exceeded" } else { "ok" }),
+        max_stiffness_n_m,
+        notes,
+        warnings,
+    })
+}
+
+/// Tolerances that were given and that nothing of this landing can be held against.
+fn not_compared(request: &ShockRequest, compared: Option<DemandCapacity>) -> Vec<String> {
+    let compared = compared.unwrap_or_default();
+    let kinds = [
+        (
+            request.component_frequency_hz.is_some() && compared.component.is_none(),
+            "the component is not compared: a drop acceleration alone has no duration; give the rise at which it was \
+             measured, or the cushion",
+        ),
+        (
+            request.tolerance_edge_lift_m.is_some() && compared.edge_lift.is_none(),
+            "the lift that was survived is not compared: it needs --uplift, --rotation or --cg-rise",
+        ),
+    ];
+    kinds.into_iter().filter(|(is_left, _)| *is_left).map(|(_, words)| words.to_owned()).collect()
+}
+
+/// The spring on which the mass dropped by the same rise meets the measured acceleration; `None` where no rise is known.
+fn implied_spring(
+    measured_m_s2: f64,
+    mass_kg: f64,
+    rise_m: Option<f64>,
+    gravity_m_s2: f64,
+    notes: &mut Vec<String>,
+) -> Result<Option<Cushion>, Problem> {
+    let Some(rise_m) = rise_m else { return Ok(None) };
+    let implied_n_m = mass_kg * measured_m_s2 * measured_m_s2 / (2.0 * gravity_m_s2 * rise_m);
+    let Ok(spring) = Cushion::linear(implied_n_m) else {
+        return Err(problem("a drop from no height gives no acceleration", "give the rise at which it was measured"));
+    };
+    notes.push(format!("the measured drop acceleration implies {}", format_si(implied_n_m, Dimension::Stiffness)));
+    Ok(Some(spring))
+}
+
+/// The same landing through every model that applies.
+fn models(
+    request: &ShockRequest,
+    block: &Block,
+    landing: &Landing,
+    edge_m_s2: &dyn Fn(&Landing) -> f64,
+) -> ModelShocks {
+    let shock_g = |landing: &Landing| edge_m_s2(landing) / G0_M_S2;
+    if request.scenario.overturns() {
+        return ModelShocks { paper_g: None, halted_g: Some(shock_g(landing)), free_corner_g: None };
+    }
+    let of = |model: ImpactModel| {
+        let landing = Landing::rocking(block, model);
+        (landing.model == model).then(|| shock_g(&landing))
+    };
+    ModelShocks {
+        paper_g: of(ImpactModel::Paper),
+        halted_g: of(ImpactModel::Halted),
+        free_corner_g: of(ImpactModel::FreeCorner),
+    }
+}
+
+#[cfg(test)]
+mod tests;

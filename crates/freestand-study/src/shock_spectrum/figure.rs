@@ -1,0 +1,172 @@
+//! Shock response spectra, and a damage boundary with a demand on it: logarithmic axes.
+
+use kuva::plot::scatter::MarkerShape;
+
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel, draw};
+use freestand_output::figure::style::{Axis, DARK, axes, curve_style, hollow, line, markers, plain, plain_ticks};
+use freestand_output::figure::{Figure, FigureError};
+
+/// One shock response spectrum: frequency \[Hz\] and value, in the unit of the axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShockCurve {
+    /// What it is of.
+    pub name: String,
+    /// Frequency and value.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// What a figure of a damage boundary shows; velocity changes in m/s, accelerations in g.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoundaryPicture {
+    /// V_c and A_c.
+    pub corner: (f64, f64),
+    /// The exact boundary of an undamped component, from the left.
+    pub curve: Vec<(f64, f64)>,
+    /// Shocks of a test that were survived.
+    pub survived: Vec<(f64, f64)>,
+    /// And those that were not.
+    pub damaged: Vec<(f64, f64)>,
+    /// Velocity change and peak of the demand.
+    pub demand: (f64, f64),
+    /// Whether it is within the boundary.
+    pub safe: bool,
+}
+
+/// Height of the panel \[px\].
+const PANEL_PX: f64 = 420.0;
+/// Curves that the legend names; with more it says how many there are.
+const MOST_NAMED: usize = 12;
+/// So many decades are shown below the largest value: further down is rounding.
+const DECADES: f64 = 6.0;
+
+/// Whole decades around positive values.
+fn decades(values: impl Iterator<Item = f64>, label: &str) -> Axis {
+    let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+    for value in values.filter(|value| *value > 0.0 && value.is_finite()) {
+        (least, most) = (least.min(value), most.max(value));
+    }
+    if most == 0.0 {
+        (least, most) = (1.0, 10.0);
+    }
+    let to = most.log10().ceil();
+    let from = least.log10().floor().max(to - DECADES).min(to - 1.0);
+    Axis { from: 10f64.powf(from), to: 10f64.powf(to), step: None, label: label.into() }
+}
+
+fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis) -> Panel {
+    let mut layout = axes(x, y).with_log_scale().with_force_margins(76.0, 18.0);
+    layout.x_tick_format = plain_ticks(0.0);
+    layout.y_tick_format = plain_ticks(0.0);
+    Panel { plots, layout }
+}
+
+/// Spectra over frequency.
+pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) -> Page {
+    let of = |pick: fn(&(f64, f64)) -> f64| curves.iter().flat_map(move |one| one.points.iter().map(pick));
+    let y = decades(of(|p| p.1), label);
+    let x = {
+        let (from, to) = of(|p| p.0).fold((f64::INFINITY, 0.0f64), |(from, to), f| (from.min(f), to.max(f)));
+        let (from, to) = if from < to { (from, to) } else { (0.5 * to, 2.0 * to) };
+        Axis { from, to, step: None, label: "Frequency of the component (Hz)".into() }
+    };
+    let mut plots = Vec::new();
+    let mut legend = Vec::new();
+    for (i, curve) in curves.iter().enumerate() {
+        let style = curve_style(i);
+        let mut points: Vec<(f64, f64)> = curve.points.iter().copied().filter(|p| p.1 >= y.from).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        plots.push(line(&points, style.colour, 2.0, style.dash));
+        if points.len() <= MOST_NAMED {
+            plots.push(markers(&points, style.colour, style.marker, 3.5));
+        }
+        if i < MOST_NAMED {
+            let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
+            legend.push(Entry { sign, words: freestand_input::quantity::shorten(&curve.name) });
+        }
+    }
+    if curves.len() > MOST_NAMED {
+        let sign = Sign::Line { colour: DARK, width_px: 1.0, dash: Some("2 3") };
+        legend.push(Entry { sign, words: format!("and {} more", curves.len() - MOST_NAMED) });
+    }
+    Page {
+        name: "shock_spectrum".to_owned(),
+        title: plain(title),
+        caption: format!("{label} of damped oscillators under the shock, against their frequency."),
+        panels: vec![panel(plots, x, y)],
+        columns: 1,
+        row_heights_px: vec![PANEL_PX],
+        legend,
+    }
+}
+
+/// A boundary with the demand on it.
+pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
+    let (v_c, a_c) = picture.corner;
+    let (v, a) = picture.demand;
+    let points = || picture.survived.iter().chain(&picture.damaged);
+    let xs = [v_c / 2.0, v_c * 5.0, v / 1.5, v * 1.5].into_iter().chain(points().map(|p| p.0));
+    let ys = [a_c / 2.0, a_c * 10.0, a / 1.5, a * 1.5].into_iter().chain(points().map(|p| p.1));
+    let (x, y) = (decades(xs, "Velocity change (m/s)"), decades(ys, "Peak acceleration (g)"));
+    let corner = [(v_c, y.to), (v_c, a_c), (x.to, a_c)];
+    let mut curve: Vec<(f64, f64)> = picture.curve.iter().copied().filter(|p| p.1 <= y.to && p.0 <= x.to).collect();
+    curve.push((x.to, a_c));
+    let (rectangle, exact) = (curve_style(0), curve_style(1));
+    let tested = curve_style(2);
+    let mut plots = vec![line(&corner, rectangle.colour, 2.0, None), line(&curve, exact.colour, 2.0, Some("10 6"))];
+    let mut shocks = Vec::new();
+    if !picture.survived.is_empty() {
+        plots.extend(hollow(&picture.survived, tested.colour, MarkerShape::Square, 5.0));
+        shocks.push((false, "survived in the tests"));
+    }
+    if !picture.damaged.is_empty() {
+        plots.push(markers(&picture.damaged, tested.colour, MarkerShape::Square, 5.0));
+        shocks.push((true, "damaged in the tests"));
+    }
+    plots.push(markers(&[(v, a)], DARK, if picture.safe { MarkerShape::Circle } else { MarkerShape::Cross }, 6.0));
+    let sign = |colour, dash| Sign::Line { colour, width_px: 2.0, dash };
+    let demand = if picture.safe { Sign::Dot { colour: DARK } } else { Sign::Cross };
+    let words = if picture.safe {
+        "this landing: outside the region of damage"
+    } else {
+        "this landing: in the region of damage"
+    };
+    let mut legend = vec![
+        Entry { sign: sign(rectangle.colour, None), words: "rectangle of ASTM D3332".to_owned() },
+        Entry { sign: sign(exact.colour, Some("10 6")), words: "with its knee".to_owned() },
+    ];
+    legend.extend(shocks.into_iter().map(|(filled, words)| {
+        let sign = Sign::Square { colour: tested.colour, filled };
+        Entry { sign, words: words.to_owned() }
+    }));
+    legend.push(Entry { sign: demand, words: words.to_owned() });
+    Page {
+        name: "damage-boundary".to_owned(),
+        title: "Damage boundary".to_owned(),
+        caption:
+            "A shock does harm only if both its peak and its velocity change are too large: above and to the right of \
+                  the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped component under \
+                  rectangular pulses, which begins at the same velocity change and ends on the same peak."
+                .to_owned(),
+        panels: vec![panel(plots, x, y)],
+        columns: 1,
+        row_heights_px: vec![PANEL_PX],
+        legend,
+    }
+}
+
+/// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn shock_spectrum_figure(title: &str, label: &str, curves: &[ShockCurve]) -> Result<Figure, FigureError> {
+    draw(shock_spectrum(title, label, curves))
+}
+
+/// Draws a damage boundary and a demand.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure, FigureError> {
+    draw(damage_boundary(picture))
+}

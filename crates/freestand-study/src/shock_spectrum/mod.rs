@@ -1,0 +1,381 @@
+//! Shock response spectra of records and of classical pulses: request → report.
+//!
+//! Not the paper's "SRS", which is the edge shock against the size of the object ([`crate::spectrum`]).
+
+mod figure;
+
+pub use figure::{BoundaryPicture, ShockCurve, damage_boundary_figure, shock_spectrum_figure};
+use freestand::G0_M_S2;
+use freestand::shock_response::{
+    Peak, Pulse, PulseShape, ResponseKind, SAMPLES_PER_PERIOD, ShockResponseError, ShockSpectrum, ShockSpectrumOptions,
+    enveloping_half_sine, pulse_spectrum, shock_spectrum,
+};
+use serde::Serialize;
+use std::f64::consts::PI;
+use std::time::Instant;
+
+use crate::recorded::ReadMotion;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, find_unit};
+use freestand_input::words::number;
+use freestand_output::figure::{Figure, FigureError};
+use freestand_output::rows::records_csv;
+
+/// A shock response spectrum to compute.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShockSpectrumRequest {
+    /// What is looked at in the oscillator.
+    pub kind: ResponseKind,
+    /// Which peak of it.
+    pub peak: Peak,
+    /// ζ.
+    pub damping_ratio: f64,
+    /// Frequencies of the oscillators \[Hz\].
+    pub frequencies_hz: Vec<f64>,
+    /// More samples where an oscillator has few in a period.
+    pub upsample: bool,
+}
+
+/// The name in flags and outputs.
+pub fn kind_name(kind: ResponseKind) -> &'static str {
+    match kind {
+        ResponseKind::AbsoluteAcceleration => "absolute-acceleration",
+        ResponseKind::RelativeDisplacement => "relative-displacement",
+        ResponseKind::PseudoVelocity => "pseudo-velocity",
+    }
+}
+
+/// The name in flags and outputs.
+pub fn peak_name(peak: Peak) -> &'static str {
+    match peak {
+        Peak::Maximax => "maximax",
+        Peak::Positive => "positive",
+        Peak::Negative => "negative",
+        Peak::Primary => "primary",
+        Peak::Residual => "residual",
+    }
+}
+
+/// The name in flags and outputs.
+pub fn pulse_name(shape: PulseShape) -> &'static str {
+    match shape {
+        PulseShape::HalfSine => "half-sine",
+        PulseShape::Haversine => "haversine",
+        PulseShape::InitialPeakSawtooth => "initial-peak-sawtooth",
+        PulseShape::TerminalPeakSawtooth => "terminal-peak-sawtooth",
+        PulseShape::Rectangle => "rectangle",
+        PulseShape::Trapezoid => "trapezoid",
+    }
+}
+
+/// The half-sine of the smallest peak whose spectrum lies on or above the one beside it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct Enveloping {
+    pub rule: &'static str,
+    pub peak_acceleration_g: f64,
+    pub peak_acceleration_m_s2: f64,
+    pub duration_s: f64,
+    pub velocity_change_m_s: f64,
+}
+
+/// A classical pulse as it was meant.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct PulseWords {
+    pub shape: &'static str,
+    pub peak_acceleration_g: f64,
+    pub peak_acceleration_m_s2: f64,
+    pub duration_s: f64,
+    pub velocity_change_m_s: f64,
+}
+
+/// One spectrum.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OneShockSpectrum {
+    /// The file; `None` for a pulse.
+    pub path: Option<String>,
+    /// Its name, or the shape of the pulse.
+    pub name: String,
+    /// Frequencies of the oscillators \[Hz\].
+    pub frequencies_hz: Vec<f64>,
+    /// The peaks, never negative, in [`OneShockSpectrum::unit`].
+    pub values: Vec<f64>,
+    /// The unit of the input for accelerations, `m` or `m/s`.
+    pub unit: &'static str,
+    /// Samples in a period from which the peak of each was taken.
+    pub samples_per_period: Vec<f64>,
+    /// Time between the samples of the input \[s\]; `None` for a pulse.
+    pub dt_s: Option<f64>,
+    /// Samples of the input; `None` for a pulse.
+    pub samples: Option<usize>,
+    /// What was done to the samples.
+    pub processing: Vec<String>,
+    /// The pulse, where it is one.
+    pub pulse: Option<PulseWords>,
+    /// For the maximax of the absolute acceleration.
+    pub enveloping_half_sine: Option<Enveloping>,
+    /// The values in SI.
+    #[serde(skip)]
+    values_si: Vec<f64>,
+}
+
+/// Where the time went.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Timing {
+    /// The spectra alone, without reading and writing \[s\].
+    pub solve_s: f64,
+}
+
+/// The spectra; the keys of the JSON document.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShockSpectrumReport {
+    /// What was looked at.
+    pub kind: &'static str,
+    /// Which peak.
+    pub peak: &'static str,
+    /// ζ.
+    pub damping_ratio: f64,
+    /// Q = 1/(2ζ); `None` without damping.
+    pub quality_factor_ratio: Option<f64>,
+    /// Whether oscillators with few samples in a period got more.
+    pub upsample: bool,
+    /// One for each file, in their order, or that of the pulse.
+    pub spectra: Vec<OneShockSpectrum>,
+    /// Where the time went.
+    pub timing: Timing,
+    /// What a reader of the results should know.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+    #[serde(skip)]
+    response: ResponseKind,
+}
+
+/// Computes the spectra of motions.
+///
+/// # Errors
+/// Frequencies or a damping that no oscillator has, accelerations beyond all numbers.
+pub fn recorded_shock_spectra(
+    motions: &[ReadMotion],
+    request: &ShockSpectrumRequest,
+) -> Result<ShockSpectrumReport, Problem> {
+    let options =
+        ShockSpectrumOptions { kind: request.kind, damping_ratio: request.damping_ratio, upsample: request.upsample };
+    let (mut spectra, mut warnings, mut solve_s) = (Vec::new(), Vec::new(), 0.0);
+    for read in motions {
+        let recorded = &read.motion;
+        let motion = &recorded.motion;
+        let began = Instant::now();
+        let found = shock_spectrum(motion, &request.frequencies_hz, options)
+            .map_err(|error| refused(error).in_file(&recorded.path))?;
+        solve_s += began.elapsed().as_secs_f64();
+        let mut one = one(recorded.name.clone(), read.unit, &found, request)?;
+        one.path = Some(recorded.path.to_string_lossy().into_owned());
+        (one.dt_s, one.samples) = (Some(motion.dt_s()), Some(motion.accel_m_s2().len()));
+        one.processing.clone_from(&recorded.processing);
+        let of_file = |text: String| if motions.len() > 1 { format!("{}: {text}", recorded.name) } else { text };
+        warnings.extend(read.notes.iter().cloned().map(of_file));
+        warnings.extend(sampling_warning(request, motion.dt_s(), &found).map(of_file));
+        spectra.push(one);
+    }
+    Ok(report(request, spectra, solve_s, warnings))
+}
+
+/// Computes the spectrum of a pulse; `unit` is the one of accelerations in the result.
+///
+/// # Errors
+/// As [`recorded_shock_spectra`].
+pub fn pulse_shock_spectrum(
+    pulse: &Pulse,
+    unit: &'static str,
+    request: &ShockSpectrumRequest,
+) -> Result<ShockSpectrumReport, Problem> {
+    let began = Instant::now();
+    let found = pulse_spectrum(pulse, &request.frequencies_hz, request.kind, request.damping_ratio).map_err(refused)?;
+    let solve_s = began.elapsed().as_secs_f64();
+    let mut one = one(pulse_name(pulse.shape()).to_owned(), unit, &found, request)?;
+    one.pulse = Some(PulseWords {
+        shape: pulse_name(pulse.shape()),
+        peak_acceleration_g: pulse.peak_acceleration_m_s2() / G0_M_S2,
+        peak_acceleration_m_s2: pulse.peak_acceleration_m_s2(),
+        duration_s: pulse.duration_s(),
+        velocity_change_m_s: pulse.velocity_change_m_s(),
+    });
+    let few = found.samples_per_period.iter().any(|samples| *samples < SAMPLES_PER_PERIOD);
+    let warning =
+        "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be low";
+    Ok(report(request, vec![one], solve_s, few.then(|| warning.to_owned()).into_iter().collect()))
+}
+
+/// The unit in which a quantity such as `30 g` is written; its spelling in outputs.
+pub fn acceleration_unit(text: &str) -> &'static str {
+    let unit = text.trim().trim_start_matches(|c: char| c.is_ascii_digit() || "+-.,eE_ ".contains(c));
+    find_unit(unit, Dimension::Acceleration).map_or(SI_ACCELERATION, |unit| unit.symbol)
+}
+
+const SI_ACCELERATION: &str = "m/s2";
+
+fn refused(error: ShockResponseError) -> Problem {
+    let hint = match error {
+        ShockResponseError::Frequency { .. } => "frequencies above zero, such as \"1 Hz:10 kHz:12/oct\"",
+        ShockResponseError::Damping { .. } => "damping from 0 to below 1; 5 % is Q = 10",
+        ShockResponseError::Overflow { .. } => "check the unit of the accelerations",
+    };
+    Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
+}
+
+/// The chosen peaks in the unit of the input, and the half-sine that envelopes them.
+fn one(
+    name: String,
+    input_unit: &'static str,
+    found: &ShockSpectrum,
+    request: &ShockSpectrumRequest,
+) -> Result<OneShockSpectrum, Problem> {
+    let values_si: Vec<f64> = found.peaks.iter().map(|one| one.peak(request.peak)).collect();
+    let known = find_unit(input_unit, Dimension::Acceleration).ok();
+    let (unit, values) = match request.kind {
+        ResponseKind::AbsoluteAcceleration => match known {
+            Some(unit) => (unit.symbol, values_si.iter().map(|&value| unit.from_si(value)).collect()),
+            // Counts and units that only a format has.
+            None => (SI_ACCELERATION, values_si.clone()),
+        },
+        ResponseKind::RelativeDisplacement => ("m", values_si.clone()),
+        ResponseKind::PseudoVelocity => ("m/s", values_si.clone()),
+    };
+    let enveloped = request.kind == ResponseKind::AbsoluteAcceleration && request.peak == Peak::Maximax;
+    let enveloping = if enveloped {
+        enveloping_half_sine(&request.frequencies_hz, &values_si, request.damping_ratio).map_err(refused)?
+    } else {
+        None
+    };
+    Ok(OneShockSpectrum {
+        path: None,
+        name,
+        frequencies_hz: request.frequencies_hz.clone(),
+        values,
+        unit,
+        samples_per_period: found.samples_per_period.clone(),
+        dt_s: None,
+        samples: None,
+        processing: Vec::new(),
+        pulse: None,
+        enveloping_half_sine: enveloping.map(|pulse| Enveloping {
+            rule: "smallest-peak",
+            peak_acceleration_g: pulse.peak_acceleration / G0_M_S2,
+            peak_acceleration_m_s2: pulse.peak_acceleration,
+            duration_s: pulse.duration_s,
+            velocity_change_m_s: 2.0 / PI * pulse.peak_acceleration * pulse.duration_s,
+        }),
+        values_si,
+    })
+}
+
+fn report(
+    request: &ShockSpectrumRequest,
+    spectra: Vec<OneShockSpectrum>,
+    solve_s: f64,
+    warnings: Vec<String>,
+) -> ShockSpectrumReport {
+    let zeta = request.damping_ratio;
+    ShockSpectrumReport {
+        kind: kind_name(request.kind),
+        peak: peak_name(request.peak),
+        damping_ratio: zeta,
+        quality_factor_ratio: (zeta > 0.0).then(|| 0.5 / zeta),
+        upsample: request.upsample,
+        spectra,
+        timing: Timing { solve_s },
+        warnings,
+        response: request.kind,
+    }
+}
+
+/// Samples in a period below which a record says little of what an oscillator feels: ISO 18431-4 asks for ten.
+const FEW_SAMPLES: f64 = 10.0;
+
+/// What is said of frequencies that the record does not reach, or whose peaks lie between samples.
+fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpectrum) -> Option<String> {
+    let highest_hz = request.frequencies_hz.iter().copied().fold(0.0, f64::max);
+    let in_hz = |f: f64| format!("{} Hz", number(f, 4));
+    if highest_hz * dt_s > 0.5 {
+        return Some(format!(
+            "the record holds nothing above half its sampling rate, {}: above it the spectrum is that of what is below",
+            in_hz(0.5 / dt_s)
+        ));
+    }
+    let least = found.samples_per_period.iter().copied().fold(f64::INFINITY, f64::min);
+    if !request.upsample && least < FEW_SAMPLES {
+        return Some(format!(
+            "without upsampling the peaks above {} are taken from fewer than ten samples in a period and may be {} % low",
+            in_hz(1.0 / (FEW_SAMPLES * dt_s)),
+            number(100.0 * (1.0 - (PI / least).cos()), 2),
+        ));
+    }
+    (request.upsample && least < SAMPLES_PER_PERIOD).then(|| {
+        format!(
+            "the record is too long to get {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks may be {} % low",
+            in_hz(highest_hz),
+            number(least, 3),
+            number(100.0 * (1.0 - (PI / least).cos()), 2),
+        )
+    })
+}
+
+/// One row of the table; what was not asked for is empty.
+#[derive(Debug, Serialize)]
+struct Row<'a> {
+    name: &'a str,
+    frequency_hz: f64,
+    absolute_acceleration_g: Option<f64>,
+    absolute_acceleration_m_s2: Option<f64>,
+    relative_displacement_m: Option<f64>,
+    pseudo_velocity_m_s: Option<f64>,
+}
+
+impl ShockSpectrumReport {
+    /// The spectra as CSV, one below the other: the columns are always the same.
+    ///
+    /// # Errors
+    /// None in practice: see [`records_csv`].
+    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+        let only = |kind: ResponseKind, value: f64| (self.response == kind).then_some(value);
+        let rows = self.spectra.iter().flat_map(|one| {
+            one.frequencies_hz.iter().zip(&one.values_si).map(|(&frequency_hz, &value)| Row {
+                name: &one.name,
+                frequency_hz,
+                absolute_acceleration_g: only(ResponseKind::AbsoluteAcceleration, value / G0_M_S2),
+                absolute_acceleration_m_s2: only(ResponseKind::AbsoluteAcceleration, value),
+                relative_displacement_m: only(ResponseKind::RelativeDisplacement, value),
+                pseudo_velocity_m_s: only(ResponseKind::PseudoVelocity, value),
+            })
+        });
+        records_csv(&rows.collect::<Vec<_>>())
+    }
+
+    /// The spectra as a figure.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn figure(&self) -> Result<Figure, FigureError> {
+        // Several inputs may be in several units: the figure is in g, m or m/s.
+        let (factor, label) = match self.response {
+            ResponseKind::AbsoluteAcceleration => (1.0 / G0_M_S2, "Absolute acceleration (g)"),
+            ResponseKind::RelativeDisplacement => (1.0, "Relative displacement (m)"),
+            ResponseKind::PseudoVelocity => (1.0, "Pseudo-velocity (m/s)"),
+        };
+        let curves: Vec<ShockCurve> = self
+            .spectra
+            .iter()
+            .map(|one| ShockCurve {
+                name: one.name.clone(),
+                points: one.frequencies_hz.iter().copied().zip(one.values_si.iter().map(|v| factor * v)).collect(),
+            })
+            .collect();
+        let title =
+            format!("Shock response spectrum, {}, damping {} %", self.peak, number(100.0 * self.damping_ratio, 4));
+        shock_spectrum_figure(&title, label, &curves)
+    }
+}
+
+#[cfg(test)]
+mod tests;

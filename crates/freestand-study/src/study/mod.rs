@@ -1,0 +1,299 @@
+//! A study as it is meant: validated, in SI units, with its files loaded.
+
+pub mod assessment;
+
+use std::path::PathBuf;
+
+use freestand::block::Block;
+use freestand::motion::Motion;
+use freestand::rocking::{Accuracy, Restitution};
+
+use crate::cushion::{CushionWords, EdgeCushion};
+use crate::matched::Matched;
+use crate::simulated::{FoundEarthquake, SimulatedRequest};
+use crate::target::Target;
+use freestand_input::file::InputFile;
+use freestand_input::words::number;
+use freestand_records::horizontal::HorizontalMotion;
+
+/// Everything that `run` needs, and nothing that it does not.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// The file that it was read from; `None` for the built-in study.
+    pub source: Option<PathBuf>,
+    /// The study as TOML text: what `source` held, or the built-in study.
+    pub toml: String,
+    /// The motions at the base of the building.
+    pub ground: Ground,
+    /// Horizontal directions in which every object is tried, counted from the first component \[degrees\]: `[0]` unless
+    /// the motions have two.
+    pub directions_deg: Vec<f64>,
+    /// The building that they pass through; `None` where the motions of the floors are given.
+    pub building: Option<BuildingInput>,
+    /// The floors that are looked at, in the order given.
+    pub levels: Vec<Level>,
+    /// The objects that stand on them.
+    pub objects: Objects,
+    /// What is written.
+    pub outputs: Outputs,
+    /// How an inventory is assessed on its floors.
+    pub assessment: crate::study::assessment::Settings,
+    /// What the reader of the result must know: assumptions and doubts, one sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// Where the ground motions come from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ground {
+    /// Matched to a code spectrum.
+    Synthetic(SyntheticGround),
+    /// Simulated from magnitudes and distances.
+    Simulated(SimulatedGround),
+    /// Read from files.
+    Recorded(Vec<RecordedMotion>),
+    /// Not known: the motions of the floors are given, with the levels.
+    OnFloors,
+}
+
+impl Ground {
+    /// The names of the motions in the outputs; `levels` are those of the study.
+    pub fn names(&self, levels: &[Level]) -> Vec<String> {
+        let names = |motions: &[RecordedMotion]| motions.iter().map(|motion| motion.name.clone()).collect();
+        match self {
+            Self::Synthetic(synthetic) => (0..synthetic.count).map(synthetic_name).collect(),
+            Self::Simulated(simulated) => simulated.motions().map(|(found, index)| found.motion_name(index)).collect(),
+            Self::Recorded(motions) => names(motions),
+            // Every level has as many, and those in one place belong together.
+            Self::OnFloors => levels.first().map_or_else(Vec::new, |level| names(&level.motions)),
+        }
+    }
+
+    /// Every motion that was read from a file: those of the ground, then those of the floors, level by level.
+    pub fn recorded<'a>(&'a self, levels: &'a [Level]) -> impl Iterator<Item = &'a RecordedMotion> {
+        let ground = match self {
+            Self::Recorded(motions) => motions.as_slice(),
+            Self::Synthetic(_) | Self::Simulated(_) | Self::OnFloors => &[],
+        };
+        ground.iter().chain(levels.iter().flat_map(|level| &level.motions))
+    }
+
+    /// The spectrum that the motions are made for, or matched to.
+    pub fn target(&self) -> Option<&Target> {
+        match self {
+            Self::Synthetic(synthetic) => Some(&synthetic.target),
+            Self::Recorded(motions) => motions.iter().find_map(|motion| Some(&motion.matched.as_ref()?.target)),
+            Self::Simulated(_) | Self::OnFloors => None,
+        }
+    }
+
+    /// The spectrum of a code for this ground: the target, or the one whose rock spectrum the simulated earthquakes meet.
+    pub fn code_spectrum(&self) -> Option<&Target> {
+        match self {
+            Self::Simulated(simulated) => simulated.hazard.as_ref(),
+            _ => self.target(),
+        }
+    }
+
+    /// Seed of the random numbers, where there are any.
+    pub fn seed(&self) -> Option<u64> {
+        match self {
+            Self::Synthetic(synthetic) => Some(synthetic.seed),
+            Self::Simulated(simulated) => Some(simulated.request.seed),
+            Self::Recorded(_) | Self::OnFloors => None,
+        }
+    }
+
+    /// Whether the motions have two horizontal components.
+    pub fn has_two_components(&self, levels: &[Level]) -> bool {
+        self.recorded(levels).any(|motion| motion.across.is_some())
+    }
+}
+
+/// The name of a synthetic motion, counted from 0.
+pub fn synthetic_name(index: usize) -> String {
+    format!("synthetic-{:02}", index + 1)
+}
+
+/// Motions matched to a spectrum.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SyntheticGround {
+    /// The target.
+    pub target: Target,
+    /// How many motions.
+    pub count: usize,
+    /// Seed of the random numbers.
+    pub seed: u64,
+}
+
+/// Motions of point sources.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SimulatedGround {
+    /// Source, path, site, count and seed.
+    pub request: SimulatedRequest,
+    /// The earthquakes, with their distances.
+    pub earthquakes: Vec<FoundEarthquake>,
+    /// The code's spectrum at the site, where distances were looked for that meet its rock spectrum.
+    pub hazard: Option<Target>,
+}
+
+impl SimulatedGround {
+    /// What the motions are of, for a title: `a simulated earthquake of magnitude 6 at 30 km`.
+    pub fn title_words(&self) -> String {
+        let each = |found: &FoundEarthquake| {
+            let (magnitude, km) = (number(found.source.magnitude, 3), number(found.source.distance_m / 1e3, 2));
+            format!("magnitude {magnitude} at {km} km")
+        };
+        match (&self.hazard, &self.earthquakes[..]) {
+            (Some(code), _) => format!("simulated earthquakes that stand for {}", code.title_words()),
+            (None, [one]) => {
+                format!("a simulated earthquake of {}, site class {}", each(one), self.request.site.name())
+            }
+            (None, _) => "simulated earthquakes".to_owned(),
+        }
+    }
+
+    /// Every motion: its earthquake, and its number among those of the earthquake.
+    pub fn motions(&self) -> impl Iterator<Item = (&FoundEarthquake, u64)> {
+        self.earthquakes.iter().flat_map(|found| (0..self.request.count).map(move |index| (found, index)))
+    }
+}
+
+/// One motion read from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordedMotion {
+    /// A name for the outputs, never a path.
+    pub name: String,
+    /// The file.
+    pub path: PathBuf,
+    /// Its SHA-256, in hexadecimal.
+    pub sha256: String,
+    /// Format and component, in words.
+    pub description: String,
+    /// Factor that the samples were multiplied by.
+    pub scale_ratio: f64,
+    /// StationXML with the sensitivities of its counts, where they came from one.
+    pub station_xml: Vec<InputFile>,
+    /// The file with the spectrum that they were scaled to, where there was one.
+    pub scale_target: Option<InputFile>,
+    /// What was done to the samples, one step each, in words.
+    pub processing: Vec<String>,
+    /// The spectrum that it was matched to, where it was.
+    pub matched: Option<Matched>,
+    /// The samples, as used.
+    pub motion: Motion,
+    /// The second horizontal component, at right angles to the first, where there is one.
+    pub across: Option<SecondComponent>,
+}
+
+/// The second horizontal component of a recorded motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SecondComponent {
+    /// The file, where it is not that of the first component.
+    pub file: Option<InputFile>,
+    /// The samples, as used.
+    pub motion: Motion,
+}
+
+impl RecordedMotion {
+    /// Its component or components.
+    pub fn as_used(&self) -> HorizontalMotion {
+        let across = self.across.as_ref().map(|second| second.motion.clone());
+        HorizontalMotion { along: self.motion.clone(), across }
+    }
+
+    /// The files that were read beside its own.
+    pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
+        let second = self.across.as_ref().and_then(|second| second.file.as_ref());
+        let target = self.matched.as_ref().and_then(|matched| matched.target.file.as_ref());
+        self.station_xml.iter().chain(&self.scale_target).chain(target).chain(second)
+    }
+}
+
+/// The building and its modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BuildingInput {
+    /// Number of storeys.
+    pub storeys: usize,
+    /// Height of the roof \[m\].
+    pub height_m: f64,
+    /// Height of one storey \[m\]; `None` where a table says each.
+    pub storey_height_m: Option<f64>,
+    /// Its modes along the first horizontal axis.
+    pub along: freestand::building::Building,
+    /// Its modes along the second; `None`: as along the first.
+    pub across: Option<freestand::building::Building>,
+    /// How the period came about, in words for the report.
+    pub period_note: String,
+    /// The same of the second axis, where it has its own.
+    pub across_note: Option<String>,
+    /// The tables that it was read from, and whether that of the second axis.
+    pub tables: Vec<(bool, crate::building::BuildingTable)>,
+}
+
+impl BuildingInput {
+    /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
+    pub fn tail_s(&self) -> f64 {
+        self.across.as_ref().map_or(0.0, freestand::building::Building::tail_s).max(self.along.tail_s())
+    }
+}
+
+/// A floor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// Its name in the outputs, e.g. `roof`.
+    pub name: String,
+    /// Height above the ground as a share of the building's: 0 ground, 1 roof. `None` where its motions are given and
+    /// its height is not.
+    pub level_ratio: Option<f64>,
+    /// Its motions, where they are given rather than computed.
+    pub motions: Vec<RecordedMotion>,
+}
+
+/// The grid of objects.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Objects {
+    /// Heights \[m\].
+    pub heights_m: Vec<f64>,
+    /// Thicknesses \[m\].
+    pub thicknesses_m: Vec<f64>,
+    /// Every object of the grid: thickness by thickness within each height.
+    pub blocks: Vec<Block>,
+    /// Mass \[kg\].
+    pub mass_kg: f64,
+    /// What stands under one edge.
+    pub cushion: EdgeCushion,
+    /// The cushion file that it was read from, and its words.
+    pub cushion_file: Option<(InputFile, CushionWords)>,
+    /// Restitution of the motion.
+    pub restitution: Restitution,
+    /// Accuracy of the rocking solver.
+    pub accuracy: Accuracy,
+    /// Shock that the objects stand, where it is known \[m/s²\].
+    pub tolerance_m_s2: Option<f64>,
+    /// Coefficient of friction that sliding is judged by, where it is known.
+    pub friction: Option<f64>,
+}
+
+/// What is written beside the tables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outputs {
+    /// SVG and PNG figures.
+    pub figures: bool,
+    /// `report.html`.
+    pub report: bool,
+    /// The object whose rocking history is drawn; `None`: chosen by the program.
+    pub history: Option<HistoryChoice>,
+}
+
+/// The object whose rocking history is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HistoryChoice {
+    /// Name of the level.
+    pub level: String,
+    /// Name of the motion; `None`: the first.
+    pub motion: Option<String>,
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Thickness \[m\].
+    pub thickness_m: f64,
+}
