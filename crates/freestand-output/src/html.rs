@@ -13,9 +13,11 @@ pub const PRINT_CSS: &str = include_str!("print.css");
 pub fn opening(title: &str, subtitle: &str, css: &str) -> String {
     let (heading, below) = (escape(title), escape(subtitle));
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" />\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n<title>{heading}</title>\n<style>\n\
-         {SCREEN_CSS}{PRINT_CSS}@page {{\n  @top-left {{ content: {}; }}\n  @bottom-left {{ content: {}; }}\n}}\n{css}</style>\n\
+        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n\
+         <meta charset=\"utf-8\" />\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n\
+         <title>{heading}</title>\n<style>\n{SCREEN_CSS}{PRINT_CSS}\
+         @page {{\n  @top-left {{ content: {}; }}\n  @bottom-left {{ content: {}; }}\n}}\n{css}</style>\n\
          </head>\n<body>\n<header>\n<h1>{heading}</h1>\n<p class=\"sub\">{below}</p>\n</header>\n<main>\n",
         css_string(title),
         css_string(subtitle),

@@ -104,8 +104,6 @@ pub struct Overview {
     pub counts: Counts,
     /// By tier that decided, 0 to 3.
     pub tiers: [usize; 4],
-    /// By criterion that governs, of those that have a capacity.
-    pub governing: BTreeMap<String, usize>,
     /// Objects without a tolerance, without geometry or level, and those that a source decides that may not.
     pub without_tolerance: usize,
     /// Objects whose motion could not be followed: geometry or level is missing, or no motion could be.
@@ -133,7 +131,6 @@ impl Overview {
             assessed: 0,
             counts: Counts::default(),
             tiers: [0; 4],
-            governing: BTreeMap::new(),
             without_tolerance: 0,
             without_response: 0,
             with_failed_motions: 0,
@@ -154,15 +151,7 @@ impl Overview {
         if let Some(tier) = self.tiers.get_mut(usize::from(found.tier)) {
             *tier += 1;
         }
-        match &found.capacity {
-            Some(capacity)
-                if self.governing.len() < MOST_FLOORS || self.governing.contains_key(&capacity.governing) =>
-            {
-                *self.governing.entry(capacity.governing.clone()).or_default() += 1;
-            }
-            Some(_) => {}
-            None => self.without_tolerance += usize::from(item.tolerance.is_none()),
-        }
+        self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
         self.without_response += usize::from(found.response.is_none());
         self.with_failed_motions += usize::from(found.response.as_ref().is_some_and(|response| response.failed > 0));
         let rated = [item.consequences.life_safety, item.consequences.property, item.consequences.function];
