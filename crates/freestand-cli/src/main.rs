@@ -5,6 +5,7 @@ mod commands;
 mod cushion;
 mod failure;
 mod files;
+mod keys;
 mod printer;
 mod processing;
 mod reading;
@@ -21,6 +22,7 @@ use args::GlobalArgs;
 use commands::Command;
 use failure::Failure;
 use printer::Printer;
+use values::with_negative_values;
 
 /// How hard an earthquake knocks a free-standing object, and whether it falls.
 #[derive(Debug, Parser)]
@@ -69,7 +71,7 @@ fn main() -> ExitCode {
 }
 
 fn try_main() -> Result<ExitCode, Failure> {
-    let matches = Cli::command().try_get_matches();
+    let matches = with_negative_values(Cli::command()).try_get_matches();
     let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) if !error.use_stderr() => {

@@ -3,6 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::ProblemKind;
 pub(crate) use freestand_input::words::significant;
 use freestand_output::json::document;
@@ -51,7 +52,7 @@ impl Printer {
     pub(crate) fn warn(&self, warnings: &[String]) {
         if !self.quiet {
             for warning in warnings {
-                error_line(&format!("warning: {warning}"));
+                error_line(&format!("warning: {}", KeyStyle::Flag.shown(warning)));
             }
         }
     }
@@ -94,14 +95,15 @@ fn error_line(text: &str) {
 pub(crate) fn print_failure(failure: &Failure) {
     let Failure::Problems(problems) = failure else { return };
     for problem in problems {
-        error_line(&format!("error: {}", one_line(&problem.to_string())));
+        error_line(&format!("error: {}", one_line(&KeyStyle::Flag.shown(&problem.to_string()))));
         let hint = problem.hint.as_deref().unwrap_or(match problem.kind {
             ProblemKind::Io => "check the path and its permissions",
             ProblemKind::Format => "check that the file is complete and of a supported format",
-            ProblemKind::Value => "--help shows what is accepted",
+            ProblemKind::Value | ProblemKind::Missing => "--help shows what is accepted",
             ProblemKind::Computation => "check that the input is physically possible",
+            ProblemKind::Stopped => "run it again",
         });
-        error_line(&format!("hint: {}", one_line(hint)));
+        error_line(&format!("hint: {}", one_line(&KeyStyle::Flag.shown(hint))));
     }
 }
 

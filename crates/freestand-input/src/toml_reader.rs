@@ -94,9 +94,9 @@ impl<'s> Reader<'s> {
             }
             let problem = Problem::new(ProblemKind::Format, format!("not TOML: {}", one_line(error.message())));
             let hint = if text.replace("\r\n", "").contains('\r') {
-                "save it with lines that end in LF or CR LF"
+                "save it with line ends LF or CR LF"
             } else {
-                "a table is written [ground], a key as name = value, and text in \"quotes\""
+                "write a table as [ground], a key as name = value, and text in \"quotes\""
             };
             self.note(line, problem.hint(hint));
         }
@@ -291,7 +291,7 @@ impl<'t, 'i> Section<'t, 'i> {
         if let Some(value) = number {
             return Some(Written { value, line });
         }
-        reader.wrong_type(line, key, "a whole number", value, "write digits alone, without a sign, a point or quotes");
+        reader.wrong_type(line, key, "a whole number", value, "write only digits, without a sign, a point or quotes");
         None
     }
 
@@ -370,7 +370,7 @@ impl<'t, 'i> Section<'t, 'i> {
             }
             let what = match (self.name, value.get_ref()) {
                 ("", DeValue::Table(_)) => format!("unknown table [{}]", quantity::shorten(key)),
-                ("", _) => format!("{} stands outside every table", quantity::shorten(key)),
+                ("", _) => format!("{} is outside every table", quantity::shorten(key)),
                 (table, _) => format!("unknown key {} in [{table}]", quantity::shorten(key)),
             };
             let hint = match nearest(key, &self.known) {

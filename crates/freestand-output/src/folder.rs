@@ -1,7 +1,7 @@
 //! Output that is either complete or not there: nothing half-written is ever found under the name that was asked for.
 
 use crate::paths::{
-    STAGING_PREFIX, beside, clear_leftovers, io_problem, no_name, real_path, refuse_input, unique_suffix,
+    STAGING_PREFIX, clear_leftovers, io_problem, no_name, prefix_beside, real_path, refuse_input, staging_prefix,
 };
 use crate::streamed::StreamedFile;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -10,6 +10,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
+use tempfile::TempDir;
 
 /// Files by which we know a folder as ours.
 const MANIFESTS: [&str; 2] = [MANIFEST, "summary.json"];
@@ -23,7 +24,7 @@ const INCOMPLETE: &str = "freestand.incomplete/1";
 /// Most of a manifest that is read to see whose it is. Ours are far shorter; a stranger's may be of any size.
 const MANIFEST_BYTES: u64 = 64 << 20;
 
-const ANOTHER_FOLDER: &str = "name another folder with --out";
+const ANOTHER_FOLDER: &str = "name another folder with `out`";
 
 /// Writes a file under a temporary name beside `path`, then gives it its name. A file that was there is replaced; if
 /// anything fails it stays as it was. No file of `inputs` is replaced.
@@ -43,11 +44,11 @@ pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), P
 #[derive(Debug)]
 pub struct OutputFolder {
     target: PathBuf,
-    staging: PathBuf,
+    /// Removed when dropped, unless it became the target.
+    staging: TempDir,
     force: bool,
     /// What the work was read from, and so must outlive it.
     inputs: Vec<PathBuf>,
-    committed: bool,
     /// Held while we live, so that nobody takes the staging folder for a leftover.
     _lock: Option<fs::File>,
 }
@@ -71,19 +72,20 @@ impl OutputFolder {
             refuse_input(&inputs, &target.join(name), ANOTHER_FOLDER)?;
         }
         // A folder that exists may be a mount point, or stand where nothing else may be written: we stay inside it.
-        let staging = match place {
+        let (folder, prefix) = match place {
             Place::Absent => {
-                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot make the folder", &error))?;
-                beside(&target, "partial").ok_or_else(|| no_name(&target))?
+                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot create the folder", &error))?;
+                (parent, prefix_beside(&target).ok_or_else(|| no_name(&target))?)
             }
-            Place::Folder { .. } => target.join(format!("{STAGING_PREFIX}{}", unique_suffix())),
+            Place::Folder { .. } => (target.as_path(), staging_prefix().into()),
         };
-        // One left over from a killed run that had our process number is ours to clear.
-        remove_if_there(&staging).map_err(|error| io_problem(&staging, "cannot clear the folder", &error))?;
-        fs::create_dir(&staging).map_err(|error| io_problem(&target, "cannot write the output folder", &error))?;
-        // Where a folder cannot be locked, the number of the process alone says whose it is.
-        let lock = fs::File::open(&staging).ok().filter(|folder| folder.try_lock().is_ok());
-        Ok(Self { target, staging, force, inputs, committed: false, _lock: lock })
+        let staging = tempfile::Builder::new().prefix(&prefix).tempdir_in(folder).map_err(|error| {
+            // tempfile's message names the temporary folder, which tells the user nothing.
+            io_problem(&target, "cannot write the output folder", &error.kind().into())
+        })?;
+        // Where a folder cannot be locked, the process number alone says whose it is.
+        let lock = fs::File::open(staging.path()).ok().filter(|folder| folder.try_lock().is_ok());
+        Ok(Self { target, staging, force, inputs, _lock: lock })
     }
 
     /// Whether files of these names may be put into the folder. To be asked before long work.
@@ -96,21 +98,21 @@ impl OutputFolder {
             let path = self.target.join(name);
             refuse_input(&self.inputs, &path, ANOTHER_FOLDER)?;
             let in_the_way = |what: &str| {
-                Problem::new(ProblemKind::Io, format!("{what}, an output is to be there"))
+                Problem::new(ProblemKind::Io, format!("{what}, but an output is to be written there"))
                     .in_file(&path)
-                    .hint("name another folder with --out")
+                    .hint(ANOTHER_FOLDER)
             };
             for above in Path::new(name).ancestors().skip(1).filter(|above| !above.as_os_str().is_empty()) {
                 let file = fs::symlink_metadata(self.target.join(above)).is_ok_and(|data| !data.is_dir());
                 if file && !place.lists(above) {
-                    return Err(in_the_way(&format!("{} is no folder", above.display())));
+                    return Err(in_the_way(&format!("{} is not a folder", above.display())));
                 }
             }
             match fs::symlink_metadata(&path) {
                 Ok(data) if data.is_dir() => return Err(in_the_way("is a folder")),
                 Ok(_) if !self.force && !place.lists(Path::new(name)) => {
                     return Err(in_the_way("is not a result of freestand")
-                        .hint("name another folder with --out, or replace the file with --force"));
+                        .hint("name another folder with `out`, or replace the file with `force = true`"));
                 }
                 _ => {}
             }
@@ -143,7 +145,7 @@ impl OutputFolder {
         let file = fs::File::create_new(&path).map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => Problem::new(ProblemKind::Value, "two outputs have this name")
                 .in_file(&target)
-                .hint("ask for each output once"),
+                .hint("request each output once"),
             _ => failed(error),
         })?;
         Ok(StreamedFile::of(file, &target))
@@ -155,9 +157,9 @@ impl OutputFolder {
     /// A name that leaves the folder.
     pub fn path_of(&self, name: &str) -> Result<PathBuf, Problem> {
         if !stays_inside(name) {
-            return Err(Problem::new(ProblemKind::Value, format!("\"{name}\" is no name inside the output folder")));
+            return Err(Problem::new(ProblemKind::Value, format!("\"{name}\" is not a name inside the output folder")));
         }
-        Ok(self.staging.join(name))
+        Ok(self.staging.path().join(name))
     }
 
     /// Where a file of the folder is until the commit, its folders made: for one that is linked rather than written.
@@ -177,7 +179,7 @@ impl OutputFolder {
     /// A staging folder that somebody has taken away.
     pub fn names(&self) -> Result<Vec<String>, Problem> {
         let mut names = Vec::new();
-        collect_names(&self.staging, "", &mut names)
+        collect_names(self.staging.path(), "", &mut names)
             .map_err(|error| io_problem(&self.target, "cannot read the output folder", &error))?;
         names.sort_unstable();
         Ok(names)
@@ -193,11 +195,10 @@ impl OutputFolder {
         self.check(&names)?;
         match check_replaceable(&self.target, self.force)? {
             Place::Absent => {
-                fs::rename(&self.staging, &self.target)
-                    .map_err(|error| io_problem(&self.target, "cannot put the folder in place", &error))?;
-                self.committed = true;
+                fs::rename(self.staging.path(), &self.target)
+                    .map_err(|error| io_problem(&self.target, "cannot move the folder into place", &error))?;
+                self.staging.disable_cleanup(true);
             }
-            // The emptied staging folder is left for `drop` to remove.
             Place::Folder { listed } => self.move_in(&names, &listed)?,
         }
         Ok(self.target.clone())
@@ -206,7 +207,7 @@ impl OutputFolder {
     /// Replaces the files of an earlier run by ours, the manifest last.
     fn move_in(&self, names: &[String], listed: &BTreeSet<String>) -> Result<(), Problem> {
         let failed = |name: &str, error: io::Error| {
-            io_problem(&self.target.join(name), "cannot put the file in place, the output is incomplete", &error)
+            io_problem(&self.target.join(name), "cannot move the file into place; the output is incomplete", &error)
         };
         let (manifests, others): (Vec<&String>, Vec<&String>) =
             names.iter().partition(|name| MANIFESTS.contains(&name.as_str()));
@@ -214,7 +215,7 @@ impl OutputFolder {
             // Until all is in place, whoever looks (the next run, too) sees old and new as ours and incomplete.
             let all: BTreeSet<&String> = names.iter().chain(listed).collect();
             let text = serde_json::json!({"schema": INCOMPLETE, "files": all}).to_string();
-            let marker = self.staging.join(".incomplete");
+            let marker = self.staging.path().join(".incomplete");
             fs::write(&marker, text)
                 .and_then(|()| fs::rename(&marker, self.target.join(manifest)))
                 .map_err(|error| failed(manifest, error))?;
@@ -226,18 +227,10 @@ impl OutputFolder {
             let to = self.target.join(name);
             to.parent()
                 .map_or(Ok(()), fs::create_dir_all)
-                .and_then(|()| fs::rename(self.staging.join(name), &to))
+                .and_then(|()| fs::rename(self.staging.path().join(name), &to))
                 .map_err(|error| failed(name, error))?;
         }
         Ok(())
-    }
-}
-
-impl Drop for OutputFolder {
-    fn drop(&mut self) {
-        if !self.committed {
-            let _ = fs::remove_dir_all(&self.staging);
-        }
     }
 }
 
@@ -252,7 +245,7 @@ pub fn announce(target: &Path, force: bool, names: &[String]) -> Result<(), Prob
         Place::Absent => BTreeSet::new(),
         Place::Folder { listed } => listed,
     };
-    fs::create_dir_all(&target).map_err(|error| io_problem(&target, "cannot make the folder", &error))?;
+    fs::create_dir_all(&target).map_err(|error| io_problem(&target, "cannot create the folder", &error))?;
     let ours: BTreeSet<&String> = names.iter().chain(&listed).collect();
     let text = serde_json::json!({"schema": INCOMPLETE, "files": ours}).to_string();
     write_file(&target.join(MANIFEST), text.as_bytes(), &[])
@@ -320,13 +313,13 @@ fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     let data = match fs::symlink_metadata(target) {
         Ok(data) => data,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Place::Absent),
-        Err(error) => return Err(io_problem(target, "cannot look at the output folder", &error)),
+        Err(error) => return Err(io_problem(target, "cannot inspect the output folder", &error)),
     };
     if !data.is_dir() {
         let what = if data.is_symlink() { "is a link to nothing" } else { "is a file" };
-        return Err(Problem::new(ProblemKind::Io, format!("{what}, the output folder is to be there"))
+        return Err(Problem::new(ProblemKind::Io, format!("{what}, but the output folder is to be there"))
             .in_file(target)
-            .hint("name another folder with --out"));
+            .hint(ANOTHER_FOLDER));
     }
     let manifests: Vec<BTreeSet<String>> = MANIFESTS.iter().filter_map(|name| listed_files(target, name)).collect();
     let mut entries =
@@ -338,7 +331,7 @@ fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     }
     Err(Problem::new(ProblemKind::Io, "the folder holds files that are not results of freestand")
         .in_file(target)
-        .hint("name another folder with --out, or write among them with --force"))
+        .hint("name another folder with `out`, or add to this one with `force = true`"))
 }
 
 /// The files that a manifest of ours lists, itself included; `None` if it is not ours. A manifest is a text that anybody
@@ -361,18 +354,11 @@ fn listed_files(target: &Path, manifest: &str) -> Option<BTreeSet<String>> {
 }
 
 fn absolute(path: &Path) -> Result<PathBuf, Problem> {
-    let path = std::path::absolute(path).map_err(|error| io_problem(path, "is no path", &error))?;
+    let path = std::path::absolute(path).map_err(|error| io_problem(path, "is not a path", &error))?;
     // Where the path exists, ".." and links above it are resolved as the system does.
     match (path.file_name(), path.parent()) {
         (Some(_), _) => Ok(path),
-        _ => fs::canonicalize(&path).map_err(|error| io_problem(&path, "cannot look at the output folder", &error)),
-    }
-}
-
-fn remove_if_there(path: &Path) -> io::Result<()> {
-    match fs::remove_dir_all(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        other => other,
+        _ => fs::canonicalize(&path).map_err(|error| io_problem(&path, "cannot inspect the output folder", &error)),
     }
 }
 
@@ -408,7 +394,7 @@ mod tests {
         let full = Path::new("/dev/full");
         if full.exists() {
             let problem = write_file(full, b"x", &[]).unwrap_err();
-            assert!(problem.hint.unwrap().contains("make room"), "{}", problem.message);
+            assert!(problem.hint.unwrap().contains("free space"), "{}", problem.message);
         }
     }
 
@@ -455,7 +441,7 @@ mod tests {
         ] {
             fs::write(target.join(name), content).unwrap();
             let problem = OutputFolder::stage(&target, false, &[]).unwrap_err();
-            assert!(problem.hint.unwrap().contains("--force"), "{name}");
+            assert!(problem.hint.unwrap().contains("`force = true`"), "{name}");
             assert_eq!(names(parent.path()), ["out"]);
             fs::remove_file(target.join(name)).unwrap();
         }
@@ -514,10 +500,10 @@ mod tests {
         // A file that nobody listed is in the way: said before the work, and nothing has changed.
         fs::write(target.join("urs.csv"), "mine").unwrap();
         let folder = OutputFolder::stage(&target, false, &[]).unwrap();
-        assert!(folder.check(&["urs.csv".to_owned()]).unwrap_err().hint.unwrap().contains("--force"));
+        assert!(folder.check(&["urs.csv".to_owned()]).unwrap_err().hint.unwrap().contains("`force = true`"));
         drop(folder);
         assert!(run(&target, false, &["urs.csv", "motions/c.csv"]).is_err());
-        assert!(run(&target, true, &["thesis.doc/x"]).unwrap_err().message.contains("no folder"));
+        assert!(run(&target, true, &["thesis.doc/x"]).unwrap_err().message.contains("not a folder"));
         assert!(run(&target, true, &["motions"]).unwrap_err().message.contains("is a folder"));
         assert_eq!(names(&target), ["motions", "notes.md", "srs.csv", "summary.json", "thesis.doc", "urs.csv"]);
         assert_eq!(names(&target.join("motions")), ["b.csv", "mine.csv"]);
@@ -656,7 +642,7 @@ mod tests {
         for name in ["", "..", "../x", "/etc/x", "a/../../x", "."] {
             assert!(folder.write(name, b"x").is_err(), "{name}");
         }
-        assert_eq!(names(&folder.staging).len(), 0);
+        assert_eq!(names(folder.staging.path()).len(), 0);
         assert!(OutputFolder::stage(Path::new("/"), true, &[]).is_err());
     }
 }

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use serde_json::json;
+use tempfile::TempPath;
 
 use crate::json::document;
-use crate::paths::{beside, clear_leftovers, io_problem, no_name, real_path, refuse_input};
+use crate::paths::{clear_leftovers, io_problem, no_name, prefix_beside, real_path, refuse_input};
 use freestand_input::problem::{Problem, ProblemKind};
 
 /// A file in the making. It has its name only after [`finish`](StreamedFile::finish); dropped before, it is gone, and
@@ -18,8 +19,9 @@ pub struct StreamedFile {
     file: io::BufWriter<fs::File>,
     /// The name that the user knows.
     path: PathBuf,
-    /// The temporary name and the final one; `None` for what is written in its place: a device, a staging folder.
-    rename: Option<(PathBuf, PathBuf)>,
+    /// The temporary name, which tempfile removes, and the final one. `None` for a file that is
+    /// written in its place: a device, or one in a staging folder.
+    rename: Option<(TempPath, PathBuf)>,
 }
 
 impl StreamedFile {
@@ -32,7 +34,7 @@ impl StreamedFile {
         refuse_input(&inputs, path, "name another file to write")?;
         let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
         if path.is_dir() {
-            return Err(Problem::new(ProblemKind::Io, "is a folder, a file is to be written there")
+            return Err(Problem::new(ProblemKind::Io, "is a folder, but a file is to be written there")
                 .in_file(path)
                 .hint("name a file"));
         }
@@ -42,12 +44,14 @@ impl StreamedFile {
             return Ok(Self::of(device, path));
         }
         // A link stays a link: the file that it names is the one to replace.
-        let target = real_path(path);
-        let temporary = beside(&target, "partial").ok_or_else(|| no_name(path))?;
+        let target = std::path::absolute(real_path(path)).map_err(failed)?;
+        let (prefix, folder) = prefix_beside(&target).zip(target.parent()).ok_or_else(|| no_name(path))?;
         clear_leftovers(&target, true);
-        let file = fs::File::create(&temporary).map_err(failed)?;
-        // Held while we write, so that nobody takes it for a leftover; where files cannot be locked, the number of the
-        // process says whose it is.
+        // Created by us, the file has the permissions that the user's umask leaves; tempfile's own has 0600.
+        let temporary = tempfile::Builder::new().prefix(&prefix).make_in(folder, |path| fs::File::create_new(path));
+        let (file, temporary) = temporary.map_err(failed)?.into_parts();
+        // Locked while we write, so that nobody takes it for a leftover. Where files cannot be locked, the process
+        // number says whose it is.
         let _ = file.try_lock();
         let mut file = Self::of(file, path);
         file.rename = Some((temporary, target));
@@ -73,24 +77,14 @@ impl StreamedFile {
     /// A disk that is full, or a folder that was taken away.
     pub fn finish(mut self) -> Result<(), Problem> {
         self.file.flush().map_err(|error| self.failed(&error))?;
-        if let Some((temporary, target)) = &self.rename {
-            fs::rename(temporary, target).map_err(|error| self.failed(&error))?;
-            self.rename = None;
+        if let Some((temporary, target)) = self.rename.take() {
+            temporary.persist(target).map_err(|error| self.failed(&error.error))?;
         }
         Ok(())
     }
 
     fn failed(&self, error: &io::Error) -> Problem {
         io_problem(&self.path, "cannot write the file", error)
-    }
-}
-
-impl Drop for StreamedFile {
-    fn drop(&mut self) {
-        if let Some((temporary, _)) = &self.rename {
-            // What cannot be removed is untidy; the reason why we are here is the one to report.
-            let _ = fs::remove_file(temporary);
-        }
     }
 }
 
@@ -157,6 +151,17 @@ mod tests {
         }
         assert!(StreamedFile::begin(&path, std::slice::from_ref(&path)).is_err());
         assert!(StreamedFile::begin(folder.path(), &[]).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_has_the_permissions_of_any_new_file() {
+        use std::os::unix::fs::MetadataExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (plain, ours) = (folder.path().join("plain"), folder.path().join("ours"));
+        fs::write(&plain, "").unwrap();
+        StreamedFile::begin(&ours, &[]).unwrap().finish().unwrap();
+        assert_eq!(fs::metadata(&ours).unwrap().mode(), fs::metadata(&plain).unwrap().mode());
     }
 
     /// The pieces make the document that is written in one.

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use freestand::measures::cumulative_trapezoid;
 use freestand::motion::{Motion, MotionError};
 
-use crate::formats::{write_csv, write_pair_csv};
+use crate::write::{write_csv, write_pair_csv};
 
 /// A motion in the plane of the floor: one component, or two at right angles.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,7 +7,19 @@ use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoub
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{number, percent};
-use freestand_records::formats::{load_table, read_modes, read_storeys};
+use freestand_records::tables::{load_table, read_modes, read_storeys};
+
+/// Storeys of a building, where nobody says how many.
+pub const DEFAULT_STOREYS: u32 = 30;
+
+/// Height of a storey \[m\], where nobody says it.
+pub const DEFAULT_STOREY_HEIGHT_M: f64 = 3.2;
+
+/// Damping of every mode, where nobody says it.
+pub const DEFAULT_DAMPING_RATIO: f64 = 0.05;
+
+/// `α₀` of a building, where nobody says it: walls with frames.
+pub const DEFAULT_SHEAR_FLEXURE_RATIO: f64 = 5.0;
 
 /// Modes that are kept where nobody says how many.
 pub const DEFAULT_MODES: usize = 10;

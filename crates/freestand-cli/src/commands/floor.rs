@@ -6,10 +6,14 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::Dimension;
+use freestand::synthesis::DAMPING_RATIO;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::words::number;
-use freestand_study::building::{Axis, AxisModel, AxisRequest, axis};
+use freestand_study::building::{
+    Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
+    DEFAULT_STOREYS, axis,
+};
 use freestand_study::floor::{
     FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floors, spectra_csv,
 };
@@ -23,7 +27,7 @@ use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::target::TargetArgs;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// Floor motions of a building under ground motions
 #[derive(Debug, Args)]
@@ -47,23 +51,23 @@ pub(crate) struct FloorArgs {
     #[command(flatten)]
     building: BuildingArgs,
     /// Levels as shares of the height, 0 ground and 1 roof, or "all": the ground and every floor
-    #[arg(long, value_name = "GRID|all", default_value = "0.5, 1.0", allow_hyphen_values = true)]
-    levels: String,
+    #[arg(long, value_name = "GRID|all", read = levels, default_value = "0.5, 1.0")]
+    levels: Given<Option<Vec<f64>>>,
     /// Zeros behind the record, in which the building rings down [default: none]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    tail: Option<String>,
+    #[arg(long, non_negative = Dimension::Time)]
+    tail: Option<Given>,
     /// Look for the floors' peaks at N points in each sample interval; the ground stays linear between its samples
-    #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = at_least_one)]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = at_least_one)]
     upsample: NonZeroUsize,
     /// Response spectra of the levels as well
     #[arg(long)]
     spectra: bool,
     /// Damping ratios of the spectra [default: 5 %]
-    #[arg(long, value_name = "LIST", requires = "spectra", allow_hyphen_values = true)]
-    spectrum_damping: Option<String>,
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST", requires = "spectra")]
+    spectrum_damping: Option<Given<Vec<f64>>>,
     /// Periods of the spectra, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
-    #[arg(long, value_name = "GRID", requires = "spectra", allow_hyphen_values = true)]
-    periods: Option<String>,
+    #[arg(long, grid = Dimension::Time, requires = "spectra")]
+    periods: Option<Given<Vec<f64>>>,
     #[command(flatten)]
     second: SecondArgs,
     #[command(flatten)]
@@ -77,28 +81,28 @@ pub(crate) struct FloorArgs {
 #[command(next_help_heading = "Building")]
 struct BuildingArgs {
     /// Storeys [default: 30]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=500))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=500))]
     storeys: Option<u32>,
     /// Height of a storey [default: 3.2 m]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    storey_height: Option<String>,
+    #[arg(long, positive = Dimension::Length)]
+    storey_height: Option<Given>,
     /// Fundamental period [default: by AS 1170.4, from the height]
-    #[arg(long, value_name = "TIME", conflicts_with = "frame", allow_hyphen_values = true)]
-    period: Option<String>,
+    #[arg(long, positive = Dimension::Time, conflicts_with = "frame")]
+    period: Option<Given>,
     /// Structure, for the period of AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
     #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
     frame: Option<FrameKind>,
     /// Damping ratio of every mode, where a table does not say it [default: 5 %]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    damping: Option<String>,
+    #[arg(long, non_negative = Dimension::Ratio)]
+    damping: Option<Given>,
     /// Rayleigh damping with that ratio at two modes, such as "1, 3"
-    #[arg(long, value_name = "N, N")]
-    rayleigh_modes: Option<String>,
+    #[arg(long, value_name = "N, N", read = two_modes)]
+    rayleigh_modes: Option<Given<[usize; 2]>>,
     /// α₀ = H√(GA/EI): 0 flexural wall, 5 walls with frames, 20 and more a frame [default: 5]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    shear_flexure: Option<String>,
+    #[arg(long, non_negative = Dimension::Ratio)]
+    shear_flexure: Option<Given>,
     /// Modes [default: 10, or as many as there are storeys]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N")]
     modes: Option<usize>,
     /// Table of storeys from the ground up: height, mass, stiffness, with their units
     #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "mode_table"])]
@@ -107,11 +111,11 @@ struct BuildingArgs {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "modes"])]
     mode_table: Option<PathBuf>,
     /// Fundamental period along the second axis [default: as along the first]
-    #[arg(long, value_name = "TIME", conflicts_with_all = ["across_storey_table", "across_mode_table", "storey_table", "mode_table"], allow_hyphen_values = true)]
-    across_period: Option<String>,
+    #[arg(long, positive = Dimension::Time, conflicts_with_all = ["across_storey_table", "across_mode_table", "storey_table", "mode_table"])]
+    across_period: Option<Given>,
     /// α₀ along the second axis
-    #[arg(long, value_name = "RATIO", requires = "across_period", allow_hyphen_values = true)]
-    across_shear_flexure: Option<String>,
+    #[arg(long, non_negative = Dimension::Ratio, requires = "across_period")]
+    across_shear_flexure: Option<Given>,
     /// Table of storeys for the second axis
     #[arg(long, value_name = "FILE", conflicts_with = "across_mode_table")]
     across_storey_table: Option<PathBuf>,
@@ -132,14 +136,11 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     }
     let mut values = Values::default();
     let building = args.building.read(&mut values);
-    let tail_s = values.non_negative("--tail", args.tail.as_deref(), Dimension::Time).unwrap_or(0.0);
-    let levels = levels(&args.levels, &mut values);
-    let spectra = args.spectra.then(|| {
-        let dampings = args.spectrum_damping.as_deref().unwrap_or("5 %");
-        SpectraRequest {
-            damping_ratios: values.grid("--spectrum-damping", dampings, Dimension::Ratio).unwrap_or_default(),
-            periods_s: super::motion::periods(args.periods.as_deref(), &mut values),
-        }
+    let tail_s = values.read(&args.tail).unwrap_or(0.0);
+    let levels = values.read(&args.levels).flatten();
+    let spectra = args.spectra.then(|| SpectraRequest {
+        damping_ratios: values.read(&args.spectrum_damping).unwrap_or_else(|| vec![DAMPING_RATIO]),
+        periods_s: super::motion::periods(&args.periods, &mut values),
     });
     let motions = MotionFiles {
         second: args.second.second(args.motion.len(), &mut values),
@@ -181,7 +182,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let mut inputs = args.read.inputs(&args.motion);
     inputs.extend(args.second.across.iter().cloned());
     inputs.extend(args.building.tables().cloned());
-    inputs.extend(args.target.inputs().cloned());
+    inputs.extend(args.target.inputs());
     let files = Files::begin(global, &inputs)?;
     let (report, mut warnings) = report(&read, &request, &files)?;
     warnings.extend(target.into_iter().flat_map(|target| target.warnings));
@@ -250,20 +251,19 @@ fn profile_figure(
 }
 
 /// `None`: every floor.
-fn levels(text: &str, values: &mut Values) -> Option<Vec<f64>> {
+fn levels(text: &str) -> Result<Option<Vec<f64>>, Problem> {
     if text.trim().eq_ignore_ascii_case("all") {
-        return None;
+        return Ok(None);
     }
-    let levels = values.grid("--levels", text, Dimension::Ratio).unwrap_or_default();
+    let levels = parse_grid(text, Dimension::Ratio)?;
     if let Some(outside) = levels.iter().find(|x| !(0.0..=1.0).contains(*x)) {
-        let problem = Problem::new(ProblemKind::Value, format!("--levels: {outside} is not a share of the height"));
-        values.push(problem.hint("0 is the ground, 1 the roof"));
+        return Err(problem(format!("{outside} is not a share of the height"), "0 is the ground, 1 the roof"));
     }
     if levels.len() > MAX_LEVELS {
-        let problem = Problem::new(ProblemKind::Value, format!("--levels: {} levels are too many", levels.len()));
-        values.push(problem.hint(format!("at most {MAX_LEVELS} in one call")));
+        let hint = format!("at most {MAX_LEVELS} in one call");
+        return Err(problem(format!("{} levels are too many", levels.len()), hint));
     }
-    Some(levels)
+    Ok(Some(levels))
 }
 
 /// The flags of the building, read.
@@ -294,16 +294,13 @@ impl BuildingArgs {
     }
 
     fn read(&self, values: &mut Values) -> ReadBuilding {
-        let storey_height = self.storey_height.as_deref().unwrap_or("3.2 m");
-        let storey_height_m = values.positive("--storey-height", Some(storey_height), Dimension::Length).unwrap_or(3.2);
-        let period = values.positive("--period", self.period.as_deref(), Dimension::Time);
-        let damping_ratio = values.non_negative("--damping", self.damping.as_deref(), Dimension::Ratio).unwrap_or(0.05);
-        let alpha = self.shear_flexure.as_deref().unwrap_or("5");
-        let alpha = values.non_negative("--shear-flexure", Some(alpha), Dimension::Ratio).unwrap_or(5.0);
-        let across_period = values.positive("--across-period", self.across_period.as_deref(), Dimension::Time);
-        let across_alpha = self.across_shear_flexure.as_deref();
-        let across_alpha = values.non_negative("--across-shear-flexure", across_alpha, Dimension::Ratio);
-        let storeys = self.storeys.unwrap_or(30);
+        let storey_height_m = values.read(&self.storey_height).unwrap_or(DEFAULT_STOREY_HEIGHT_M);
+        let period = values.read(&self.period);
+        let damping_ratio = values.read(&self.damping).unwrap_or(DEFAULT_DAMPING_RATIO);
+        let alpha = values.read(&self.shear_flexure).unwrap_or(DEFAULT_SHEAR_FLEXURE_RATIO);
+        let across_period = values.read(&self.across_period);
+        let across_alpha = values.read(&self.across_shear_flexure);
+        let storeys = self.storeys.unwrap_or(DEFAULT_STOREYS);
         let height_m = f64::from(storeys) * storey_height_m;
         let table = |storeys: &Option<PathBuf>, modes: &Option<PathBuf>| match (storeys, modes) {
             (Some(path), _) => Some(AxisModel::StoreyTable(path.clone())),
@@ -314,7 +311,7 @@ impl BuildingArgs {
             let period_s = period.or_else(|| {
                 let frame = self.frame.unwrap_or(FrameKind::Other);
                 values.keep(
-                    "--storey-height",
+                    "storey-height",
                     fundamental_period_s(frame, height_m)
                         .map_err(|error| problem(error.to_string(), "give --period, or another height")),
                 )
@@ -324,21 +321,18 @@ impl BuildingArgs {
         let beam = across_period
             .map(|period_s| AxisModel::Beam { period_s, shear_flexure_ratio: across_alpha.unwrap_or(alpha) });
         let across = table(&self.across_storey_table, &self.across_mode_table).or(beam);
-        let damping = match self.rayleigh_modes.as_deref().map(two_modes) {
-            None => Damping::Uniform(damping_ratio),
-            Some(Some(modes)) => Damping::Rayleigh { damping_ratio, modes },
-            Some(None) => {
-                values.push(problem("--rayleigh-modes: two modes are expected", "write --rayleigh-modes \"1, 3\""));
-                Damping::Uniform(damping_ratio)
-            }
-        };
+        let rayleigh = values.read(&self.rayleigh_modes).map(|modes| Damping::Rayleigh { damping_ratio, modes });
+        let damping = rayleigh.unwrap_or(Damping::Uniform(damping_ratio));
         ReadBuilding { storeys, height_m, along, across, damping, modes: self.modes }
     }
 }
 
-fn two_modes(text: &str) -> Option<[usize; 2]> {
-    let (first, second) = text.split_once(',')?;
-    Some([first.trim().parse().ok()?, second.trim().parse().ok()?])
+fn two_modes(text: &str) -> Result<[usize; 2], Problem> {
+    let modes = text.split_once(',').map(|(one, other)| (one.trim().parse(), other.trim().parse()));
+    match modes {
+        Some((Ok(one), Ok(other))) => Ok([one, other]),
+        _ => Err(problem("two modes are expected", "write --rayleigh-modes \"1, 3\"")),
+    }
 }
 
 impl ReadBuilding {

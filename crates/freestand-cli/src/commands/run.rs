@@ -18,7 +18,7 @@ use freestand_study::vary::{NOTHING_CHANGES, Wish, parse_wish, usual_wishes, var
 use serde_json::Value;
 
 use super::Done;
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, Named};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, significant, table};
@@ -50,7 +50,7 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,
     #[command(flatten)]
-    read: ReadArgs,
+    read: Named<ReadArgs>,
     #[command(flatten)]
     second: SecondArgs,
     /// Run the study again with one value changed at a time: damping, period, shear_flexure, seed and site over their usual
@@ -65,7 +65,6 @@ pub(crate) struct RunArgs {
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if args.motion.is_empty() {
         args.read.refuse_without_record(|keys| {
-            let keys = keys.replace('-', "_");
             format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
         })?;
         if args.second.names_records() {
@@ -159,7 +158,7 @@ fn wishes(texts: &[String], values: &mut Values) -> Vec<Wish> {
     if texts.is_empty() {
         return usual_wishes();
     }
-    texts.iter().filter_map(|text| values.keep("--vary", parse_wish(text))).collect()
+    texts.iter().filter_map(|text| values.keep("vary", parse_wish(text))).collect()
 }
 
 /// The variations of the highest level; vary.csv has all.

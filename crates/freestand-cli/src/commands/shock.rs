@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::impact::ImpactModel;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, boundary_tests, shock};
@@ -14,7 +14,7 @@ use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
-use crate::values::Values;
+use crate::values::{Choices, Given, Reads, Values, choice, name_of, point};
 
 /// The shock of one landing: acceleration of the edge, pulse, ceiling, verdict
 #[derive(Debug, Args)]
@@ -36,94 +36,75 @@ Examples:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
 pub(crate) struct ShockArgs {
     /// Height of the object
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    height: String,
+    #[arg(long, positive = Dimension::Length)]
+    height: Given,
     /// Width of the object in the plane of motion
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    thickness: String,
+    #[arg(long, positive = Dimension::Length)]
+    thickness: Given,
     /// Mass
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
-    mass: String,
+    #[arg(long, positive = Dimension::Mass)]
+    mass: Given,
     #[command(flatten)]
     shape: ShapeArgs,
 
     #[command(flatten)]
     cushion: CushionArgs,
     /// Stiffness of the object's side on what it falls against
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
-    contact_stiffness: Option<String>,
+    #[arg(long, positive = Dimension::Stiffness, help_heading = "The cushion")]
+    contact_stiffness: Option<Given>,
     /// Measured peak acceleration of the same mass dropped by the same rise, in place of a stiffness
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The cushion")]
-    drop_acceleration: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The cushion")]
+    drop_acceleration: Option<Given>,
 
     /// Rise of the centre of gravity
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    cg_rise: Option<String>,
+    #[arg(long, non_negative = Dimension::Length, group = "energy", help_heading = "The fall (one of)")]
+    cg_rise: Option<Given>,
     /// Lift of the free edge
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    uplift: Option<String>,
+    #[arg(long, non_negative = Dimension::Length, group = "energy", help_heading = "The fall (one of)")]
+    uplift: Option<Given>,
     /// Rotation
-    #[arg(
-        long,
-        value_name = "ANGLE",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    rotation: Option<String>,
+    #[arg(long, any = Dimension::Angle, group = "energy", help_heading = "The fall (one of)")]
+    rotation: Option<Given>,
     /// Angular velocity just before the contact
-    #[arg(
-        long,
-        value_name = "SPEED",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    angular_velocity: Option<String>,
+    #[arg(long, any = Dimension::AngularVelocity, group = "energy", help_heading = "The fall (one of)")]
+    angular_velocity: Option<Given>,
 
     /// What ends the fall
-    #[arg(long, value_enum, default_value_t, help_heading = "The landing")]
-    scenario: ScenarioName,
+    #[arg(
+        long,
+        value_parser = choice(SCENARIOS),
+        default_value = name_of(SCENARIOS, Scenario::default()),
+        help_heading = "The landing"
+    )]
+    scenario: Scenario,
     /// Impact model [default: that of the scenario; a squat object is halted]
-    #[arg(long, value_enum, help_heading = "The landing")]
-    model: Option<ModelName>,
+    #[arg(long, value_parser = choice(MODELS), help_heading = "The landing")]
+    model: Option<ImpactModel>,
     /// Distance to the obstacle
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The landing")]
-    gap: Option<String>,
+    #[arg(long, positive = Dimension::Length, help_heading = "The landing")]
+    gap: Option<Given>,
     /// Height of the obstacle [default: taller than the object]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The landing")]
-    obstacle_height: Option<String>,
+    #[arg(long, positive = Dimension::Length, help_heading = "The landing")]
+    obstacle_height: Option<Given>,
     /// Shock at a point: "x, z" from the old pivot and above the base
-    #[arg(long, value_name = "X, Z", allow_hyphen_values = true, help_heading = "The landing")]
-    at: Option<String>,
+    #[arg(long, value_name = "X, Z", read = point, help_heading = "The landing")]
+    at: Option<Given<(f64, f64)>>,
     /// Coefficient of friction, for the warning against sliding [default: 0.5]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The landing")]
-    friction: Option<String>,
+    #[arg(long, positive = Dimension::Ratio, help_heading = "The landing")]
+    friction: Option<Given>,
     /// Gravity [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The landing")]
-    gravity: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The landing")]
+    gravity: Option<Given>,
 
     /// Peak acceleration that the object stands
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The verdict")]
+    tolerance: Option<Given>,
     /// Duration of the half-sine of that peak that it was shown to stand
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance_duration: Option<String>,
+    #[arg(long, positive = Dimension::Time, help_heading = "The verdict")]
+    tolerance_duration: Option<Given>,
     /// Velocity change below which no peak does harm
-    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance_velocity_change: Option<String>,
+    #[arg(long, positive = Dimension::Velocity, help_heading = "The verdict")]
+    tolerance_velocity_change: Option<Given>,
     /// Shock tests of the object (ASTM D3332): velocity change, peak acceleration and damaged (yes, no) in columns,
     /// perhaps method (A, B) or a duration
     #[arg(
@@ -134,63 +115,32 @@ pub(crate) struct ShockArgs {
     )]
     damage_boundary: Option<PathBuf>,
     /// Lift of one edge from which the object may fall back (bench handling)
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance_edge_lift: Option<String>,
+    #[arg(long, positive = Dimension::Length, help_heading = "The verdict")]
+    tolerance_edge_lift: Option<Given>,
     /// Frequency of the most delicate component, with --component-capacity
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true, help_heading = "The verdict")]
-    component_frequency: Option<String>,
+    #[arg(long, positive = Dimension::Frequency, help_heading = "The verdict")]
+    component_frequency: Option<Given>,
     /// Acceleration that this component itself stands
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The verdict")]
-    component_capacity: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The verdict")]
+    component_capacity: Option<Given>,
 }
 
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum ScenarioName {
-    /// The edge lands and the object rocks on
-    #[default]
-    Rocking,
-    /// The edge lands and the object stops
-    Halted,
-    /// It falls over onto the floor
-    OverturnFloor,
-    /// It falls against an obstacle
-    OverturnObstacle,
-}
+const SCENARIOS: Choices<Scenario> = &[
+    (Scenario::Rocking, "rocking", "The edge lands and the object rocks on"),
+    (Scenario::Halted, "halted", "The edge lands and the object stops"),
+    (Scenario::OverturnFloor, "overturn-floor", "It falls over onto the floor"),
+    (Scenario::OverturnObstacle, "overturn-obstacle", "It falls against an obstacle"),
+];
 
-impl From<ScenarioName> for Scenario {
-    fn from(name: ScenarioName) -> Self {
-        match name {
-            ScenarioName::Rocking => Self::Rocking,
-            ScenarioName::Halted => Self::Halted,
-            ScenarioName::OverturnFloor => Self::OverturnFloor,
-            ScenarioName::OverturnObstacle => Self::OverturnObstacle,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum ModelName {
-    /// Eq. (5): no-slip landing edge
-    Paper,
-    /// Eq. (8): the rotation is halted
-    Halted,
-    /// Frictionless landing edge, for comparison
-    FreeCorner,
-}
-
-impl From<ModelName> for ImpactModel {
-    fn from(name: ModelName) -> Self {
-        match name {
-            ModelName::Paper => Self::Paper,
-            ModelName::Halted => Self::Halted,
-            ModelName::FreeCorner => Self::FreeCorner,
-        }
-    }
-}
+const MODELS: Choices<ImpactModel> = &[
+    (ImpactModel::Paper, "paper", "Eq. (5): no-slip landing edge"),
+    (ImpactModel::Halted, "halted", "Eq. (8): the rotation is halted"),
+    (ImpactModel::FreeCorner, "free-corner", "Frictionless landing edge, for comparison"),
+];
 
 pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;
-    let inputs: Vec<PathBuf> = args.cushion.inputs().chain(&args.damage_boundary).cloned().collect();
+    let inputs: Vec<PathBuf> = args.cushion.inputs().into_iter().chain(args.damage_boundary.clone()).collect();
     let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
     if let Some(boundary) = report.damage_boundary.filter(|_| files.wanted()) {
@@ -206,23 +156,21 @@ pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> R
 
 fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let mut values = Values::default();
-    let height = values.positive("--height", Some(&args.height), Dimension::Length);
-    let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
-    let mass = values.positive("--mass", Some(&args.mass), Dimension::Mass);
-    let mut positive = |flag: &str, text: &Option<String>, dimension| values.positive(flag, text.as_deref(), dimension);
-    let contact_stiffness_n_m = positive("--contact-stiffness", &args.contact_stiffness, Dimension::Stiffness);
-    let drop_acceleration_m_s2 = positive("--drop-acceleration", &args.drop_acceleration, Dimension::Acceleration);
-    let gap_m = positive("--gap", &args.gap, Dimension::Length);
-    let obstacle_height_m = positive("--obstacle-height", &args.obstacle_height, Dimension::Length);
-    let friction_ratio = positive("--friction", &args.friction, Dimension::Ratio);
-    let gravity_m_s2 = positive("--gravity", &args.gravity, Dimension::Acceleration);
-    let tolerance_m_s2 = positive("--tolerance", &args.tolerance, Dimension::Acceleration);
-    let tolerance_duration_s = positive("--tolerance-duration", &args.tolerance_duration, Dimension::Time);
-    let tolerance_velocity_change_m_s =
-        positive("--tolerance-velocity-change", &args.tolerance_velocity_change, Dimension::Velocity);
-    let tolerance_edge_lift_m = positive("--tolerance-edge-lift", &args.tolerance_edge_lift, Dimension::Length);
-    let component_frequency_hz = positive("--component-frequency", &args.component_frequency, Dimension::Frequency);
-    let component_capacity_m_s2 = positive("--component-capacity", &args.component_capacity, Dimension::Acceleration);
+    let height = values.read(&args.height);
+    let thickness = values.read(&args.thickness);
+    let mass = values.read(&args.mass);
+    let contact_stiffness_n_m = values.read(&args.contact_stiffness);
+    let drop_acceleration_m_s2 = values.read(&args.drop_acceleration);
+    let gap_m = values.read(&args.gap);
+    let obstacle_height_m = values.read(&args.obstacle_height);
+    let friction_ratio = values.read(&args.friction);
+    let gravity_m_s2 = values.read(&args.gravity);
+    let tolerance_m_s2 = values.read(&args.tolerance);
+    let tolerance_duration_s = values.read(&args.tolerance_duration);
+    let tolerance_velocity_change_m_s = values.read(&args.tolerance_velocity_change);
+    let tolerance_edge_lift_m = values.read(&args.tolerance_edge_lift);
+    let component_frequency_hz = values.read(&args.component_frequency);
+    let component_capacity_m_s2 = values.read(&args.component_capacity);
     let cushion = args.cushion.words(&mut values)?;
     // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
     if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some())
@@ -230,11 +178,8 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     {
         problems.into_iter().for_each(|(_, problem)| values.push(problem));
     }
-    let block = match (height, thickness) {
-        (Some(height_m), Some(thickness_m)) => args.shape.block(height_m, thickness_m, mass, &mut values),
-        _ => None,
-    };
-    let at_m = values.point("--at", args.at.as_deref());
+    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let at_m = values.read(&args.at);
     let energy = energy(args, &mut values);
     values.finish()?;
     let boundary_tests = args.damage_boundary.as_deref().map(boundary_tests).transpose()?;
@@ -247,8 +192,8 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
         contact_stiffness_n_m,
         drop_acceleration_m_s2,
         energy,
-        scenario: args.scenario.into(),
-        model: args.model.map(Into::into),
+        scenario: args.scenario,
+        model: args.model,
         gap_m,
         obstacle_height_m,
         at_m,
@@ -267,10 +212,10 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
 
 /// At most one of these is given: the argument parser sees to that.
 fn energy(args: &ShockArgs, values: &mut Values) -> Option<Energy> {
-    let rise = values.non_negative("--cg-rise", args.cg_rise.as_deref(), Dimension::Length);
-    let uplift = values.non_negative("--uplift", args.uplift.as_deref(), Dimension::Length);
-    let rotation = values.any("--rotation", args.rotation.as_deref(), Dimension::Angle);
-    let speed = values.any("--angular-velocity", args.angular_velocity.as_deref(), Dimension::AngularVelocity);
+    let rise = values.read(&args.cg_rise);
+    let uplift = values.read(&args.uplift);
+    let rotation = values.read(&args.rotation);
+    let speed = values.read(&args.angular_velocity);
     rise.map(Energy::CgRise)
         .or(uplift.map(Energy::Uplift))
         .or(rotation.map(Energy::Rotation))

@@ -7,7 +7,6 @@ use freestand::impact::{Impact, ValidityWarning, compression_warnings, stiffness
 use freestand::motion::Motion;
 use freestand::rocking::{RockingError, RockingOptions};
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
-use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 use freestand_study::rock::problem;
 use freestand_study::spectrum::{
@@ -20,13 +19,13 @@ use super::block::RockingArgs;
 use super::spectrum_text::Seen;
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
 use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::{ReadArgs, VerticalArgs, path_text};
 use crate::rows::{ROWS, Rows};
 use crate::stop::Stop;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 const SCHEMA: &str = "freestand.spectrum/1";
 
@@ -56,14 +55,14 @@ pub(crate) struct SpectrumArgs {
     #[command(flatten)]
     read: ReadArgs,
     /// Heights: a grid "from:to:count" or a list
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true, help_heading = "The objects")]
-    heights: String,
+    #[arg(long, grid = Dimension::Length, help_heading = "The objects")]
+    heights: Given<Vec<f64>>,
     /// Thicknesses: a grid "from:to:count" or a list
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true, help_heading = "The objects")]
-    thicknesses: String,
+    #[arg(long, grid = Dimension::Length, help_heading = "The objects")]
+    thicknesses: Given<Vec<f64>>,
     /// Mass, for the shock
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, help_heading = "The objects")]
-    mass: Option<String>,
+    #[arg(long, positive = Dimension::Mass, help_heading = "The objects")]
+    mass: Option<Given>,
     #[command(flatten)]
     cushion: CushionArgs,
     #[command(flatten)]
@@ -111,7 +110,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     warnings.extend(validity_warnings(&request));
 
     let stop = Stop::listen();
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut rows = Rows::begin(SCHEMA, printer, &files, args.csv.as_deref(), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
@@ -158,18 +157,18 @@ fn deeper(one: Option<Impact>, other: Option<Impact>) -> Option<Impact> {
 
 fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let mut values = Values::default();
-    let heights = values.grid("--heights", &args.heights, Dimension::Length).unwrap_or_default();
-    let thicknesses = values.grid("--thicknesses", &args.thicknesses, Dimension::Length).unwrap_or_default();
-    let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
+    let heights = values.read(&args.heights).unwrap_or_default();
+    let thicknesses = values.read(&args.thicknesses).unwrap_or_default();
+    let mass = values.read(&args.mass);
     let cushion = args.cushion.edge(mass, &mut values)?;
     if args.mass.is_some() != args.cushion.is_given() {
-        let problem = Problem::new(ProblemKind::Value, "the shock needs both the mass and the cushion of the objects");
-        values.push(problem.hint("give --mass and --stiffness (or another cushion), or neither"));
+        let message = "the shock needs both the mass and the cushion of the objects";
+        values.push(failure::problem(message, "give --mass and --stiffness (or another cushion), or neither"));
     }
     let options = RockingOptions {
-        model: args.rocking.model(),
+        model: args.rocking.model,
         restitution: args.rocking.restitution(&mut values),
-        accuracy: args.rocking.accuracy(),
+        accuracy: args.rocking.accuracy,
         ..RockingOptions::default()
     };
     values.finish()?;

@@ -241,7 +241,7 @@ fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
     let near = dimension.units().find(|unit| unit.symbol.eq_ignore_ascii_case(&name));
     let problem = value_problem(format!("\"{}\" is not a unit of {}", shorten(text), dimension.with_article()));
     match near {
-        Some(unit) => problem.hint(format!("write \"{}\": capitals matter here", unit.symbol)),
+        Some(unit) => problem.hint(format!("write \"{}\": capital letters matter here", unit.symbol)),
         None if dimension == Dimension::Ratio => {
             problem.hint("write a bare number or a percentage, such as 0.05 or 5 %")
         }
@@ -252,7 +252,7 @@ fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
 fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
     let text = shorten(text);
     let problem = value_problem(format!(
-        "\"{text}\" is {}, {} is expected",
+        "\"{text}\" is {}; {} is expected",
         unit.dimension.with_article(),
         expected.with_article()
     ));
@@ -309,7 +309,7 @@ pub fn parse_in_unit(text: &str, unit: &Unit) -> Result<f64, Problem> {
     let number = split_number(text)?;
     if !number.unit.is_empty() {
         return Err(value_problem(format!("\"{}\" is not a number", shorten(text)))
-            .hint(format!("the unit is stated already ({}): write the number alone", unit.symbol)));
+            .hint(format!("the unit is already stated ({}): write only the number", unit.symbol)));
     }
     number.scaled(text, unit.decimal_exponent, unit.factor)
 }
@@ -433,7 +433,7 @@ fn grid_count(text: &str, least: usize) -> Result<usize, Problem> {
 }
 
 fn too_many() -> Problem {
-    value_problem(format!("a grid may have {MAX_GRID_VALUES} values at most"))
+    value_problem(format!("a grid may have at most {MAX_GRID_VALUES} values"))
 }
 
 /// An SI value in the unit in which engineers read it, to 6 significant digits: `200 mm`, `2.3 m`, `4380 N/mm`, `0.35 g`.

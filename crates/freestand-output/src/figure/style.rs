@@ -160,6 +160,14 @@ pub fn readable(largest: f64, units: [&'static str; 3]) -> (f64, &'static str) {
     (1e3_f64.powi(power as i32), units[power.min(2)])
 }
 
+/// Labels at 0.1, 1, 10 only: those of 2 and 5 would touch each other in a narrow panel. Their grid lines stay.
+pub fn decades() -> TickFormat {
+    TickFormat::Custom(Arc::new(|v| {
+        let decade = v.log10();
+        if (decade - decade.round()).abs() < 1e-6 { TickFormat::Auto.format(v) } else { String::new() }
+    }))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -195,12 +203,4 @@ mod tests {
             }
         }
     }
-}
-
-/// Labels at 0.1, 1, 10 only: those of 2 and 5 would touch each other in a narrow panel. Their grid lines stay.
-pub fn decades() -> TickFormat {
-    TickFormat::Custom(Arc::new(|v| {
-        let decade = v.log10();
-        if (decade - decade.round()).abs() < 1e-6 { TickFormat::Auto.format(v) } else { String::new() }
-    }))
 }

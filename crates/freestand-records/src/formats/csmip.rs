@@ -1,9 +1,9 @@
 //! CSMIP, formerly CDMG, the programme of the State of California: volumes I and II; and RENADIC of Chile, which uses
 //! volume I.
 
-use super::lines::lines;
 use super::volumes::{self, Network, head, refuse_spectra};
-use super::{ReadOptions, Reading};
+use crate::motion_file::{ReadOptions, Reading};
+use crate::text::lines::lines;
 use freestand_input::problem::Problem;
 use std::path::Path;
 

@@ -1,4 +1,5 @@
 use super::*;
+use freestand::motion::Motion;
 use proptest::prelude::*;
 
 fn three() -> MotionFile {

@@ -1,8 +1,8 @@
 //! Volumes I and II of the University of Southern California and, before it, of Caltech.
 
-use super::lines::lines;
 use super::volumes::{self, Network, head, refuse_spectra};
-use super::{ReadOptions, Reading};
+use crate::motion_file::{ReadOptions, Reading};
+use crate::text::lines::lines;
 use freestand_input::problem::Problem;
 use std::path::Path;
 

@@ -128,9 +128,9 @@ pub struct Processed {
 /// ```
 pub fn process(component: &Component, processing: &Processing) -> Result<Processed, Problem> {
     if let Some(azimuth_deg) = processing.azimuth_deg {
-        let message = format!("an azimuth of {azimuth_deg} degrees is made of two components, not of one");
+        let message = format!("an azimuth of {azimuth_deg} degrees needs two components, not one");
         return Err(Problem::new(ProblemKind::Value, message)
-            .hint("leave out the azimuth here, or turn the record first: freestand motion rotate"));
+            .hint("leave out `azimuth`, or rotate the record first with freestand motion rotate"));
     }
     let mut unasked = Vec::new();
     let motion = without_mean(component, processing, &mut unasked)?;
@@ -206,7 +206,7 @@ fn finish(
     if is_found && !(1.0 / LARGE_FACTOR..=LARGE_FACTOR).contains(&factor) {
         let factor = number(factor, 4);
         done.notes.push(format!(
-            "a factor of {factor} makes another earthquake of the record: choose one nearer to the target"
+            "a factor of {factor} turns the record into a different earthquake: choose a record nearer to the target"
         ));
     }
     Ok(done)
@@ -221,7 +221,7 @@ impl Processed {
 
 fn without_baseline(motion: &Motion, baseline: Baseline) -> Result<(Motion, String), Problem> {
     let result = corrected(motion, baseline)
-        .map_err(|error| refused("baseline", error, "choose times within the record and a degree that it can fix"))?;
+        .map_err(|error| refused("baseline", error, "choose times within the record and a lower degree"))?;
     let removed: Vec<f64> = motion.accel_m_s2().iter().zip(result.accel_m_s2()).map(|(a, b)| a - b).collect();
     let largest = removed.iter().fold(0.0_f64, |most, &a| if a.abs() > most.abs() { a } else { most });
     let largest = number(largest, 4);
@@ -265,18 +265,18 @@ fn through_filter(motion: &Motion, pass: Pass, order: u32) -> Result<(Motion, St
     };
     let pad = number(pad_s, 6);
     let step = format!(
-        "Butterworth {band} of order {order}, forwards and backwards; zeros of {pad} s before and after, kept: the motion \
-         starts {pad} s earlier"
+        "Butterworth {band} of order {order}, forwards and backwards; {pad} s of zeros added before and after the record: \
+         the motion starts {pad} s earlier"
     );
     Ok((motion, step))
 }
 
 fn at_step(motion: &Motion, dt_s: f64) -> Result<(Motion, String), Problem> {
     let result = resampled(motion, dt_s).map_err(|error| {
-        refused("resample", error, "choose a step in a simple ratio to that of the record, shorter than the record")
+        refused("resample", error, "choose a step shorter than the record and in a simple ratio to its step")
     })?;
     let lost = if dt_s > motion.dt_s() {
-        format!(", without what was above {} Hz", number(0.5 / dt_s, 6))
+        format!(", frequencies above {} Hz removed", number(0.5 / dt_s, 6))
     } else {
         String::new()
     };

@@ -20,7 +20,7 @@ pub fn samples_needed(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<(
 /// ```
 /// use freestand_records::processing::short_period_warning;
 /// let warning = short_period_warning("the spectrum", &[0.0, 0.05, 1.0], 0.01).unwrap_or_default();
-/// assert!(warning.ends_with("resampled to 0.005 s (--resample) it has ten"));
+/// assert!(warning.ends_with("`resample = \"0.005 s\"` gives it ten"));
 /// assert_eq!(short_period_warning("the spectrum", &[0.1], 0.01), None);
 /// ```
 pub fn short_period_warning(of: &str, periods_s: &[f64], dt_s: f64) -> Option<String> {
@@ -28,9 +28,7 @@ pub fn short_period_warning(of: &str, periods_s: &[f64], dt_s: f64) -> Option<St
     // Halves of a step are in a simple ratio to it, and short.
     let step_s = dt_s / needed.log2().ceil().exp2();
     let few = few_steps(&format!("the shortest period of {of}"), shortest_s, dt_s);
-    Some(format!(
-        "{few}: there the record says little and peaks are missed; resampled to {step_s} s (--resample) it has ten"
-    ))
+    Some(format!("{few}: peaks between them are missed; `resample = \"{step_s} s\"` gives it ten"))
 }
 
 /// The words that all such warnings begin with.

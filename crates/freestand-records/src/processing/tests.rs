@@ -107,10 +107,10 @@ fn an_azimuth_needs_two_directions() {
     assert_eq!(refused(&silent), "three.csv: the file does not say which way it points: E-W");
     let mut four = three();
     four.components.push(four.components[0].clone());
-    assert!(refused(&four).contains("has 3 horizontal components, two are turned: N-S, E-W, N-S"));
+    assert!(refused(&four).contains("has 3 horizontal components, but two are needed: N-S, E-W, N-S"));
     let mut one = three();
     one.components.remove(0);
-    assert!(refused(&one).contains("has 1 horizontal component, two are turned"));
+    assert!(refused(&one).contains("has 1 horizontal component, but two are needed"));
     let mut parallel = three();
     parallel.components[1].direction = Some(Direction::Azimuth(170.0));
     assert!(refused(&parallel).contains("too close to parallel"));

@@ -48,7 +48,7 @@ pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
             }
             Err(wrong(text, "ends before it begins").hint("the shaking lasts from the first time to the second"))
         }
-        ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is not complete").hint(KNOWN)),
+        ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is incomplete").hint(KNOWN)),
         _ => Err(wrong(text, "is not a baseline").hint(KNOWN)),
     }
 }
@@ -56,7 +56,8 @@ pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
 fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
     let degree = text.parse::<usize>().ok().filter(|degree| (least..=MAX_DEGREE).contains(degree));
     degree.ok_or_else(|| {
-        wrong(text, "is not a degree").hint(format!("a whole number from {least} to {MAX_DEGREE}, such as poly:4"))
+        wrong(text, "is not a degree")
+            .hint(format!("write a whole number from {least} to {MAX_DEGREE}, such as poly:4"))
     })
 }
 
@@ -73,9 +74,9 @@ fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
-    const HINT: &str = "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for another damping than 5 %";
+    const HINT: &str = "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for a damping other than 5 %";
     let Some((target, rest)) = text.split_once(" at ") else {
-        return Err(wrong(text, "is no acceleration at a period").hint(HINT));
+        return Err(wrong(text, "is not an acceleration at a period").hint(HINT));
     };
     let (period, damping) = rest.split_once(',').map_or((rest, None), |(period, damping)| (period, Some(damping)));
     let damping_ratio = match damping {
@@ -83,7 +84,7 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
         None => 0.05,
     };
     if !(0.0..1.0).contains(&damping_ratio) {
-        return Err(wrong(text, "has no damping from 0 to below 100 %").hint(HINT));
+        return Err(wrong(text, "does not have a damping from 0 to below 100 %").hint(HINT));
     }
     Ok(Scale::Sa {
         target_m_s2: parse_positive(target, Dimension::Acceleration, "the acceleration")?,
@@ -107,8 +108,7 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
-    const HINT: &str =
-        "write the name of a file, and behind commas periods and damping: \"target.csv, 0.1 s to 2 s, 2 %\"";
+    const HINT: &str = "write a file name, then periods and damping after commas: \"target.csv, 0.1 s to 2 s, 2 %\"";
     let mut parts = text.split(',').map(str::trim);
     let path = parts.next().filter(|path| !path.is_empty()).ok_or_else(|| wrong(text, "names no file").hint(HINT))?;
     let mut source = TargetSource { path: path.into(), range_s: None, damping_ratio: None };
@@ -122,9 +122,9 @@ pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
             source.range_s.replace((from_s, to_s)).is_some()
         } else {
             let ratio = parse(part, Dimension::Ratio)
-                .map_err(|_| wrong(part, "is no range of periods and no damping").hint(HINT))?;
+                .map_err(|_| wrong(part, "is neither a range of periods nor a damping").hint(HINT))?;
             if !(0.0..1.0).contains(&ratio) {
-                return Err(wrong(part, "is no damping from 0 to below 100 %").hint(HINT));
+                return Err(wrong(part, "is not a damping from 0 to below 100 %").hint(HINT));
             }
             source.damping_ratio.replace(ratio).is_some()
         };

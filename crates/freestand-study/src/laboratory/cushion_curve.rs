@@ -9,7 +9,7 @@ use freestand::cushion::{CurveError, StressEnergy, StressEnergyFit};
 use serde::Serialize;
 
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_records::formats::load_curve;
+use freestand_records::tables::load_curve;
 
 /// What is asked; `None` where nobody says.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

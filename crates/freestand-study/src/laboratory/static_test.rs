@@ -8,7 +8,7 @@ use serde::Serialize;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::push_shortest;
 use freestand_input::words::significant;
-use freestand_records::formats::laboratory::load_static;
+use freestand_records::tables::laboratory::load_static;
 
 /// Standard errors by which a toe must lie below zero to be worth a word.
 const NOISE_ERRORS: f64 = 3.0;

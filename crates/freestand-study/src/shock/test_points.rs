@@ -8,7 +8,7 @@ use freestand::damage_boundary::KNEE_RATIO;
 use serde::Serialize;
 
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_records::formats::{DamageRow, load_damage_points};
+use freestand_records::tables::{DamageRow, load_damage_points};
 
 /// Longest pulse of Method A \[s\].
 const LONGEST_OF_METHOD_A_S: f64 = 3e-3;

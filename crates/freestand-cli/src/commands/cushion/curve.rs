@@ -12,7 +12,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// Cushion curve (ASTM D1596): stress–energy fit, best load, thickness for a limit
 ///
@@ -31,34 +31,33 @@ pub(crate) struct CurveArgs {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// Drop height of the design, and of tests without such a column
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    drop_height: Option<String>,
+    #[arg(long, positive = Dimension::Length)]
+    drop_height: Option<Given>,
     /// Thickness of the design, and of tests without such a column
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    thickness: Option<String>,
+    #[arg(long, positive = Dimension::Length)]
+    thickness: Option<Given>,
     /// Static stress of the design
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true, conflicts_with_all = ["mass", "area"])]
-    static_stress: Option<String>,
+    #[arg(long, positive = Dimension::Pressure, conflicts_with_all = ["mass", "area"])]
+    static_stress: Option<Given>,
     /// Mass on the cushion, with --area
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, requires = "area")]
-    mass: Option<String>,
+    #[arg(long, positive = Dimension::Mass, requires = "area")]
+    mass: Option<Given>,
     /// Area of the cushion, with --mass
-    #[arg(long, value_name = "AREA", allow_hyphen_values = true, requires = "mass")]
-    area: Option<String>,
+    #[arg(long, positive = Dimension::Area, requires = "mass")]
+    area: Option<Given>,
     /// Peak acceleration that must not be exceeded
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
-    limit: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration)]
+    limit: Option<Given>,
 }
 
 pub(crate) fn run(args: &CurveArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let mut positive = |flag: &str, text: &Option<String>, dimension| values.positive(flag, text.as_deref(), dimension);
-    let drop_height_m = positive("--drop-height", &args.drop_height, Dimension::Length);
-    let thickness_m = positive("--thickness", &args.thickness, Dimension::Length);
-    let stated_pa = positive("--static-stress", &args.static_stress, Dimension::Pressure);
-    let mass = positive("--mass", &args.mass, Dimension::Mass);
-    let area = positive("--area", &args.area, Dimension::Area);
-    let limit_m_s2 = positive("--limit", &args.limit, Dimension::Acceleration);
+    let drop_height_m = values.read(&args.drop_height);
+    let thickness_m = values.read(&args.thickness);
+    let stated_pa = values.read(&args.static_stress);
+    let mass = values.read(&args.mass);
+    let area = values.read(&args.area);
+    let limit_m_s2 = values.read(&args.limit);
     values.finish()?;
     let static_stress_pa = stated_pa.or(mass.zip(area).map(|(mass, area)| mass * G0_M_S2 / area));
     let request = CurveRequest { drop_height_m, thickness_m, static_stress_pa, limit_m_s2 };

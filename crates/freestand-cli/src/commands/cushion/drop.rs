@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::G0_M_S2;
 use freestand::identify::FittedLaw;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, format_si, parse_positive};
 use freestand_records::formats::ReadOptions;
 use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
@@ -16,10 +16,11 @@ use freestand_study::laboratory::drop_test::{
 use super::static_test::{Boundary, Impactor, name};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, print_failure, significant, table};
-use crate::values::Values;
+use crate::reading::{time_step, unit};
+use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Drop tests of a pad: stiffness with its 95 % interval, exponent, damping
 #[derive(Debug, Args)]
@@ -40,35 +41,35 @@ pub(crate) struct DropArgs {
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// Mass that falls
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
-    mass: Option<String>,
+    #[arg(long, positive = Dimension::Mass)]
+    mass: Option<Given>,
     /// Height of the fall
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, conflicts_with = "impact_velocity")]
-    height: Option<String>,
+    #[arg(long, positive = Dimension::Length, conflicts_with = "impact_velocity")]
+    height: Option<Given>,
     /// Speed at the first touch; without it and without a height the pulse itself must tell
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
-    impact_velocity: Option<String>,
+    #[arg(long, positive = Dimension::Velocity)]
+    impact_velocity: Option<Given>,
     /// Standard deviation of the impact velocity, as a ratio
-    #[arg(long, value_name = "RATIO", default_value = "1 %", allow_hyphen_values = true)]
-    velocity_error: String,
+    #[arg(long, value_name = "RATIO", read = velocity_error, default_value = "1 %")]
+    velocity_error: Given,
     /// Gravity during the contact; 0 m/s2 where the zero line is not that of a free fall [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
-    gravity: Option<String>,
+    #[arg(long, non_negative = Dimension::Acceleration)]
+    gravity: Option<Given>,
     /// Corner of the low-pass filter before the converter, for its gate
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true)]
-    corner: Option<String>,
+    #[arg(long, positive = Dimension::Frequency)]
+    corner: Option<Given>,
     /// Fit this law alone [default: the simplest that none betters clearly]
-    #[arg(long, value_name = "LAW")]
-    law: Option<LawArg>,
+    #[arg(long, value_name = "LAW", value_parser = choice(LAWS))]
+    law: Option<FittedLaw>,
     /// Thickness of the pad, for the warnings
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pad_thickness: Option<String>,
+    #[arg(long, positive = Dimension::Length)]
+    pad_thickness: Option<Given>,
     /// Shape of the impactor, over what the files say
     #[arg(long, value_name = "SHAPE")]
     impactor: Option<Impactor>,
     /// Radius of a sphere
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    sphere_radius: Option<String>,
+    #[arg(long, positive = Dimension::Length)]
+    sphere_radius: Option<Given>,
     /// Boundary of the pad, over what the files say
     #[arg(long, value_name = "BOUNDARY")]
     boundary: Option<Boundary>,
@@ -76,34 +77,22 @@ pub(crate) struct DropArgs {
     #[arg(long)]
     invert: bool,
     /// Unit of acceleration, where the file does not state it
-    #[arg(long, value_name = "UNIT")]
-    unit: Option<String>,
+    #[arg(long, value_name = "UNIT", read = unit)]
+    unit: Option<Given<String>>,
     /// Time step, where there is no column of time
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    dt: Option<String>,
+    #[arg(long, value_name = "TIME", read = time_step)]
+    dt: Option<Given>,
     /// Column of acceleration, by name or number
     #[arg(long, value_name = "NAME")]
     component: Option<String>,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum LawArg {
-    Linear,
-    Power,
-    KelvinVoigt,
-    HuntCrossley,
-}
-
-impl LawArg {
-    fn fitted(self) -> FittedLaw {
-        match self {
-            Self::Linear => FittedLaw::Linear,
-            Self::Power => FittedLaw::Power,
-            Self::KelvinVoigt => FittedLaw::KelvinVoigt,
-            Self::HuntCrossley => FittedLaw::HuntCrossley,
-        }
-    }
-}
+const LAWS: Choices<FittedLaw> = &[
+    (FittedLaw::Linear, "linear", "F = k d"),
+    (FittedLaw::Power, "power", "F = K dⁿ"),
+    (FittedLaw::KelvinVoigt, "kelvin-voigt", "F = k d + c ḋ"),
+    (FittedLaw::HuntCrossley, "hunt-crossley", "F = K dⁿ (1 + Λḋ)"),
+];
 
 pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args, global)?;
@@ -133,42 +122,42 @@ pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Re
 
 fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure> {
     let mut values = Values::default();
-    let dt_s = values.positive("--dt", args.dt.as_deref(), Dimension::Time);
-    let read = ReadOptions { unit: args.unit.clone(), dt_s, ..ReadOptions::default() };
-    values.keep("--unit, --dt", read.check());
-    let velocity_error = values.positive("--velocity-error", Some(&args.velocity_error), Dimension::Ratio);
-    if velocity_error.is_some_and(|ratio| ratio > 0.5) {
-        let problem = Problem::new(ProblemKind::Value, "--velocity-error is more than 50 %");
-        values.push(problem.hint("leave height and velocity out: the pulse itself then tells the speed"));
-    }
+    let read = ReadOptions { unit: values.read(&args.unit), dt_s: values.read(&args.dt), ..ReadOptions::default() };
     if args.impactor == Some(Impactor::Flat) && args.sphere_radius.is_some() {
-        let problem = Problem::new(ProblemKind::Value, "--sphere-radius is given for a flat impactor");
-        values.push(problem.hint("leave one of the two out"));
+        values.push(problem("--sphere-radius is given for a flat impactor", "leave one of the two out"));
     }
     // A radius says that it is a sphere.
     let impactor = args.impactor.or(args.sphere_radius.as_ref().map(|_| Impactor::Sphere));
     let request = DropRequest {
         files: args.files.clone(),
-        mass_kg: values.positive("--mass", args.mass.as_deref(), Dimension::Mass),
-        height_m: values.positive("--height", args.height.as_deref(), Dimension::Length),
-        impact_velocity_m_s: values.positive("--impact-velocity", args.impact_velocity.as_deref(), Dimension::Velocity),
-        velocity_error_ratio: velocity_error.unwrap_or(0.01),
-        gravity_m_s2: values
-            .non_negative("--gravity", args.gravity.as_deref(), Dimension::Acceleration)
-            .unwrap_or(G0_M_S2),
-        filter_corner_hz: values.positive("--corner", args.corner.as_deref(), Dimension::Frequency),
-        law: args.law.map(LawArg::fitted),
+        mass_kg: values.read(&args.mass),
+        height_m: values.read(&args.height),
+        impact_velocity_m_s: values.read(&args.impact_velocity),
+        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or_default(),
+        gravity_m_s2: values.read(&args.gravity).unwrap_or(G0_M_S2),
+        filter_corner_hz: values.read(&args.corner),
+        law: args.law,
         read,
         component: args.component.clone(),
         inverted: args.invert,
         impactor: name(impactor.as_ref()),
-        sphere_radius_m: values.positive("--sphere-radius", args.sphere_radius.as_deref(), Dimension::Length),
+        sphere_radius_m: values.read(&args.sphere_radius),
         boundary: name(args.boundary.as_ref()),
-        thickness_m: values.positive("--pad-thickness", args.pad_thickness.as_deref(), Dimension::Length),
+        thickness_m: values.read(&args.pad_thickness),
         seed: global.seed.unwrap_or(1),
     };
     values.finish()?;
     Ok(request)
+}
+
+fn velocity_error(text: &str) -> Result<f64, Problem> {
+    match parse_positive(text, Dimension::Ratio, "the value")? {
+        ratio if ratio <= 0.5 => Ok(ratio),
+        _ => {
+            let hint = "leave height and velocity out: the pulse itself then tells the speed";
+            Err(problem("more than 50 %", hint))
+        }
+    }
 }
 
 fn per_mm(value: f64) -> String {

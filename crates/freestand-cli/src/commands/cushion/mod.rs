@@ -30,10 +30,10 @@ pub(crate) struct CushionArgs {
 #[derive(Debug, Subcommand)]
 enum CushionCommand {
     Drop(Box<drop::DropArgs>),
-    Static(static_test::StaticArgs),
+    Static(Box<static_test::StaticArgs>),
     Simulate(Box<simulate::SimulateArgs>),
-    Recovery(recovery::RecoveryArgs),
-    Curve(curve::CurveArgs),
+    Recovery(Box<recovery::RecoveryArgs>),
+    Curve(Box<curve::CurveArgs>),
     List(library::ListArgs),
     Show(library::ShowArgs),
     Search(library::SearchArgs),

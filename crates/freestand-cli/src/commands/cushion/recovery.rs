@@ -3,7 +3,7 @@
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand_input::quantity::{Dimension, parse_grid};
+use freestand_input::quantity::Dimension;
 use freestand_study::laboratory::virtual_test::{RecoveryRequest, RecoveryRow, recovery};
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::printer::{Printer, optional, table};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// How well drop tests recover stiffness, exponent and damping: bias and coverage over rate, noise, bias, zero shift and law
 #[derive(Debug, Args)]
@@ -25,20 +25,20 @@ The pads are those of the worked example (0.365 kg from 100 mm): 2190 N/mm; 2e7 
 random. A bias of the whole record is taken out with the zero line and must change nothing; a shift at the peak does.")]
 pub(crate) struct RecoveryArgs {
     /// Drops in each cell
-    #[arg(long, value_name = "N", default_value = "100", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value = "100", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     drops: u32,
     /// Samples per contact
-    #[arg(long, value_name = "LIST", default_value = "25, 50, 200", allow_hyphen_values = true)]
-    samples_per_contact: String,
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST", default_value = "25, 50, 200")]
+    samples_per_contact: Given<Vec<f64>>,
     /// Noise as a share of the peak
-    #[arg(long, value_name = "LIST", default_value = "0.5 %, 2 %", allow_hyphen_values = true)]
-    noise: String,
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST", default_value = "0.5 %, 2 %")]
+    noise: Given<Vec<f64>>,
     /// Bias of the whole record
-    #[arg(long, value_name = "LIST", default_value = "0 g, 5 g", allow_hyphen_values = true)]
-    bias: String,
+    #[arg(long, grid = Dimension::Acceleration, value_name = "LIST", default_value = "0 g, 5 g")]
+    bias: Given<Vec<f64>>,
     /// Shift of the zero line at the peak, as a share of it
-    #[arg(long, value_name = "LIST", default_value = "0", allow_hyphen_values = true)]
-    zero_shift: String,
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST", default_value = "0")]
+    zero_shift: Given<Vec<f64>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -49,11 +49,10 @@ struct Report {
 
 pub(crate) fn run(args: &RecoveryArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let mut list = |flag, text: &str, dimension| values.keep(flag, parse_grid(text, dimension)).unwrap_or_default();
-    let samples_per_contact = list("--samples-per-contact", &args.samples_per_contact, Dimension::Ratio);
-    let noise_ratios = list("--noise", &args.noise, Dimension::Ratio);
-    let biases = list("--bias", &args.bias, Dimension::Acceleration);
-    let zero_shift_ratios = list("--zero-shift", &args.zero_shift, Dimension::Ratio);
+    let samples_per_contact = values.read(&args.samples_per_contact).unwrap_or_default();
+    let noise_ratios = values.read(&args.noise).unwrap_or_default();
+    let biases = values.read(&args.bias).unwrap_or_default();
+    let zero_shift_ratios = values.read(&args.zero_shift).unwrap_or_default();
     values.finish()?;
     let in_range = samples_per_contact.iter().all(|n| (2.0..=10_000.0).contains(n));
     if !in_range || noise_ratios.iter().any(|n| !(0.0..=1.0).contains(n)) {

@@ -4,7 +4,7 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
-use freestand_input::quantity::{Dimension, parse};
+use freestand_input::quantity::Dimension;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::laboratory::virtual_test::{drop_file, static_file};
 use serde::Serialize;
@@ -15,7 +15,7 @@ use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, print_text, table};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// Virtual drop tests (and static tests) of a cushion, with all that is wrong with real ones
 #[derive(Debug, Args)]
@@ -32,72 +32,54 @@ pub(crate) struct SimulateArgs {
     #[command(flatten)]
     cushion: CushionArgs,
     /// Mass that falls
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
-    mass: Option<String>,
+    #[arg(long, positive = Dimension::Mass)]
+    mass: Option<Given>,
     /// Height of the fall
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    height: Option<String>,
+    #[arg(long, positive = Dimension::Length)]
+    height: Option<Given>,
     /// Samples per second [default: 50 per contact]
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true)]
-    sample_rate: Option<String>,
+    #[arg(long, positive = Dimension::Frequency)]
+    sample_rate: Option<Given>,
     /// Standard deviation of white noise as a share of the peak (of the largest force in a static test)
-    #[arg(long, value_name = "RATIO", default_value = "0", allow_hyphen_values = true)]
-    noise: String,
+    #[arg(long, non_negative = Dimension::Ratio, default_value = "0")]
+    noise: Given,
     /// Added to every sample
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
-    bias: Option<String>,
+    #[arg(long, any = Dimension::Acceleration)]
+    bias: Option<Given>,
     /// Shift of the zero line after the peak, as a share of it
-    #[arg(long, value_name = "RATIO", default_value = "0", allow_hyphen_values = true)]
-    zero_shift: String,
+    #[arg(long, any = Dimension::Ratio, default_value = "0")]
+    zero_shift: Given,
     /// Corner of a low-pass of two poles before the converter
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true)]
-    filter_corner: Option<String>,
+    #[arg(long, positive = Dimension::Frequency)]
+    filter_corner: Option<Given>,
     /// Time before the first touch [default: 3 contacts]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    pre_trigger: Option<String>,
+    #[arg(long, non_negative = Dimension::Time)]
+    pre_trigger: Option<Given>,
     /// Bounces after the first contact
-    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(0..=20))]
+    #[arg(long, value_name = "N", default_value = "0", value_parser = clap::value_parser!(u32).range(0..=20))]
     bounces: u32,
     /// Gravity during the contact [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
-    gravity: Option<String>,
+    #[arg(long, non_negative = Dimension::Acceleration)]
+    gravity: Option<Given>,
     /// How many tests
-    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
 
     /// A static test
     #[arg(long = "static", help_heading = "Static tests")]
     is_static: bool,
     /// Largest force [default: 1 kN]
-    #[arg(
-        long,
-        value_name = "FORCE",
-        allow_hyphen_values = true,
-        requires = "is_static",
-        help_heading = "Static tests"
-    )]
-    load: Option<String>,
+    #[arg(long, positive = Dimension::Force, requires = "is_static", help_heading = "Static tests")]
+    load: Option<Given>,
     /// Energy lost as a share of that of the way in
-    #[arg(long, value_name = "RATIO", default_value = "0", allow_hyphen_values = true, help_heading = "Static tests")]
-    hysteresis: String,
+    #[arg(long, non_negative = Dimension::Ratio, default_value = "0", help_heading = "Static tests")]
+    hysteresis: Given,
     /// Slack before the pad is touched
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        requires = "is_static",
-        help_heading = "Static tests"
-    )]
-    slack: Option<String>,
+    #[arg(long, non_negative = Dimension::Length, requires = "is_static", help_heading = "Static tests")]
+    slack: Option<Given>,
     /// Stiffness of the machine
-    #[arg(
-        long,
-        value_name = "STIFFNESS",
-        allow_hyphen_values = true,
-        requires = "is_static",
-        help_heading = "Static tests"
-    )]
-    machine_compliance: Option<String>,
+    #[arg(long, positive = Dimension::Stiffness, requires = "is_static", help_heading = "Static tests")]
+    machine_compliance: Option<Given>,
 }
 
 #[derive(Debug, Serialize)]
@@ -130,7 +112,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     if global.out.is_none() && args.count > 1 {
         return Err(Failure::usage("several tests need a folder", "give --out DIR"));
     }
-    let inputs: Vec<_> = args.cushion.inputs().cloned().collect();
+    let inputs = args.cushion.inputs();
     let files = Files::begin(global, &inputs)?;
     let mut tests = Vec::new();
     let mut first = String::new();
@@ -211,9 +193,9 @@ fn edge(
 fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<String>), Failure> {
     let mut values = Values::default();
     let seed = global.seed.unwrap_or(1);
-    let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
-    let height = values.positive("--height", args.height.as_deref(), Dimension::Length);
-    let noise_ratio = values.non_negative("--noise", Some(&args.noise), Dimension::Ratio).unwrap_or(0.0);
+    let mass = values.read(&args.mass);
+    let height = values.read(&args.height);
+    let noise_ratio = values.read(&args.noise).unwrap_or(0.0);
     let (edge, assumed) = edge(args, mass, &mut values)?;
     let Some(edge) = edge else {
         values.finish()?;
@@ -222,17 +204,11 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
     let cushion = edge.cushion;
     if args.is_static {
         let options = VirtualStaticOptions {
-            max_force_n: values.positive("--load", args.load.as_deref(), Dimension::Force).unwrap_or(1000.0),
+            max_force_n: values.read(&args.load).unwrap_or(1000.0),
             points: 201,
-            hysteresis_ratio: values
-                .non_negative("--hysteresis", Some(&args.hysteresis), Dimension::Ratio)
-                .unwrap_or(0.0),
-            toe_m: values.non_negative("--slack", args.slack.as_deref(), Dimension::Length).unwrap_or(0.0),
-            machine_stiffness_n_m: values.positive(
-                "--machine-compliance",
-                args.machine_compliance.as_deref(),
-                Dimension::Stiffness,
-            ),
+            hysteresis_ratio: values.read(&args.hysteresis).unwrap_or(0.0),
+            toe_m: values.read(&args.slack).unwrap_or(0.0),
+            machine_stiffness_n_m: values.read(&args.machine_compliance),
             noise_ratio,
             seed,
             index: 0,
@@ -240,12 +216,12 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
         values.finish()?;
         return Ok((cushion, Plan::Static(options), [edge.notes, assumed].concat()));
     }
-    let gravity = values.non_negative("--gravity", args.gravity.as_deref(), Dimension::Acceleration);
-    let rate = values.positive("--sample-rate", args.sample_rate.as_deref(), Dimension::Frequency);
-    let bias = values.any("--bias", args.bias.as_deref(), Dimension::Acceleration);
-    let zero_shift = values.keep("--zero-shift", parse(&args.zero_shift, Dimension::Ratio));
-    let corner = values.positive("--filter-corner", args.filter_corner.as_deref(), Dimension::Frequency);
-    let pre_trigger = values.non_negative("--pre-trigger", args.pre_trigger.as_deref(), Dimension::Time);
+    let gravity = values.read(&args.gravity);
+    let rate = values.read(&args.sample_rate);
+    let bias = values.read(&args.bias);
+    let zero_shift = values.read(&args.zero_shift);
+    let corner = values.read(&args.filter_corner);
+    let pre_trigger = values.read(&args.pre_trigger);
     values.finish()?;
     let (Some(mass_kg), Some(height_m)) = (mass, height) else {
         return Err(Failure::usage("a drop needs a mass and a height", "give --mass and --height, or --static"));

@@ -13,7 +13,7 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, print_failure, significant, table};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// Static tests of a pad: tangent and secant stiffness at the working load, hysteresis
 #[derive(Debug, Args)]
@@ -30,11 +30,11 @@ pub(crate) struct StaticArgs {
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// Working load [default: half of the largest force]
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
-    load: Option<String>,
+    #[arg(long, positive = Dimension::Force)]
+    load: Option<Given>,
     /// Stiffness of the machine's frame, whose give is taken from the displacement
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
-    machine_compliance: Option<String>,
+    #[arg(long, positive = Dimension::Stiffness)]
+    machine_compliance: Option<Given>,
     /// Whether the foot of the curve is cut off [default: yes, but for a sphere]
     #[arg(long, value_name = "WHEN")]
     toe: Option<Toe>,
@@ -45,8 +45,8 @@ pub(crate) struct StaticArgs {
     #[arg(long, value_name = "BOUNDARY")]
     boundary: Option<Boundary>,
     /// Dynamic stiffness from a drop test, to be set beside the secant
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
-    dynamic: Option<String>,
+    #[arg(long, positive = Dimension::Stiffness)]
+    dynamic: Option<Given>,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -77,16 +77,12 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
     let mut values = Values::default();
     let request = StaticRequest {
         files: args.files.clone(),
-        load_n: values.positive("--load", args.load.as_deref(), Dimension::Force),
-        machine_stiffness_n_m: values.positive(
-            "--machine-compliance",
-            args.machine_compliance.as_deref(),
-            Dimension::Stiffness,
-        ),
+        load_n: values.read(&args.load),
+        machine_stiffness_n_m: values.read(&args.machine_compliance),
         compensates_toe: args.toe.map(|toe| matches!(toe, Toe::Cut)),
         impactor: name(args.impactor.as_ref()),
         boundary: name(args.boundary.as_ref()),
-        dynamic_stiffness_n_m: values.positive("--dynamic", args.dynamic.as_deref(), Dimension::Stiffness),
+        dynamic_stiffness_n_m: values.read(&args.dynamic),
     };
     values.finish()?;
     let files = Files::begin(global, &args.files)?;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_output::figure::Figure;
 use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, info};
@@ -14,11 +14,11 @@ use serde::Serialize;
 use super::plot::{PlotArgs, failed, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, print_failure, significant, table};
 use crate::reading::ReadArgs;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// What is in record files: every component with its peaks, intensities, durations and periods
 #[derive(Debug, Args)]
@@ -39,11 +39,11 @@ pub(crate) struct InfoArgs {
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// Height of a block, for what the motions are to it
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "thickness")]
-    height: Option<String>,
+    #[arg(long, positive = Dimension::Length, requires = "thickness")]
+    height: Option<Given>,
     /// Thickness of the block in the plane of motion
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "height")]
-    thickness: Option<String>,
+    #[arg(long, positive = Dimension::Length, requires = "height")]
+    thickness: Option<Given>,
     #[command(flatten)]
     plot: PlotArgs,
     #[command(flatten)]
@@ -86,15 +86,10 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
 }
 
 fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
-    let height_m = values.positive("--height", args.height.as_deref(), Dimension::Length)?;
-    let thickness_m = values.positive("--thickness", args.thickness.as_deref(), Dimension::Length)?;
-    match Block::uniform(height_m, thickness_m) {
-        Ok(block) => Some(block),
-        Err(error) => {
-            values.push(Problem::new(ProblemKind::Value, error.to_string()).hint("check the sizes of the object"));
-            None
-        }
-    }
+    let height_m = values.read(&args.height)?;
+    let thickness_m = values.read(&args.thickness)?;
+    let block = Block::uniform(height_m, thickness_m);
+    values.take(block.map_err(|error| problem(error.to_string(), "check the sizes of the object")))
 }
 
 fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {

@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_input::quantity::Dimension;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_grid};
+use freestand_records::processing::azimuth_deg;
 use freestand_study::pair::PairFiles;
 
 use crate::failure::problem;
-use crate::reading::{ReadArgs, two_names};
-use crate::values::Values;
+use crate::reading::ReadArgs;
+use crate::values::{Given, Reads, Values, two_names};
 
 /// Two horizontal components.
 #[derive(Debug, Args)]
@@ -22,8 +24,8 @@ pub(super) struct PairArgs {
     #[arg(value_name = "FILE", required = true, num_args = 1..=2)]
     pub(super) files: Vec<PathBuf>,
     /// The two components of one file with several: their names or numbers, such as "1, 2"
-    #[arg(long, value_name = "NAME, NAME", conflicts_with = "component", help_heading = "Reading records")]
-    components: Option<String>,
+    #[arg(long, value_name = "NAME, NAME", read = two_names, conflicts_with = "component", help_heading = "Reading records")]
+    components: Option<Given<(String, String)>>,
     #[command(flatten)]
     read: ReadArgs,
 }
@@ -31,32 +33,19 @@ pub(super) struct PairArgs {
 impl PairArgs {
     /// What is to be read; what is wrong goes into `values`.
     pub(super) fn request(&self, values: &mut Values) -> PairFiles {
-        PairFiles { files: self.read.files(&self.files, values), components: self.called(values) }
+        PairFiles { files: self.read.files(&self.files, values), components: values.read(&self.components) }
     }
 
     /// The files that are read.
     pub(super) fn inputs(&self) -> Vec<PathBuf> {
         self.read.inputs(&self.files)
     }
-
-    fn called(&self, values: &mut Values) -> Option<(String, String)> {
-        let text = self.components.as_deref()?;
-        let both = two_names(text);
-        if both.is_none() {
-            let message = format!("--components: two are expected, not \"{text}\"");
-            values.push(problem(message, "write \"1, 2\", or \"N-S, E-W\""));
-        }
-        both
-    }
 }
 
 /// Two azimuths \[degrees\], `"0 deg, 90 deg"`.
-pub(super) fn azimuths(text: Option<&str>, values: &mut Values) -> Option<(f64, f64)> {
-    let list = values.grid("--azimuths", text?, Dimension::Angle)?;
-    if let [first, second] = list[..] {
-        let degrees = freestand_records::processing::azimuth_deg;
-        return Some((degrees(first), degrees(second)));
+pub(super) fn azimuths(text: &str) -> Result<(f64, f64), Problem> {
+    match parse_grid(text, Dimension::Angle)?[..] {
+        [first, second] => Ok((azimuth_deg(first), azimuth_deg(second))),
+        _ => Err(problem("two angles are expected", "write \"0 deg, 90 deg\", clockwise from north")),
     }
-    values.push(problem("--azimuths: two angles are expected", "write \"0 deg, 90 deg\", clockwise from north"));
-    None
 }

@@ -13,7 +13,7 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// The component at another azimuth, of two horizontal ones: to --out, or to standard output
 #[derive(Debug, Args)]
@@ -25,11 +25,11 @@ pub(crate) struct RotateArgs {
     #[command(flatten)]
     pair: PairArgs,
     /// Azimuth to turn to, clockwise from north
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
-    to: String,
+    #[arg(long, any = Dimension::Angle)]
+    to: Given,
     /// Azimuths of the two components [default: as the files state them]
-    #[arg(long, value_name = "ANGLE, ANGLE", allow_hyphen_values = true)]
-    azimuths: Option<String>,
+    #[arg(long, value_name = "ANGLE, ANGLE", read = azimuths)]
+    azimuths: Option<Given<(f64, f64)>>,
     /// Format to write
     #[arg(long, value_enum, default_value = "csv")]
     format: Target,
@@ -44,8 +44,8 @@ struct RotateReport {
 
 pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let to = values.any("--to", Some(&args.to), Dimension::Angle);
-    let azimuths_deg = azimuths(args.azimuths.as_deref(), &mut values);
+    let to = values.read(&args.to);
+    let azimuths_deg = values.read(&args.azimuths);
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;

@@ -1,7 +1,8 @@
 //! `freestand motion rotd`: response spectra over all horizontal directions.
 
 use clap::Args;
-use freestand_input::quantity::Dimension;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{RotdReport, RotdRequest, rotd};
 use freestand_study::pair::read_pair;
 
@@ -11,7 +12,7 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// Response spectra over all horizontal directions (RotDnn), larger and geometric mean of two components
 #[derive(Debug, Args)]
@@ -29,22 +30,21 @@ pub(crate) struct RotdArgs {
     #[command(flatten)]
     pair: PairArgs,
     /// Percentiles over the directions: 50 is the median, 100 the largest
-    #[arg(long, value_name = "LIST", default_value = "50, 100", allow_hyphen_values = true)]
-    percentiles: String,
+    #[arg(long, value_name = "LIST", read = percentiles, default_value = "50, 100")]
+    percentiles: Given<Vec<f64>>,
     /// Damping ratio
-    #[arg(long, value_name = "RATIO", default_value = "5 %", allow_hyphen_values = true)]
-    damping: String,
+    #[arg(long, non_negative = Dimension::Ratio, default_value = "5 %")]
+    damping: Given,
     /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    periods: Option<String>,
+    #[arg(long, grid = Dimension::Time)]
+    periods: Option<Given<Vec<f64>>>,
 }
 
 pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let damping = values.non_negative("--damping", Some(&args.damping), Dimension::Ratio);
-    let periods_s = super::periods(args.periods.as_deref(), &mut values);
-    let percentiles =
-        values.grid("--percentiles", &args.percentiles.replace('%', ""), Dimension::Ratio).unwrap_or_default();
+    let damping = values.read(&args.damping);
+    let periods_s = super::periods(&args.periods, &mut values);
+    let percentiles = values.read(&args.percentiles).unwrap_or_default();
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;
@@ -54,6 +54,10 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     files.write("rotd.csv", || csv)?;
     files.print(printer, "freestand.motion-rotd/1", &report, &report.warnings, || text(&report))?;
     Ok(Done::OK)
+}
+
+fn percentiles(text: &str) -> Result<Vec<f64>, Problem> {
+    parse_grid(&text.replace('%', ""), Dimension::Ratio)
 }
 
 fn text(report: &RotdReport) -> String {

@@ -1,6 +1,6 @@
 //! `freestand motion simulate`: motions from a magnitude and a distance, or from a city and a return period.
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::code_spectrum::SiteClass;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
@@ -19,6 +19,7 @@ use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::keys::{Key, KeySet, Keys, key, switch};
 use crate::printer::{Printer, significant, table};
 
 /// Motions of a stochastic point source: a magnitude at a distance, or those that a city's code spectrum stands for
@@ -30,94 +31,72 @@ Examples:
   freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 --out motions")]
 pub(crate) struct SimulateArgs {
     /// Moment magnitude; with --city: that one instead of 5.5, 6, 6.5 and 7
-    #[arg(long, value_name = "M", allow_hyphen_values = true, required_unless_present = "city")]
+    #[arg(long, value_name = "M", required_unless_present = "city")]
     magnitude: Option<String>,
     /// Distance from the source to the site
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, required_unless_present = "city")]
+    #[arg(long, value_name = "LENGTH", required_unless_present = "city")]
     distance: Option<String>,
     /// Look for the distances at which the mean spectrum meets this place's rock spectrum (AS 1170.4)
     #[arg(long, value_name = "NAME", conflicts_with = "distance")]
     city: Option<String>,
     /// Return period in years, with --city [default: 500]
-    #[arg(long, value_name = "YEARS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "YEARS")]
     return_period: Option<u32>,
     /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
     #[arg(long, value_name = "CLASS", default_value = "Be")]
     site: String,
     /// How many motions of each earthquake
-    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
     #[command(flatten)]
-    source: SourceArgs,
-    /// Time step
-    #[arg(
-        long,
-        value_name = "TIME",
-        default_value = "0.005 s",
-        allow_hyphen_values = true,
-        help_heading = "The motion"
-    )]
-    time_step: String,
-    /// Corner of the acausal low cut
-    #[arg(
-        long,
-        value_name = "FREQUENCY",
-        default_value = "0.05 Hz",
-        allow_hyphen_values = true,
-        help_heading = "The motion"
-    )]
-    low_cut: String,
+    source: Keys<SourceKeys>,
 }
 
-/// The crust, and what is changed in it.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "The source and the crust")]
-struct SourceArgs {
-    /// Parameters that belong together: victoria (or melbourne), intraplate, se-australia
-    #[arg(long, value_name = "NAME", default_value = "victoria")]
-    preset: String,
-    /// Stress drop, such as "200 bar" or "23 MPa" [default: the preset's]
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    stress_drop: Option<String>,
-    /// κ0, the loss near the surface [default: the preset's]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    kappa: Option<String>,
-    /// Shape of the source spectrum [default: the preset's]
-    #[arg(long, value_enum)]
-    source_spectrum: Option<SpectrumName>,
-    /// Duration along the path [default: the preset's]
-    #[arg(long, value_enum)]
-    path_duration: Option<PathName>,
-    /// How shaking rises and falls [default: the preset's]
-    #[arg(long, value_enum)]
-    window: Option<WindowName>,
-    /// No amplification by the crust
-    #[arg(long)]
-    hard_rock: bool,
-}
+#[derive(Debug, Clone)]
+struct SourceKeys;
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum SpectrumName {
-    /// Brune's
-    SingleCorner,
-    /// Of Atkinson and Boore (1995)
-    TwoCorner,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum PathName {
-    /// 0.05 s for each km
-    Boore,
-    /// Of Atkinson and Boore (1995)
-    AtkinsonBoore,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum WindowName {
-    /// Of Lam, Wilson and Hutchinson (2000)
-    Lam,
-    /// Of Saragoni and Hart (1974)
-    SaragoniHart,
+impl KeySet for SourceKeys {
+    const KEYS: &'static [(&'static str, &'static [Key])] = &[
+        (
+            "The source and the crust",
+            &[
+                key(
+                    "preset",
+                    "NAME",
+                    "Parameters that belong together: victoria (or melbourne), intraplate, se-australia [default: victoria]",
+                ),
+                key(
+                    "stress_drop",
+                    "PRESSURE",
+                    "Stress drop, such as \"200 bar\" or \"23 MPa\" [default: the preset's]",
+                ),
+                key("kappa", "TIME", "κ0, the loss near the surface [default: the preset's]"),
+                key(
+                    "source_spectrum",
+                    "SHAPE",
+                    "Shape of the source spectrum: single-corner (Brune), two-corner (Atkinson and Boore 1995) [default: the preset's]",
+                ),
+                key(
+                    "path_duration",
+                    "NAME",
+                    "Duration along the path: boore (0.05 s for each km), atkinson-boore (1995) [default: the preset's]",
+                ),
+                key(
+                    "window",
+                    "NAME",
+                    "How shaking rises and falls: lam (Lam, Wilson and Hutchinson 2000), saragoni-hart (1974) [default: the preset's]",
+                ),
+                switch("hard_rock", "No amplification by the crust"),
+            ],
+        ),
+        (
+            "The motion",
+            &[
+                key("time_step", "TIME", "Time step [default: 0.005 s]"),
+                key("low_cut", "FREQUENCY", "Corner of the acausal low cut [default: 0.05 Hz]"),
+            ],
+        ),
+    ];
 }
 
 const SCHEMA: &str = "freestand.motion-simulate/1";
@@ -181,26 +160,9 @@ fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Resu
 /// The flags as a study has them in `point_source`.
 fn words(args: &SimulateArgs) -> SourceWords {
     let mut words = SourceWords::new(KeyStyle::Flag);
-    let source = &args.source;
-    let name = |name: Option<clap::builder::PossibleValue>| name.map(|name| name.get_name().to_owned());
-    let texts = [
-        ("magnitude", args.magnitude.clone()),
-        ("distance", args.distance.clone()),
-        ("preset", Some(source.preset.clone())),
-        ("stress_drop", source.stress_drop.clone()),
-        ("kappa", source.kappa.clone()),
-        ("source_spectrum", name(source.source_spectrum.and_then(|one| one.to_possible_value()))),
-        ("path_duration", name(source.path_duration.and_then(|one| one.to_possible_value()))),
-        ("window", name(source.window.and_then(|one| one.to_possible_value()))),
-        ("hard_rock", source.hard_rock.then(|| "true".to_owned())),
-        ("time_step", Some(args.time_step.clone())),
-        ("low_cut", Some(args.low_cut.clone())),
-    ];
-    for (key, text) in texts {
-        if let Some(text) = text {
-            words.set(key, text);
-        }
-    }
+    let own = [("magnitude", &args.magnitude), ("distance", &args.distance)];
+    let own = own.into_iter().filter_map(|(key, text)| Some((key, text.as_deref()?)));
+    args.source.texts().chain(own).for_each(|(key, text)| words.set(key, text));
     words
 }
 

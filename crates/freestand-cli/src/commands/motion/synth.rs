@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::motion::Motion;
 use freestand::synthesis::{
@@ -28,7 +28,7 @@ use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::target::{TargetArgs, TargetReport};
-use crate::values::Values;
+use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Synthetic motions that fit the elastic spectrum of a code, or a table
 #[derive(Debug, Args)]
@@ -42,7 +42,7 @@ pub(crate) struct SynthArgs {
     #[command(flatten)]
     target: TargetArgs,
     /// How many motions
-    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
     #[command(flatten)]
     layout: LayoutArgs,
@@ -55,14 +55,14 @@ pub(crate) struct SynthArgs {
 #[command(next_help_heading = "The motion")]
 struct LayoutArgs {
     /// Time step, at most 0.01 s
-    #[arg(long, value_name = "TIME", default_value = "0.005 s", allow_hyphen_values = true)]
-    time_step: String,
+    #[arg(long, positive = Dimension::Time, default_value = "0.005 s")]
+    time_step: Given,
     /// Length of the shaking with its tapers, at least 10 s
-    #[arg(long, value_name = "TIME", default_value = "40 s", allow_hyphen_values = true)]
-    shaking: String,
+    #[arg(long, positive = Dimension::Time, default_value = "40 s")]
+    shaking: Given,
     /// Duration of the window that shapes the noise; D5-95 is about as long
-    #[arg(long, value_name = "TIME", default_value = "10 s", allow_hyphen_values = true)]
-    envelope: String,
+    #[arg(long, positive = Dimension::Time, default_value = "10 s")]
+    envelope: Given,
 }
 
 #[derive(Debug, Args)]
@@ -74,23 +74,10 @@ struct PeakArgs {
 }
 
 /// How the spectrum of a record is brought to the target.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-enum MethodName {
-    /// Scales wavelets; keeps more of the record
-    #[default]
-    Wavelet,
-    /// Scales Fourier amplitudes at the period itself
-    Fft,
-}
-
-impl MethodName {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Wavelet => "wavelet",
-            Self::Fft => "fft",
-        }
-    }
-}
+const METHODS: Choices<MatchMethod> = &[
+    (MatchMethod::Wavelet, "wavelet", "Scales wavelets; keeps more of the record"),
+    (MatchMethod::Fft, "fft", "Scales Fourier amplitudes at the period itself"),
+];
 
 /// A record matched to the elastic spectrum of a code; its phases stay
 #[derive(Debug, Args)]
@@ -103,8 +90,8 @@ pub(crate) struct MatchArgs {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// How
-    #[arg(long, value_enum, default_value_t)]
-    method: MethodName,
+    #[arg(long, value_parser = choice(METHODS), default_value = MatchMethod::default().name())]
+    method: MatchMethod,
     #[command(flatten)]
     peak: PeakArgs,
     #[command(flatten)]
@@ -182,7 +169,7 @@ const POOR_FIT_RATIO: f64 = 0.1;
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let asked = args.target.matched_target()?;
     check_peak(&args.peak, &asked.spectrum)?;
-    let inputs: Vec<PathBuf> = args.target.inputs().cloned().collect();
+    let inputs = args.target.inputs();
     let files = Files::begin(global, &inputs)?;
     let seed = global.seed.unwrap_or(1);
     let options = options(&args.layout)?;
@@ -200,7 +187,7 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
         code: TargetReport::from(&asked),
         seed: Some(seed),
         generator: Some(GENERATOR),
-        method: MethodName::Fft.name(),
+        method: MatchMethod::Fft.name(),
         motions,
     };
     finish(report, files, asked.warnings, printer)
@@ -209,9 +196,9 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
 fn options(args: &LayoutArgs) -> Result<SynthesisOptions, Failure> {
     let mut values = Values::default();
     let fine = SynthesisOptions::default();
-    let dt_s = values.positive("--time-step", Some(&args.time_step), Dimension::Time);
-    let shaking_s = values.positive("--shaking", Some(&args.shaking), Dimension::Time);
-    let envelope_s = values.positive("--envelope", Some(&args.envelope), Dimension::Time);
+    let dt_s = values.read(&args.time_step);
+    let shaking_s = values.read(&args.shaking);
+    let envelope_s = values.read(&args.envelope);
     values.finish()?;
     Ok(SynthesisOptions {
         dt_s: dt_s.unwrap_or(fine.dt_s),
@@ -236,13 +223,9 @@ pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer
     check_peak(&args.peak, &asked.spectrum)?;
     let mut warnings = asked.warnings.clone();
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
+    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(&args.target.inputs())))?;
     let (record, target) = (&read.motion.motion, |period_s| asked.spectrum.sa_g(period_s));
-    let method = match args.method {
-        MethodName::Wavelet => MatchMethod::Wavelet,
-        MethodName::Fft => MatchMethod::Fft,
-    };
-    let matched = match_record(record, &asked, method).map_err(|problem| problem.in_file(&args.file))?;
+    let matched = match_record(record, &asked, args.method).map_err(|problem| problem.in_file(&args.file))?;
     let mut made = with_peak(matched, &args.peak, target)
         .map_err(|error| Problem::new(ProblemKind::Value, error.to_string()).in_file(&args.file))?;
     made.resemblance = Some(Resemblance::between(record, &made.matched.motion));

@@ -3,7 +3,6 @@
 use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
 use freestand::compliant::{ASSUMED_TANGENTIAL_RATIO, CompliantBase, CompliantOptions, Start};
-use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::folder::write_file;
 use freestand_study::compliant::{CompliantReport, CompliantRequest, accuracy, history_csv, rock_on_cushions};
@@ -13,10 +12,10 @@ use serde::Serialize;
 use super::{Reading, RockArgs, read};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values, point};
 
 /// Before and behind the first landing in the figure, over the duration of its contact.
 const SHOWN_BEFORE: f64 = 2.0;
@@ -30,11 +29,11 @@ pub(crate) struct CompliantArgs {
     #[arg(long, value_enum, default_value_t)]
     base: BaseName,
     /// Tangential stiffness of the cushion under one edge [default: as the normal one, an assumption]
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, conflicts_with = "tangential_ratio")]
-    tangential_stiffness: Option<String>,
+    #[arg(long, positive = Dimension::Stiffness, conflicts_with = "tangential_ratio")]
+    tangential_stiffness: Option<Given>,
     /// The same as a ratio to the stiffness under half the weight
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    tangential_ratio: Option<String>,
+    #[arg(long, positive = Dimension::Ratio)]
+    tangential_ratio: Option<Given>,
     /// The feet never slip while they carry (what holds without --friction)
     #[arg(long, conflicts_with = "friction")]
     no_slip: bool,
@@ -42,11 +41,11 @@ pub(crate) struct CompliantArgs {
     #[arg(long, value_name = "N", default_value_t = 2)]
     contacts: usize,
     /// Let go from this rise of the centre of gravity, tilted to the right
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, conflicts_with = "initial_rotation")]
-    cg_rise: Option<String>,
+    #[arg(long, positive = Dimension::Length, conflicts_with = "initial_rotation")]
+    cg_rise: Option<Given>,
     /// Point whose acceleration is wanted: from the left edge, and above the base
-    #[arg(long, value_name = "X, Z", allow_hyphen_values = true)]
-    at: Option<String>,
+    #[arg(long, value_name = "X, Z", read = point)]
+    at: Option<Given<(f64, f64)>>,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
@@ -62,19 +61,6 @@ impl CompliantArgs {
     pub(super) fn is_compliant(&self) -> bool {
         self.base == BaseName::Compliant
     }
-
-    /// The first flag given that only a compliant base has a use for.
-    pub(super) fn given(&self) -> Option<&'static str> {
-        let flags = [
-            ("--tangential-stiffness", self.tangential_stiffness.is_some()),
-            ("--tangential-ratio", self.tangential_ratio.is_some()),
-            ("--no-slip", self.no_slip),
-            ("--contacts", self.contacts != 2),
-            ("--cg-rise", self.cg_rise.is_some()),
-            ("--at", self.at.is_some()),
-        ];
-        flags.into_iter().find_map(|(name, given)| given.then_some(name))
-    }
 }
 
 #[derive(Debug, Serialize)]
@@ -86,7 +72,7 @@ struct Document<'a> {
 
 pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (request, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);
@@ -108,27 +94,26 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         return Err(Failure::usage(format!("{flag} is of a rigid base"), hint));
     }
     let (flags, mut values) = (&args.compliant, Values::default());
-    let height = values.positive("--height", Some(&args.height), Dimension::Length);
-    let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
-    let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
+    let height = values.read(&args.height);
+    let thickness = values.read(&args.thickness);
+    let mass = values.read(&args.mass);
     let edge = args.cushion.edge(mass, &mut values)?;
-    let block = height.zip(thickness).and_then(|(h, t)| args.shape.block(h, t, mass, &mut values));
-    let tangential =
-        values.positive("--tangential-stiffness", flags.tangential_stiffness.as_deref(), Dimension::Stiffness);
-    let ratio = values.positive("--tangential-ratio", flags.tangential_ratio.as_deref(), Dimension::Ratio);
-    let friction_ratio = values.non_negative("--friction", args.friction.as_deref(), Dimension::Ratio);
-    let rise = values.positive("--cg-rise", flags.cg_rise.as_deref(), Dimension::Length);
-    let rotation = values.any("--initial-rotation", args.initial_rotation.as_deref(), Dimension::Angle);
-    let omega = values.any("--initial-velocity", args.initial_velocity.as_deref(), Dimension::AngularVelocity);
-    let gravity = values.positive("--gravity", args.gravity.as_deref(), Dimension::Acceleration);
-    let duration_s = values.positive("--duration", args.duration.as_deref(), Dimension::Time);
-    let at = values.point("--at", flags.at.as_deref());
+    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let tangential = values.read(&flags.tangential_stiffness);
+    let ratio = values.read(&flags.tangential_ratio);
+    let friction_ratio = values.read(&args.friction);
+    let rise = values.read(&flags.cg_rise);
+    let rotation = values.read(&args.initial_rotation);
+    let omega = values.read(&args.initial_velocity);
+    let gravity = values.read(&args.gravity);
+    let duration_s = values.read(&args.duration);
+    let at = values.read(&flags.at);
     let raised = rise.zip(block).and_then(|(rise, block)| {
         let rotation = block.right_pivot().rotation_at_rise_rad(rise);
         if rotation.is_none() {
             let balance = format_si(block.right_pivot().balance_rise_m(), Dimension::Length);
             let message = format!("--cg-rise: beyond the balance point, which is at {balance}");
-            values.push(Problem::new(ProblemKind::Value, message).hint("give a smaller rise, or --initial-rotation"));
+            values.push(problem(message, "give a smaller rise, or --initial-rotation"));
         }
         rotation
     });
@@ -162,7 +147,7 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     let vertical = args.vertical.as_ref().map(|path| read(&vertically, path, &mut reading)).transpose()?;
     let options = CompliantOptions {
         gravity_m_s2,
-        accuracy: accuracy(args.rocking.accuracy()),
+        accuracy: accuracy(args.rocking.accuracy),
         start,
         duration_s,
         points_m: at.into_iter().collect(),

@@ -8,7 +8,6 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 use freestand::rocking::{RockingOptions, Until};
-use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::folder::write_file;
 use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
@@ -17,13 +16,13 @@ use serde::Serialize;
 use self::compliant::CompliantArgs;
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, optional, pairs, significant};
 use crate::reading::{ReadArgs, VerticalArgs};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// One object under one motion: rotation, uplift, impacts, overturning, shock
 #[derive(Debug, Args)]
@@ -47,43 +46,43 @@ pub(crate) struct RockArgs {
     #[command(flatten)]
     vertically: VerticalArgs,
     #[command(flatten)]
-    read: ReadArgs,
+    read: Named<ReadArgs>,
 
     /// Height of the object
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The object")]
-    height: String,
+    #[arg(long, positive = Dimension::Length, help_heading = "The object")]
+    height: Given,
     /// Width of the object in the plane of motion
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The object")]
-    thickness: String,
+    #[arg(long, positive = Dimension::Length, help_heading = "The object")]
+    thickness: Given,
     /// Mass, for the shock
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, help_heading = "The object")]
-    mass: Option<String>,
+    #[arg(long, positive = Dimension::Mass, help_heading = "The object")]
+    mass: Option<Given>,
     /// Coefficient of friction: for the warning against sliding [default: 0.5]; on a compliant base the feet slip by it [default:
     /// they do not]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The object")]
-    friction: Option<String>,
+    #[arg(long, non_negative = Dimension::Ratio, help_heading = "The object")]
+    friction: Option<Given>,
     #[command(flatten)]
     shape: ShapeArgs,
     #[command(flatten)]
     cushion: CushionArgs,
 
     #[command(flatten)]
-    compliant: CompliantArgs,
+    compliant: Named<CompliantArgs>,
 
     #[command(flatten)]
     rocking: RockingArgs,
     /// Rotation at the start, positive to the right
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, help_heading = "The rocking")]
-    initial_rotation: Option<String>,
+    #[arg(long, any = Dimension::Angle, help_heading = "The rocking")]
+    initial_rotation: Option<Given>,
     /// Angular velocity at the start
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, help_heading = "The rocking")]
-    initial_velocity: Option<String>,
+    #[arg(long, any = Dimension::AngularVelocity, help_heading = "The rocking")]
+    initial_velocity: Option<Given>,
     /// Gravity [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The rocking")]
-    gravity: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The rocking")]
+    gravity: Option<Given>,
     /// When to stop [default: the last sample]; the base is still after the last sample
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true, help_heading = "The rocking")]
-    duration: Option<String>,
+    #[arg(long, positive = Dimension::Time, help_heading = "The rocking")]
+    duration: Option<Given>,
     /// File for the history (CSV)
     #[arg(long, value_name = "FILE.csv")]
     history: Option<PathBuf>,
@@ -93,11 +92,11 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if args.compliant.is_compliant() {
         return compliant::run(args, global, printer);
     }
-    if let Some(flag) = args.compliant.given() {
-        return Err(Failure::usage(format!("{flag} is of a compliant base"), "add --base compliant"));
+    if let Some(flag) = args.compliant.given.iter().find(|flag| *flag != "base") {
+        return Err(Failure::usage(format!("--{flag} is of a compliant base"), "add --base compliant"));
     }
     let (request, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut report = rock(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);
@@ -126,28 +125,28 @@ struct Reading {
 
 fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let mut values = Values::default();
-    let height = values.positive("--height", Some(&args.height), Dimension::Length);
-    let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
-    let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
+    let height = values.read(&args.height);
+    let thickness = values.read(&args.thickness);
+    let mass = values.read(&args.mass);
     let edge = args.cushion.edge(mass, &mut values)?;
     if args.cushion.is_given() && args.mass.is_none() {
-        let problem = Problem::new(ProblemKind::Value, "the cushion gives a shock only with the mass of the object");
-        values.push(problem.hint("add --mass, or leave the cushion out"));
+        let message = "the cushion gives a shock only with the mass of the object";
+        values.push(problem(message, "add --mass, or leave the cushion out"));
     }
-    let block = match (height, thickness) {
-        (Some(height_m), Some(thickness_m)) => args.shape.block(height_m, thickness_m, mass, &mut values),
-        _ => None,
-    };
-    let friction = values.positive("--friction", args.friction.as_deref(), Dimension::Ratio);
-    let rotation = values.any("--initial-rotation", args.initial_rotation.as_deref(), Dimension::Angle);
-    let omega = values.any("--initial-velocity", args.initial_velocity.as_deref(), Dimension::AngularVelocity);
-    let gravity = values.positive("--gravity", args.gravity.as_deref(), Dimension::Acceleration);
-    let duration = values.positive("--duration", args.duration.as_deref(), Dimension::Time);
+    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let friction = values.read(&args.friction);
+    if friction == Some(0.0) {
+        values.push(problem("--friction: the value must be positive, not 0", "0 is of a compliant base alone"));
+    }
+    let rotation = values.read(&args.initial_rotation);
+    let omega = values.read(&args.initial_velocity);
+    let gravity = values.read(&args.gravity);
+    let duration = values.read(&args.duration);
     let options = RockingOptions {
-        model: args.rocking.model(),
+        model: args.rocking.model,
         restitution: args.rocking.restitution(&mut values),
         gravity_m_s2: gravity.unwrap_or(G0_M_S2),
-        accuracy: args.rocking.accuracy(),
+        accuracy: args.rocking.accuracy,
         initial_rotation_rad: rotation.unwrap_or(0.0),
         initial_omega_rad_s: omega.unwrap_or(0.0),
         until: duration.map_or(Until::EndOfMotion, Until::Time),

@@ -1,11 +1,11 @@
 //! PEER AT2: prose, a unit, a line with NPTS and DT, then the values in any number a line.
 
-use super::fortran::{bad_field, fields, scan};
-use super::gaps::Markers;
-use super::lines::{Line, lines};
-use super::prints::Prints;
-use super::units::{Stated, decide, not_known, requested, unit_in_prose};
-use super::{Direction, Found, ReadOptions, Reading};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading};
+use crate::text::digit_style::DigitStyle;
+use crate::text::fortran::{bad_field, fields, scan};
+use crate::text::gaps::Markers;
+use crate::text::lines::{Line, lines};
+use crate::text::units::{Stated, decide, not_known, requested, unit_in_prose};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 use std::path::Path;
@@ -62,7 +62,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let counts = header.last().ok_or("is missing").and_then(|text| read_counts(text)).map_err(|what| {
         Problem::new(ProblemKind::Format, format!("the number of values or the time step {what}"))
             .at_line(header_line)
-            .hint("the header line reads like \"NPTS=  4000, DT= .01000 SEC\"")
+            .hint("the header line should read like \"NPTS=  4000, DT= .01000 SEC\"")
     })?;
     let counts = Counts { line: header_line, ..counts };
 
@@ -102,7 +102,7 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
             {
                 return Err(Problem::new(
                     ProblemKind::Format,
-                    format!("is a {name}, an acceleration record is expected"),
+                    format!("is a {name}; an acceleration record is expected"),
                 )
                 .at_line(i + 1)
                 .hint("use the AT2 file of the same record"));
@@ -160,11 +160,12 @@ fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
     // Of no values, the line that says so.
-    let (mut line_of_first_value, mut prints, mut markers) = (counts.line, Prints::default(), Markers::default());
+    let (mut line_of_first_value, mut digit_style, mut markers) =
+        (counts.line, DigitStyle::default(), Markers::default());
     for line in lines(bytes).skip(counts.line) {
         let before = values.len();
         fields(line.bytes, |number| {
-            prints.see(&number, line.number);
+            digit_style.see(&number, line.number);
             values.push(number.value);
         })
         .map_err(|bad| bad_field(&bad, line.number))?;
@@ -177,15 +178,15 @@ fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result
     }
     notes.extend(markers.judge(&values)?);
     if values.len() == counts.npts {
-        notes.extend(prints.note());
+        notes.extend(digit_style.note());
         return Ok((values, line_of_first_value));
     }
     let hint = if values.len() == 2 * counts.npts {
-        "if these are columns of time and acceleration, put # in front of the line with NPTS"
+        "if these are columns of time and acceleration, begin the line that names NPTS with #"
     } else {
-        "the file may be cut off: fetch it again, or correct NPTS if the values are complete"
+        "the file may be cut off: fetch it again, or correct NPTS if no value is missing"
     };
-    let message = format!("the header declares {} values, the file has {}", counts.npts, values.len());
+    let message = format!("the header declares {} values, but the file has {}", counts.npts, values.len());
     Err(Problem::new(ProblemKind::Format, message).at_line(counts.line).hint(hint))
 }
 
@@ -208,7 +209,7 @@ fn name_and_station(title: &str, path: &Path) -> (String, Option<String>) {
             return (component.to_owned(), Some((*station).to_owned()));
         }
     }
-    (super::file_stem(path), None)
+    (crate::motion_file::file_stem(path), None)
 }
 
 #[cfg(test)]

@@ -2,11 +2,11 @@
 //!
 //! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line that ends the record.
 
-use super::format::Format;
-use super::fortran::{Number, fields, is_missing_value, scan};
-use super::lines::{Line, Lines, lines};
-use super::units::TENTHS_OF_G;
-use super::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::{Number, fields, is_missing_value, scan};
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::units::TENTHS_OF_G;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;
@@ -38,7 +38,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     }
     notes.extend(end_note(bytes, "end of record"));
     if components.len() < 3 {
-        notes.push(format!("the file has {} of three components: it may be cut off", components.len()));
+        notes.push(format!("the file has only {} of three components: it may be cut off", components.len()));
     }
     Ok(Reading { format: "BHRC volume 1", components, notes })
 }
@@ -55,7 +55,7 @@ fn next_title<'a>(rest: &mut Lines<'a>) -> Result<Option<Line<'a>>, Problem> {
         if fields(line.bytes, |_| {}).is_ok() {
             return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
                 .at_line(line.number)
-                .hint("the number of values in the header does not fit the file: fetch it again"));
+                .hint("the number of values in the header does not match the file: fetch it again"));
         }
     }
     Ok(None)
@@ -69,9 +69,12 @@ fn component(
     notes: &mut Vec<String>,
 ) -> Result<Component, Problem> {
     if let Some(volume) = volume(title).filter(|volume| volume != "VOL1DS") {
-        return Err(Problem::new(ProblemKind::Format, format!("is a {} file, VOL1DS is read", shorten(&volume)))
-            .at_line(title.number)
-            .hint("use the uncorrected file (volume 1) of the same record"));
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("is a {} file; only VOL1DS files are read", shorten(&volume)),
+        )
+        .at_line(title.number)
+        .hint("use the uncorrected file (volume 1) of the same record"));
     }
     let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
     let (npts, dt_s, line_of_step) = npts_and_step(&text, title.number)?;
@@ -81,7 +84,7 @@ fn component(
     // The letter stands alone on its line.
     let name = text.iter().map(|line| line.trim()).find(|line| matches!(*line, "L" | "V" | "T" | "l" | "v" | "t"));
     let name = name.map_or_else(|| format!("component {number}"), str::to_ascii_uppercase);
-    notes.push(format!("{name}: the time step {dt_s} s is the duration over the number of values"));
+    notes.push(format!("{name}: the time step {dt_s} s is the duration divided by the number of values"));
     Found {
         direction: direction(&text, &name),
         name,
@@ -112,7 +115,7 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, u
     }
     Err(Problem::new(ProblemKind::Format, "the header has no number of values and duration")
         .at_line(line)
-        .hint("the line has two numbers, how many values there are and the duration in s"))
+        .hint("the line states two numbers: how many values there are, and the duration in s"))
 }
 
 /// The step \[s\] of `count` values in a duration that is printed with some decimals. Files count the last interval in or

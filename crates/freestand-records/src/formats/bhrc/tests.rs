@@ -75,7 +75,7 @@ fn what_is_refused() {
         ("POINTS = 24", "POINTS = 44", "\"-END\" is not a number"),
         ("POINTS = 24", "POINTS = 10", "x.v1:29: there are more values"),
         ("POINTS = 24", "POINTS =   ", "x.v1:11: the header has no number of values"),
-        ("-1.00000E0", "  -999.000", "x.v1:28: \"-999\" stands for a missing value"),
+        ("-1.00000E0", "  -999.000", "x.v1:28: \"-999\" marks a missing value"),
     ] {
         let problem = read(&text.replacen(from, to, 1)).expect_err(message);
         assert!(problem.contains(message), "{problem}");

@@ -156,7 +156,7 @@ fn uneven_times_are_interpolated_only_on_request() {
     let text = "time [ms],NS [m/s2],EW [m/s2]\n0,1,0\n10,3,0\n40,0,3\n50,5,1\n";
     let refused = read(text.as_bytes(), &ReadOptions::default()).unwrap_err();
     assert!(refused.message.contains("uneven sampling") && refused.line == Some(4), "{refused}");
-    assert!(refused.hint.as_ref().unwrap().contains("--resample 0.01s"), "{refused:?}");
+    assert!(refused.hint.as_ref().unwrap().contains("`resample = \"0.01 s\"`"), "{refused:?}");
     let asked = |dt_s| ReadOptions { uneven_dt_s: Some(dt_s), ..ReadOptions::default() };
     let file = read(text.as_bytes(), &asked(0.01)).unwrap();
     // Straight between the points: from 3 at 10 ms to 0 at 40 ms in thirds, which are exact here to one rounding.

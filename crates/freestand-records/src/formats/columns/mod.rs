@@ -1,15 +1,15 @@
 //! Motions in columns: with or without a time column, a header, units.
 
-use super::dialect::Separator;
-use super::even_grid::on_even_grid;
-use super::fortran::is_missing_value;
-use super::gaps::{gap, ordinary_note};
-use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
-use super::sampling::{Uneven, even_step, time_step};
-use super::stated_step::{count_in_words, dt_in_comment, step_in_prose};
-use super::table::{self, Table};
-use super::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
-use super::{Component, Direction, ReadOptions, Reading, motion};
+use crate::motion_file::{Component, Direction, ReadOptions, Reading, motion};
+use crate::text::dialect::Separator;
+use crate::text::even_grid::{Uneven, on_even_grid};
+use crate::text::fortran::is_missing_value;
+use crate::text::gaps::{gap, ordinary_note};
+use crate::text::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
+use crate::text::sampling::{even_step, time_step};
+use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
+use crate::text::table::{self, Table};
+use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
@@ -51,14 +51,14 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     };
     let first = usize::from(counts_rows(&table, &stating, options));
     if first > 0 {
-        notes.push("column 1 counts the rows and was not read".to_owned());
+        notes.push("column 1 counts the rows and was ignored".to_owned());
     }
     let time = time_source(&table, first, &stating, options)?;
     let (spacing, skip) = match time {
         Time::Step(dt_s) => {
             if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
                 notes.push(format!(
-                    "column {} rises by {dt_s} from row to row: if it is the time, leave out the step (--dt)",
+                    "column {} rises by {dt_s} from row to row: if it is the time, leave out `dt`",
                     first + 1
                 ));
             }
@@ -75,7 +75,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let heading = stating.headings.as_ref().and_then(|all| all.get(i)).cloned().unwrap_or_default();
         let what = if count == 1 { "the acceleration".to_owned() } else { format!("column {}", i + 1) };
         if let Some(other) = other_quantity(&heading) {
-            notes.push(format!("column {} ({}) is {other} and was not read", i + 1, shorten(&heading.name)));
+            notes.push(format!("column {} ({}) is {other} and was ignored", i + 1, shorten(&heading.name)));
             refused.get_or_insert(other);
             continue;
         }
@@ -90,7 +90,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             let lines = own.into_iter().chain(others.map(|(line, text)| (*line, text.as_str())));
             not_known(lines).filter(|_| stated.is_none()).unwrap_or(problem)
         })?;
-        notes.extend(column.prints.note());
+        notes.extend(column.digit_style.note());
         let mut values = column.values;
         if let Some(row) = gap(&values, is_missing_value) {
             return Err(missing(&values[row].to_string(), table.line_of_row(bytes, row)));
@@ -108,7 +108,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         }
         let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
-            "" if count == 1 => super::file_stem(path),
+            "" if count == 1 => crate::motion_file::file_stem(path),
             // Numbered as --component counts them, which is not how the columns are counted.
             "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),
@@ -134,7 +134,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let what = refused.unwrap_or("a time");
         return Err(Problem::new(ProblemKind::Format, format!("no column holds an acceleration, only {what}"))
             .at_line(table.line_of_first_value)
-            .hint("a column of acceleration beside the time is needed"));
+            .hint("the file needs a column of acceleration"));
     }
     Ok(Reading { format, components, notes })
 }
@@ -148,7 +148,7 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
         notes.push("the first row is read as the number of values".to_owned());
     } else if let Some(count) = table.possible_count() {
         notes.push(format!(
-            "the first row, {count}, is read as a value; as many rows follow: remove it if it is their number"
+            "the first row, {count}, is read as a value, but {count} rows follow: remove it if it is their number"
         ));
     }
     for (line, text) in &table.comments {
@@ -165,7 +165,7 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
     let rows = table.columns.first().map_or(0, |column| column.values.len());
     for (line, text) in table.header.iter().chain(&table.comments) {
         if let Some(count) = count_in_words(text).filter(|count| *count != rows as f64) {
-            notes.push(format!("line {line} states {count} values, the table has {rows} rows: it may be cut off"));
+            notes.push(format!("line {line} states {count} values, but the table has {rows} rows: it may be cut off"));
         }
     }
     if let Some((headings, line)) = headings_of(table) {
@@ -219,11 +219,11 @@ fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOption
         Some(dt_s) if !named => Ok(Time::Step(dt_s)),
         _ if table.columns.len() == 1 => Err(Problem::new(ProblemKind::Value, "there is one column and no time step")
             .at_line(table.line_of_first_value)
-            .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")),
+            .hint("give the time step, such as `dt = \"0.01 s\"`")),
         _ if first.and_then(|heading| heading.unit).is_some_and(|unit| unit.dimension != Dimension::Time) => {
             Err(Problem::new(ProblemKind::Format, "the first column is not the time")
                 .at_line(stating.line)
-                .hint("put the time first; where there is none, give the step (--dt, or dt in the study)"))
+                .hint("put the time first; without a time column, give `dt`"))
         }
         _ => Ok(Time::Column),
     }
@@ -238,10 +238,10 @@ fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
             let name = shorten(&heading.name);
             Err(Problem::new(
                 ProblemKind::Format,
-                format!("\"{name}\" is no time: this seems to be a spectrum, not a record"),
+                format!("\"{name}\" is not a time: this seems to be a spectrum, not a record"),
             )
             .at_line(stating.line)
-            .hint("name the record; a spectrum is what a record is scaled to (--scale-to-spectrum)"))
+            .hint("name a record; records are scaled to a spectrum with `scale_to_spectrum`"))
         }
     }
 }
@@ -276,9 +276,12 @@ fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
     if (given_s - stated_s).abs() <= 1e-3 * stated_s {
         return Ok(());
     }
-    Err(Problem::new(ProblemKind::Value, format!("the time step is {stated_s} s as the file says, not {given_s} s"))
-        .at_line(line)
-        .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"))
+    Err(Problem::new(
+        ProblemKind::Value,
+        format!("the time step is {stated_s} s according to the file, not {given_s} s"),
+    )
+    .at_line(line)
+    .hint("leave out `dt`, or correct the file if it is wrong"))
 }
 
 /// The step that the time column means, in seconds.
@@ -297,10 +300,10 @@ fn spacing_of_column(
     if let Some(heading) = heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '('])) {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("\"{}\" states no unit of time", shorten(&heading.name)),
+            format!("\"{}\" does not state a unit of time", shorten(&heading.name)),
         )
         .at_line(stating.line)
-        .hint("the first column is the time; write it in s or ms; where there is none, give the step (--dt, or dt in the study)"));
+        .hint("the first column is the time: write it in s or ms; without a time column, give `dt`"));
     }
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
@@ -318,7 +321,7 @@ fn spacing_of_column(
             let problem = uneven_problem(uneven, table, bytes);
             return Err(match even_step(&column.values, column.last_digit_exponent) {
                 Some(step) => problem.hint(format!(
-                    "interpolate on straight lines to equal steps (--resample {}s), or repair the gap",
+                    "interpolate on straight lines with `resample = \"{} s\"`, or repair the gap",
                     to_si(step)
                 )),
                 None => problem,
@@ -349,7 +352,7 @@ fn resampled(
     let (before, after) = (peak(values), peak(&samples));
     let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));
     let note = format!(
-        "uneven times are interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps were \
+        "uneven times were interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps were \
          off by up to {furthest:.3e} s",
         values.len(),
         samples.len()

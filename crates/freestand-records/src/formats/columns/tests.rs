@@ -1,6 +1,6 @@
 use super::*;
-use crate::formats::headings::heading;
 use crate::formats::{MotionFile, parse_motions, write_at2, write_csv};
+use crate::text::headings::heading;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 
@@ -91,9 +91,9 @@ fn what_is_refused() {
         ("1\n2\n", options("g", 0.0), Some(1), "one column and no time step"),
         ("1\n", options("g", 0.1), Some(1), "at least 2 samples"),
         ("0 1\n", options("g", 0.0), Some(1), "one sample"),
-        ("t[s],a[g]\n0,1\n1,2\n", options("m/s2", 0.0), Some(1), "is in g as the file says, not in m/s2"),
+        ("t[s],a[g]\n0,1\n1,2\n", options("m/s2", 0.0), Some(1), "is in g according to the file, not in m/s2"),
         ("t[s],a[g]\n0,1\n1,2\n", options("", 0.5), Some(1), "not 0.5 s"),
-        ("# units=g dt=0.1\n0\n1\n", options("", 0.5), Some(1), "0.1 s as the file says, not 0.5 s"),
+        ("# units=g dt=0.1\n0\n1\n", options("", 0.5), Some(1), "0.1 s according to the file, not 0.5 s"),
         ("# units=g dt=-1\n0\n1\n", none(), Some(1), "must be positive"),
         ("# units=cm/s dt=1\n0\n1\n", options("g", 0.0), Some(1), "is a velocity (cm/s)"),
         ("t[s],v[cm/s]\n0,1\n1,2\n", options("g", 0.0), Some(2), "no column holds an acceleration, only a velocity"),
@@ -103,9 +103,9 @@ fn what_is_refused() {
         ("0,1\n1,\n2,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1,1\n1,,2\n2,1,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1\n1,x\n", options("g", 0.0), Some(2), "\"x\" is not a number"),
-        ("0,1\n1,NaN\n", options("g", 0.0), Some(2), "\"NaN\" stands for a missing value"),
-        ("0,NaN\n1,1\n", options("g", 0.0), Some(1), "\"NaN\" stands for a missing value"),
-        ("# c\n0,1\n\n1,-999\n", options("g", 0.0), Some(4), "\"-999\" stands for a missing value"),
+        ("0,1\n1,NaN\n", options("g", 0.0), Some(2), "\"NaN\" marks a missing value"),
+        ("0,NaN\n1,1\n", options("g", 0.0), Some(1), "\"NaN\" marks a missing value"),
+        ("# c\n0,1\n\n1,-999\n", options("g", 0.0), Some(4), "\"-999\" marks a missing value"),
         ("0 1\n1 inf\n", options("g", 0.0), Some(2), "missing value"),
         ("0.00,O.1\n0.01,0.2\n0.02,0.3\n", options("g", 0.0), Some(1), "\"O.1\" is not a number"),
         (
@@ -231,7 +231,7 @@ fn a_number_of_values_that_does_not_fit_is_no_value() {
         assert!(parse(&text, &options).is_ok(), "{text}");
     }
     let whole = series(300, |value| format!("{:.0}", value * 1e3));
-    let file = parse(&format!("300\n{whole}"), &super::ReadOptions { unit: Some("mm/s2".into()), ..options.clone() });
+    let file = parse(&format!("300\n{whole}"), &ReadOptions { unit: Some("mm/s2".into()), ..options.clone() });
     let file = file.unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), 301);
     assert!(file.notes[0].contains("the first row, 300, is read as a value"), "{:?}", file.notes);
@@ -252,7 +252,7 @@ fn values_that_no_motion_has_and_numbers_that_lost_characters_are_said() {
     let at = text.match_indices('.').nth(99).unwrap().0;
     let lost = notes(&format!("{}{}", &text[..at], &text[at + 1..]));
     assert!(lost.len() == 2 && lost[0].starts_with("line 100: "), "{lost:?}");
-    assert!(lost[1].contains("value 100 is") && lost[1].contains("is the unit right (g)"), "{lost:?}");
+    assert!(lost[1].contains("value 100 is") && lost[1].contains("check the unit (g)"), "{lost:?}");
 }
 
 #[test]
@@ -295,9 +295,9 @@ fn minus_999_is_missing_where_it_stands_out() {
     let file = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap();
     assert_eq!(
         file.notes,
-        ["line 3: -999 is read as a value, for others are as large; it may stand for a missing one"]
+        ["line 3: -999 is read as a value because others are as large; it may mark a missing value"]
     );
     let rows = rows.replace("-998", "9").replace("-700.5", "400");
     let problem = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap_err();
-    assert_eq!((problem.message.as_str(), problem.line), ("\"-999\" stands for a missing value", Some(3)));
+    assert_eq!((problem.message.as_str(), problem.line), ("\"-999\" marks a missing value", Some(3)));
 }

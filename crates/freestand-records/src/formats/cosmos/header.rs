@@ -1,11 +1,11 @@
 //! What stands above the values of a COSMOS channel: text, whole numbers and reals.
 
 use super::Series;
-use crate::formats::ReadOptions;
-use crate::formats::format::Format;
-use crate::formats::fortran::{is_missing_value, scan};
-use crate::formats::lines::Lines;
 use crate::formats::volumes::{first_integer, step_in};
+use crate::motion_file::ReadOptions;
+use crate::text::fixed_width::Format;
+use crate::text::fortran::{is_missing_value, scan};
+use crate::text::lines::Lines;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 
@@ -46,11 +46,11 @@ fn read_block(rest: &mut Lines<'_>, what: &str, least: usize) -> Result<(Vec<f64
     let Some((count, format)) = declared else {
         return Err(Problem::new(ProblemKind::Format, format!("the line that describes the {what} is missing"))
             .at_line(line.map_or(rest.line_number(), |line| line.number))
-            .hint("it reads like \"100 Real-header values follow on  17 lines, Format= (6F13.6)\""));
+            .hint("it should read like \"100 Real-header values follow on  17 lines, Format= (6F13.6)\""));
     };
     let block = format.read(rest, count, &format!("the {what}"))?;
     if block.values.len() < least {
-        return Err(Problem::new(ProblemKind::Format, format!("the {what} has {count} values, 100 are expected"))
+        return Err(Problem::new(ProblemKind::Format, format!("the {what} has {count} values; 100 are expected"))
             .at_line(block.first_line)
             .hint("the file may be damaged: fetch it again"));
     }
@@ -76,16 +76,16 @@ impl Header {
     pub(super) fn count_m_s2(&self, notes: &mut Vec<String>) -> Result<f64, Problem> {
         let positive = |number: usize, what: &str| {
             self.real(number).filter(|value| *value > 0.0).ok_or_else(|| {
-                let message = format!("the values are counts, and the header does not give the {what}");
+                let message = format!("the values are counts, but the header does not give the {what}");
                 Problem::new(ProblemKind::Format, message)
                     .at_line(self.line_of_reals)
                     .hint(format!("use the uncorrected file (V1) of the same record, or fill in real header {number}"))
             })
         };
-        let volts = positive(22, "recorder's microvolts a count (real header 22)")? / 1e6;
-        let volts_a_g = positive(42, "sensor's volts a g (real header 42)")?;
+        let volts = positive(22, "recorder's microvolts per count (real header 22)")? / 1e6;
+        let volts_a_g = positive(42, "sensor's volts per g (real header 42)")?;
         if let Some(gain) = self.real(47).filter(|gain| *gain != 1.0 && *gain != 0.0) {
-            notes.push(format!("the header states a gain of {gain} (real header 47), which is not applied"));
+            notes.push(format!("the header states a gain of {gain} (real header 47), which was not applied"));
         }
         Ok(volts / volts_a_g * G0_M_S2)
     }
@@ -99,10 +99,10 @@ impl Header {
             // Rates are printed with three digits or more.
             && (of_title - of_header).abs() > 1e-3 * of_header
         {
-            let message = format!("the time step is {of_header} s in the header and {of_title} s above the values");
+            let message = format!("the time step is {of_header} s in the header, but {of_title} s above the values");
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(series.line)
-                .hint("one of the two is wrong: ask where the file comes from, and correct it"));
+                .hint("one of the two is wrong: ask the source of the file, and correct it"));
         }
         let recorder = self.real(34).filter(|dt_s| is_raw && *dt_s > 0.0);
         let at_reals = |dt_s| (dt_s, self.line_of_reals);
@@ -110,7 +110,7 @@ impl Header {
         of_header.map(at_reals).or(of_title).or(recorder.or(options.dt_s).map(at_reals)).ok_or_else(|| {
             Problem::new(ProblemKind::Format, "the header does not give the time step (real header 62)")
                 .at_line(self.line_of_reals)
-                .hint("give the step, such as \"0.005 s\" (--dt, or dt in the study)")
+                .hint("give the time step, such as `dt = \"0.005 s\"`")
         })
     }
 }

@@ -5,12 +5,12 @@
 
 mod header;
 
-use super::format::{Block, Format};
-use super::fortran::is_missing_value;
-use super::lines::{Line, Lines, lines};
-use super::units::record_unit;
 use super::volumes::first_integer;
-use super::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::is_missing_value;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::units::record_unit;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, shorten};
@@ -67,9 +67,9 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                 }
             }
         } else if !line.is_text() {
-            return Err(Problem::new(ProblemKind::Format, "these numbers belong to no series")
+            return Err(Problem::new(ProblemKind::Format, "no line announces these numbers")
                 .at_line(line.number)
-                .hint("the line above that counts them may be damaged: fetch the file again"));
+                .hint("the line above them that states their number may be damaged: fetch the file again"));
         }
     }
     refuse_open(open)?;
@@ -96,7 +96,7 @@ fn finish(
     if components.is_empty() {
         let problem = match refused.first() {
             Some((what, line)) => {
-                Problem::new(ProblemKind::Format, format!("holds {what}, an acceleration record is expected"))
+                Problem::new(ProblemKind::Format, format!("holds {what}; an acceleration record is expected"))
                     .at_line(*line)
             }
             None => Problem::new(ProblemKind::Format, "holds no series of values"),
@@ -104,9 +104,9 @@ fn finish(
         return Err(problem.hint("use the acceleration file of the same record"));
     }
     if !refused.is_empty() {
-        notes.push(format!("{} series of other quantities than acceleration are left out", refused.len()));
+        notes.push(format!("{} series of quantities other than acceleration were left out", refused.len()));
     }
-    super::tell_apart(&mut components);
+    crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
 
@@ -148,7 +148,9 @@ fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
     let Some((count, format)) = parsed else {
         return Err(Problem::new(ProblemKind::Format, "the number of values or their format is missing")
             .at_line(line.number)
-            .hint("the line above the values reads like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\""));
+            .hint(
+                "the line above the values should read like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\"",
+            ));
     };
     Ok(Some(Series { line: line.number, title: lower, count, format }))
 }
@@ -165,9 +167,11 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
             *rest = at;
             return Ok(block);
         }
-        Ok(_) => Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", series.count))
-            .at_line(series.line)
-            .hint("the file is damaged, or the number of values is wrong: fetch it again"),
+        Ok(_) => {
+            Problem::new(ProblemKind::Format, format!("more values follow than the {} that are declared", series.count))
+                .at_line(series.line)
+                .hint("the file is damaged, or the number of values is wrong: fetch it again")
+        }
         Err(problem) => problem,
     };
     for count in [series.count.saturating_sub(1), series.count.saturating_add(1)] {
@@ -175,7 +179,7 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
         if let Ok((block, at)) = try_count(count)
             && at.ahead().is_some_and(|line| line.text().to_ascii_lowercase().contains("end-of-data"))
         {
-            notes.push(format!("line {} declares {} values, the record has {count}", series.line, series.count));
+            notes.push(format!("line {} declares {} values, but the record has {count}", series.line, series.count));
             *rest = at;
             return Ok(block);
         }
@@ -189,7 +193,7 @@ fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
     let of_code = match header.integers[1] as i64 {
         2 => Some("a velocity"),
         3 | 4 => Some("a displacement"),
-        10..=99 => Some("another quantity than acceleration"),
+        10..=99 => Some("a quantity other than acceleration"),
         _ => None,
     };
     // A file with all three series of a channel names each above its values.
@@ -252,15 +256,15 @@ fn unit(series: &Series) -> Result<Unit, Problem> {
     };
     match (of_code, named) {
         (Some(unit), Some(named)) if (named.to_si(1.0) - unit.to_si(1.0)).abs() > 1e-9 * unit.to_si(1.0) => {
-            let message = format!("the unit is {} by its name and {} by its code", named.symbol, unit.symbol);
-            wrong(message, "one of the two is wrong: ask where the file comes from, and correct it")
+            let message = format!("the unit is {} by its name, but {} by its code", named.symbol, unit.symbol);
+            wrong(message, "one of the two is wrong: ask the source of the file, and correct it")
         }
         (Some(unit), _) => Ok(unit),
         (None, Some(named)) if code.is_none() => Ok(*named),
         (None, None) if code.is_none() && name.contains("count") => Ok(COUNTS),
         _ => wrong(
-            format!("the unit \"{}\" is not one of acceleration that is known", shorten(stated.trim())),
-            "units read: g (02), cm/s2 (04), in/s2 (07), gal (10), mg (11), micro-g (12), counts (50)",
+            format!("the unit \"{}\" is not a known unit of acceleration", shorten(stated.trim())),
+            "known units: g (02), cm/s2 (04), in/s2 (07), gal (10), mg (11), micro-g (12), counts (50)",
         ),
     }
 }
@@ -283,7 +287,7 @@ fn component(
         notes.extend(block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?);
         let count = block.values.iter().filter(|value| is_ordinary(**value)).count();
         if count > 0 {
-            notes.push(format!("{}: {count} values are -999 or -9999 counts, read as counts", shorten(&name)));
+            notes.push(format!("{}: {count} values of -999 or -9999 counts were read as counts", shorten(&name)));
         }
     } else {
         notes.extend(block.refuse_missing(series.format, is_unknown)?);

@@ -247,5 +247,5 @@ fn the_value_for_unknown_stands_out() {
     let gap = text(&UNCORRECTED).replace("     2.000    -2.000", "     2.000  -999.000");
     assert!(read(&gap).unwrap().notes[0].contains("line 48: -999 is read as a value"));
     let weak = gap.replace("-99999.999", "   499.000");
-    assert!(read(&weak).unwrap_err().contains("x.v1c:48: \"-999\" stands for a missing value"));
+    assert!(read(&weak).unwrap_err().contains("x.v1c:48: \"-999\" marks a missing value"));
 }

@@ -1,13 +1,13 @@
 //! The free format of Taiwan's weather service (CWB, since 2023 CWA): time and three components in columns, in gal.
 
-use super::format::Format;
-use super::fortran::scan;
-use super::head::{Head, leading_number};
-use super::lines::lines;
-use super::rows::{self, Rows};
-use super::sampling::step_of_rate;
-use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::scan;
+use crate::text::head::{Head, leading_number};
+use crate::text::lines::lines;
+use crate::text::rows::{self, Rows};
+use crate::text::sampling::step_of_rate;
+use crate::text::units::{Stated, decide, record_unit, requested};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;
@@ -126,7 +126,7 @@ impl Header {
         }
         Err(Problem::new(ProblemKind::Format, format!("the columns are given as \"{}\"", shorten(text)))
             .at_line(line)
-            .hint("the header line reads like \"#DataSequence: Time U(+); N(+); E(+)\""))
+            .hint("the header line should read like \"#DataSequence: Time U(+); N(+); E(+)\""))
     }
 
     /// `#Data: 4F10.3`, which the files of all years have.
@@ -160,7 +160,8 @@ fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
     match times.iter().enumerate().find(|(row, time)| (**time - expected(*row)).abs() > 0.5 / rate_hz) {
         None => Ok(()),
         Some((row, time)) => {
-            let message = format!("the time is {time}, but {:.6} at {rate_hz} values per second", expected(row));
+            let message =
+                format!("the time is {time}, but should be {:.6} at {rate_hz} values per second", expected(row));
             Err(Problem::new(ProblemKind::Format, message)
                 // Blank lines between the rows are not counted: no such file has them.
                 .at_line(rows.first_line + row)
@@ -179,16 +180,17 @@ fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Str
     if (found as f64 - expected).abs() <= 1.0 + rounding_s * rate_hz {
         // Neither way of counting makes a row less than the length holds.
         let is_short = expected - found as f64 > 0.5 + 0.5 * rounding_s * rate_hz;
-        return Ok(is_short
-            .then(|| format!("{found} rows were read, {} s at {rate_hz} Hz would be {expected:.0}", length.value)));
+        return Ok(is_short.then(|| {
+            format!("{found} rows were read, but {} s at {rate_hz} Hz would be {expected:.0}", length.value)
+        }));
     }
     let message = format!(
-        "the header declares {} s at {rate_hz} Hz, which are {:.0} rows; the file has {found}",
+        "the header declares {} s at {rate_hz} Hz, which are {:.0} rows, but the file has {found}",
         length.value, expected
     );
     Err(Problem::new(ProblemKind::Format, message)
         .at_line(line)
-        .hint("the file may be cut off: fetch it again, or correct the length if the rows are complete"))
+        .hint("the file may be cut off: fetch it again, or correct the length if no row is missing"))
 }
 
 #[cfg(test)]

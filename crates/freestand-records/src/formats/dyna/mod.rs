@@ -1,9 +1,9 @@
 //! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`, then one value a line.
 
-use super::keyed::{Header, entry, read_rows};
-use super::lines::lines;
-use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::text::keyed::{Header, entry, read_rows};
+use crate::text::lines::lines;
+use crate::text::units::{Stated, decide, record_unit, requested};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
@@ -26,7 +26,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let header = Header::read(&mut rest);
     refuse_other_series(&header)?;
     let unit = unit(&header, options)?;
-    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options)?;
+    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options.dt_s)?;
     let mut notes = Vec::new();
     let declared = header.count("NDATA")?;
     let rows = read_rows(&mut rest, 1, declared, &mut notes)?;
@@ -35,7 +35,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         notes.push(format!("the header does not say how many values there are; {} were found", values.len()));
     }
     if header.text("BASELINE_CORRECTION").to_ascii_uppercase().contains("NOT REMOVED") {
-        notes.push("the header says that the baseline is not removed: the values may have an offset".to_owned());
+        notes.push("the header says that the baseline was not removed: the values may have an offset".to_owned());
     }
     let (name, direction) = name_and_direction(&header, path);
     let component = Found {
@@ -66,7 +66,7 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let upper = stated.value.to_ascii_uppercase();
     let is_other = ["SPECTR", "VELOCITY", "DISPLACEMENT"].iter().any(|word| upper.contains(word));
     if is_other || !upper.contains("ACCEL") {
-        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&stated.value));
+        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&stated.value));
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(stated.line)
             .hint("use the acceleration file (ACC) of the same record"));

@@ -97,7 +97,7 @@ fn what_is_refused() {
         ("NDATA: 5", "NDATA: 5.5", "x.asc:13: NDATA is \"5.5\""),
         ("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: 0", "x.asc:12: the time step must be positive"),
         ("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: ", "the header has no time step"),
-        ("1.500000", "-999", "x.asc:27: \"-999\" stands for a missing value"),
+        ("1.500000", "-999", "x.asc:27: \"-999\" marks a missing value"),
         ("1.500000", "1.5OOO", "x.asc:27: "),
         ("1.500000", "0.01 1.500000", "x.asc:27: a row has 1 values, this one 2"),
     ] {
@@ -105,7 +105,7 @@ fn what_is_refused() {
         assert!(problem.contains(message), "{problem}");
     }
     let options = ReadOptions { unit: Some("g".to_owned()), ..ReadOptions::default() };
-    assert!(read_with(&file(), &options).unwrap_err().contains("is in cm/s2 as the file says, not in g"));
+    assert!(read_with(&file(), &options).unwrap_err().contains("is in cm/s2 according to the file, not in g"));
 }
 
 #[test]

@@ -3,10 +3,10 @@
 //! For each component 16 lines of text, 40 integers (10I8), 60 reals (10F8) and the accelerations (10F8); a V2A file
 //! has the velocities and displacements behind them. Source: GeoNet, "Strong motion file formats".
 
-use super::format::{Block, Format};
-use super::fortran::{fields, is_missing_value};
-use super::lines::{Line, Lines, lines};
-use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::{fields, is_missing_value};
+use crate::text::lines::{Line, Lines, lines};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
@@ -57,7 +57,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         components.push(component(&mut rest, volume, number, options, &mut notes)?);
     }
     if components.len() < 3 {
-        notes.push(format!("the file has {} of three components: it may be cut off", components.len()));
+        notes.push(format!("the file has only {} of three components: it may be cut off", components.len()));
     }
     Ok(Reading { format, components, notes })
 }
@@ -77,12 +77,12 @@ fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<Optio
         if fields(line.bytes, |_| {}).is_ok() {
             return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
                 .at_line(line.number)
-                .hint("the number of values in the header does not fit the file: fetch it again"));
+                .hint("the number of values in the header does not match the file: fetch it again"));
         }
         ignored += 1;
     }
     if ignored > 0 {
-        notes.push(format!("{ignored} lines of text between or behind the components were not read"));
+        notes.push(format!("{ignored} lines of text between or after the components were ignored"));
     }
     Ok(title)
 }
@@ -116,7 +116,7 @@ fn component(
     let factor = reals.values[7];
     let is_scaled = volume == Volume::Uncorrected && factor > 0.0 && (factor - 1.0).abs() > 1e-9;
     if is_scaled {
-        notes.push(format!("{}: the readings are in units of {factor} mm/s2, as the header says", shorten(&name)));
+        notes.push(format!("{}: the readings are in units of {factor} mm/s2, according to the header", shorten(&name)));
     }
     let scale = if is_scaled { factor } else { 1.0 };
     let component = Found {
@@ -139,7 +139,7 @@ fn component(
     notes.extend(length_note(&component, reals.values[23]));
     if let Some(other) = others.into_iter().find(|&other| other != 0 && other != found) {
         notes.push(format!(
-            "{}: {found} accelerations were read, the header declares {other} velocities or displacements",
+            "{}: {found} accelerations were read, but the header declares {other} velocities or displacements",
             shorten(&component.name)
         ));
     }

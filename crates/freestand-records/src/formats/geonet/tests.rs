@@ -135,8 +135,8 @@ fn what_is_refused() {
         ("      23", "      29", "ends after 23 of 29"),
         ("      23", "      -1", "x.V1A:20: the number of accelerations is -1"),
         ("  0.0200", "  0.0000", "x.V1A:23: the time step must be positive"),
-        ("-10000.0 -9208.1", "******** -9208.1", "x.V1A:27: \"********\" stands for a missing value"),
-        ("-10000.0 -9208.1", "-32768.0 -9208.1", "x.V1A:27: \"-32768\" stands for a missing value"),
+        ("-10000.0 -9208.1", "******** -9208.1", "x.V1A:27: \"********\" marks a missing value"),
+        ("-10000.0 -9208.1", "-32768.0 -9208.1", "x.V1A:27: \"-32768\" marks a missing value"),
     ] {
         let problem = read(&text.replace(from, to)).expect_err(message);
         assert!(problem.contains(message), "{problem}");
@@ -167,5 +167,5 @@ fn minus_999_is_missing_where_it_stands_out() {
     assert_eq!(found.components[0].motion.accel_m_s2().len(), 23);
     assert!(found.notes[0].contains("-999 is read as a value"), "{:?}", found.notes);
     let weak: Vec<f64> = strong.iter().map(|value| if *value == -999.0 { -999.0 } else { value / 10.0 }).collect();
-    assert!(read(&part("Corrected", "N", &weak).text()).unwrap_err().contains("\"-999\" stands for a missing value"));
+    assert!(read(&part("Corrected", "N", &weak).text()).unwrap_err().contains("\"-999\" marks a missing value"));
 }

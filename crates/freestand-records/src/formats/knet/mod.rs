@@ -1,13 +1,12 @@
 //! K-NET and KiK-net ASCII, of the National Research Institute for Earth Science and Disaster Resilience (NIED), Japan:
 //! one component a file, in counts that keep the instrument's offset.
 
-use super::fortran::{fields, scan};
-use super::found::peak_note_of;
-use super::head::{Head, leading_number};
-use super::lines::{Lines, lines};
-use super::sampling::step_of_rate;
-use super::units::{missing, record_unit};
-use super::{Direction, Found, ReadOptions, Reading, file_stem};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note_of};
+use crate::text::fortran::{fields, scan};
+use crate::text::head::{Head, leading_number};
+use crate::text::lines::{Lines, lines};
+use crate::text::sampling::step_of_rate;
+use crate::text::units::{missing, record_unit};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, shorten};
 use std::path::Path;
@@ -114,7 +113,7 @@ impl Header {
         parse_scale(text).ok_or_else(|| {
             Problem::new(ProblemKind::Format, format!("the scale factor is \"{}\"", shorten(text)))
                 .at_line(line)
-                .hint("it reads like 3920(gal)/6182761: so much acceleration for so many counts")
+                .hint("it should read like 3920(gal)/6182761: acceleration/counts")
         })
     }
 }
@@ -175,7 +174,7 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
     for line in rest {
         let before = values.len();
         fields(line.bytes, |number| values.push(number.value))
-            .map_err(|bad| super::fortran::bad_field(&bad, line.number))?;
+            .map_err(|bad| crate::text::fortran::bad_field(&bad, line.number))?;
         if let Some(odd) = values[before..].iter().find(|value| value.abs() >= 1e30) {
             return Err(missing(&odd.to_string(), line.number));
         }
@@ -195,14 +194,14 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
     let difference = (found as f64 - expected).abs();
     if difference > 1.0 {
         let message = format!(
-            "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values; the file has {found}"
+            "the header declares {duration_s} s at {rate_hz} Hz, which are {expected} values, but the file has {found}"
         );
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(line)
-            .hint("the file may be cut off: fetch it again, or correct the duration if the values are complete"));
+            .hint("the file may be cut off: fetch it again, or correct the duration if no value is missing"));
     }
     Ok((difference == 1.0)
-        .then(|| format!("{found} values were read, {duration_s} s at {rate_hz} Hz would be {expected}")))
+        .then(|| format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}")))
 }
 
 #[cfg(test)]

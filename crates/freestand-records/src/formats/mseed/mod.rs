@@ -2,16 +2,18 @@
 
 mod record;
 mod series;
+mod station_xml;
 mod steim;
 
 pub(super) use record::Source;
 
-use super::station_xml::{Sensed, Stations};
-use super::{Component, Direction, Found, ReadOptions, Reading, units, without_line};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, without_line};
+use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Unit;
 use record::{Record, header_order, is_version3, version2, version3};
 use series::{Series, join};
+use station_xml::{Sensed, Stations};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
@@ -51,7 +53,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                 components.push(Component { start_s, station_xml, ..component });
             }
             Err(problem) => {
-                notes.push(format!("{}; it is left out", problem.message));
+                notes.push(format!("{}; it was left out", problem.message));
                 first_left_out.get_or_insert(problem);
             }
         }
@@ -81,13 +83,12 @@ fn scaled(
     let (unit, direction) = match (stations.of(&source)?, units::requested(options.unit.as_deref())?) {
         (Some(inventory), Some(unit)) => {
             let message = format!(
-                "{} has the sensitivity of its counts, and the unit {} is given too",
+                "{} gives the sensitivity of its counts, but the unit {} is given too",
                 inventory.name(),
                 unit.symbol
             );
-            return Err(Problem::new(ProblemKind::Value, message).hint(
-                "leave out the unit (--unit, or unit in the study); if the values are in that unit already, move the StationXML away",
-            ));
+            return Err(Problem::new(ProblemKind::Value, message)
+                .hint("leave out `unit`; if the values are already in that unit, move the StationXML file away"));
         }
         (Some(inventory), None) => {
             let scaling = match inventory.scaling(&source, start, end)? {
@@ -101,13 +102,13 @@ fn scaled(
             (Unit::acceleration("m/s2", 0, 1.0), scaling.direction)
         }
         (None, Some(unit)) => {
-            notes.push(format!("{full_name}: the values are taken to be in {}, without a sensitivity", unit.symbol));
+            notes.push(format!("{full_name}: the values are assumed to be in {}, without a sensitivity", unit.symbol));
             (*unit, Direction::parse(&source.channel))
         }
         (None, None) => {
             return Err(Problem::new(ProblemKind::Value, format!("{full_name}: the sensitivity of the counts is not known"))
                 .hint(format!(
-                    "name its StationXML (--station-xml FILE), or put it beside the record as {}.xml; if the values are in a unit already, give that (--unit)",
+                    "name its StationXML file with `station_xml`, or put it next to the record as {}.xml; if the values already have a unit, state it with `unit`",
                     source.full_station().unwrap_or_else(|| "STATION".to_owned())
                 )));
         }
@@ -126,7 +127,7 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
     let named = |way: &fn(&Source) -> String| channels.iter().map(|series| way(&series.source)).collect::<Vec<_>>();
     let differ = |names: &Vec<String>| names.iter().collect::<HashSet<_>>().len() == names.len();
     let names = ways.iter().map(named).find(differ).unwrap_or_else(|| named(&ways[2]));
-    let or_file = |name: String| if name.is_empty() { super::file_stem(path) } else { name };
+    let or_file = |name: String| if name.is_empty() { crate::motion_file::file_stem(path) } else { name };
     names.into_iter().map(or_file).collect()
 }
 
@@ -161,10 +162,10 @@ impl<'a> Scan<'a> {
 
     fn notes(&self) -> Vec<String> {
         let skipped = [
-            (self.control_headers, "blocks of control headers", "the response in them is not read"),
-            (self.texts, "records of text", "they are not read"),
-            (self.rateless, "records without a sampling rate", "they are not read"),
-            (self.countless, "records that state 0 samples and hold data", "samples may be lost, they are not read"),
+            (self.control_headers, "blocks of control headers", "the response in them was ignored"),
+            (self.texts, "records of text", "they were ignored"),
+            (self.rateless, "records without a sampling rate", "they were ignored"),
+            (self.countless, "records that state 0 samples but hold data", "they were ignored, samples may be missing"),
         ];
         skipped
             .iter()
@@ -239,7 +240,7 @@ fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> R
         if next.iter().take(SKIP).any(is_binary) {
             return Err(Problem::new(
                 ProblemKind::Format,
-                format!("the control header at byte {at} has bytes at {} that are no text", at + from),
+                format!("the control header at byte {at} has bytes at {} that are not text", at + from),
             )
             .hint("the file is damaged, and a record of data may be lost in it: fetch it again"));
         }

@@ -1,7 +1,7 @@
 //! The headers of miniSEED 2 and 3: which channel, when, how fast, and where the samples are.
 
-use super::super::binary::{Order, as_written, field};
-use super::super::instant::Instant;
+use crate::formats::binary::{Order, as_written, field};
+use crate::formats::instant::Instant;
 use freestand_input::problem::{Problem, ProblemKind};
 
 /// Who recorded.
@@ -87,13 +87,12 @@ pub(super) fn version2(
     let u16_at = |from: usize| order.u16(rest, from).ok_or_else(cut);
     let samples = usize::from(u16_at(30)?);
     let data_at = usize::from(u16_at(44)?);
-    let blockettes = blockettes(rest, order).ok_or_else(|| wrong("has a chain of blockettes that leads nowhere"))?;
+    let blockettes = blockettes(rest, order).ok_or_else(|| wrong("has a broken chain of blockettes"))?;
     let length = match blockettes.data_only {
         Some((_, _, power)) if LENGTHS.contains(&power) => 1usize << power,
         Some((_, _, power)) => return Err(wrong(&format!("states a length of 2^{power} bytes"))),
-        None => {
-            found_length(rest).ok_or_else(|| wrong("states no length (blockette 1000), and no record follows it"))?
-        }
+        None => found_length(rest)
+            .ok_or_else(|| wrong("does not state its length (blockette 1000), and no record follows it"))?,
     };
     let record = rest.get(..length).ok_or_else(cut)?;
     // A record of 0 samples reports the state of the instrument; its number may also be damaged.
@@ -205,7 +204,7 @@ pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option
     let record = data_at.checked_add(data_length).and_then(|length| rest.get(..length)).ok_or_else(cut)?;
     let stated = Order::Little.u32(record, 28).ok_or_else(cut)?;
     if crc32c(record) != stated {
-        return Err(wrong("does not agree with its check sum (CRC-32C)"));
+        return Err(wrong("does not match its checksum (CRC-32C)"));
     }
     let samples = Order::Little.u32(record, 24).ok_or_else(cut)? as usize;
     if samples == 0 {

@@ -1,6 +1,6 @@
 //! Steim-1 and Steim-2: differences of 32-bit integers, packed into frames of 64 bytes (SEED 2.4 manual, appendix B).
 
-use super::super::binary::Order;
+use crate::formats::binary::Order;
 
 const FRAME: usize = 64;
 
@@ -37,7 +37,7 @@ pub(super) fn decode(
             let code = codes >> (30 - 2 * word) & 3;
             let Some(raw) = frame.get(4 * word..4 * word + 4) else { break };
             let differences = unpack(raw, code, order, packing)
-                .ok_or_else(|| format!("has a code that is not defined in word {word} of frame {}", number + 1))?;
+                .ok_or_else(|| format!("has an undefined code in word {word} of frame {}", number + 1))?;
             for &difference in differences.as_slice() {
                 if found == samples {
                     break;
@@ -56,7 +56,7 @@ pub(super) fn decode(
         return Err(format!("ends after {found} of {samples} samples"));
     }
     if value != last {
-        return Err(format!("ends with the sample {value}, but states {last} as its last one"));
+        return Err(format!("ends with the sample {value}, but states {last} as its last sample"));
     }
     Ok(())
 }

@@ -512,7 +512,7 @@ fn records_of_no_samples_that_hold_some_are_said() {
     let good = record2(&HEADER, 29, &big(&STEIM1));
     let told = |first: &[u8]| {
         let notes = read(&[first, &good].concat()).unwrap().notes;
-        notes.iter().any(|note| note.starts_with("1 records that state 0 samples and hold data"))
+        notes.iter().any(|note| note.starts_with("1 records that state 0 samples but hold data"))
     };
     assert!(told(&record2(&HEADER, 0, &big(&STEIM1))));
     assert!(!told(&record2(&HEADER, 0, &[])));

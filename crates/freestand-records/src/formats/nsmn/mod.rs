@@ -1,10 +1,10 @@
 //! The older text files of Turkey's network (AFAD, NSMN): lines `KEY : value`, then columns N-S, E-W and U-D in gal.
 
-use super::fortran::scan;
-use super::keyed::{Entry, Header, entry, read_rows};
-use super::lines::lines;
-use super::units::{Stated, decide, requested, unit_in_prose};
-use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::text::fortran::scan;
+use crate::text::keyed::{Entry, Header, entry, read_rows};
+use crate::text::lines::lines;
+use crate::text::units::{Stated, decide, requested, unit_in_prose};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::lookup;
 use std::path::Path;
@@ -27,7 +27,7 @@ pub(super) fn is_nsmn(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
-    let (dt_s, line_of_step) = header.step_s(STEP, options)?;
+    let (dt_s, line_of_step) = header.step_s(STEP, options.dt_s)?;
     let mut notes = Vec::new();
     let names = column_names(&header, &mut notes);
     let declared = header.count(COUNT)?;

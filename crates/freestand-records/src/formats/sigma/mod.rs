@@ -1,11 +1,11 @@
 //! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values a line that may touch.
 
-use super::format::Format;
-use super::fortran::is_missing_value;
-use super::keyed::{Header, entry, refuse_more_values};
-use super::lines::lines;
-use super::units::{Stated, decide, requested, unit_in_prose};
-use super::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::is_missing_value;
+use crate::text::keyed::{Header, entry, refuse_more_values};
+use crate::text::lines::lines;
+use crate::text::units::{Stated, decide, requested, unit_in_prose};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;
@@ -31,7 +31,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         Some(Stated { unit, line: entry.line })
     });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
-    let (dt_s, line_of_step) = header.step_s("Time Increment", options)?;
+    let (dt_s, line_of_step) = header.step_s("Time Increment", options.dt_s)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
         Problem::new(ProblemKind::Format, "the header has no number of values (Number of Data)")
             .at_line(1)
@@ -70,7 +70,7 @@ fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else { return Ok(()) };
     let lower = title.key.to_ascii_lowercase();
     if ["veloc", "displ", "spectr"].iter().any(|word| lower.contains(word)) {
-        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&title.key));
+        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&title.key));
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(title.line)
             .hint("use the acceleration file (.acc) of the same record"));

@@ -70,7 +70,7 @@ fn what_is_refused_and_what_is_noted() {
         ("Data                : 12", "Data                : 10", "x.cor.acc:13: there are more values"),
         ("Data                : 12", "Data                : ", "no number of values"),
         ("(s)            : 0.005", "(s)            : ", "no time step"),
-        ("-1.5000000E-03", "    -999.     ", "x.cor.acc:11: \"-999\" stands for a missing value"),
+        ("-1.5000000E-03", "    -999.     ", "x.cor.acc:11: \"-999\" marks a missing value"),
     ] {
         let problem = read(&text.replacen(from, to, 1)).expect_err(message);
         assert!(problem.contains(message), "{problem}");

@@ -1,11 +1,11 @@
 //! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component a file, cm/s².
 
-use super::format::Format;
-use super::fortran::is_missing_value;
-use super::keyed::refuse_more_values;
-use super::lines::{Line, lines};
-use super::sampling::step_of_rate;
-use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::is_missing_value;
+use crate::text::keyed::refuse_more_values;
+use crate::text::lines::{Line, lines};
+use crate::text::sampling::step_of_rate;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
@@ -46,7 +46,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     if format == "other" {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("holds \"{}\", an acceleration record is expected", shorten(text[0].trim())),
+            format!("holds \"{}\"; an acceleration record is expected", shorten(text[0].trim())),
         )
         .at_line(1)
         .hint("use the acceleration file of the same record"));
@@ -60,7 +60,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     if found < comments {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("the header declares {comments} comment lines, {found} lines follow"),
+            format!("the header declares {comments} comment lines, but {found} lines follow"),
         )
         .at_line(integers.first_line + 15 / INTEGERS.per_line)
         .hint("the file is damaged or cut off: fetch it again"));
@@ -92,12 +92,12 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
 fn station_and_component(text: &[String], path: &Path) -> (Option<String>, String) {
     let line = text.iter().find(|line| line.contains("component"));
     let Some((station, component)) = line.and_then(|line| line.split_once("component")) else {
-        return (None, super::file_stem(path));
+        return (None, crate::motion_file::file_stem(path));
     };
     let value = |text: &str| text.trim().trim_start_matches(['=', ' ']).trim().to_owned();
     let station = value(station.trim_start().strip_prefix("station").unwrap_or(station));
     let component = value(component);
-    let name = if component.is_empty() { super::file_stem(path) } else { component };
+    let name = if component.is_empty() { crate::motion_file::file_stem(path) } else { component };
     ((!station.is_empty()).then_some(station), name)
 }
 

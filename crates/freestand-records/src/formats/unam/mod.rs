@@ -1,13 +1,13 @@
 //! ASA, the standard acceleration file of Mexico's networks (UNAM, CICESE): a long Spanish header, then a column for each
 //! channel, in gal.
 
-use super::format::Format;
-use super::fortran::{fields, scan};
-use super::head::Head;
-use super::lines::{Line, Lines, lines};
-use super::rows;
-use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::{fields, scan};
+use crate::text::head::Head;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::rows;
+use crate::text::units::{Stated, decide, record_unit, requested};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;
@@ -155,7 +155,7 @@ impl Header {
             Some(numbers) if numbers.len() == columns => Ok((line, numbers)),
             _ => Err(Problem::new(
                 ProblemKind::Format,
-                format!("\"{name}\" has no number for each of {columns} channels"),
+                format!("\"{name}\" does not have a number for each of {columns} channels"),
             )
             .at_line(line)
             .hint("the header is damaged: fetch the file again")),
@@ -171,7 +171,7 @@ impl Header {
             return format.ok_or_else(|| {
                 Problem::new(ProblemKind::Format, format!("the format of the data is \"{}\"", shorten(text)))
                     .at_line(line)
-                    .hint("it reads like 3F10.3: one number for each of the channels")
+                    .hint("it should read like 3F10.3: one number for each channel")
             });
         }
         let mut columns = 0;
@@ -194,7 +194,7 @@ impl Header {
             }
             _ => Err(Problem::new(ProblemKind::Format, "the channels have different time steps, or none")
                 .at_line(line)
-                .hint("separate the channels into files of their own")),
+                .hint("put each channel into a file of its own")),
         }
     }
 
@@ -214,7 +214,7 @@ impl Header {
             };
             if above.len() == columns && above.iter().zip(&names).any(contradicts) {
                 let message =
-                    format!("the columns are \"{}\", the header lists {}", shorten(text.trim()), names.join(", "));
+                    format!("the columns are \"{}\", but the header lists {}", shorten(text.trim()), names.join(", "));
                 return Err(Problem::new(ProblemKind::Format, message)
                     .at_line(*line)
                     .hint("find out which is right, and correct the other"));
@@ -231,15 +231,15 @@ impl Header {
         if found as f64 != most {
             return Err(Problem::new(
                 ProblemKind::Format,
-                format!("the header declares {most} rows, the file has {found}"),
+                format!("the header declares {most} rows, but the file has {found}"),
             )
             .at_line(line)
-            .hint("the file may be cut off: fetch it again, or correct the number if the rows are complete"));
+            .hint("the file may be cut off: fetch it again, or correct the number if no row is missing"));
         }
         for ((column, name), &count) in columns.iter_mut().zip(names).zip(&counts) {
             if count < most {
                 column.truncate(count.max(0.0) as usize);
-                notes.push(format!("{}: the rows behind its {count} values were not read", shorten(name)));
+                notes.push(format!("{}: the rows after its {count} values were ignored", shorten(name)));
             }
         }
         Ok(())
@@ -256,7 +256,7 @@ impl Header {
             return Ok(());
         };
         let message = format!(
-            "{} values at {dt_s} s last {:.2} s, the header states {stated_s} s",
+            "{} values at {dt_s} s last {:.2} s, but the header states {stated_s} s",
             column.len(),
             column.len() as f64 * dt_s
         );
@@ -264,7 +264,7 @@ impl Header {
         if thinned.is_some_and(|factor| factor.value > 1.0) {
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(line)
-                .hint("the record was thinned out (FACTOR DE DECIMACION): correct the time step"));
+                .hint("the record was decimated (FACTOR DE DECIMACION): correct the time step"));
         }
         notes.push(message);
         Ok(())

@@ -1,9 +1,9 @@
 //! What stands above the series of a channel: text, whole numbers, and what they say.
 
 use super::{MOST_REALS, is_numbers, not_acceleration, unannounced};
-use crate::formats::fortran::{number, scan};
-use crate::formats::lines::{Line, Lines};
-use crate::formats::units::{TENTHS_OF_G, record_unit, unit_in_prose};
+use crate::text::fortran::{number, scan};
+use crate::text::lines::{Line, Lines};
+use crate::text::units::{TENTHS_OF_G, record_unit, unit_in_prose};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit};
 
@@ -101,7 +101,7 @@ fn end<'a>(mut tail: Lines<'a>, rest: &mut Lines<'a>, notes: &mut Vec<String>) -
         if let Some(line) = tail.find(is_numbers) {
             return Err(unannounced(&line));
         }
-        notes.push(format!("line {}: the text behind the last channel is not read", first.number));
+        notes.push(format!("line {}: the text after the last channel was ignored", first.number));
     }
     *rest = tail;
     Ok(())

@@ -9,13 +9,14 @@ mod header;
 
 pub(super) use header::{first_integer, is_full_integer_row, step_in};
 
-use super::format::{Block, Format};
-use super::fortran::is_missing_value;
-use super::lines::{Line, Lines, lines};
-use super::units::{decide, requested};
-use super::{
-    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, pairs, peak_note,
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, peak_note,
 };
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::is_missing_value;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::pairs;
+use crate::text::units::{decide, requested};
 use freestand::G0_M_S2;
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -52,7 +53,7 @@ pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
     if head.first().is_some_and(|line| line.contains("RESPONSE")) {
         return Err(Problem::new(
             ProblemKind::Format,
-            "holds response spectra (volume III), an acceleration record is expected",
+            "holds response spectra (volume III); an acceleration record is expected",
         )
         .at_line(1)
         .hint("use the file of volume II of the same record"));
@@ -91,15 +92,15 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
     if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
         return Err(not_acceleration(what, *line));
     }
-    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} is left out")));
+    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} was left out")));
     notes.extend(channels_note(&last_text, channel));
     notes.extend(network.end_mark.and_then(|mark| end_note(bytes, mark)));
-    super::tell_apart(&mut components);
+    crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
 
 fn not_acceleration(what: &str, line: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("holds {what}, an acceleration record is expected"))
+    Problem::new(ProblemKind::Format, format!("holds {what}; an acceleration record is expected"))
         .at_line(line)
         .hint("use the acceleration file of the same record")
 }
@@ -152,16 +153,19 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     let block = format.read(rest, title.count, "acceleration")?;
     let mut notes = Vec::from_iter(block.refuse_missing(format, is_missing_value)?);
     if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
-        return Err(Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", title.count))
-            .at_line(line.number)
-            .hint(format!("the number of values on line {} does not fit the file", title.line)));
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("more values follow than the {} that are declared", title.count),
+        )
+        .at_line(line.number)
+        .hint(format!("the number of values on line {} does not match the file", title.line)));
     }
     let of_header = || header.step().map(|dt_s| (dt_s, header.first_line));
     let at_title = |dt_s| (dt_s, title.line);
     let Some(step) = step_in(&upper).map(at_title).or_else(of_header).or(options.dt_s.map(at_title)) else {
         return Err(Problem::new(ProblemKind::Format, "the time step is not stated above the values")
             .at_line(title.line)
-            .hint("give the step, such as \"0.02 s\" (--dt, or dt in the study)"));
+            .hint("give the time step, such as `dt = \"0.02 s\"`"));
     };
     let unit = match unit_of(&title.text, title.line)? {
         None if !is_volume_two(&header.text) => header.unit()?,
@@ -169,12 +173,12 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     };
     let name = shorten(&header.name(channel));
     if let Some(other) = header.other_count(title.count, is_volume_two(&header.text)) {
-        notes.push(format!("{name}: line {} declares {} values, the header {other}", title.line, title.count));
+        notes.push(format!("{name}: line {} declares {} values, but the header {other}", title.line, title.count));
     }
     // One part in a thousand: rates and steps are printed with three digits or more.
     let (dt_s, _) = step;
     if let Some(other_s) = header.step().filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s) {
-        notes.push(format!("{name}: the time step is {dt_s} s above the values and {other_s} s in the header"));
+        notes.push(format!("{name}: the time step is {dt_s} s above the values, but {other_s} s in the header"));
     }
     found(header, channel, unit, step, block, options).map(|component| (component, notes))
 }
@@ -197,14 +201,14 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
         let declared = of_text.or(of_integers[0]).map_or_else(|| "no".to_owned(), |count| count.to_string());
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("the header declares {declared} points, the channel has {count}"),
+            format!("the header declares {declared} points, but the channel has {count}"),
         )
         .at_line(pairs.first_line.max(header.first_line))
         .hint("the file may be cut off: fetch it again"));
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);
-    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options, room)?;
+    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options.uneven_dt_s, room)?;
     let block = Block { values, first_line };
     // The step given by the user is for files that state none; here the times state it.
     found(header, channel, header.unit()?, (dt_s, first_line), block, options)
@@ -320,9 +324,9 @@ fn is_numbers(line: &Line<'_>) -> bool {
 
 /// What is to be said of numbers that may be a channel whose first lines are damaged.
 fn unannounced(line: &Line<'_>) -> Problem {
-    Problem::new(ProblemKind::Format, "these numbers belong to no series")
+    Problem::new(ProblemKind::Format, "no line announces these numbers")
         .at_line(line.number)
-        .hint("the line above that counts them may be damaged: fetch the file again")
+        .hint("the line above them that states their number may be damaged: fetch the file again")
 }
 
 /// Skips what a channel holds that is left out.

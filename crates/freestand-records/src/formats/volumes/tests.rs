@@ -248,7 +248,7 @@ fn no_channel_is_lost_in_silence() {
             (blocks(11, (100, 5), 100), first),
         ] {
             let problem = read(&format!("{text}{end}{tail}")).unwrap_err();
-            assert_eq!(problem, format!("x:{at}: these numbers belong to no series"), "{end:?}");
+            assert_eq!(problem, format!("x:{at}: no line announces these numbers"), "{end:?}");
         }
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn aligned(
         two.steps.insert(0, step);
     }
     if one.motion.accel_m_s2() == two.motion.accel_m_s2() && one.motion.peak_m_s2() > 0.0 {
-        both.push(format!("components {} and {} are equal sample by sample", names.0, names.1));
+        both.push(format!("components {} and {} are identical", names.0, names.1));
     }
     one.steps.splice(..0, both);
     Ok([one, two])

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::formats::{SpectrumRow, load_spectrum, parse_spectrum};
+use crate::tables::{SpectrumRow, load_spectrum, parse_spectrum};
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
@@ -44,7 +44,7 @@ pub struct TargetSpectrum {
 /// Reads a target from its file.
 ///
 /// # Errors
-/// A file that cannot be read or is no table of periods and accelerations with units in its headings; values that no
+/// A file that cannot be read or is not a table of periods and accelerations with units in its headings; values that no
 /// spectrum has, a period that stands twice; a damping that the file does not have; a range without periods.
 pub fn read_target(source: &TargetSource) -> Result<TargetSpectrum, Problem> {
     parse_target(load_spectrum(&source.path)?, source)
@@ -71,8 +71,8 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
     let name = name_of(&source.path);
     let note = left_out.map(|others| {
         format!(
-            "{name} has spectra for several dampings: that for {} is the target, those for {others} are left out (behind \
-             the file name write another)",
+            "{name} has spectra for several dampings: that for {} is the target, those for {others} are left out (write \
+             another after the file name)",
             percent(damping_ratio)
         )
     });
@@ -126,8 +126,10 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64,
     for row in rows.iter() {
         let Some(ratio) = row.damping_ratio else { continue };
         if !(0.0..1.0).contains(&ratio) {
-            let message = format!("a damping ratio of {ratio} is none");
-            return Err(wrong(message).at_line(row.line).hint("from 0 to below 1; in per cent under \"damping [%]\""));
+            let message = format!("{ratio} is not a damping ratio");
+            return Err(wrong(message)
+                .at_line(row.line)
+                .hint("write it from 0 to below 1, or in per cent under \"damping [%]\""));
         }
         stated.push(ratio);
     }
@@ -143,7 +145,7 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64,
         if rows.is_empty() {
             let message = format!("the spectrum is not for {} damping", percent(damping_ratio));
             return Err(wrong(message)
-                .hint(format!("behind the file name write one that it is for: {}", percents(stated.iter()))));
+                .hint(format!("write one of its dampings after the file name: {}", percents(stated.iter()))));
         }
     }
     let mut others = stated.iter().filter(|&&ratio| !is(ratio, damping_ratio)).peekable();
@@ -160,7 +162,7 @@ pub(super) fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Probl
         }
         if !(psa_m_s2 > 0.0 && psa_m_s2.is_finite()) {
             let message = format!("the acceleration of a target must be above 0, not {psa_m_s2} m/s2");
-            return Some((row, wrong(message).hint("correct it, or leave the period out")));
+            return Some((row, wrong(message).hint("correct it, or remove the period")));
         }
     }
     let mut order: Vec<usize> = (0..periods_s.len()).collect();
@@ -168,8 +170,8 @@ pub(super) fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Probl
     // Zeros of both signs are one period.
     order.sort_by(|&a, &b| (period(a) + 0.0).total_cmp(&(period(b) + 0.0)).then(a.cmp(&b)));
     let again = order.windows(2).filter(|pair| period(pair[0]) == period(pair[1])).map(|pair| pair[1]).min()?;
-    let message = format!("the period {} s stands twice", period(again));
-    Some((again, wrong(message).hint("leave one of them: every period counts once")))
+    let message = format!("the period {} s is there twice", period(again));
+    Some((again, wrong(message).hint("keep only one of them")))
 }
 
 fn ends(periods_s: &[f64]) -> (f64, f64) {

@@ -15,8 +15,8 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::words::push_shortest;
 use freestand_input::words::significant;
-use freestand_records::formats::laboratory::comments;
 use freestand_records::formats::{ReadOptions, parse_motions};
+use freestand_records::tables::laboratory::comments;
 
 pub use pool::{PooledReport, cushion_toml};
 

@@ -1,0 +1,95 @@
+//! Small tables of named columns, words and empty cells among the numbers: one row a line, read cell by cell.
+
+use super::headings::{Heading, heading};
+use super::lines::{Line, lines};
+use super::table::quoted_cells;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, shorten};
+
+/// A table as it was read.
+pub(crate) struct Cells {
+    separator: u8,
+    pub(crate) headings: Vec<Heading>,
+    /// Line of the headings, from 1.
+    pub(crate) line: usize,
+    pub(crate) rows: Vec<Row>,
+    hint: &'static str,
+}
+
+/// One row: its line, and a cell for each heading.
+pub(crate) struct Row {
+    pub(crate) line: usize,
+    cells: Vec<String>,
+}
+
+impl Row {
+    pub(crate) fn text(&self, column: usize) -> &str {
+        self.cells.get(column).map_or("", String::as_str)
+    }
+}
+
+pub(crate) fn wrong(line: usize, message: impl Into<String>) -> Problem {
+    Problem::new(ProblemKind::Format, message).at_line(line)
+}
+
+impl Cells {
+    /// Reads a table; `hint` says what its headings should be.
+    pub(crate) fn read(bytes: &[u8], hint: &'static str) -> Result<Self, Problem> {
+        let mut rest = lines(bytes).filter(|line| !line.is_blank() && !line.is_comment());
+        let header = rest.next().ok_or_else(|| Problem::new(ProblemKind::Format, "the file is empty").hint(hint))?;
+        let text = header.text();
+        let separator = [b';', b'\t'].into_iter().find(|byte| text.as_bytes().contains(byte)).unwrap_or(b',');
+        let headings: Vec<Heading> = quoted_cells(&text, separator).iter().map(|cell| heading(cell)).collect();
+        let rows = rest.map(|line| row(&line, separator, headings.len())).collect::<Result<Vec<_>, _>>()?;
+        if rows.is_empty() {
+            return Err(wrong(header.number, "no rows follow the headings").hint(hint));
+        }
+        Ok(Self { separator, headings, line: header.number, rows, hint })
+    }
+
+    /// The only column that `is_it`.
+    pub(crate) fn only(&self, is_it: impl Fn(&Heading) -> bool, what: &str) -> Result<Option<usize>, Problem> {
+        let mut found = self.headings.iter().enumerate().filter(|(_, heading)| is_it(heading));
+        let first = found.next();
+        if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
+            let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
+            return Err(wrong(self.line, format!("{names} are both {what}")).hint("keep only one of them in the file"));
+        }
+        Ok(first.map(|(index, _)| index))
+    }
+
+    /// The only column of a dimension.
+    pub(crate) fn needed(&self, dimension: Dimension, what: &str) -> Result<usize, Problem> {
+        let is_it = |heading: &Heading| heading.unit.is_some_and(|unit| unit.dimension == dimension);
+        self.only(is_it, what)?
+            .ok_or_else(|| wrong(self.line, format!("no column holds {what} with its unit")).hint(self.hint))
+    }
+
+    /// The number in a cell, in SI where the heading has a unit.
+    pub(crate) fn number(&self, row: &Row, column: usize, what: &str) -> Result<f64, Problem> {
+        let text = row.text(column);
+        // Where semicolons separate, a comma is that of a decimal.
+        let plain = if self.separator == b';' { text.replace(',', ".") } else { text.to_owned() };
+        let unit = self.headings.get(column).and_then(|heading| heading.unit);
+        let value = plain.parse::<f64>().ok().map(|value| unit.map_or(value, |unit| unit.to_si(value)));
+        value.filter(|value| value.is_finite()).ok_or_else(|| {
+            wrong(row.line, format!("the {what} is \"{}\", not a number", shorten(text)))
+                .hint("correct the cell, or make the row a comment with #")
+        })
+    }
+
+    /// The same of a cell that may be empty.
+    pub(crate) fn optional(&self, row: &Row, column: Option<usize>, what: &str) -> Result<Option<f64>, Problem> {
+        let filled = column.filter(|&column| !row.text(column).is_empty());
+        filled.map(|column| self.number(row, column, what)).transpose()
+    }
+}
+
+fn row(line: &Line<'_>, separator: u8, headings: usize) -> Result<Row, Problem> {
+    let cells = quoted_cells(&line.text(), separator);
+    if cells.len() != headings {
+        return Err(wrong(line.number, format!("{} cells under {headings} headings", cells.len()))
+            .hint("write one row per line, with a cell for each heading"));
+    }
+    Ok(Row { line: line.number, cells })
+}

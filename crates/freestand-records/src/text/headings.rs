@@ -1,0 +1,132 @@
+//! What a header cell says about its column.
+
+use super::table::Table;
+use super::units::{record_unit, unit_in_prose};
+use freestand_input::quantity::{Dimension, Unit, lookup};
+
+/// Name and unit of a column.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Heading {
+    pub(crate) name: String,
+    pub(crate) unit: Option<&'static Unit>,
+}
+
+/// `time [ms]`, `Accel[g]`, `accel (m/s2)`, `Time, s`, `a / g`, `acc in g`, and the unit suffixes of
+/// our own files and their like, `time_s`, `accel_m_s2`, `acc_g`.
+pub(crate) fn heading(cell: &str) -> Heading {
+    let cell = cell.trim().trim_matches('"').trim();
+    if let (Some(open), Some(close)) = (cell.rfind(['[', '(']), cell.rfind([']', ')']))
+        && open < close
+    {
+        // Brackets that hold no unit belong to the name: "a (NS)", "a (EW)".
+        let unit = column_unit(&cell[..open], &cell[open + 1..close]);
+        let name = if unit.is_some() { cell[..open].trim() } else { cell };
+        return Heading { name: name.to_owned(), unit };
+    }
+    for separator in [", ", " / ", " in "] {
+        if let Some((name, unit)) = cell.rsplit_once(separator)
+            && let Some(unit) = column_unit(name, unit)
+        {
+            return Heading { name: name.trim().to_owned(), unit: Some(unit) };
+        }
+    }
+    let suffixes = [
+        ("_cm_s2", "cm/s2"),
+        ("_mm_s2", "mm/s2"),
+        ("_gal", "gal"),
+        ("_m_s2", "m/s2"),
+        ("_m_s", "m/s"),
+        ("_rad_s", "rad/s"),
+        ("_m", "m"),
+        ("_g", "g"),
+    ];
+    let suffix = suffixes.iter().find(|(suffix, _)| cell.ends_with(suffix));
+    let unit = match suffix {
+        // `_g` and `_m` end ordinary names too; only on names of what they measure are they units.
+        Some(("_g", _)) if !cell.to_ascii_lowercase().starts_with("acc") => None,
+        Some(("_m", _)) if !is_other_name(cell) => None,
+        Some((_, symbol)) => lookup(symbol),
+        None => time_suffix(cell),
+    };
+    Heading { name: cell.to_owned(), unit }
+}
+
+/// `time_ms`, `t_s`, `Time ms`: a word of time with its unit behind it.
+fn time_suffix(cell: &str) -> Option<&'static Unit> {
+    let (name, unit) = cell.rsplit_once(['_', ' '])?;
+    let of_time = record_unit(unit).filter(|unit| unit.dimension == Dimension::Time)?;
+    is_time_name(name.trim()).then_some(of_time)
+}
+
+/// The unit of a column: N is the newton of a force and the north of anything else.
+fn column_unit(name: &str, unit: &str) -> Option<&'static Unit> {
+    let name = name.to_ascii_lowercase();
+    let is_force = ["force", "load", "kraft"].iter().any(|word| name.contains(word)) || name.trim() == "f";
+    if is_force && unit.trim() == "N" { lookup("N") } else { record_unit(unit) }
+}
+
+/// What a column of time is called, without its unit.
+pub(crate) fn is_time_name(name: &str) -> bool {
+    matches!(name.to_ascii_lowercase().as_str(), "time" | "t" | "time_s" | "t_s" | "zeit" | "temps" | "tiempo")
+}
+
+fn is_other_name(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    lower.starts_with("vel") || lower.starts_with("disp")
+}
+
+/// What a column is, if it is no acceleration.
+pub(crate) fn other_quantity(heading: &Heading) -> Option<&'static str> {
+    match heading.unit {
+        Some(unit) if unit.dimension != Dimension::Acceleration => Some(unit.dimension.with_article()),
+        Some(_) => None,
+        None => {
+            let name = heading.name.to_ascii_lowercase();
+            let others = [("vel", "a velocity"), ("disp", "a displacement"), ("force", "a force"), ("load", "a force")];
+            others.iter().find(|(start, _)| name.starts_with(start)).map(|(_, what)| *what)
+        }
+    }
+}
+
+/// The headings of a table and their line: the last header line, or the one above a line of units; in their absence a
+/// comment will do, if it names units, because a comment that happens to have as many words as there are columns is no header.
+pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
+    // Other programs' marks of a comment do not belong to the first heading.
+    let unmarked = |text: &str| text.trim_start_matches(['%', '!', '*', '/']).trim().to_owned();
+    let from = |text: &str| -> Option<Vec<Heading>> {
+        let text = &unmarked(text);
+        let headings: Vec<Heading> = table.names(text)?.iter().map(|cell| heading(cell)).collect();
+        // "Units: cm/s2" above two columns has two words and is no header.
+        let statement = says_unit(text) && headings.iter().all(|heading| heading.unit.is_none());
+        (!statement).then_some(headings)
+    };
+    // A line of dashes underlines the headings.
+    let lines: Vec<_> =
+        table.header.iter().rev().filter(|(_, text)| text.contains(char::is_alphanumeric)).take(4).collect();
+    let units_of =
+        |text: &str| -> Option<Vec<_>> { table.names(&unmarked(text))?.iter().map(|cell| record_unit(cell)).collect() };
+    // Plotting programs write a line of remarks below names and units.
+    let units = lines.iter().enumerate().find_map(|(i, (line, text))| Some((i, *line, units_of(text)?)));
+    if let Some((i, line, units)) = units {
+        let above = lines.get(i + 1).and_then(|(above, text)| Some((*above, from(text)?)));
+        let (line, mut headings) = above.unwrap_or_else(|| (line, vec![Heading::default(); units.len()]));
+        for (heading, unit) in headings.iter_mut().zip(units) {
+            heading.unit = Some(unit);
+        }
+        return Some((headings, line));
+    }
+    if let Some((line, text)) = lines.first()
+        && let Some(headings) = from(text)
+    {
+        return Some((headings, *line));
+    }
+    let (line, text) = table.comments.last()?;
+    let headings = from(text)?;
+    let all_named = headings.iter().all(|heading| heading.unit.is_some() && !heading.name.is_empty());
+    all_named.then_some((headings, *line))
+}
+
+/// Whether a line of prose states a unit in so many words.
+pub(crate) fn says_unit(text: &str) -> bool {
+    text.to_ascii_lowercase().contains("unit") && unit_in_prose(text).is_some()
+}
