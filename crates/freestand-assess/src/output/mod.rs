@@ -74,7 +74,6 @@ pub const URGENT_ROWS: usize = 50;
 /// decision, and every output says that it is partial and how many objects were assessed.
 ///
 /// Only the counts, the pages of the most urgent objects and one group of rows are in memory, whatever the number of rows.
-/// The counts are returned, for outputs that others write.
 ///
 /// # Errors
 /// The first problem of `rows`, rows that are not in the order of the inventory, or a full disk.
@@ -84,7 +83,7 @@ pub fn write_all(
     inventory: &Inventory,
     wanted: Wanted,
     rows: &mut dyn Iterator<Item = Result<Row<'_>, Problem>>,
-) -> Result<Overview, Problem> {
+) -> Result<(), Problem> {
     let mut outputs = Outputs::begin(folder, head, inventory, wanted)?;
     let mut next = rows.next().transpose()?;
     for item in &inventory.items {
@@ -140,7 +139,7 @@ impl Outputs {
         Ok(())
     }
 
-    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<Overview, Problem> {
+    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<(), Problem> {
         self.csv.finish()?;
         if let Some(parquet) = self.parquet {
             parquet.finish(&self.overview)?;
@@ -151,7 +150,7 @@ impl Outputs {
         if let Some(report) = self.report {
             report.write(folder, head, &self.overview)?;
         }
-        Ok(self.overview)
+        Ok(())
     }
 }
 

@@ -1,7 +1,6 @@
 use super::*;
 use crate::cushion::spring;
 use freestand_output::facts::Value;
-use freestand_input::keys::KeyStyle;
 
 fn cabinet() -> ShockRequest {
     ShockRequest {
