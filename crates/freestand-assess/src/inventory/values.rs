@@ -155,14 +155,12 @@ impl Values<'_, '_, '_> {
     }
 
     /// A ratio from above zero to one; one itself only where `is_one_allowed`.
-    pub(super) fn share(&mut self, column: Column, is_one_allowed: bool) -> Option<f64> {
+    pub(super) fn share(&mut self, column: Column) -> Option<f64> {
         let value = self.positive(column)?;
-        if value < 1.0 || is_one_allowed && value == 1.0 {
+        if value < 1.0 {
             return Some(value);
         }
-        let hint =
-            if is_one_allowed { "write a value above 0, up to 1" } else { "write a value between 0 and 1, or 10 %" };
-        self.refuse(column, format!("is {value}"), hint);
+        self.refuse(column, format!("is {value}"), "write a value between 0 and 1, or 10 %");
         None
     }
 
