@@ -154,7 +154,7 @@ impl Values<'_, '_, '_> {
         self.positive_text(column).map(|(value, _)| value)
     }
 
-    /// A ratio from above zero to one; one itself only where `is_one_allowed`.
+    /// A ratio above 0 and below 1.
     pub(super) fn share(&mut self, column: Column) -> Option<f64> {
         let value = self.positive(column)?;
         if value < 1.0 {
