@@ -27,37 +27,40 @@ impl KeySet for TargetKeys {
                 key(
                     "code",
                     "CODE",
-                    "The code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or a table with --spectrum]",
+                    "Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or the table of \
+                     --spectrum]",
                 ),
                 key(
                     "edition",
                     "YEAR",
-                    "Edition: of AS 1170.4 2007 (amended to 2018) or 2024 (not confirmed), of ASCE 7 2022 or 2016 [default: the first]",
+                    "Edition: 2007 (amended to 2018) or 2024 (unconfirmed) of AS 1170.4, 2022 or 2016 of ASCE 7 \
+                     [default: the first]",
                 ),
                 key(
                     "site",
                     "CLASS",
-                    "Site class Ae to Ee [default: De]; ground type A to E of Eurocode 8; subsoil class A to E of NZS 1170.5",
+                    "Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8, \
+                     subsoil class A to E of NZS 1170.5",
                 ),
             ],
         ),
         (
             "AS 1170.4 and NZS 1170.5",
             &[
-                key("hazard_factor", "RATIO", "Hazard factor Z"),
+                key("hazard_factor", "RATIO", "Hazard factor Z [default: that of the city]"),
                 key("city", "NAME", "City in the table of AS 1170.4 [default: Melbourne]"),
                 key("return_period_years", "YEARS", "Return period in years [default: 500]"),
                 key(
                     "fault_distance",
                     "LENGTH",
-                    "Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault is near]",
+                    "Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault nearby]",
                 ),
             ],
         ),
         (
             "Eurocode 8",
             &[
-                key("spectrum_type", "1|2", "Type of spectrum: 1, or 2 where magnitudes stay below 5.5"),
+                key("spectrum_type", "1|2", "Type of spectrum: 1, or 2 if magnitudes stay below 5.5"),
                 key("ground_acceleration", "ACCELERATION", "Reference ground acceleration on rock, a_gR"),
                 key("importance_factor", "RATIO", "Importance factor [default: 1]"),
                 key(
@@ -92,11 +95,12 @@ impl KeySet for TargetKeys {
                     "FILE",
                     "Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings",
                 ),
-                key("interpolation", "HOW", "Between the periods of the table: log-log or linear [default: log-log]"),
+                key("interpolation", "HOW", "How to interpolate between periods: log-log or linear [default: log-log]"),
                 key(
                     "beyond",
                     "HOW",
-                    "Outside them: refuse, or hold (constant Sa below, constant displacement above) [default: refuse]",
+                    "Outside the periods of the table: refuse, or hold (constant Sa below, constant displacement \
+                     above) [default: refuse]",
                 ),
             ],
         ),

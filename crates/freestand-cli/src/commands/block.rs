@@ -14,10 +14,11 @@ use crate::values::{Choices, Given, Reads, Values, choice, name_of};
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The rocking")]
 pub(crate) struct RockingArgs {
-    /// Ratio of the angular velocities after and before an impact, in (0, 1] [default: Housner's]
+    /// Restitution: angular velocity after an impact over that before it, in (0, 1]
+    /// [default: Housner's]
     #[arg(long, any = Dimension::Ratio, conflicts_with = "restitution_factor")]
     restitution: Option<Given>,
-    /// Factor on Housner's ratio
+    /// Factor that multiplies Housner's restitution
     #[arg(long, positive = Dimension::Ratio)]
     restitution_factor: Option<Given>,
     /// Equation of motion
@@ -29,14 +30,14 @@ pub(crate) struct RockingArgs {
 }
 
 const MODELS: Choices<RockingModel> = &[
-    (RockingModel::Rigid, "rigid", "The exact equation"),
-    (RockingModel::Linearised, "linear", "sin x → x, tan α → α: for comparison with closed forms"),
+    (RockingModel::Rigid, "rigid", "The exact equation of motion"),
+    (RockingModel::Linearised, "linear", "Linearised (sin x → x, tan α → α), for comparison with closed forms"),
 ];
 
 const ACCURACIES: Choices<Accuracy> = &[
-    (Accuracy::Fast, "fast", "1e-9 a step; in spectra rotations to 1e-7 or so"),
-    (Accuracy::Standard, "standard", "1e-13 a step; in spectra rotations to 1e-9 or better"),
-    (Accuracy::Tight, "tight", "As far as double precision goes; in spectra nearly so"),
+    (Accuracy::Fast, "fast", "Error of 1e-9 a step; rotations in spectra to about 1e-7"),
+    (Accuracy::Standard, "standard", "Error of 1e-13 a step; rotations in spectra to 1e-9 or better"),
+    (Accuracy::Tight, "tight", "The limit of double precision; nearly so in spectra"),
 ];
 
 impl RockingArgs {
@@ -62,16 +63,17 @@ impl RockingArgs {
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The general block")]
 pub(crate) struct ShapeArgs {
-    /// Distance between the pivot edges, where the feet are set in
+    /// Distance between the two edges, if the feet are set in [default: the thickness]
     #[arg(long, positive = Dimension::Length)]
     base_width: Option<Given>,
-    /// Height of the centre of gravity, where it is not in the middle
+    /// Height of the centre of gravity [default: half of the height]
     #[arg(long, positive = Dimension::Length)]
     cg_height: Option<Given>,
-    /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the landing edge)
+    /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the
+    /// landing edge) [default: 0]
     #[arg(long, any = Dimension::Length)]
     cg_offset: Option<Given>,
-    /// Moment of inertia about the left pivot edge, such as "120 kg m2"; needs --mass
+    /// Moment of inertia about the left edge, such as "120 kg m2"; needs --mass [default: uniform]
     #[arg(long, positive = Dimension::Inertia, requires = "mass")]
     inertia: Option<Given>,
 }

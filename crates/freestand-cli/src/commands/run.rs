@@ -26,36 +26,37 @@ use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
 use crate::values::Values;
 
-/// A whole study: motions, building, uplift and shock spectra of a grid of objects, figures and report
+/// A whole study: motions, building, spectra of a grid of objects, figures and report
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   The built-in study: a 30-storey building in a 500-year Melbourne earthquake, site class D:
     freestand run
-  The same as a file to edit, then the edited study:
+  The built-in study as a file to edit, then the edited study:
     freestand run --dump-study > study.toml
     freestand run study.toml --out results
-  The built-in study under a record of your own:
+  The built-in study under your own record:
     freestand run --motion record.AT2 --out results
-  What the result owes to each assumption, or to those named:
+  How the result depends on each assumption, or on those named:
     freestand run --vary
     freestand run study.toml --vary \"damping = 2 %, 10 %\" --vary site
-  Both horizontal components, objects tried in every direction:
-    freestand run --motion record.V2 --components both --rotation-step \"10 deg\" --out results")]
+  Both horizontal components, with objects that may rock in any direction:
+    freestand run --motion record.V2 --components both \\
+      --rotation-step \"10 deg\" --out results")]
 pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
-    /// Records in place of the study's ground motions
+    /// Records that replace the ground motions of the study
     #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,
     #[command(flatten)]
     read: Named<ReadArgs>,
     #[command(flatten)]
     second: SecondArgs,
-    /// Run the study again with one value changed at a time: damping, period, shear_flexure, seed and site over their usual
-    /// values, or those that are named, such as "damping = 2 %, 10 %"
-    #[arg(long, value_name = "KEY[= VALUE, …]", num_args = 0.., action = ArgAction::Append, allow_hyphen_values = false)]
+    /// Run the study again with one value changed at a time: the usual values of damping, period,
+    /// shear_flexure, seed and site, or the values named, such as "damping = 2 %, 10 %"
+    #[arg(long, value_name = "KEY[= VALUE, …]", num_args = 0.., action = ArgAction::Append)]
     vary: Option<Vec<String>>,
     /// Print the built-in study as TOML, ready to edit
     #[arg(long, conflicts_with_all = ["study", "motion", "vary"])]
@@ -99,7 +100,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
     };
-    let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
+    let out = global.folder();
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = Stop::listen();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?;

@@ -1,5 +1,5 @@
-//! What `freestand spectrum` shows to people: all rows of a small grid; of a large one the first few, where the others
-//! are, and each motion summed up.
+//! What `freestand spectrum` shows to people: all rows of a small grid; of a large one the first
+//! few, where the others are, and each motion summed up.
 
 use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumRow, SpectrumTally, SpectrumTiming};
 

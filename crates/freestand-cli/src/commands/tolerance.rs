@@ -1,4 +1,4 @@
-//! `freestand tolerance`: what things stand, each number with its source.
+//! `freestand tolerance`: what objects withstand, each number with its source.
 
 use std::path::PathBuf;
 
@@ -14,11 +14,12 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 
-/// The tolerance library: what kinds of things stand, each number with its source
+/// The tolerance library: what objects withstand, each number with its source
 ///
-/// An entry that is recalled (no source with a page or a clause) may be shown but never decides a verdict; a fragility is the
-/// median of a floor motion at which such things fail, never a tolerance. A library of your own, --library FILE.csv with the same
-/// columns, adds to it and overrides it by id.
+/// An entry that is recalled (its source has no page or clause) is shown but never decides a
+/// verdict. A fragility is the median floor motion at which such objects fail; it is not a
+/// tolerance. Your own library, --library FILE.csv with the same columns, adds entries and replaces
+/// those with the same id.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -28,8 +29,9 @@ Examples:
   freestand tolerance list --library ours.csv --json
 
 Columns of a library, with units in brackets such as \"peak [g]\":
-  id, class, kind (vendor-limit, test-severity, class, fragility), state (operating, non-operating, packaged, any), axis, peak,
-  peak_high, duration, shape, velocity_change, edge_lift, pfa_median, pfv_median, beta, n_shocks, source, edition, clause, page,
+  id, class, kind (vendor-limit, test-severity, class, fragility),
+  state (operating, non-operating, packaged, any), axis, peak, peak_high, duration, shape,
+  velocity_change, edge_lift, pfa_median, pfv_median, beta, n_shocks, source, edition, clause, page,
   licence, notice, confidence (stated, primary, secondary, assumption, recalled), note")]
 pub(crate) struct ToleranceArgs {
     #[command(subcommand)]
@@ -47,18 +49,24 @@ enum ToleranceCommand {
         library: LibraryArgs,
     },
     /// One entry with all its fields and its notice
-    #[command(after_help = "Examples:\n  freestand tolerance show p58-bookcase-5-shelves")]
+    #[command(after_help = "\
+Examples:
+  freestand tolerance show p58-bookcase-5-shelves
+  freestand tolerance show p58-bookcase-5-shelves --json")]
     Show {
-        /// The entry's id
+        /// Id of the entry
         #[arg(value_name = "ID")]
         id: String,
         #[command(flatten)]
         library: LibraryArgs,
     },
-    /// Entries that have all of these words in id, class, kind, state, source or note
-    #[command(after_help = "Examples:\n  freestand tolerance search disk operating")]
+    /// Entries that contain all of these words in id, class, kind, state, source or note
+    #[command(after_help = "\
+Examples:
+  freestand tolerance search bookcase
+  freestand tolerance search disk operating")]
     Search {
-        /// Words
+        /// Words to find
         #[arg(value_name = "WORD", required = true)]
         words: Vec<String>,
         #[command(flatten)]
@@ -69,7 +77,7 @@ enum ToleranceCommand {
 /// A library of the user's.
 #[derive(Debug, Args)]
 pub(crate) struct LibraryArgs {
-    /// A library of your own over the built-in one: entries of the same id take their place
+    /// Your own library (CSV); its entries replace built-in entries with the same id
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) library: Option<PathBuf>,
 }

@@ -7,7 +7,7 @@ use super::recorded::reading_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::GroundOptions;
-use crate::study::{Ground, RecordedMotion, SyntheticGround};
+use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, Ground, RecordedMotion, SyntheticGround};
 use crate::target::Target;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::ProblemKind;
@@ -127,8 +127,12 @@ impl Resolver<'_> {
         let target = self.target(written)?;
         self.warnings.extend(target.warnings.iter().cloned());
         // Beyond, the count was refused above; its names are still listed.
-        let count = usize::try_from(or(&written.count, 10).min(MAX_MOTIONS)).unwrap_or_default();
-        Some(Ground::Synthetic(SyntheticGround { target, count, seed: overrides.seed.unwrap_or(or(&written.seed, 1)) }))
+        let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS)).unwrap_or_default();
+        Some(Ground::Synthetic(SyntheticGround {
+            target,
+            count,
+            seed: overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED)),
+        }))
     }
 
     pub(super) fn target(&mut self, written: &GroundOptions) -> Option<Target> {

@@ -5,14 +5,11 @@ use freestand::synthesis::PAIR_MAGNITUDES;
 
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::options::{GroundOptions, PointSourceOptions};
-use crate::simulated::{Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source};
-use crate::study::SimulatedGround;
+use crate::simulated::{DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source};
+use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, SimulatedGround};
 use crate::target::Target;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-
-/// Where nothing is said: the rock that the source's motions are for, as in `motion simulate`.
-const SITE: SiteClass = SiteClass::Be;
 
 impl Resolver<'_> {
     pub(super) fn simulated(
@@ -37,12 +34,12 @@ impl Resolver<'_> {
         }
         let SourceInput { preset, changes, options, .. } = input?;
         let site = hazard.as_ref().map_or(site, |target| SiteClass::parse(target.spectrum.site_name()?).ok());
-        let seed = overrides.seed.unwrap_or(or(&written.seed, 1));
+        let seed = overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED));
         let request = SimulatedRequest {
             preset,
             changes,
             earthquakes: earthquakes?,
-            site: site.unwrap_or(SITE),
+            site: site.unwrap_or(DEFAULT_SITE),
             count,
             seed,
             options,
@@ -87,7 +84,7 @@ impl Resolver<'_> {
     fn hazard(&mut self, written: &GroundOptions) -> Option<Target> {
         let mut at_site = written.clone();
         if at_site.target.get("site").is_none() {
-            at_site.target.set("site", SITE.name());
+            at_site.target.set("site", DEFAULT_SITE.name());
         }
         let other = |key: &str, value: &str| key == "spectrum" || (key == "code" && !is_as1170_4(value));
         if let Some((key, _)) = written.target.entries().find(|(key, text)| other(key, text)) {
@@ -101,7 +98,7 @@ impl Resolver<'_> {
 
     /// Of what describes a spectrum, one earthquake takes the ground at the site alone.
     fn site_of_one(&mut self, written: &GroundOptions) -> Option<SiteClass> {
-        let mut site = Some(SITE);
+        let mut site = Some(DEFAULT_SITE);
         for (key, text) in written.target.entries() {
             let line = written.target.line_of(&[key]);
             if key == "site" {
@@ -122,7 +119,7 @@ impl Resolver<'_> {
 
     /// Motions of each earthquake.
     fn count_of_each(&mut self, written: &GroundOptions, earthquakes: u64) -> u64 {
-        let count = or(&written.count, 10);
+        let count = or(&written.count, DEFAULT_MOTIONS);
         let most = MAX_MOTIONS / earthquakes;
         if !(1..=most).contains(&count) {
             let line = written.count.as_ref().map(|count| count.line);

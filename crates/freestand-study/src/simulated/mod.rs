@@ -41,6 +41,9 @@ pub struct SourceChanges {
     pub hard_rock: bool,
 }
 
+/// The ground at the site, where nobody says it: the rock that the presets are for.
+pub const DEFAULT_SITE: SiteClass = SiteClass::Be;
+
 /// Which earthquakes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Earthquakes {

@@ -17,6 +17,12 @@ use freestand_input::keys::Words;
 use freestand_input::words::number;
 use freestand_records::horizontal::HorizontalMotion;
 
+/// Seed of the random numbers, where nobody says it.
+pub const DEFAULT_SEED: u64 = 1;
+
+/// How many motions are made, where nobody says it.
+pub const DEFAULT_MOTIONS: u64 = 10;
+
 /// Everything that `run` needs, and nothing that it does not.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {

@@ -14,7 +14,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::words::{nearest, number};
 
 /// Return period where none is given \[years\].
-const RETURN_PERIOD_YEARS: u32 = 500;
+pub const DEFAULT_YEARS: u32 = 500;
 
 /// A fact of a report.
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
@@ -133,7 +133,7 @@ fn return_period(
 ) -> Option<u32> {
     let key = "return_period_years";
     if !reader.has(key) {
-        return Some(RETURN_PERIOD_YEARS);
+        return Some(DEFAULT_YEARS);
     }
     let years = reader.whole(key)?;
     match known(years) {

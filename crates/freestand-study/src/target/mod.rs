@@ -12,6 +12,7 @@ use std::path::Path;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::synthesis;
 
+pub use codes::DEFAULT_YEARS;
 pub use words::TARGET_KEYS;
 
 use freestand_input::file::InputFile;

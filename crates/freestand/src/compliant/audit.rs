@@ -38,7 +38,7 @@ pub struct EnergyAudit {
 pub(super) struct Ledger {
     pub(super) audit: EnergyAudit,
     worst_j: f64,
-    most_kinetic_j: f64,
+    max_kinetic_j: f64,
     rest_j: f64,
 }
 
@@ -67,7 +67,7 @@ impl Ledger {
         a.stored_j = body.stored_j(grips, y);
         a.base_work_j = y[WORK];
         (a.cushion_dissipation_j, a.tangential_dissipation_j, a.friction_j) = (y[DASHPOT], y[DRAG], y[SLIP]);
-        self.most_kinetic_j = self.most_kinetic_j.max(a.kinetic_j);
+        self.max_kinetic_j = self.max_kinetic_j.max(a.kinetic_j);
         self.worst_j = self.worst_j.max(self.balance_j().abs());
     }
 
@@ -78,7 +78,7 @@ impl Ledger {
     pub(super) fn close(mut self) -> EnergyAudit {
         let a = &mut self.audit;
         let dissipated_j = a.cushion_dissipation_j + a.tangential_dissipation_j + a.friction_j + a.lost_at_separation_j;
-        a.turnover_j = self.most_kinetic_j + dissipated_j + self.rest_j;
+        a.turnover_j = self.max_kinetic_j + dissipated_j + self.rest_j;
         a.residual_ratio = self.worst_j / a.turnover_j;
         self.audit
     }

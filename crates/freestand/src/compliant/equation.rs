@@ -3,7 +3,7 @@
 use crate::cushion::{ContactLaw, Cushion};
 
 /// Most contact elements under a body.
-pub(super) const MOST_CONTACTS: usize = 16;
+pub(super) const MAX_CONTACTS: usize = 16;
 
 // Places in the state. Displacements of the centre of gravity from where it is above unloaded pads, relative to the base.
 pub(super) const X: usize = 0;
@@ -21,7 +21,7 @@ pub(super) const SLIP: usize = 9;
 /// Stretch of the tangential spring of contact i: at `STRETCH + i`.
 pub(super) const STRETCH: usize = 10;
 
-pub(super) type State = [f64; STRETCH + MOST_CONTACTS];
+pub(super) type State = [f64; STRETCH + MAX_CONTACTS];
 
 /// Accelerations of the base at an instant \[m/s²\].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -202,7 +202,7 @@ impl Body<'_> {
 
     /// The rates of the state.
     pub(super) fn rates(&self, grips: &[Grip], line: &Line, time_s: f64, y: &State) -> State {
-        let mut rates = [0.0; STRETCH + MOST_CONTACTS];
+        let mut rates = [0.0; STRETCH + MAX_CONTACTS];
         let shaking = line.at(time_s);
         let (mut right, mut up, mut turning) = (0.0, 0.0, 0.0);
         for (index, &grip) in grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {

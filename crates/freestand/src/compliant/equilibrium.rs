@@ -1,9 +1,9 @@
 //! The body at rest on its cushions, and what a history begins with.
 
-use super::equation::{Body, MOST_CONTACTS, OMEGA, STRETCH, State, THETA, V_X, V_Z, Z};
+use super::equation::{Body, MAX_CONTACTS, OMEGA, STRETCH, State, THETA, V_X, V_Z, Z};
 use super::{CompliantBase, CompliantError, Start, not_negative, positive};
 use crate::block::Block;
-use crate::quadrature::halved;
+use crate::search::bisect;
 
 /// A body at rest on its cushions.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +37,7 @@ pub fn equilibrium(block: &Block, base: &CompliantBase, gravity_m_s2: f64) -> Re
     positive("mass", base.mass_kg)?;
     positive("gravity", gravity_m_s2)?;
     not_negative("tangential damping", base.tangential_damping_n_s_m)?;
-    if !(2..=super::MOST_CONTACTS).contains(&base.contacts) {
+    if !(2..=super::MAX_CONTACTS).contains(&base.contacts) {
         return Err(CompliantError::Contacts { contacts: base.contacts });
     }
     let body = body(block, base, gravity_m_s2);
@@ -103,7 +103,7 @@ impl Body<'_> {
 
     /// The position in which the weight is in balance.
     pub(super) fn balanced(&self) -> Result<State, CompliantError> {
-        let mut y = [0.0; STRETCH + MOST_CONTACTS];
+        let mut y = [0.0; STRETCH + MAX_CONTACTS];
         let (left, right) = (-self.contacts[0], self.contacts[self.contacts.len() - 1]);
         let width = left + right;
         // From the forces of a body that does not turn, each half of the cushions under its edge.
@@ -155,7 +155,7 @@ impl Body<'_> {
 
     /// The state that a history begins with.
     pub(super) fn beginning(&self, start: Start) -> Result<State, CompliantError> {
-        let mut y = [0.0; STRETCH + MOST_CONTACTS];
+        let mut y = [0.0; STRETCH + MAX_CONTACTS];
         match start {
             Start::Rest => return self.balanced(),
             Start::Dropped { height_m } => y[Z] = height_m,
@@ -170,7 +170,7 @@ impl Body<'_> {
                     y[Z] += upright - d;
                     y
                 };
-                let d = halved(0.0, alone, |d| self.statics(&lowered(d)).force >= 0.0);
+                let d = bisect(0.0, alone, |d| self.statics(&lowered(d)).force >= 0.0);
                 y = lowered(d);
                 let foot = self.foot(pivot, &y);
                 y[OMEGA] = omega_rad_s;

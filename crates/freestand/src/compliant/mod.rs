@@ -41,10 +41,10 @@ pub use history::{CompliantPoint, CompliantRecorder};
 pub use solve::{Piece, rock_compliant, rock_compliant_observed};
 
 /// Steps after which a history is given up.
-pub const MOST_STEPS: usize = 20_000_000;
+pub const MAX_STEPS: usize = 20_000_000;
 
 /// Most contact elements under a body.
-pub const MOST_CONTACTS: usize = equation::MOST_CONTACTS;
+pub const MAX_CONTACTS: usize = equation::MAX_CONTACTS;
 
 /// Stiffness of the tangential spring over that of the cushion where nobody says: an assumption. Between 0.5 and 100 the shock of the
 /// cabinet of Al Abadi et al. changes by a tenth.
@@ -329,7 +329,7 @@ pub enum CompliantError {
         value: f64,
     },
     /// Too few or too many contact elements.
-    #[error("a body stands on 2 to {MOST_CONTACTS} contact elements, not {contacts}")]
+    #[error("a body stands on 2 to {MAX_CONTACTS} contact elements, not {contacts}")]
     Contacts {
         /// How many were given.
         contacts: usize,
@@ -361,7 +361,7 @@ pub enum CompliantError {
         /// The step.
         step_s: f64,
     },
-    /// [`MOST_STEPS`].
+    /// [`MAX_STEPS`].
     #[error("{limit} steps by {time_s} s: the cushions are too stiff for so long a history")]
     TooManySteps {
         /// When it was given up.
@@ -394,7 +394,7 @@ fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> 
     if let Some(friction) = base.friction_ratio {
         not_negative("friction", friction)?;
     }
-    if !(2..=MOST_CONTACTS).contains(&base.contacts) {
+    if !(2..=MAX_CONTACTS).contains(&base.contacts) {
         return Err(CompliantError::Contacts { contacts: base.contacts });
     }
     let tolerance = options.accuracy.tolerance();

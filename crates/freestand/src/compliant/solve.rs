@@ -4,13 +4,13 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::audit::Ledger;
 use super::equation::{
-    Body, DASHPOT, DRAG, Grip, Line, MOST_CONTACTS, OMEGA, SLIP, STRETCH, Shaking, State, THETA, V_X, V_Z, WORK, X, Z,
+    Body, DASHPOT, DRAG, Grip, Line, MAX_CONTACTS, OMEGA, SLIP, STRETCH, Shaking, State, THETA, V_X, V_Z, WORK, X, Z,
 };
 use super::equilibrium::body;
 use super::step::Step;
 use super::track::{Seen, Track};
 use super::{
-    CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MOST_STEPS, PointPeaks, Start,
+    CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MAX_STEPS, PointPeaks, Start,
     check,
 };
 use crate::block::Block;
@@ -242,7 +242,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         let unit_m = body.cushion.static_compression_m(0.5 * weight_n);
         let unit_s = (unit_m / body.gravity).sqrt();
         let width_m = block.base_width_m();
-        let mut sizes = [unit_m; STRETCH + MOST_CONTACTS];
+        let mut sizes = [unit_m; STRETCH + MAX_CONTACTS];
         (sizes[THETA], sizes[OMEGA]) = (unit_m / width_m, unit_m / width_m / unit_s);
         (sizes[V_X], sizes[V_Z]) = (unit_m / unit_s, unit_m / unit_s);
         for place in [WORK, DASHPOT, DRAG, SLIP] {
@@ -303,8 +303,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             if is_last {
                 self.time_s = until_s;
             }
-            if self.effort.steps > MOST_STEPS {
-                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MOST_STEPS });
+            if self.effort.steps > MAX_STEPS {
+                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MAX_STEPS });
             }
         }
         self.time_s = self.time_s.max(if result.overturn_time_s.is_some() { 0.0 } else { until_s });

@@ -66,7 +66,7 @@ impl Step {
         }
         let weighted =
             |weights: &[f64; 7], i: usize| weights.iter().zip(&slopes).map(|(w, slope)| w * slope[i]).sum::<f64>();
-        let mut last = [0.0; super::equation::STRETCH + super::equation::MOST_CONTACTS];
+        let mut last = [0.0; super::equation::STRETCH + super::equation::MAX_CONTACTS];
         let mut sum = 0.0;
         for i in 0..len {
             last[i] = length_s * weighted(&DENSE, i);

@@ -189,7 +189,7 @@ fn a_flat_fall_is_the_landing_of_one_mass() {
             }
             ContactLaw::Power { coefficient_n_mn, exponent: n } => {
                 let work = |d: f64| 2.0 * coefficient_n_mn * d.powf(n + 1.0) / (n + 1.0) - weight_n * (height_m + d);
-                let d = crate::quadrature::halved(1e-6, 1.0, |d| work(d) >= 0.0);
+                let d = crate::search::bisect(1e-6, 1.0, |d| work(d) >= 0.0);
                 2.0 * coefficient_n_mn * d.powf(n)
             }
             _ => history.iter().map(|point| point.force_n).fold(0.0, f64::max),

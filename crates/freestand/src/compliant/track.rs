@@ -4,7 +4,7 @@ use super::equation::{Body, Grip, Line, OMEGA, STRETCH, State, THETA};
 use super::step::Step;
 use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
 use crate::block::{Block, Pivot};
-use crate::quadrature::halved;
+use crate::search::bisect;
 
 /// A maximum inside a step is at most this much higher than its ends: steps are short against the vibration on the cushions.
 const HEADROOM: f64 = 0.8;
@@ -71,7 +71,7 @@ impl Seen<'_, '_> {
     /// The share of the step at which a value that is above zero at its start falls through it.
     fn falls(&self, value: impl Fn(&State) -> f64) -> Option<f64> {
         let falling = value(&self.step.start) > 0.0 && value(&self.step.end) <= 0.0;
-        falling.then(|| halved(0.0, 1.0, |share| value(&self.step.state(share)) <= 0.0))
+        falling.then(|| bisect(0.0, 1.0, |share| value(&self.step.state(share)) <= 0.0))
     }
 }
 
@@ -170,7 +170,7 @@ impl Track {
         }
         let alpha = self.alpha[usize::from(side > 0.0)];
         if result.passed_alpha_time_s.is_none() && side * to > alpha {
-            let share = halved(0.0, 1.0, |share| side * seen.step.state(share)[THETA] > alpha);
+            let share = bisect(0.0, 1.0, |share| side * seen.step.state(share)[THETA] > alpha);
             result.passed_alpha_time_s = Some(seen.time_s(share));
         }
         if from != 0.0 && from.signum() != to.signum() {
@@ -202,7 +202,7 @@ impl Track {
                 self.swing.2 = true;
                 if result.first_uplift_time_s.is_none() {
                     let is_up = |share: f64| height(&seen.step.state(share)) > 0.0;
-                    let share = if is_up(0.0) { 0.0 } else { halved(0.0, 1.0, is_up) };
+                    let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
                     result.first_uplift_time_s = Some(seen.time_s(share));
                 }
                 let theta = seen.step.start[THETA].abs().max(seen.step.end[THETA].abs());

@@ -20,11 +20,11 @@ pub struct ContactPoint {
 const STEPS: f64 = 4000.0;
 /// Largest step in radians of the frequency √(F′/m) at the compression that the step reaches: a cushion that is driven into
 /// its end is many times stiffer there than on average.
-const MOST_ANGLE: f64 = 2e-3;
+const MAX_ANGLE: f64 = 2e-3;
 /// Least step over the common one.
-const LEAST_SHARE: f64 = 1e-4;
+const MIN_SHARE: f64 = 1e-4;
 /// Most steps: a bound for cushions that no step is small enough for.
-const MOST_STEPS: u32 = 1_000_000;
+const MAX_STEPS: u32 = 1_000_000;
 /// A mass that has not left the cushion after so many contact times stays on it.
 const LONGEST: f64 = 8.0;
 
@@ -54,12 +54,12 @@ impl Cushion {
             return points;
         }
         let (mut time_s, mut d, mut v) = (0.0, 0.0, speed_m_s);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let (d0, v0) = (d, v);
             let ahead_m = (d0 + 2.0 * v0.abs() * common_s).min(deepest_m.max(d0));
             let omega = (self.tangent_stiffness_n_m(ahead_m) / mass_kg).sqrt();
             // The smaller of two, also where the stiffness is infinite or no number.
-            let step_s = common_s.min((MOST_ANGLE / omega).max(LEAST_SHARE * common_s));
+            let step_s = common_s.min((MAX_ANGLE / omega).max(MIN_SHARE * common_s));
             time_s += step_s;
             let (k1, a1) = (v0, acceleration(d0, v0));
             let (k2, a2) = (v0 + 0.5 * step_s * a1, acceleration(d0 + 0.5 * step_s * k1, v0 + 0.5 * step_s * a1));

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use statrs::function::gamma::ln_gamma;
 
 use super::{ContactLaw, Cushion};
-use crate::quadrature::{golden_maximum, halved, unit_integral};
+use crate::integration::unit_integral;
+use crate::search::{bisect, golden_maximum};
 
 /// Λv below which the damping is lost in rounding.
 const NEGLIGIBLE: f64 = 1e-15;
@@ -165,7 +166,7 @@ impl HuntCrossley {
             Self { n, c, m, v, coefficient, scale: (n + 1.0) * m * v / (coefficient * dissipation), rebound: 1.0 };
         // The elastic part of the force gives back at most all, and the force ends where 1 + cu does.
         let most = (1.0_f64).min(1.0 / c);
-        landing.rebound = halved(0.0, most, |e| landing.g(1.0 + e, -e) <= 0.0);
+        landing.rebound = bisect(0.0, most, |e| landing.g(1.0 + e, -e) <= 0.0);
         landing
     }
 
@@ -216,29 +217,29 @@ impl HuntCrossley {
 /// An undamped law: the compression at which its energy is ½mv², and T = 2∫dd/ḋ.
 fn by_energy(law: &ContactLaw, m: f64, v: f64) -> Contact {
     let energy_j = 0.5 * m * v * v;
-    let (most_m, force_n) = law.deepest(energy_j);
+    let (max_m, force_n) = law.deepest(energy_j);
     if !force_n.is_finite() {
         // Thrown back at once where the cushion ends.
-        return Contact::elastic(f64::INFINITY, most_m, 2.0 * most_m / v);
+        return Contact::elastic(f64::INFINITY, max_m, 2.0 * max_m / v);
     }
     // d = d_max(1 − s²) takes the root of the speed out of the integral; a table's kinks divide it.
     let time_s = |from: f64, to: f64| {
         unit_integral(|x| {
             let s = from + (to - from) * x;
-            let short_m = most_m * s * s;
+            let short_m = max_m * s * s;
             let gap_j = if s < 1e-4 {
-                0.5 * (force_n + law.elastic_force_n(most_m - short_m)) * short_m
+                0.5 * (force_n + law.elastic_force_n(max_m - short_m)) * short_m
             } else {
-                energy_j - law.elastic_energy_j(most_m - short_m)
+                energy_j - law.elastic_energy_j(max_m - short_m)
             };
-            if gap_j > 0.0 { (to - from) * 2.0 * most_m * s / (2.0 * gap_j / m).sqrt() } else { 0.0 }
+            if gap_j > 0.0 { (to - from) * 2.0 * max_m * s / (2.0 * gap_j / m).sqrt() } else { 0.0 }
         })
     };
-    let kinks = law.kinks_m().into_iter().filter(|&d| d < most_m).map(|d| (1.0 - d / most_m).sqrt());
+    let kinks = law.kinks_m().into_iter().filter(|&d| d < max_m).map(|d| (1.0 - d / max_m).sqrt());
     let mut stops: Vec<f64> = kinks.chain([0.0, 1.0]).collect();
     stops.sort_by(f64::total_cmp);
     let half_s: f64 = stops.windows(2).filter(|pair| pair[1] > pair[0]).map(|pair| time_s(pair[0], pair[1])).sum();
-    Contact::elastic(force_n, most_m, 2.0 * half_s)
+    Contact::elastic(force_n, max_m, 2.0 * half_s)
 }
 
 impl ContactLaw {
@@ -257,8 +258,8 @@ impl ContactLaw {
                 while high.is_finite() && !beyond(high) {
                     high *= 2.0;
                 }
-                let most_m = halved(0.0, high, beyond);
-                (most_m, law.elastic_force_n(most_m))
+                let max_m = bisect(0.0, high, beyond);
+                (max_m, law.elastic_force_n(max_m))
             }
         }
     }

@@ -13,7 +13,7 @@ pub use landing::Contact;
 
 use thiserror::Error;
 
-use crate::quadrature::halved;
+use crate::search::bisect;
 
 /// Force against compression d and its speed ḋ (positive while the cushion is being pressed).
 #[derive(Debug, Clone, PartialEq)]
@@ -214,7 +214,7 @@ impl ContactLaw {
                 return most;
             }
         }
-        halved(0.0, most, |force_n| together(force_n) >= d)
+        bisect(0.0, most, |force_n| together(force_n) >= d)
     }
 
     /// The compression of an undamped law under a force \[m\].

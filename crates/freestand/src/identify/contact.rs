@@ -13,9 +13,9 @@ const BEFORE: usize = 20;
 /// Flanks are sought in the moving mean over this part of the pulse: single samples of a noisy flank cross a level often.
 const SMOOTH_PART: usize = 60;
 /// A zero line that another one follows is a plateau of at least so many samples.
-const LEAST_PLATEAU: usize = 20;
+const MIN_PLATEAU: usize = 20;
 /// Least number of samples before the contact: a mean and its scatter.
-const LEAST_PRE: usize = 10;
+const MIN_PRE: usize = 10;
 /// A shift or a drift below this share of the peak is let pass.
 pub(super) const ZERO_SHIFT_GATE: f64 = 0.005;
 /// The window after the contact, in contact times.
@@ -81,7 +81,7 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     let width = fall(&smooth, rise, level, reach) - rise;
     // A soft cushion rises slowly: what may be contact already is not part of the zero line.
     let guard = (width / 4).max(1);
-    if rise < LEAST_PRE + guard {
+    if rise < MIN_PRE + guard {
         return Err(Flag::NoPreTrigger);
     }
     let (zero, noise) = (mean(&samples[..rise - guard]), deviation(&samples[..rise - guard]));
@@ -101,7 +101,7 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     }
     // Again with the guard in terms of the whole contact, which a root at its beginning (Hertz) needs.
     let guard = (after - before).div_ceil(10);
-    if before < LEAST_PRE + guard {
+    if before < MIN_PRE + guard {
         return Err(Flag::NoPreTrigger);
     }
     let all = &samples[..before - guard];
@@ -153,7 +153,7 @@ fn fall(samples: &[f64], from: usize, level: f64, reach: usize) -> usize {
 
 /// The level at which a record stays from `from` on, where it stays: a zero line that was shifted by the impact.
 fn plateau(smooth: &[f64], from: usize, quiet: f64, peak: f64) -> Option<f64> {
-    let tail = smooth.get(from..).filter(|tail| tail.len() >= LEAST_PLATEAU)?;
+    let tail = smooth.get(from..).filter(|tail| tail.len() >= MIN_PLATEAU)?;
     let level = median(tail);
     let apart: Vec<f64> = tail.iter().map(|a| (a - level).abs()).collect();
     let (first, last) = tail.split_at(tail.len() / 2);
@@ -196,7 +196,7 @@ fn judge_zero(pre: &[f64], post: &[f64], pulse: &mut Pulse) {
 /// What the line through a window rises by from its first to its last sample, and the standard error of that.
 fn trend(window: &[f64]) -> (f64, f64) {
     let count = window.len() as f64;
-    if window.len() < LEAST_PRE {
+    if window.len() < MIN_PRE {
         return (0.0, 0.0);
     }
     let centre = 0.5 * (count - 1.0);

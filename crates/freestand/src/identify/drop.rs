@@ -9,11 +9,11 @@ use super::{
 use crate::cushion::ContactLaw;
 
 /// Samples per contact below which a record gives no stiffness. The contact time is good to a hundredth or two.
-const LEAST_SAMPLES: f64 = 24.5;
+const MIN_SAMPLES: f64 = 24.5;
 /// The flanks alone give a contact that is up to a fifth too short where the law has a root at its beginning (Hertz).
 const ROUGH_SHARE: f64 = 0.8;
 /// Low-pass corner times contact time.
-const LEAST_CORNER: f64 = 3.0;
+const MIN_CORNER: f64 = 3.0;
 /// What one more number of a law must take from the sum of squares: one in two thousand does by chance.
 const WORTH: f64 = 12.0;
 /// What must be gained to take the pulse for one without weight. From a stated speed, pulses with weight have −3 and less at
@@ -89,7 +89,7 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
         && let Some(choice) = contact.choose()
     {
         contact.report(choice, &mut test);
-        if test.contact_time_s.is_some_and(|time_s| time_s < LEAST_SAMPLES * dt_s) {
+        if test.contact_time_s.is_some_and(|time_s| time_s < MIN_SAMPLES * dt_s) {
             test.flags.push(Flag::FewSamples);
             test.identified = None;
         }
@@ -99,7 +99,7 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
     }
     test.samples_per_contact = test.contact_time_s.map(|time_s| time_s / dt_s);
     if let (Some(corner_hz), Some(time_s)) = (setup.filter_corner_hz, test.contact_time_s)
-        && corner_hz * time_s < LEAST_CORNER
+        && corner_hz * time_s < MIN_CORNER
     {
         test.flags.push(Flag::Filter);
     }
@@ -198,7 +198,7 @@ impl<'a> Contact<'a> {
 
     /// Gates that need no law.
     fn judge(&self, test: &mut DropTest) {
-        if self.rough_s < ROUGH_SHARE * LEAST_SAMPLES * self.dt_s {
+        if self.rough_s < ROUGH_SHARE * MIN_SAMPLES * self.dt_s {
             test.flags.push(Flag::FewSamples);
         }
         if let Some(speed) = self.known_speed() {
@@ -455,7 +455,7 @@ fn damping_ratio(fit: &Fit) -> f64 {
         FittedLaw::HuntCrossley => {
             let e = fit.predicted.rebound_m_s / fit.model.speed_m_s;
             let of = |zeta: f64| (-2.0 * zeta * zeta.acos() / (1.0 - zeta * zeta).sqrt()).exp();
-            if e >= 1.0 { 0.0 } else { crate::quadrature::halved(0.0, 0.999, |zeta| of(zeta) <= e) }
+            if e >= 1.0 { 0.0 } else { crate::search::bisect(0.0, 0.999, |zeta| of(zeta) <= e) }
         }
         _ => 0.0,
     }

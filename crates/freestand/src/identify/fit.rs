@@ -241,7 +241,7 @@ impl Data<'_> {
         let columns: Vec<Vec<f64>> = free
             .iter()
             .map(|&i| {
-                let (q, h) = beside(p, i);
+                let (q, h) = perturbed(p, i);
                 self.residuals(&q).iter().zip(r).map(|(a, b)| (a - b) / h).collect()
             })
             .collect();
@@ -268,7 +268,7 @@ impl Data<'_> {
         let slopes: Vec<f64> = free
             .iter()
             .map(|&i| {
-                let (q, h) = beside(p, i);
+                let (q, h) = perturbed(p, i);
                 (secant(&q) - secant(p)) / h
             })
             .collect();
@@ -332,7 +332,7 @@ fn keep_better(best: &mut Option<Descent>, found: Descent) {
 
 /// A point beside p for the derivative by one parameter, and its distance. The first touch does not pass a sample, where the
 /// force of a damped pad jumps.
-fn beside(p: &Parameters, i: usize) -> (Parameters, f64) {
+fn perturbed(p: &Parameters, i: usize) -> (Parameters, f64) {
     let mut q = *p;
     let passes = i == TOUCH && (p[i] + STEPS[i]).ceil() != p[i].ceil();
     let h = if passes { -STEPS[i] } else { STEPS[i] };

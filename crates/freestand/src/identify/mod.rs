@@ -12,13 +12,13 @@ mod drop;
 mod fit;
 mod model;
 mod pool;
-mod static_test;
-mod virtual_test;
+mod static_curve;
+mod virtual_laboratory;
 
 pub use drop::drop_test;
 pub use pool::{NORMAL_975, Pooled, PooledDrop, pool_drops};
-pub use static_test::{StaticError, StaticOptions, StaticTest, static_test};
-pub use virtual_test::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};
+pub use static_curve::{StaticError, StaticOptions, StaticTest, static_test};
+pub use virtual_laboratory::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};
 
 use thiserror::Error;
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::quadrature::golden_maximum;
+use crate::search::golden_maximum;
 
 /// A half-sine acceleration pulse.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -163,7 +163,7 @@ const STEPS: f64 = 2000.0;
 /// Samples that the fastest oscillator gets in a period: its peak is missed by at most 1 − cos(π/512) = 2e-5.
 const STEPS_PER_PERIOD: f64 = 512.0;
 /// Most samples of a pulse.
-const MOST_STEPS: f64 = 4e6;
+const MAX_STEPS: f64 = 4e6;
 
 /// Shock response spectrum of a pulse, sampled finely enough for the highest of the frequencies.
 ///
@@ -189,7 +189,7 @@ pub fn pulse_spectrum(
     damping_ratio: f64,
 ) -> Result<ShockSpectrum, ShockResponseError> {
     let highest_hz = frequencies_hz.iter().copied().fold(0.0, f64::max);
-    let needed = (STEPS_PER_PERIOD * highest_hz * pulse.duration_s).clamp(STEPS, MOST_STEPS);
+    let needed = (STEPS_PER_PERIOD * highest_hz * pulse.duration_s).clamp(STEPS, MAX_STEPS);
     let steps = 10 * (needed / 10.0).ceil() as usize;
     let options = ShockSpectrumOptions { kind, damping_ratio, upsample: false };
     let overflow = ShockResponseError::Overflow { frequency_hz: highest_hz };

@@ -15,10 +15,11 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 
-/// The cushion library: what pads, feet and floors are likely to be, as ranges
+/// The cushion library: typical stiffness of pads, feet and floor coverings, as ranges
 ///
-/// Priors for want of a test, never measurements: the range of one pad or foot, and its geometric mean. An inventory names an entry
-/// in its column cushion, or layers one on the other such as "rubber-foot + carpet-underlay".
+/// These are estimates for objects without a test, not measurements: the range of one pad or foot,
+/// and its geometric mean. The column cushion of an inventory names an entry, or several layers
+/// such as "rubber-foot + carpet-underlay".
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -26,8 +27,8 @@ Examples:
   freestand cushion list --library ours.csv --json
 
 Columns of a library:
-  id, item, stiffness_low [N/mm], stiffness_high [N/mm], thickness [mm], pads_per_edge, source, edition, clause, page,
-  confidence (stated, primary, secondary, assumption, recalled), note")]
+  id, item, stiffness_low [N/mm], stiffness_high [N/mm], thickness [mm], pads_per_edge, source,
+  edition, clause, page, confidence (stated, primary, secondary, assumption, recalled), note")]
 pub(crate) struct ListArgs {
     #[command(flatten)]
     library: LibraryArgs,
@@ -37,22 +38,24 @@ pub(crate) struct ListArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  freestand cushion show rubber-foot")]
+  freestand cushion show rubber-foot
+  freestand cushion show rubber-foot --json")]
 pub(crate) struct ShowArgs {
-    /// The entry's id
+    /// Id of the entry
     #[arg(value_name = "ID")]
     id: String,
     #[command(flatten)]
     library: LibraryArgs,
 }
 
-/// Entries of the cushion library that have all of these words
+/// Entries of the cushion library that contain all of these words
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  freestand cushion search rubber")]
+  freestand cushion search rubber
+  freestand cushion search rubber foot --library ours.csv")]
 pub(crate) struct SearchArgs {
-    /// Words in id, item, source or note
+    /// Words to find in id, item, source or note
     #[arg(value_name = "WORD", required = true)]
     words: Vec<String>,
     #[command(flatten)]

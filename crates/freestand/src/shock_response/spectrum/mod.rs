@@ -15,7 +15,7 @@ pub const SAMPLES_PER_PERIOD: f64 = 128.0;
 
 /// Doublings of the rate that slow oscillators get too: through its damper one feels a little of what fills the upper end
 /// of the band, where straight lines between the samples of the record would take half of it.
-const LEAST_DOUBLINGS: usize = 2;
+const MIN_DOUBLINGS: usize = 2;
 
 /// Oscillators abreast: two vectors of the widest, four of the next.
 const LANES: usize = 16;
@@ -131,7 +131,7 @@ fn level(motion: &Motion, frequency_hz: f64, upsample: bool) -> usize {
     let (mut level, mut per_period) = (0, 1.0 / (frequency_hz * motion.dt_s()));
     let length = |level: usize| motion.accel_m_s2().len() << level;
     while upsample
-        && (per_period < SAMPLES_PER_PERIOD || level < LEAST_DOUBLINGS)
+        && (per_period < SAMPLES_PER_PERIOD || level < MIN_DOUBLINGS)
         && 1 << level < MAX_FACTOR
         && length(level + 1) <= MAX_LENGTH
     {

@@ -174,7 +174,7 @@ fn two_offsets(motion: &Motion, t1_s: f64, t2_s: f64) -> Result<Vec<f64>, Baseli
     }
     let (first, second) = (sample_near(t1_s, dt_s, accel.len()), sample_near(t2_s, dt_s, accel.len()));
     // A line through fewer than ten samples is no average of anything.
-    if !(t2_s < duration_s && second > first && accel.len() - second > LEAST_AFTER) {
+    if !(t2_s < duration_s && second > first && accel.len() - second > MIN_AFTER) {
         return Err(wrong("t2", "after t1, with ten samples after it, within", t2_s));
     }
     let velocity = cumulative_trapezoid(dt_s, accel);
@@ -195,7 +195,7 @@ fn two_offsets(motion: &Motion, t1_s: f64, t2_s: f64) -> Result<Vec<f64>, Baseli
     Ok(removed)
 }
 
-const LEAST_AFTER: usize = 10;
+const MIN_AFTER: usize = 10;
 
 fn check_degree(degree: usize, least: usize, samples: usize) -> Result<(), BaselineError> {
     if !(least..=MAX_DEGREE).contains(&degree) {

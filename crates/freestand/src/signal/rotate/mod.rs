@@ -63,7 +63,7 @@ pub struct Pair<'m> {
 }
 
 /// Below this |sin| of the angle between them, an error of one component counts more than twice in the rotated one.
-const LEAST_SINE: f64 = 0.5;
+const MIN_SINE: f64 = 0.5;
 
 impl<'m> Pair<'m> {
     /// The two components.
@@ -106,7 +106,7 @@ impl<'m> Pair<'m> {
             }
         }
         let between = sine_deg(second_deg - first_deg);
-        if between.abs() < LEAST_SINE {
+        if between.abs() < MIN_SINE {
             return Err(RotateError::Parallel { first_deg, second_deg });
         }
         let of_first = sine_deg(second_deg - azimuth_deg) / between;

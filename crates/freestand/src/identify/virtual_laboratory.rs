@@ -5,6 +5,7 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
+use crate::G0_M_S2;
 use crate::cushion::{ContactPoint, Cushion};
 
 /// How a virtual drop is made and recorded.
@@ -40,6 +41,30 @@ pub struct VirtualDropOptions {
     pub index: u64,
 }
 
+impl VirtualDropOptions {
+    /// A clean drop from a height: 50 samples a contact, three contacts before the first touch and four after it, seed 1.
+    pub fn from_height(cushion: &Cushion, mass_kg: f64, height_m: f64) -> Self {
+        let speed_m_s = (2.0 * G0_M_S2 * height_m).sqrt();
+        let contact_s = cushion.land(mass_kg, speed_m_s).duration_s;
+        Self {
+            mass_kg,
+            speed_m_s,
+            gravity_m_s2: G0_M_S2,
+            sample_rate_hz: 50.0 / contact_s,
+            pre_trigger_s: 3.0 * contact_s,
+            after_s: 4.0 * contact_s,
+            noise_ratio: 0.0,
+            bias_m_s2: 0.0,
+            zero_shift_ratio: 0.0,
+            filter_corner_hz: None,
+            bounces: 0,
+            speed_error_ratio: 0.0,
+            seed: 1,
+            index: 0,
+        }
+    }
+}
+
 /// A virtual drop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VirtualDrop {
@@ -58,7 +83,7 @@ pub struct VirtualDrop {
 }
 
 /// Most samples of a virtual record.
-const MOST_SAMPLES: usize = 5_000_000;
+const MAX_SAMPLES: usize = 5_000_000;
 /// Finer steps than the samples where a filter works.
 const OVERSAMPLING: usize = 8;
 
@@ -83,7 +108,7 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     let finer = if o.filter_corner_hz.is_some() { OVERSAMPLING } else { 1 };
     // As a float: a count beyond all integers must not wrap around.
     let wanted = (end_s / dt_s).ceil() + 1.0;
-    if wanted.is_nan() || wanted * finer as f64 > MOST_SAMPLES as f64 {
+    if wanted.is_nan() || wanted * finer as f64 > MAX_SAMPLES as f64 {
         return None;
     }
     let count = wanted as usize;
@@ -183,15 +208,31 @@ pub struct VirtualStaticOptions {
     pub index: u64,
 }
 
+impl Default for VirtualStaticOptions {
+    /// A clean test up to 1 kN in 200 steps, seed 1.
+    fn default() -> Self {
+        Self {
+            max_force_n: 1000.0,
+            points: 201,
+            hysteresis_ratio: 0.0,
+            toe_m: 0.0,
+            machine_stiffness_n_m: None,
+            noise_ratio: 0.0,
+            seed: 1,
+            index: 0,
+        }
+    }
+}
+
 /// Force \[N\] and displacement \[m\] of a slow test, up and down at equal steps of compression. On the way out the force
 /// is the law's less a half-sine over the compression that takes the energy of the hysteresis.
 pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<(f64, f64)> {
     let o = options;
     let mut random = ChaCha12Rng::seed_from_u64(o.seed);
     random.set_stream(o.index);
-    let most_m = cushion.static_compression_m(o.max_force_n);
+    let max_m = cushion.static_compression_m(o.max_force_n);
     // ∫sin(πd/D) dd = 2D/π.
-    let loss_n = o.hysteresis_ratio * cushion.stored_energy_j(most_m) * std::f64::consts::PI / (2.0 * most_m);
+    let loss_n = o.hysteresis_ratio * cushion.stored_energy_j(max_m) * std::f64::consts::PI / (2.0 * max_m);
     let points = o.points.max(2);
     let up = (0..points).map(|i| (i as f64 / (points - 1) as f64, false));
     let down = (0..points - 1).rev().map(|i| (i as f64 / (points - 1) as f64, true));
@@ -204,7 +245,7 @@ pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<
     };
     let mut out: Vec<(f64, f64)> = slack.into_iter().map(|d| read(d, 0.0)).collect();
     for (share, is_out) in up.chain(down) {
-        let d = share * most_m;
+        let d = share * max_m;
         let loss = if is_out { loss_n * (std::f64::consts::PI * share).sin() } else { 0.0 };
         out.push(read(o.toe_m + d, (cushion.force_n(d, 0.0) - loss).max(0.0)));
     }

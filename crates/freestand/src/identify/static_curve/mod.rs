@@ -96,7 +96,7 @@ pub enum StaticError {
 }
 
 /// Least points of the way in.
-const LEAST_POINTS: usize = 10;
+const MIN_POINTS: usize = 10;
 /// The tangent is a line through the points within this share of the load below and above it.
 const TANGENT_SHARE: f64 = 0.25;
 /// The force turns where it goes back by more than this share of the largest one; what is less is noise or a slip.
@@ -142,7 +142,7 @@ pub fn static_test(
     let count = force_n.len().min(displacement_m.len());
     let (force_n, displacement_m) = (&force_n[..count], &displacement_m[..count]);
     let cycle = Cycle::last_full(force_n, displacement_m);
-    let Some(cycle) = cycle.filter(|cycle| cycle.top + 1 >= cycle.foot + LEAST_POINTS) else {
+    let Some(cycle) = cycle.filter(|cycle| cycle.top + 1 >= cycle.foot + MIN_POINTS) else {
         return Err(StaticError::TooFew { points: cycle.map_or(0, |cycle| cycle.top + 1 - cycle.foot) });
     };
     let (force_n, displacement_m) = (&force_n[cycle.foot..=cycle.end], &displacement_m[cycle.foot..=cycle.end]);
@@ -227,10 +227,10 @@ struct Cycle {
 impl Cycle {
     /// The last cycle that is as high as the highest, or nearly; `None` without points.
     fn last_full(force_n: &[f64], displacement_m: &[f64]) -> Option<Self> {
-        let most_n = force_n.iter().copied().max_by(f64::total_cmp)?;
-        let peaks = peaks(force_n, TURN_SHARE * most_n.abs());
-        let number = peaks.iter().rposition(|&peak| force_n[peak] >= FULL_SHARE * most_n)?;
-        let pause = |from: usize, to: usize| pause(&force_n[from..=to], &displacement_m[from..=to], most_n);
+        let max_n = force_n.iter().copied().max_by(f64::total_cmp)?;
+        let peaks = peaks(force_n, TURN_SHARE * max_n.abs());
+        let number = peaks.iter().rposition(|&peak| force_n[peak] >= FULL_SHARE * max_n)?;
+        let pause = |from: usize, to: usize| pause(&force_n[from..=to], &displacement_m[from..=to], max_n);
         let before = number.checked_sub(1).map(|i| peaks[i]);
         let after = peaks.get(number + 1).copied();
         let top = peaks[number];
@@ -268,10 +268,10 @@ fn peaks(force_n: &[f64], turn_n: f64) -> Vec<usize> {
 }
 
 /// Where the press turns between two cycles: the last of the points of least displacement among those of least force.
-fn pause(force_n: &[f64], displacement_m: &[f64], most_n: f64) -> usize {
-    let least_n = force_n.iter().copied().fold(f64::INFINITY, f64::min) + PAUSE_SHARE * most_n.abs();
+fn pause(force_n: &[f64], displacement_m: &[f64], max_n: f64) -> usize {
+    let min_n = force_n.iter().copied().fold(f64::INFINITY, f64::min) + PAUSE_SHARE * max_n.abs();
     let mut turn: Option<usize> = None;
-    for i in (0..force_n.len()).filter(|&i| force_n[i] <= least_n) {
+    for i in (0..force_n.len()).filter(|&i| force_n[i] <= min_n) {
         if turn.is_none_or(|turn| displacement_m[i] <= displacement_m[turn]) {
             turn = Some(i);
         }
