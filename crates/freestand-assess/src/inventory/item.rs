@@ -19,6 +19,7 @@ use super::layout::Role;
 use super::template::EXAMPLE;
 use super::values::Values;
 use super::{Consequences, Item};
+use freestand_study::restitution::checked;
 
 /// Lower than any object that rocks: probably metres in a column of millimetres.
 const MIN_HEIGHT_M: f64 = 0.02;
@@ -76,7 +77,7 @@ pub(super) fn item(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Item
         tolerance: tolerance(values, lookup),
         restitution: restitution(values, &size.blocks),
         friction_ratio: values.range(Column::Friction),
-        accepted_ratio: values.share(Column::Accepted, false),
+        accepted_ratio: values.share(Column::Accepted),
         notes: values.text(Column::Notes),
         carried,
     }
@@ -357,23 +358,20 @@ fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tol
 
 fn restitution(values: &mut Values<'_, '_, '_>, blocks: &[Block]) -> Restitution {
     let is_housner = values.cell(Column::Restitution).is_some_and(|(_, cell)| canonical(&cell.shown()) == "housner");
-    let value = if is_housner { None } else { values.share(Column::Restitution, true) };
+    let value = if is_housner { None } else { values.positive(Column::Restitution) };
     let factor = values.positive(Column::RestitutionFactor);
-    match (value, factor) {
-        (None, None) => Restitution::Housner,
-        (Some(value), None) => Restitution::Value(value),
+    let (column, restitution) = match (value, factor) {
+        (None, None) => return Restitution::Housner,
+        (Some(value), None) => (Column::Restitution, Restitution::Value(value)),
         (Some(_), Some(_)) => {
-            let hint = "keep one of them; the factor applies to Housner's restitution";
+            let hint = "keep one of them; the factor multiplies Housner's restitution";
             values.refuse(Column::RestitutionFactor, "restitution and restitution_factor exclude each other", hint);
-            Restitution::Housner
+            return Restitution::Housner;
         }
-        (None, Some(factor)) => {
-            let largest = blocks.iter().map(Block::landing_ratio).fold(0.0, f64::max) * factor;
-            if largest > 1.0 {
-                let message = format!("makes the restitution {largest:.4}: the object would gain energy");
-                values.refuse(Column::RestitutionFactor, message, "the product with Housner's ratio must not exceed 1");
-            }
-            Restitution::Factor(factor)
-        }
-    }
+        (None, Some(factor)) => (Column::RestitutionFactor, Restitution::Factor(factor)),
+    };
+    checked(restitution, blocks).unwrap_or_else(|problem| {
+        values.wrong(column, &problem);
+        Restitution::Housner
+    })
 }

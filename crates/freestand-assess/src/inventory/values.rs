@@ -152,18 +152,13 @@ impl Values<'_, '_, '_> {
         self.positive_text(column).map(|(value, _)| value)
     }
 
-    /// A ratio above 0 and below 1; 1 itself only where `is_one_allowed`.
-    pub(super) fn share(&mut self, column: Column, is_one_allowed: bool) -> Option<f64> {
+    /// A ratio above 0 and below 1.
+    pub(super) fn share(&mut self, column: Column) -> Option<f64> {
         let value = self.positive(column)?;
-        if value < 1.0 || is_one_allowed && value == 1.0 {
+        if value < 1.0 {
             return Some(value);
         }
-        let (range, hint) = if is_one_allowed {
-            ("above 0 and at most 1", "write a ratio such as 0.9")
-        } else {
-            ("above 0 and below 1", "write a ratio such as 0.1, or 10 %")
-        };
-        self.refuse(column, format!("must be {range}, not {value}"), hint);
+        self.refuse(column, format!("must be above 0 and below 1, not {value}"), "write a ratio such as 0.1, or 10 %");
         None
     }
 

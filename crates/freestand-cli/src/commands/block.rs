@@ -3,8 +3,8 @@
 use clap::Args;
 use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
-use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, parse};
+use freestand_input::quantity::Dimension;
+use freestand_study::restitution::checked;
 use freestand_study::shape::Shape;
 
 use crate::failure::problem;
@@ -16,7 +16,7 @@ use crate::values::{Choices, Given, Reads, Values, choice, name_of};
 pub(crate) struct RockingArgs {
     /// Restitution: angular velocity after an impact over that before it, in (0, 1]
     /// [default: Housner's]
-    #[arg(long, value_name = "RATIO", read = restitution, conflicts_with = "restitution_factor")]
+    #[arg(long, any = Dimension::Ratio, conflicts_with = "restitution_factor")]
     restitution: Option<Given>,
     /// Factor that multiplies Housner's restitution
     #[arg(long, positive = Dimension::Ratio)]
@@ -51,20 +51,11 @@ impl RockingArgs {
         flags.into_iter().find_map(|(name, given)| given.then_some(name))
     }
 
-    /// The restitution; what is wrong with it goes into `values`.
-    pub(crate) fn restitution(&self, values: &mut Values) -> Restitution {
+    /// The restitution of these blocks; what is wrong with it goes into `values`.
+    pub(crate) fn restitution(&self, blocks: &[Block], values: &mut Values) -> Restitution {
         let factor = values.read(&self.restitution_factor).map_or(Restitution::Housner, Restitution::Factor);
-        values.read(&self.restitution).map_or(factor, Restitution::Value)
-    }
-}
-
-fn restitution(text: &str) -> Result<f64, Problem> {
-    match parse(text, Dimension::Ratio)? {
-        value if value > 0.0 && value <= 1.0 => Ok(value),
-        value => Err(problem(
-            format!("must lie in (0, 1], not {value}"),
-            "1 loses no energy in an impact; leave it out for Housner's ratio of the object",
-        )),
+        let restitution = values.read(&self.restitution).map_or(factor, Restitution::Value);
+        values.take(checked(restitution, blocks)).unwrap_or_default()
     }
 }
 

@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand::block::Block;
 use freestand::impact::{Impact, ValidityWarning, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::rocking::{RockingError, RockingOptions};
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
 use freestand_input::quantity::Dimension;
+use freestand_study::restitution::checked;
 use freestand_study::rock::problem;
 use freestand_study::spectrum::{
     Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming, chunk_objects, spectrum,
@@ -170,7 +172,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     }
     let options = RockingOptions {
         model: args.rocking.model,
-        restitution: args.rocking.restitution(&mut values),
+        restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
         ..RockingOptions::default()
     };
@@ -183,9 +185,8 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         ));
     }
     let grid = Grid::new(heights, thicknesses)?;
-    for block in grid.blocks(0..grid.objects()) {
-        options.restitution.ratios(&block).map_err(problem)?;
-    }
+    let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
+    checked(options.restitution, &blocks)?;
     Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity })
 }
 

@@ -143,7 +143,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let duration = values.read(&args.duration);
     let options = RockingOptions {
         model: args.rocking.model,
-        restitution: args.rocking.restitution(&mut values),
+        restitution: args.rocking.restitution(block.as_slice(), &mut values),
         gravity_m_s2: gravity.unwrap_or(G0_M_S2),
         accuracy: args.rocking.accuracy,
         initial_rotation_rad: rotation.unwrap_or(0.0),
