@@ -1,5 +1,5 @@
-//! Outputs that appear complete or not at all: staged folders, streamed files, tables, JSON, HTML and figures. Nothing here
-//! knows an earthquake.
+//! Outputs that appear complete or not at all: staged folders, streamed files, tables, JSON, HTML
+//! and figures. Nothing here knows an earthquake.
 
 pub mod figure;
 pub mod folder;

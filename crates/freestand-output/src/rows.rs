@@ -1,5 +1,5 @@
-//! Tables as CSV and as members of a JSON document: comma, LF, shortest numbers that read back the same; a missing value
-//! is an empty field, or `null`.
+//! Tables as CSV and as members of a JSON document: comma, LF, shortest numbers that read back the
+//! same; a missing value is an empty field, or `null`.
 
 use std::borrow::Cow;
 
@@ -50,7 +50,7 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     let mut header = Vec::new();
     let mut rows = Vec::with_capacity(records.len());
     for record in records {
-        // The csv crate would write its own numbers, `0.0` and `1e16`.
+        // Left to itself, the csv crate writes numbers as `0.0` and `1e16`.
         let Ok(Value::Object(fields)) = serde_json::to_value(record) else {
             return Err(Problem::new(ProblemKind::Io, "a table cannot be written: its records have no fields"));
         };
@@ -66,7 +66,7 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     csv(&header, rows.into_iter())
 }
 
-/// One value of a row that is written without being kept.
+/// One value of a row that is written and not stored.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Field<'a> {
     /// A text.
@@ -119,8 +119,8 @@ pub fn csv_rows<'a>(rows: impl Iterator<Item = Vec<(&'static str, Field<'a>)>>) 
     writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
-/// Rows of named fields as members of an array on the second level of a [`document`](freestand_output::json::document), with a
-/// comma before each of them.
+/// Rows of named fields as members of an array on the second level of a
+/// [`document`](freestand_output::json::document), with a comma before each of them.
 ///
 /// # Errors
 /// None in practice: memory does not fail.
