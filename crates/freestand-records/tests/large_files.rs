@@ -1,5 +1,6 @@
-//! Files of 100 MB that hold nothing, and records of ten million samples: read or refused in bounded time and memory.
-//! What it took is printed; a limit on time would fail on a busy machine, so a reader that does not end is what fails.
+//! Files of 100 MB that hold nothing, and records of ten million samples: read or refused in
+//! bounded time and memory. What it took is printed; a limit on time would fail on a busy machine,
+//! so a reader that does not end is what fails.
 
 #![allow(
     clippy::expect_used,
@@ -103,7 +104,8 @@ fn large_files_end() {
 /// Of 26 MB: making the bytes takes longer than reading them.
 const CHANNELS: usize = 50_000;
 
-/// A record repeated: every one of them is looked at, and all of them are one record that stands there often.
+/// A record repeated: every one of them is looked at, and all of them are one record that stands
+/// there often.
 #[test]
 fn two_hundred_thousand_records_end() {
     let told = ReadOptions { unit: Some("g".to_owned()), ..ReadOptions::default() };

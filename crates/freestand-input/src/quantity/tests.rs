@@ -1,8 +1,9 @@
 use super::*;
 use proptest::prelude::*;
 
-/// Exact comparisons throughout: the power of ten goes into the decimal digits, so each result is the nearest f64 to the
-/// decimal value; g and degrees are one product, written here as the same product.
+/// Exact comparisons throughout: the power of ten goes into the decimal digits, so each result is
+/// the nearest f64 to the decimal value; g and degrees are one product, written here as the same
+/// product.
 #[test]
 fn every_spelling_of_every_unit() {
     use Dimension::*;
@@ -183,7 +184,8 @@ fn grids() {
 
 #[test]
 fn grids_in_octaves() {
-    // 3 octaves of 3 steps; the ends are exact, the inner points one exp2 and one product from it: a few ulp.
+    // 3 octaves of 3 steps; the ends are exact, the inner points one exp2 and one product from it:
+    // a few ulp.
     let grid = parse_grid("1 Hz:8 Hz:3/oct", Dimension::Frequency).unwrap();
     assert_eq!((grid.len(), grid[0], grid[9]), (10, 1.0, 8.0));
     assert!((grid[3] - 2.0).abs() < 1e-14 && (grid[6] - 4.0).abs() < 1e-14);

@@ -1,4 +1,5 @@
-//! Tests of cushion curves (ASTM D1596): static stress, drop height, thickness and peak acceleration in columns.
+//! Tests of cushion curves (ASTM D1596): static stress, drop height, thickness and peak
+//! acceleration in columns.
 
 use std::path::Path;
 
@@ -12,7 +13,7 @@ use freestand_input::quantity::{Dimension, shorten};
 const HINT: &str = "name the columns and their units, such as \
                     \"static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]\"";
 
-/// One drop on a cushion; `None` where the file has no such column.
+/// One drop on a cushion; `None` if the file does not have the column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurveRow {
     /// Its line, from 1.
@@ -82,7 +83,8 @@ mod tests {
 
     #[test]
     fn columns_are_found_by_unit_and_name() {
-        let text = "# foam\nthickness [mm],static stress [kPa],drop height [cm],peak acceleration [g]\n50,3,60,42\n50,6,60,38\n";
+        let text = "# foam\nthickness [mm],static stress [kPa],drop height [cm],peak acceleration \
+                    [g]\n50,3,60,42\n50,6,60,38\n";
         let rows = read_curve(text.as_bytes()).unwrap();
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[1].line, rows[1].static_stress_pa), (4, 6e3));

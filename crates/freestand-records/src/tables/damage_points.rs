@@ -1,4 +1,5 @@
-//! Test points of a damage boundary (ASTM D3332): velocity change, peak acceleration, and whether it did harm.
+//! Test points of a damage boundary (ASTM D3332): velocity change, peak acceleration, and whether
+//! the object was damaged.
 
 use std::path::Path;
 
@@ -12,7 +13,7 @@ use freestand_input::quantity::{Dimension, shorten};
 const HINT: &str = "name the columns and their units, such as \
                     \"velocity change [m/s],peak acceleration [g],damaged,method\"";
 
-/// One shock of a test; `None` where the file does not say.
+/// One shock of a test; `None` if the file does not state it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DamageRow {
     /// Its line, from 1.
@@ -21,7 +22,7 @@ pub struct DamageRow {
     pub velocity_change_m_s: f64,
     /// \[m/s²\].
     pub peak_acceleration_m_s2: f64,
-    /// Whether it did harm.
+    /// Whether the object was damaged.
     pub damaged: bool,
     /// `'A'` or `'B'`.
     pub method: Option<char>,
@@ -32,7 +33,7 @@ pub struct DamageRow {
 /// Reads a file of such points.
 ///
 /// # Errors
-/// No such columns, or a cell that says something else.
+/// A missing column, or a cell that cannot be read.
 pub fn load_damage_points(path: &Path) -> Result<Vec<DamageRow>, Problem> {
     let mut bytes = load(path)?;
     check_text(&mut bytes).and_then(|()| read_damage_points(&bytes)).map_err(|problem| problem.in_file(path))
@@ -42,7 +43,7 @@ fn wrong(line: usize, message: String) -> Problem {
     Problem::new(ProblemKind::Format, message).at_line(line)
 }
 
-/// Where the columns stand.
+/// The places of the columns.
 struct Columns {
     separator: u8,
     headings: Vec<Heading>,
@@ -103,7 +104,7 @@ fn row(line: &Line<'_>, columns: &Columns) -> Result<DamageRow, Problem> {
     let cell = |index: usize| cells.get(index).map_or("", String::as_str);
     let number = |index: usize, what: &str| -> Result<f64, Problem> {
         let text = cell(index);
-        // Where semicolons separate, a comma is that of a decimal.
+        // Where semicolons separate the cells, a comma is a decimal sign.
         let plain = if columns.separator == b';' { text.replace(',', ".") } else { text.to_owned() };
         let unit = columns.headings.get(index).and_then(|heading| heading.unit);
         let value = plain.parse::<f64>().ok().zip(unit).map(|(value, unit)| unit.to_si(value));

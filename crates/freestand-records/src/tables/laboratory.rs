@@ -1,4 +1,5 @@
-//! Files of the laboratory: columns of force and displacement, and what is said about a test in comments.
+//! Files from a laboratory: columns of force and displacement, and facts about the test in
+//! comments.
 
 use crate::text::headings::headings_of;
 use crate::text::lines::{check_text, lines};
@@ -15,7 +16,7 @@ pub struct ForceDisplacement {
     pub force_n: Vec<f64>,
     /// \[m\].
     pub displacement_m: Vec<f64>,
-    /// What the comments say: key, value, line.
+    /// Facts from the comments: key, value, line.
     pub said: Vec<(String, String, usize)>,
 }
 
@@ -30,7 +31,8 @@ pub fn comments(bytes: &[u8]) -> Vec<(String, String, usize)> {
     .collect()
 }
 
-/// Reads a static test: a header names one column of force and one of displacement with their units.
+/// Reads a static test. The header must name one column of force and one of displacement, with
+/// units.
 pub fn load_static(path: &Path) -> Result<ForceDisplacement, Problem> {
     let mut bytes = load(path)?;
     check_text(&mut bytes).and_then(|()| read_static(&bytes)).map_err(|problem| problem.in_file(path))

@@ -1,4 +1,4 @@
-//! Small tables of named columns, words and empty cells among the numbers: one row a line, read cell by cell.
+//! Small tables with named columns, read cell by cell: cells may hold words or nothing.
 
 use super::headings::{Heading, heading};
 use super::lines::{Line, lines};
@@ -6,7 +6,7 @@ use super::table::quoted_cells;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
 
-/// A table as it was read.
+/// A table.
 pub(crate) struct Cells {
     separator: u8,
     pub(crate) headings: Vec<Heading>,
@@ -47,7 +47,7 @@ impl Cells {
         Ok(Self { separator, headings, line: header.number, rows, hint })
     }
 
-    /// The only column that `is_it`.
+    /// The only column for which `is_it` holds.
     pub(crate) fn only(&self, is_it: impl Fn(&Heading) -> bool, what: &str) -> Result<Option<usize>, Problem> {
         let mut found = self.headings.iter().enumerate().filter(|(_, heading)| is_it(heading));
         let first = found.next();
@@ -68,7 +68,7 @@ impl Cells {
     /// The number in a cell, in SI where the heading has a unit.
     pub(crate) fn number(&self, row: &Row, column: usize, what: &str) -> Result<f64, Problem> {
         let text = row.text(column);
-        // Where semicolons separate, a comma is that of a decimal.
+        // Where semicolons separate the cells, a comma is a decimal sign.
         let plain = if self.separator == b';' { text.replace(',', ".") } else { text.to_owned() };
         let unit = self.headings.get(column).and_then(|heading| heading.unit);
         let value = plain.parse::<f64>().ok().map(|value| unit.map_or(value, |unit| unit.to_si(value)));
@@ -78,7 +78,7 @@ impl Cells {
         })
     }
 
-    /// The same of a cell that may be empty.
+    /// The same for a cell that may be empty.
     pub(crate) fn optional(&self, row: &Row, column: Option<usize>, what: &str) -> Result<Option<f64>, Problem> {
         let filled = column.filter(|&column| !row.text(column).is_empty());
         filled.map(|column| self.number(row, column, what)).transpose()

@@ -160,8 +160,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let report = shock(&peak_only).unwrap();
     assert_eq!((text(&report, "governing"), report.verdict), ("peak", Verdict::Exceeded));
     // At the largest stiffness the shock is the tolerance.
-    let softer =
-        ShockRequest { cushion: spring(number(&report, "max_stiffness_n_m")), ..peak_only.clone() };
+    let softer = ShockRequest { cushion: spring(number(&report, "max_stiffness_n_m")), ..peak_only.clone() };
     assert!((number(&shock(&softer).unwrap(), "demand_capacity_ratio") - 1.0).abs() < 1e-12);
 
     let boundary = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..peak_only.clone() };
@@ -209,9 +208,7 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
     };
     for request in [with(None, None), with(Some(0.025), None), with(None, Some(0.5)), with(Some(0.03), Some(0.5))] {
         let largest = number(&shock(&request).unwrap(), "max_stiffness_n_m");
-        let at = |factor: f64| {
-            shock(&ShockRequest { cushion: spring(factor * largest), ..request.clone() }).unwrap()
-        };
+        let at = |factor: f64| shock(&ShockRequest { cushion: spring(factor * largest), ..request.clone() }).unwrap();
         assert_eq!((at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict), (Verdict::Ok, Verdict::Exceeded), "{largest}");
     }
     // 5 g for 11 ms carry less velocity than the landing; a limit of 1 m/s carries more.

@@ -99,7 +99,12 @@ fn the_unit_is_never_guessed() {
         (Some(3), "the record is in g according to the file, not in cm/s2")
     );
     let options = ReadOptions { unit: Some("furlong".to_owned()), ..ReadOptions::default() };
-    assert_eq!(read_with(text.as_bytes(), &options).unwrap_err().path, None, "a wrong flag is no fault of the file");
+    assert_eq!(
+        read_with(text.as_bytes(), &options).unwrap_err().path,
+        None,
+        "a wrong option is not a fault of the \
+                                                                              file"
+    );
 }
 
 #[test]
@@ -179,6 +184,6 @@ fn a_number_that_lost_characters_is_said() {
 fn a_decimal_comma_is_named() {
     let problem = read(&format!("{TITLE}NPTS= 2, DT= 0,01\n1 2")).unwrap_err();
     assert!(problem.message.ends_with("has a decimal comma: write a point"), "{problem}");
-    // The comma behind a whole number separates: there is a blank, or no digit.
+    // The comma after a whole number separates: there is a blank, or no digit.
     assert!(read(&format!("{TITLE}NPTS= 2, DT= 1, SEC\n1 2")).is_ok());
 }

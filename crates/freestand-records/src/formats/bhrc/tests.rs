@@ -56,7 +56,8 @@ fn three_components_in_tenths_of_g() {
     assert_eq!(read(&part("V", points, &values())).unwrap().components.len(), 1);
 }
 
-/// 200 samples a second: the duration counts the last interval in, or leaves it out, or fits neither.
+/// 200 samples a second: the duration counts the last interval in, or leaves it out, or fits
+/// neither.
 #[test]
 fn the_step_is_the_duration_over_the_values() {
     for (text, expected) in [("30.065", 0.005), ("30.06", 0.005), ("30.060", 0.005), ("60.13", 0.01)] {

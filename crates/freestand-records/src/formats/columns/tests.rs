@@ -78,7 +78,7 @@ fn what_the_file_leaves_open_the_flags_say() {
     let file = parse("5 0.02\n1 2 3\n4 5\n", &options("m/s2", 0.0)).unwrap();
     assert_eq!(facts(&file), [("rec", "m/s2", 0.02, &[1.0, 2.0, 3.0, 4.0, 5.0][..])]);
     assert!(file.notes[0].contains("number of values"));
-    // A velocity beside the acceleration is left out, and said.
+    // A velocity next to the acceleration is left out, with a note.
     let file = parse("t[s],a[g],v[cm/s],disp,force [kN]\n0,1,1,1,1\n1,2,2,2,2\n", &ReadOptions::default()).unwrap();
     assert_eq!((file.components.len(), file.notes.len()), (1, 3));
 }
@@ -137,7 +137,8 @@ fn what_is_refused() {
     }
 }
 
-/// Above one column a damaged number must not pass as a header of one word: the sample would be lost in silence.
+/// Above one column a damaged number must not pass as a header of one word: the sample would be
+/// lost in silence.
 #[test]
 fn a_header_of_one_word_is_told_from_a_damaged_number() {
     for word in ["nan", "-inf", "*****", "0.12O", "O.12", "-nan(ind)", "1.#IND", ".", "-", "1.2.3", "+-1", "null"] {
@@ -225,7 +226,8 @@ fn a_number_of_values_that_does_not_fit_is_no_value() {
     let problem = parse(&format!("400\n{decimals}"), &options).unwrap_err();
     assert_eq!(problem.message, "the first row, 400, seems to be the number of values, but 300 follow");
     assert!(problem.line == Some(1) && problem.hint.unwrap().contains("cut off"));
-    // The number that fits, a first value with a point, one that others exceed, one of several whole ones.
+    // The number that fits, a first value with a point, one that others exceed, one of several
+    // whole ones.
     assert_eq!(parse(&format!("300\n{decimals}"), &options).unwrap().components[0].motion.accel_m_s2().len(), 300);
     for text in [format!("400.0\n{decimals}"), format!("2\n3.5\n{decimals}"), format!("2\n1\n{decimals}")] {
         assert!(parse(&text, &options).is_ok(), "{text}");

@@ -119,7 +119,8 @@ fn one_component_and_other_counts() {
     assert_eq!(found.components[0].motion.accel_m_s2()[0], values[0] * 0.5 * 1e-3);
     assert!(found.notes.len() == 2 && found.notes[0].contains("0.5 mm/s2"), "{:?}", found.notes);
     assert_eq!(found.notes[1], "the file has 1 of three components: it may be cut off");
-    // A corrected record whose velocities are cut off is no whole file, though all its accelerations are there.
+    // A corrected record whose velocities are cut off is incomplete, though all its
+    // accelerations are there.
     let text = part("Corrected", "N", &values).text();
     let cut: Vec<&str> = text.lines().take(31).collect();
     assert!(read(&cut.join("\n")).unwrap_err().contains("x.V1A:31: the file ends after 2 of 3 lines of velocity"));
@@ -158,7 +159,7 @@ fn lengths_and_numbers_that_contradict_are_said() {
     assert_eq!(read(&odd).unwrap().notes, [note]);
 }
 
-/// mm/s² pass -999 in every second strong record; a gap in a weak one stands out.
+/// Every second strong record exceeds 999 mm/s²; in a weak one, -999 is clearly a gap.
 #[test]
 fn minus_999_is_missing_where_it_stands_out() {
     let strong: Vec<f64> = (0..23).map(|i| f64::from(i * 163 % 23 - 11) * 111.0).collect();

@@ -4,7 +4,8 @@ use crate::formats::binary::Order;
 use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use proptest::prelude::*;
 
-/// 29 samples whose differences fill every kind of word: 7 of 4 bits, 6 of 5, 5 of 6, 4 of 8, 3 of 10, 2 of 15, 1 of 30.
+/// 29 samples whose differences fill every kind of word: 7 of 4 bits, 6 of 5, 5 of 6, 4 of 8, 3 of
+/// 10, 2 of 15, 1 of 30.
 const SAMPLES: [i32; 29] = [
     1000,
     1007,
@@ -315,7 +316,7 @@ fn records_are_put_in_the_order_of_time_and_used_once() {
         let bytes: Vec<u8> = order.iter().flat_map(|&i| records[i].clone()).collect();
         let file = read(&bytes).unwrap();
         assert_eq!(values(&file), as_f64(&expected), "{order:?}");
-        assert_eq!(file.notes.iter().any(|note| note.contains("1 records stand in the file twice")), order.len() == 4);
+        assert_eq!(file.notes.iter().any(|note| note.contains("1 records are in the file twice")), order.len() == 4);
     }
 }
 
@@ -420,7 +421,8 @@ fn what_is_no_motion_is_skipped_or_refused() {
     assert!(flagged.notes[0].contains("clipped, missing or padded data"), "{:?}", flagged.notes);
 }
 
-/// In a SEED volume, control headers end where the volume says or shows, so that damaged data do not pass for theirs.
+/// In a SEED volume, control headers end where the volume says or shows, so that damaged data do
+/// not pass for theirs.
 #[test]
 fn no_record_is_lost_behind_control_headers() {
     let header = |kind: &str, blockette: &str, length: usize| {
@@ -445,11 +447,11 @@ fn no_record_is_lost_behind_control_headers() {
         let message = format!("record 2 (byte {}) does not begin as a record", control.len() + 512);
         refused(&[control, good[0].as_slice(), &damaged].concat(), &message);
     }
-    // Where nothing tells the length, what is no text is no control header.
+    // If nothing states the length, bytes that are not text do not belong to a control header.
     let alone = header("V ", "011  21  1CLC  ", 1024);
     refused(
         &[alone.as_slice(), &damaged, &good[1]].concat(),
-        "the control header at byte 0 has bytes at 1024 that are no text",
+        "the control header at byte 0 has bytes at 1024 that are not text",
     );
 }
 
@@ -506,7 +508,8 @@ proptest! {
     }
 }
 
-/// A damaged number of samples must not lose them in silence; a record of none has nothing where they would stand.
+/// A damaged number of samples must not lose them in silence; a record of none has nothing where
+/// they would stand.
 #[test]
 fn records_of_no_samples_that_hold_some_are_said() {
     let good = record2(&HEADER, 29, &big(&STEIM1));

@@ -71,7 +71,7 @@ fn other_spellings_and_missing_lines() {
     assert_eq!(read(replace("(N-S) 3.5", "(N-S) 9.5")).unwrap().notes.len(), 1);
     let mut bytes = file();
     bytes.extend(b"\n\nend of file\n");
-    assert!(read(bytes).unwrap().notes[0].contains("behind the last value"));
+    assert!(read(bytes).unwrap().notes[0].contains("follows the last value"));
     // One component alone.
     let mut bytes: Vec<u8> = file().split_inclusive(|&b| b == b'\n').take(11).flatten().copied().collect();
     bytes.extend(b"   U-D\n 1.0\n-2.0\n 3.0\n-120.25\n");

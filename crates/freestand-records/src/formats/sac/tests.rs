@@ -3,7 +3,8 @@ use proptest::prelude::*;
 
 const VALUES: [f32; 4] = [0.5, -0.25, 12.0, -12345.0];
 
-/// A file as the SAC manual has it: 70 reals, 40 whole numbers, 192 characters, samples; in version 7 a footer.
+/// A file as the SAC manual has it: 70 reals, 40 whole numbers, 192 characters, samples; in version
+/// 7 a footer.
 fn file(big: bool, version: i32, words: &[(usize, f32)], integers: &[(usize, i32)]) -> Vec<u8> {
     let put = |bits: u32| if big { bits.to_be_bytes() } else { bits.to_le_bytes() };
     let mut header = [(-12345.0f32).to_bits(); 110];

@@ -1,4 +1,5 @@
-//! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component a file, cm/s².
+//! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component per file,
+//! in cm/s².
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::text::fixed_width::Format;
@@ -16,7 +17,7 @@ const VALUES: Format = Format::new(8, 10);
 const UNIT: Unit = Unit::acceleration("cm/s2", -2, 1.0);
 const TEXT_LINES: usize = 11;
 
-/// What the first line says the file holds.
+/// What the file holds, from its first line.
 fn kind(line: &Line<'_>) -> Option<&'static str> {
     let text = line.text();
     let (number, words) = text.trim_start().split_at_checked(1)?;
@@ -31,7 +32,7 @@ fn kind(line: &Line<'_>) -> Option<&'static str> {
     }
 }
 
-/// Whether the text is an SMC file: its kind on line 1, and an asterisk where line 2 says nothing.
+/// Whether the text is an SMC file: its kind on line 1, and an asterisk on line 2 if that is empty.
 pub(super) fn is_smc(bytes: &[u8]) -> bool {
     let mut head = lines(bytes);
     let kind = head.next().and_then(|line| kind(&line));

@@ -2,7 +2,8 @@ use super::direction;
 use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use std::fmt::Write;
 
-/// A file of the standard's version 2: the parts and names that its readers look for, on as many lines as they expect.
+/// A file of the standard's version 2: the parts and names that its readers look for, on as many
+/// lines as they expect.
 fn file() -> String {
     let mut text = String::from("\n\nRED DE PRUEBA\n\n\n\n");
     text.push_str("       ARCHIVO ESTANDAR DE ACELERACION\n");
@@ -108,7 +109,7 @@ fn headers_of_other_hands() {
     assert!(peak.notes[0].starts_with("V: the largest value is"), "{:?}", peak.notes);
     let short = read(&text.replace("/120/120/120/", "/120/119/120/")).unwrap();
     assert_eq!(short.components[1].motion.accel_m_s2().len(), 119);
-    assert!(short.notes[0].contains("behind its 119 values"), "{:?}", short.notes);
+    assert!(short.notes[0].contains("after its 119 values"), "{:?}", short.notes);
     let duration = read(&text.replace("/1.20/1.20/1.20/", "/12.0/12.0/12.0/")).unwrap();
     assert!(duration.notes[0].contains("last 1.20 s, the header states 12 s"), "{:?}", duration.notes);
 }
