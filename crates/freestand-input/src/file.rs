@@ -59,7 +59,7 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
     let file = File::open(path).map_err(|error| io("cannot open the file", &error))?;
     // On Unix, opening a folder succeeds; only reading it fails, with an unhelpful message.
     if file.metadata().is_ok_and(|data| data.is_dir()) {
-        return Err(Problem::new(ProblemKind::Io, "is a folder; a file is expected")
+        return Err(Problem::new(ProblemKind::Io, "is a folder, not a file")
             .in_file(path)
             .hint("name the record files themselves"));
     }

@@ -278,7 +278,7 @@ fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
 fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
     let text = shorten(text);
     let problem = value_problem(format!(
-        "\"{text}\" is {}; {} is expected",
+        "\"{text}\" is {}, not {}",
         unit.dimension.with_article(),
         expected.with_article()
     ));

@@ -28,7 +28,7 @@ fn components_are_chosen_by_name_or_number() {
     }
     let problem = file.select(None).unwrap_err();
     assert_eq!(problem.message, "has 3 components: 1 NS, 2 EW, 3 360");
-    assert!(problem.hint.unwrap().contains("--component"));
+    assert!(problem.hint.unwrap().contains("`component`"));
     let mut one = file;
     one.components.truncate(1);
     assert_eq!(one.select(None).unwrap().name, "NS");

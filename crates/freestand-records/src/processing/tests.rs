@@ -105,7 +105,7 @@ fn an_azimuth_needs_two_directions() {
     let refused = |file: &MotionFile| process_file(file, None, &azimuth).unwrap_err().to_string();
     let mut silent = three();
     silent.components[1].direction = None;
-    assert_eq!(refused(&silent), "three.csv: the file does not say which way it points: E-W");
+    assert_eq!(refused(&silent), "three.csv: the file does not state the direction of E-W");
     let mut four = three();
     four.components.push(four.components[0].clone());
     assert!(refused(&four).contains("has 3 horizontal components, but two are needed: N-S, E-W, N-S"));
@@ -115,7 +115,7 @@ fn an_azimuth_needs_two_directions() {
     let mut parallel = three();
     parallel.components[1].direction = Some(Direction::Azimuth(170.0));
     assert!(refused(&parallel).contains("too close to parallel"));
-    assert!(process(&three().components[0], &azimuth).unwrap_err().message.contains("made of two components"));
+    assert!(process(&three().components[0], &azimuth).unwrap_err().message.contains("needs two components"));
 }
 
 #[test]
@@ -245,7 +245,7 @@ fn short_periods_of_a_target_are_warned_of() {
     assert_eq!((notes(at(0.0)).len(), notes(at(0.1)).len()), (0, 0));
     let said = "the shortest period of the target, 0.03 s, has fewer than ten steps of 0.01 s";
     let sa = notes(at(0.03));
-    assert!(sa[0].starts_with(said) && sa[0].ends_with("resampled to 0.0025 s (--resample) it has ten"), "{sa:?}");
+    assert!(sa[0].starts_with(said) && sa[0].ends_with("`resample = \"0.0025 s\"` gives it ten"), "{sa:?}");
     let spectrum = notes(Scale::Spectrum(target(&[0.0, 0.03, 1.0], &[2.0, 2.0, 2.0], 0.05)));
     assert!(spectrum.iter().any(|note| note.starts_with(said)), "{spectrum:?}");
     // At a quarter of the step it has ten.

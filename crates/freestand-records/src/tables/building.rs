@@ -147,9 +147,7 @@ pub fn read_modes(bytes: &[u8]) -> Result<ModeTable, Problem> {
         kinds.push((index, kind));
     }
     let of = |kind: ModeColumn| kinds.iter().find(|&&(_, other)| other == kind).map(|&(index, _)| index);
-    let needed = |kind: ModeColumn, what: &str| {
-        of(kind).ok_or_else(|| wrong(cells.line, format!("no column holds {what}")).hint(MODES))
-    };
+    let needed = |kind: ModeColumn, what: &str| of(kind).ok_or_else(|| cells.missing(what));
     check_heights(&floors, cells.line)?;
     let (period, is_frequency) = match (of(ModeColumn::Period), of(ModeColumn::Frequency)) {
         (Some(period), _) => (period, false),

@@ -2,13 +2,41 @@
 
 use super::table::Table;
 use super::units::{record_unit, unit_in_prose};
-use freestand_input::quantity::{Dimension, Unit, lookup};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, Unit, lookup, shorten};
 
 /// Name and unit of a column.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Heading {
     pub(crate) name: String,
     pub(crate) unit: Option<&'static Unit>,
+}
+
+impl Heading {
+    pub(crate) fn measures(&self, dimension: Dimension) -> bool {
+        self.unit.is_some_and(|unit| unit.dimension == dimension)
+    }
+}
+
+/// The place of the only heading for which `is_it` holds; `what` names the column in messages.
+///
+/// # Errors
+/// Two such headings.
+pub(crate) fn only(
+    headings: &[Heading],
+    line: usize,
+    is_it: impl Fn(&Heading) -> bool,
+    what: &str,
+) -> Result<Option<usize>, Problem> {
+    let mut found = headings.iter().enumerate().filter(|(_, heading)| is_it(heading));
+    let first = found.next();
+    if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
+        let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
+        return Err(Problem::new(ProblemKind::Format, format!("{names} are both {what}"))
+            .at_line(line)
+            .hint("keep only one of them in the file"));
+    }
+    Ok(first.map(|(index, _)| index))
 }
 
 /// `time [ms]`, `Accel[g]`, `accel (m/s2)`, `Time, s`, `a / g`, `acc in g`, and the unit suffixes
@@ -126,6 +154,13 @@ pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
     let headings = from(text)?;
     let all_named = headings.iter().all(|heading| heading.unit.is_some() && !heading.name.is_empty());
     all_named.then_some((headings, *line))
+}
+
+/// The values of a column, in SI if its heading has a unit.
+pub(crate) fn in_si(table: &Table, headings: &[Heading], index: usize) -> Vec<f64> {
+    let unit = headings.get(index).and_then(|heading| heading.unit);
+    let values = table.columns.get(index).map_or(&[][..], |column| &column.values);
+    values.iter().map(|&value| unit.map_or(value, |unit| unit.to_si(value))).collect()
 }
 
 /// Whether a line of prose states a unit explicitly.

@@ -32,7 +32,7 @@ impl Rows {
     /// More or fewer numbers than columns, a number that is not a value in any unit.
     pub(crate) fn push(&mut self, row: &[f64], line: usize) -> Result<(), Problem> {
         if row.len() != self.columns.len() {
-            let message = format!("the other rows have {} values, this one has {}", self.columns.len(), row.len());
+            let message = format!("a row must have {} values, but this one has {}", self.columns.len(), row.len());
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(line)
                 .hint("the file may be cut off or damaged: fetch it again"));
@@ -110,8 +110,8 @@ mod tests {
         for (text, line) in [
             ("\n \n", "line 2: no row"),
             ("", "line 1: no row"),
-            ("   0.000   1.000\n   0.005\n", "line 2: the other rows have 2 values"),
-            ("   0.000   1.000\n   0.005   1.000   1.000\n", "line 2: the other rows have 2 values"),
+            ("   0.000   1.000\n   0.005\n", "line 2: a row must have 2 values"),
+            ("   0.000   1.000\n   0.005   1.000   1.000\n", "line 2: a row must have 2 values"),
             ("   0.000   1.000\n   0.005-999.000\n", "line 2: \"-999\" marks a missing value"),
             ("   0.000     x\n", "line 1: "),
         ] {

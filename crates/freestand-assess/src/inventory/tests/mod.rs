@@ -185,7 +185,7 @@ fn all_problems_of_a_file_at_once() {
         "objects.csv:3: row 3, column K (friction): \"0.5-0.3\" is not a positive value or a rising range",
         "objects.csv:3: row 3, column L (restitution): is 1.2 | write a value above 0, up to 1",
         "objects.csv:3: row 3, column M (accepted): is 1 | write a value between 0 and 1",
-        "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, a length is expected",
+        "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, not a length",
         "objects.csv:4: row 4, column D (depth [mm]): \"n/a\" is no value | leave the cell empty",
         "objects.csv:4: row 4, column H (mass [kg]): \"1.500,5\" has a comma in the number",
         "objects.csv:4: row 4, column I (quantity): \"0\" is not a whole number from 1",

@@ -90,7 +90,7 @@ fn prose_full_of_numbers_is_prose() {
 fn the_unit_is_never_guessed() {
     let text = "a\nb\nc\nNPTS= 2, DT= .02\n1 2";
     let problem = read(text).unwrap_err();
-    assert!(problem.message.contains("not stated") && problem.hint.unwrap().contains("--unit"));
+    assert!(problem.message.contains("not stated") && problem.hint.unwrap().contains("`unit`"));
     let options = ReadOptions { unit: Some("cm/s2".to_owned()), ..ReadOptions::default() };
     assert_eq!(read_with(text.as_bytes(), &options).unwrap().motion.accel_m_s2(), [0.01, 0.02]);
     let problem = read_with(format!("{TITLE}NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();

@@ -89,7 +89,10 @@ fn components_that_are_not_there_are_said() {
     let three: String = ["L", "V", "T"].iter().map(|name| part(name, points, &values())).collect();
     assert_eq!(read(&three).unwrap().notes.len(), 3, "one of each step");
     let cut = read(three.trim_end().strip_suffix("-END OF RECORD-").unwrap()).unwrap();
-    assert_eq!(cut.notes[3..], ["no line \"end of record\" ends the last channel: the file may be cut off"]);
+    assert_eq!(
+        cut.notes[3..],
+        ["the last channel does not end with a line \"end of record\": the file may be cut off"]
+    );
     let one = read(&part("L", points, &values())).unwrap();
-    assert_eq!(one.notes[1..], ["the file has 1 of three components: it may be cut off"]);
+    assert_eq!(one.notes[1..], ["the file has only 1 of three components: it may be cut off"]);
 }

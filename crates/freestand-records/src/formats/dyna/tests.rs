@@ -93,13 +93,13 @@ fn what_is_refused() {
         ("UNITS: cm/s^2", "UNITS: cm/s", "x.asc:16: the record is a velocity"),
         ("UNITS: cm/s^2", "UNITS: counts", "x.asc:16: the unit \"counts\" is not known"),
         ("UNITS: cm/s^2", "UNITS: ", "the unit of the record is not stated"),
-        ("NDATA: 5", "NDATA: 6", "x.asc:13: the header declares 6 values, the file has 5"),
+        ("NDATA: 5", "NDATA: 6", "x.asc:13: the header declares 6 values, but the file has 5"),
         ("NDATA: 5", "NDATA: 5.5", "x.asc:13: NDATA is \"5.5\""),
         ("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: 0", "x.asc:12: the time step must be positive"),
         ("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: ", "the header has no time step"),
         ("1.500000", "-999", "x.asc:27: \"-999\" marks a missing value"),
         ("1.500000", "1.5OOO", "x.asc:27: "),
-        ("1.500000", "0.01 1.500000", "x.asc:27: a row has 1 values, this one 2"),
+        ("1.500000", "0.01 1.500000", "x.asc:27: a row must have 1 values, but this one has 2"),
     ] {
         let problem = read(&file().replacen(from, to, 1)).expect_err(message);
         assert!(problem.contains(message), "{problem}");

@@ -130,14 +130,14 @@ fn markers_of_missing_values_are_counts_like_others() {
 fn one_value_more_or_less_is_said() {
     let text = file("N-S", &counts(), 0.995);
     let found = read(&text.replace("Duration Time(s)  2\n", "Duration Time(s)  2.01\n")).unwrap();
-    assert_eq!(found.notes, ["200 values were read, 2.01 s at 100 Hz would be 201"]);
+    assert_eq!(found.notes, ["200 values were read, but 2.01 s at 100 Hz would be 201"]);
 }
 
 #[test]
 fn what_is_wrong_names_its_line() {
     let text = file("N-S", &counts(), 0.995);
     for (from, to, line, message) in [
-        ("Duration Time(s)  2", "Duration Time(s)  3", "x.NS:12:", "300 values; the file has 200"),
+        ("Duration Time(s)  2", "Duration Time(s)  3", "x.NS:12:", "300 values, but the file has 200"),
         ("Duration Time(s)  2", "Duration Time(s)  two", "x.NS:12:", "\"two\" is not a number for \"duration time\""),
         ("Duration Time(s)  2\n", "", "x.NS:16:", "no line \"duration time\""),
         ("100Hz", "0Hz", "x.NS:11:", "sampling rate is 0"),

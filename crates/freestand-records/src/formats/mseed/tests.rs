@@ -98,7 +98,7 @@ fn damaged_frames_are_refused() {
     let mut damaged = STEIM2;
     damaged[4] ^= 1;
     let message = decode(&big(&damaged), Order::Big, Packing::Steim2, 29, &mut out).unwrap_err();
-    assert!(message.contains("states 536872228 as its last one"), "{message}");
+    assert!(message.contains("states 536872228 as its last sample"), "{message}");
     let message = decode(&big(&STEIM2), Order::Big, Packing::Steim2, 30, &mut out).unwrap_err();
     assert!(message.contains("ends after 29 of 30"), "{message}");
     // Code 2 with the upper bits 00 means nothing.
@@ -283,7 +283,7 @@ fn a_record_of_version_3_is_read() {
     assert_eq!((file.components[0].station.as_deref(), file.components[0].motion.dt_s()), (Some("XX.TEST"), 0.01));
     assert_eq!(values(&file), as_f64(&SAMPLES));
     bytes[70] ^= 1;
-    refused(&bytes, "record 1 (byte 0) does not agree with its check sum");
+    refused(&bytes, "record 1 (byte 0) does not match its checksum");
 }
 
 #[test]
@@ -294,7 +294,7 @@ fn version_3_has_periods_and_other_names() {
     assert_eq!(values(&file), [1.5, -2.5]);
     let file = read(&record3("XFDSN:mine", 5, 8.0, 2, &data)).unwrap();
     assert_eq!((file.components[0].name.as_str(), &file.components[0].station), ("XFDSN:mine", &None));
-    refused(&record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 3, &data), "declares 3 samples, and has room for 2");
+    refused(&record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 3, &data), "declares 3 samples, but has room for 2");
     // A count that would fill the memory.
     refused(&record3("FDSN:XX_A_10_H_N_1", 11, 8.0, u32::MAX, &big(&STEIM2)), "ends after 29 of 4294967295");
     let nan: Vec<u8> = [1.5f64, f64::NAN].iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -337,7 +337,7 @@ fn gaps_and_overlaps_name_time_and_record() {
     );
     let mut slow = three(2900, 5800);
     slow[2] = record2(&Header { factor: 50, start: HEADER.start + 5800, ..HEADER }, 29, &big(&STEIM1));
-    refused(&slow.concat(), "record 3 (byte 1024) has 50 Hz, the records before it 100 Hz");
+    refused(&slow.concat(), "record 3 (byte 1024) has 50 Hz, but the records before it have 100 Hz");
 }
 
 /// The clock's correction counts unless it is in already; blockette 1001 adds microseconds.
@@ -394,8 +394,8 @@ fn a_record_without_its_length_is_measured() {
     let two = [record2(&bare, 29, &big(&STEIM1)), record2(&next, 29, &big(&STEIM1))].concat();
     let file = read(&two).unwrap();
     assert_eq!((values(&file).len(), file.notes[0].contains("no encoding is stated")), (58, true));
-    refused(&two[..two.len() - 1], "record 2 (byte 256) states no length");
-    refused(&record2(&bare, 29, &big(&STEIM2)), "states no encoding (blockette 1000), and as Steim-1 it");
+    refused(&two[..two.len() - 1], "record 2 (byte 256) does not state its length");
+    refused(&record2(&bare, 29, &big(&STEIM2)), "states no encoding (blockette 1000); read as Steim-1, it");
 }
 
 #[test]
@@ -462,7 +462,7 @@ fn without_a_sensitivity_the_way_out_is_said() {
     let problem = &error.problems[0];
     assert!(problem.message.contains("sensitivity") && problem.line.is_none(), "{problem}");
     let hint = problem.hint.as_deref().unwrap();
-    assert!(["--station-xml", "CI.CLC.xml", "--unit"].iter().all(|word| hint.contains(word)), "{hint}");
+    assert!(["`station_xml`", "CI.CLC.xml", "`unit`"].iter().all(|word| hint.contains(word)), "{hint}");
     let options = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.02), ..ReadOptions::default() };
     let error = parse_motions(record2(&HEADER, 29, &big(&STEIM1)), "x".as_ref(), &options).unwrap_err();
     assert!(error.problems[0].to_string().starts_with("x: CI.CLC..HNE: the time step is 0.01 s"), "{error}");

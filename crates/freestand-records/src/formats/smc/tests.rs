@@ -80,7 +80,7 @@ fn what_is_wrong_names_its_line() {
         ("        21", "        29", "x.txt:32:", "ends after 21 of 29"),
         ("        21", "    -32768", "x.txt:14:", "number of values is -32768"),
         // Reading each of them would take hours.
-        ("         2\n", " 999999999\n", "x.txt:13:", "declares 999999999 comment lines, 5 lines follow"),
+        ("         2\n", " 999999999\n", "x.txt:13:", "declares 999999999 comment lines, but 5 lines follow"),
         ("         2\n", "    -32768\n", "x.txt:13:", "number of comment lines is -32768"),
         ("-1.0000E+2", "    1.7E38", "x.txt:30:", "missing value"),
     ] {
@@ -109,5 +109,5 @@ fn numbers_that_lost_a_character_are_refused() {
     assert!(read(cut).unwrap_err().contains("x.txt:34: "), "cut off");
     let at = text.rfind('.').unwrap();
     let lost = format!("{}{}", &text[..at], &text[at + 1..]);
-    assert!(read(&lost).unwrap_err().contains("x.txt:34: the line has 49 characters, its numbers fill 50"));
+    assert!(read(&lost).unwrap_err().contains("x.txt:34: the line has 49 characters, but its numbers need 50"));
 }

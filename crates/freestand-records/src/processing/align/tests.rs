@@ -71,7 +71,7 @@ fn steps_of_rounded_times_are_one() {
 fn a_copy_of_a_component_is_noticed() {
     let file = three();
     let (one, two) = pair(&file.components[0], &file.components[0]).unwrap();
-    assert_eq!(one.notes, ["components N-S and N-S are equal sample by sample"]);
+    assert_eq!(one.notes, ["components N-S and N-S are identical"]);
     assert!(two.notes.is_empty());
 }
 

@@ -1,6 +1,6 @@
 //! A spectrum in columns: periods and accelerations, with units in their headings.
 
-use crate::text::headings::{Heading, headings_of, is_time_name};
+use crate::text::headings::{Heading, headings_of, in_si, is_time_name};
 use crate::text::lines::check_text;
 use crate::text::table::{self, Table};
 use freestand_input::file::load_up_to;
@@ -79,10 +79,6 @@ fn complete(heading: &mut Heading) {
     }
 }
 
-fn measures(heading: &Heading, dimension: Dimension) -> bool {
-    heading.unit.is_some_and(|unit| unit.dimension == dimension)
-}
-
 /// The places of the headings for which `holds` is true.
 fn places(headings: &[Heading], holds: impl Fn(&Heading) -> bool) -> Vec<usize> {
     headings.iter().enumerate().filter(|(_, heading)| holds(heading)).map(|(i, _)| i).collect()
@@ -93,7 +89,7 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
         let name = heading.name.to_ascii_lowercase();
         matches!(name.as_str(), "t" | "t_s") || name.starts_with("period")
     };
-    match places(headings, |heading| measures(heading, Dimension::Time))[..] {
+    match places(headings, |heading| heading.measures(Dimension::Time))[..] {
         [one] => match headings.get(one) {
             // T is a time in a record and a period in a spectrum; other words for time are not used
             // for periods.
@@ -128,7 +124,7 @@ fn acceleration_column(headings: &[Heading]) -> Result<usize, Problem> {
     let found = [
         places(headings, |heading| lower(heading).starts_with("psa")),
         places(headings, |heading| is_sa(&lower(heading))),
-        places(headings, |heading| measures(heading, Dimension::Acceleration)),
+        places(headings, |heading| heading.measures(Dimension::Acceleration)),
     ];
     let found = found.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
     let chosen: Vec<&Heading> = found.iter().filter_map(|&i| headings.get(i)).collect();
@@ -181,12 +177,7 @@ fn unit_is_open(heading: &Heading, example: &str) -> Problem {
 
 /// Three columns row by row, in SI; a ratio may be a bare number.
 fn rows(table: &Table, bytes: &[u8], headings: &[Heading], places: [Option<usize>; 3]) -> Vec<SpectrumRow> {
-    let column = |place: Option<usize>| -> Option<Vec<f64>> {
-        let at = place?;
-        let unit = headings.get(at)?.unit;
-        let values = &table.columns.get(at)?.values;
-        Some(values.iter().map(|&value| unit.map_or(value, |unit| unit.to_si(value))).collect())
-    };
+    let column = |place: Option<usize>| place.map(|index| in_si(table, headings, index));
     let [periods, accelerations, dampings] = places.map(column);
     let values = periods.unwrap_or_default().into_iter().zip(accelerations.unwrap_or_default());
     let rows = table.lines_of_rows(bytes).zip(values).enumerate();

@@ -141,7 +141,7 @@ fn epochs_and_locations_choose_the_channel() {
     assert!(scaling(&bad, "HNE", "", "2020-01-01").unwrap_err().message.contains("\"yesterday\" is not a date"));
     let twice = xml(&[("HNE", "", late, "0 0", &new), ("HNE", "", late, "0 0", &old)]);
     let problem = scaling(&twice, "HNE", "", "2020-01-01").unwrap_err();
-    assert!(problem.message.contains("two epochs hold") && problem.message.ends_with("line 10"), "{problem}");
+    assert!(problem.message.contains("two epochs with different") && problem.message.ends_with("line 10"), "{problem}");
 }
 
 #[test]
@@ -205,12 +205,12 @@ fn the_description_is_named_or_next_to_the_record() {
     let file = parse_motions([seismometer.clone(), mseed_record()].concat(), &folder.join("x"), &options).unwrap();
     assert_eq!(file.components.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["HNE"]);
     assert!(file.notes[0].contains("XX.ABC..HHE: the instrument senses a velocity (M/S)"), "{:?}", file.notes);
-    assert!(file.notes[0].ends_with("it is left out"), "{:?}", file.notes);
+    assert!(file.notes[0].ends_with("it was left out"), "{:?}", file.notes);
     let error = parse_motions(seismometer, &folder.join("x"), &options).unwrap_err().to_string();
     assert!(error.contains("both.xml:") && error.contains("senses a velocity"), "{error}");
     put("other.xml", "500");
     assert_eq!(read(folder, Some("other.xml"), None).unwrap().components[0].motion.peak_m_s2(), 4.0);
     assert!(read(folder, Some("absent.xml"), None).unwrap_err().contains("absent.xml: cannot open"));
     let both = read(folder, None, Some("g")).unwrap_err();
-    assert!(both.contains("the unit g is given too") && both.contains("leave out the unit"), "{both}");
+    assert!(both.contains("the unit g is given too") && both.contains("leave out `unit`"), "{both}");
 }
