@@ -72,7 +72,8 @@ use thiserror::Error;
 
 /// The source of the random numbers, as named in outputs: counter-based, so that motion i does not
 /// depend on how many are made.
-pub const GENERATOR: &str = "ChaCha12Rng (rand_chacha 0.10), seed_from_u64(seed), stream = motion index + 2^32 * number of the earthquake; \
+pub const GENERATOR: &str = "ChaCha12Rng (rand_chacha 0.10), seed_from_u64(seed), \
+                             stream = motion index + 2^32 * number of the earthquake; \
                              StandardNormal (rand_distr 0.6)";
 
 /// The shortest matched period \[s\].
@@ -396,7 +397,8 @@ impl Resemblance {
     /// use freestand::{motion::Motion, synthesis::Resemblance};
     /// let motion = Motion::new(0.01, vec![0.0, 1.0, -2.0, 0.0])?;
     /// let doubled = Resemblance::between(&motion, &motion.scaled(2.0)?);
-    /// assert!((doubled.correlation_ratio - 1.0).abs() < 1e-15 && doubled.husid_difference_ratio == 0.0);
+    /// assert!((doubled.correlation_ratio - 1.0).abs() < 1e-15);
+    /// assert_eq!(doubled.husid_difference_ratio, 0.0);
     /// # Ok::<(), freestand::motion::MotionError>(())
     /// ```
     pub fn between(one: &Motion, other: &Motion) -> Self {

@@ -58,7 +58,8 @@ pub struct Pair {
 /// Rock in Melbourne, 500 years, has Sa(T) = 0.08·0.88/T g: magnitude 6 at some 30 km.
 /// ```
 /// use freestand::synthesis::{Preset, SimulationOptions, distance_for_target};
-/// let (victoria, options) = (|r_m| Preset::Victoria.source(6.0, r_m), SimulationOptions::default());
+/// let victoria = |r_m| Preset::Victoria.source(6.0, r_m);
+/// let options = SimulationOptions::default();
 /// let pair = distance_for_target(victoria, |t| 0.08 * 0.88 / t, &options, 1, 0..10)?;
 /// assert!(pair.is_some_and(|pair| (25e3..38e3).contains(&pair.distance_m)));
 /// # Ok::<(), freestand::synthesis::SynthesisError>(())
