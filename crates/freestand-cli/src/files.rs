@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use freestand_output::figure::{Figure, FigureError};
 use freestand_output::folder::{MANIFEST, OutputFolder};
 use freestand_output::json::document;
 use freestand_output::streamed::StreamedFile;
@@ -43,6 +44,16 @@ impl Files {
         let Some((target, folder)) = &self.folder else { return Ok(None) };
         folder.write(name, bytes().as_ref())?;
         Ok(Some(path_text(&target.join(name))))
+    }
+
+    /// Draws a figure and writes it as SVG and PNG; nothing without `--out`.
+    pub(crate) fn figure(&self, name: &str, draw: impl FnOnce() -> Result<Figure, FigureError>) -> Result<(), Failure> {
+        if self.wanted() {
+            let figure = draw().map_err(|error| Failure::computation(error.to_string()))?;
+            self.write(&format!("{name}.svg"), || figure.svg)?;
+            self.write(&format!("{name}.png"), || figure.png)?;
+        }
+        Ok(())
     }
 
     /// Begins a file that is written in pieces; nothing without `--out`.

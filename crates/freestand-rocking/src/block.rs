@@ -101,7 +101,8 @@ pub enum BlockError {
     /// An inertia about the edge that is smaller than if all the mass were at the centre of
     /// gravity.
     #[error(
-        "the inertia about the pivot edge is {given} m² per unit mass; with this centre of gravity it must be more than {least} m²"
+        "the inertia about the pivot edge is {given} m² per unit mass; with this centre of gravity it must be more \
+         than {least} m²"
     )]
     Inertia {
         /// I/m that was given.

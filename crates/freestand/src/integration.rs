@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-/// Nodes lie 1/20 apart in the transformed variable: 1e-14 for what is smooth inside.
+/// Nodes are 1/20 apart in the transformed variable: 1e-14 for integrands that are smooth inside
+/// the interval.
 const STEP: f64 = 0.05;
-/// Where the transformed variable ends: the weight is 1e-20 there.
+/// End of the transformed variable: the weight is 1e-20 there.
 const END: i32 = 68;
 
 /// ∫₀¹ f(x) dx by the double-exponential rule.
@@ -29,12 +30,12 @@ pub(crate) fn unit_integral(f: impl Fn(f64) -> f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// ∫ xᵃ = 1/(1+a), also for a root and for a pole that can be integrated; ∫ eˣ = e − 1.
+    /// ∫ xᵃ = 1/(1+a), also for a root and for an integrable pole; ∫ eˣ = e − 1.
     #[test]
     fn known_integrals() {
         for power in [0.0, 1.0, 3.0, 0.4, -0.3] {
             let got = unit_integral(|x| x.powf(power));
-            // The pole loses what lies nearer to it than the last node: (1e-20)^0.7 = 1e-14.
+            // The part of the pole closer than the last node is lost: (1e-20)^0.7 = 1e-14.
             assert!((got * (1.0 + power) - 1.0).abs() < 1e-12, "{power}: {got}");
         }
         assert!((unit_integral(f64::exp) - (std::f64::consts::E - 1.0)).abs() < 1e-13);

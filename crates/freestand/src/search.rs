@@ -1,6 +1,7 @@
 //! One-dimensional searches: a root by bisection, a maximum by golden section.
 
-/// The place between `low` and `high` where `is_beyond` turns from false to true, by halving to the last digit.
+/// The point between `low` and `high` where `is_beyond` changes from false to true, by bisection to
+/// the last digit.
 pub(crate) fn bisect(mut low: f64, mut high: f64, is_beyond: impl Fn(f64) -> bool) -> f64 {
     loop {
         let middle = 0.5 * (low + high);
@@ -11,8 +12,9 @@ pub(crate) fn bisect(mut low: f64, mut high: f64, is_beyond: impl Fn(f64) -> boo
     }
 }
 
-/// The largest value of a function with one maximum between `low` and `high`, by golden section: the place is good to a
-/// hundred-millionth of the bracket, where rounding hides the rest, and the value to rounding.
+/// The largest value of a function with a single maximum between `low` and `high`, by golden
+/// section. The location is accurate to 1e-8 of the bracket, below which rounding hides the
+/// differences, and the value to rounding.
 pub(crate) fn golden_maximum(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     const SHARE: f64 = 0.618_033_988_749_895;
     let (mut a, mut b) = (high - SHARE * (high - low), low + SHARE * (high - low));
@@ -39,7 +41,7 @@ mod tests {
     #[test]
     fn the_top_of_a_parabola_and_of_an_edge() {
         assert!((golden_maximum(|x| 2.0 - (x - 0.3).powi(2), 0.0, 1.0) - 2.0).abs() < 1e-15);
-        // Largest at an end, which golden section comes near to by 4e-9 of the bracket.
+        // Largest at an end, which golden section approaches to 4e-9 of the bracket.
         assert!((golden_maximum(|x| x, 0.0, 1.0) - 1.0).abs() < 1e-8);
     }
 

@@ -10,6 +10,7 @@ use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::words::number;
+use freestand_output::figure::{Figure, FigureError};
 use freestand_study::building::{
     Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
     DEFAULT_STOREYS, axis,
@@ -24,7 +25,7 @@ use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, significant, table};
+use crate::printer::{Column, Printer, facts_table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::target::TargetArgs;
 use crate::values::{Given, Reads, Values};
@@ -222,32 +223,25 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         request.spectra.as_ref().map(|spectra| SpectraReport::new(&request.levels_ratio, spectra, &spectra_g));
     let report = FloorReport::new(request, motions, spectra)
         .ok_or_else(|| Failure::computation("the files were read but hold no motion"))?;
-    if files.wanted() {
-        let profile = report.profile_csv()?;
-        files.write("profile.csv", || profile)?;
-        let figure = profile_figure(&report).map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("profile.svg", || figure.svg)?;
-        files.write("profile.png", || figure.png)?;
-    }
-    if let Some(spectra) = report.spectra.as_ref().filter(|_| files.wanted()) {
+    let profile = report.profile_csv()?;
+    files.write("profile.csv", || profile)?;
+    files.figure("profile", || profile_figure(&report))?;
+    if let Some(spectra) = &report.spectra {
         let csv = spectra_csv(spectra)?;
         files.write("spectra.csv", || csv)?;
-        let figure = floor_response_figure(spectra, report.building_height_m, report.motions.len())
-            .map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("spectra.svg", || figure.svg)?;
-        files.write("spectra.png", || figure.png)?;
+        let draw = || floor_response_figure(spectra, report.building_height_m, report.motions.len());
+        files.figure("spectra", draw)?;
     }
     Ok((report, warnings))
 }
 
-fn profile_figure(
-    report: &FloorReport,
-) -> Result<freestand_output::figure::Figure, freestand_output::figure::FigureError> {
-    let levels_ratio: Vec<f64> = report.levels.iter().map(|level| level.level_ratio).collect();
+fn profile_figure(report: &FloorReport) -> Result<Figure, FigureError> {
+    let level = |name: &str| report.levels.iter().filter_map(|level| level.facts.number(name)).collect::<Vec<f64>>();
+    let levels_ratio = level("level_ratio");
     let pfa_g: Vec<Vec<f64>> =
         report.motions.iter().map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect()).collect();
-    let code: Vec<(f64, f64)> =
-        report.levels.iter().filter_map(|level| Some((level.level_ratio, level.code_part_g?))).collect();
+    // A code gives every level its part, or none.
+    let code: Vec<(f64, f64)> = levels_ratio.iter().copied().zip(level("code_part_g")).collect();
     let pga_g: Vec<f64> = report.motions.iter().map(|motion| motion.pga_g).collect();
     floor_profile_figure(&ProfilePicture {
         title: "Peak floor accelerations",
@@ -372,50 +366,25 @@ fn frame_kind(name: &str) -> Result<FrameKind, String> {
     FrameKind::parse(name).ok_or_else(|| format!("known: {}", FrameKind::ALL.map(FrameKind::name).join(", ")))
 }
 
+const MODES: [Column; 4] = [
+    ("period_s", "period [s]", 4),
+    ("damping_ratio", "damping [%]", 3),
+    ("participation_ratio", "participation", 4),
+    ("effective_mass_ratio", "share of the mass", 4),
+];
+
 fn text(report: &FloorReport) -> String {
-    let optional = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| significant(value, 4));
-    let modes: Vec<Vec<String>> = report
-        .modes
-        .iter()
-        .enumerate()
-        .map(|(i, mode)| {
-            vec![
-                (i + 1).to_string(),
-                significant(mode.period_s, 4),
-                significant(100.0 * mode.damping_ratio, 3),
-                significant(mode.participation_ratio, 4),
-                optional(mode.effective_mass_ratio),
-            ]
-        })
-        .collect();
     let several = report.motions.len() > 1;
-    let mut headings = vec!["level", "height [m]", if several { "median PFA [g]" } else { "PFA [g]" }];
+    let has = |name: &str| report.levels.iter().any(|level| level.facts.number(name).is_some());
+    let mut columns = vec![("level_ratio", "level", 4), ("height_m", "height [m]", 4)];
+    columns.push(("pfa_g", if several { "median PFA [g]" } else { "PFA [g]" }, 4));
     if several {
-        headings.extend(["16 % [g]", "84 % [g]"]);
+        columns.extend([("pfa_g_p16", "16 % [g]", 4), ("pfa_g_p84", "84 % [g]", 4)]);
     }
-    headings.extend(["PFV [m/s]", "PFD [m]"]);
-    let has_drift = report.levels.iter().any(|level| level.drift_ratio.is_some());
-    headings.extend(has_drift.then_some("drift [%]"));
-    let has_code = report.code_clause.is_some();
-    headings.extend(has_code.then_some("code part [g]"));
-    headings.extend((!several).then_some("file"));
-    let levels: Vec<Vec<String>> = report
-        .levels
-        .iter()
-        .map(|level| {
-            let mut row =
-                vec![number(level.level_ratio, 4), significant(level.height_m, 4), significant(level.pfa_g, 4)];
-            if several {
-                row.extend([optional(level.pfa_g_p16), optional(level.pfa_g_p84)]);
-            }
-            row.extend([significant(level.pfv_m_s, 4), significant(level.pfd_m, 4)]);
-            row.extend(has_drift.then(|| optional(level.drift_ratio.map(|ratio| 100.0 * ratio))));
-            row.extend(has_code.then(|| optional(level.code_part_g)));
-            row.extend((!several).then(|| level.path.clone().unwrap_or_else(|| "-".to_owned())));
-            row
-        })
-        .collect();
-    table(&["mode", "period [s]", "damping [%]", "participation", "mass share"], &modes)
-        + "\n"
-        + &table(&headings, &levels)
+    columns.extend([("pfv_m_s", "PFV [m/s]", 4), ("pfd_m", "PFD [m]", 4)]);
+    columns.extend(has("drift_ratio").then_some(("drift_ratio", "drift [%]", 4)));
+    columns.extend(report.code_clause.map(|_| ("code_part_g", "code part [g]", 4)));
+    columns.extend((!several).then_some(("path", "file", 0)));
+    let levels = report.levels.iter().map(|level| level.facts.clone().key("path", level.path.clone()));
+    facts_table(&report.modes, &MODES) + "\n" + &facts_table(&levels.collect::<Vec<_>>(), &columns)
 }

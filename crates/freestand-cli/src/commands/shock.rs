@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::impact::ImpactModel;
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, boundary_tests, shock};
+use freestand_input::quantity::Dimension;
+use freestand_study::shock::{Energy, Scenario, ShockRequest, Verdict, boundary_tests, shock};
 
 use super::Done;
 use super::block::ShapeArgs;
@@ -13,7 +13,7 @@ use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant};
+use crate::printer::{Printer, lines};
 use crate::values::{Choices, Given, Reads, Values, choice, name_of, point};
 
 /// The shock of one landing: acceleration of the edge, pulse, ceiling and verdict
@@ -145,15 +145,12 @@ pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> R
     let inputs: Vec<PathBuf> = args.cushion.inputs().into_iter().chain(args.damage_boundary.clone()).collect();
     let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
-    if let Some(boundary) = report.damage_boundary.filter(|_| files.wanted()) {
-        let figure = boundary
-            .figure(report.damage_boundary_tests.as_ref())
-            .map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("damage-boundary.svg", || figure.svg)?;
-        files.write("damage-boundary.png", || figure.png)?;
+    if let Some(boundary) = report.damage_boundary {
+        files.figure("damage-boundary", || boundary.figure(request.boundary_tests.as_ref()))?;
     }
-    files.print(printer, "freestand.shock/1", &report, &report.warnings, || text(&report))?;
-    Ok(Done { criterion_met: !report.exceeded() })
+    let facts = &report.facts;
+    files.print(printer, "freestand.shock/1", facts, &report.warnings, || lines(facts))?;
+    Ok(Done { criterion_met: report.verdict != Verdict::Exceeded })
 }
 
 fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
@@ -210,7 +207,7 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     })
 }
 
-/// At most one of these is given: the argument parser sees to that.
+/// The argument parser accepts only one of these.
 fn energy(args: &ShockArgs, values: &mut Values) -> Option<Energy> {
     let rise = values.read(&args.cg_rise);
     let uplift = values.read(&args.uplift);
@@ -220,65 +217,4 @@ fn energy(args: &ShockArgs, values: &mut Values) -> Option<Energy> {
         .or(uplift.map(Energy::Uplift))
         .or(rotation.map(Energy::Rotation))
         .or(speed.map(Energy::AngularVelocity))
-}
-
-fn text(report: &ShockReport) -> String {
-    let quantity = |value: Option<f64>, dimension| value.map_or_else(|| "-".to_owned(), |v| format_si(v, dimension));
-    let g = |value: Option<f64>| optional(value, 4, "g");
-    let mut rows = vec![
-        ("scenario, model", format!("{}, {}", report.scenario, report.model)),
-        ("shock at the edge", g(Some(report.edge_acceleration_g))),
-        ("drop acceleration", g(Some(report.drop_acceleration_g))),
-        ("ceiling (balance point)", g(report.ceiling_g)),
-        (
-            "models: paper, halted, free corner",
-            format!("{}, {}, {}", g(report.models.paper_g), g(report.models.halted_g), g(report.models.free_corner_g)),
-        ),
-        ("rise of the centre of gravity", quantity(report.cg_rise_m, Dimension::Length)),
-        ("uplift of the edge", quantity(report.uplift_m, Dimension::Length)),
-        ("rotation", quantity(report.rotation_rad, Dimension::Angle)),
-        ("velocity of the edge", optional(report.edge_velocity_m_s, 4, "m/s")),
-        ("velocity change", optional(report.velocity_change_m_s, 4, "m/s")),
-        ("duration of the pulse", quantity(report.pulse_duration_s, Dimension::Time)),
-        ("cushion", report.cushion.clone().unwrap_or_else(|| "-".to_owned())),
-        ("compression of the cushion", quantity(report.compression_m, Dimension::Length)),
-        ("effective mass", optional(Some(report.effective_mass_kg), 4, "kg")),
-        ("landing ratio R_D, Eq. (6)", significant(report.landing_ratio, 4)),
-        ("half diagonal R, angle α", {
-            let alpha = format_si(report.slenderness_angle_rad, Dimension::Angle);
-            format!("{}, {alpha}", format_si(report.half_diagonal_m, Dimension::Length))
-        }),
-    ];
-    if let Some(at) = report.at {
-        rows.push((
-            "shock at the point: horizontal, vertical",
-            format!("{}, {}", g(Some(at.horizontal_g)), g(Some(at.vertical_g))),
-        ));
-    }
-    if let (Some(ratio), Some(governing)) = (report.demand_capacity_ratio, report.governing) {
-        if report.tolerance_g.is_some() {
-            rows.push(("tolerance", g(report.tolerance_g)));
-        }
-        if report.tolerance_edge_lift_m.is_some() {
-            rows.push(("tolerated lift of the edge", quantity(report.tolerance_edge_lift_m, Dimension::Length)));
-        }
-        if let Some(boundary) = report.damage_boundary {
-            let a_c = significant(boundary.critical_acceleration_g, 4);
-            let v_c = significant(boundary.critical_velocity_change_m_s, 4);
-            rows.push(("damage boundary", format!("{a_c} g, {v_c} m/s, from {}", boundary.source)));
-        }
-        if let Some(tests) = &report.damage_boundary_tests {
-            let [v, a] = [tests.critical_velocity_change_m_s, tests.critical_acceleration_g].map(|one| {
-                format!("{} survived, {} damaged", optional(one.survived, 4, ""), optional(one.damaged, 4, ""))
-            });
-            rows.push(("velocity change in m/s, by test", v));
-            rows.push(("peak acceleration in g, by test", a));
-        }
-        rows.push(("demand/capacity", format!("{} by {governing}: {}", significant(ratio, 4), report.verdict)));
-        rows.push(("largest stiffness at this rise", quantity(report.max_stiffness_n_m, Dimension::Stiffness)));
-    }
-    for note in &report.notes {
-        rows.push(("note", note.clone()));
-    }
-    pairs(&rows)
 }

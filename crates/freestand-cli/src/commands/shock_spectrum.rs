@@ -115,13 +115,9 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
             (recorded_shock_spectra(&motions, &request)?, Files::begin(global, &inputs)?)
         }
     };
-    if files.wanted() {
-        let (columns, figure) = (report.csv()?, report.figure());
-        let figure = figure.map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("shock_spectrum.csv", || columns)?;
-        files.write("shock_spectrum.svg", || figure.svg)?;
-        files.write("shock_spectrum.png", || figure.png)?;
-    }
+    let columns = report.csv()?;
+    files.write("shock_spectrum.csv", || columns)?;
+    files.figure("shock_spectrum", || report.figure())?;
     files.print(printer, "freestand.shock-spectrum/1", &report, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
@@ -184,13 +180,14 @@ fn text(report: &ShockSpectrumReport) -> String {
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut text = table(&headings, &rows);
     for one in &report.spectra {
-        if let Some(pulse) = one.enveloping_half_sine {
+        if let Some(pulse) = &one.enveloping_half_sine {
+            let words = |name, unit| format!("{} {unit}", pulse.cell(name, unit, 4));
             text += &format!(
-                "{}: enveloped by a half-sine of {} g and {} ms, {} m/s\n",
+                "{}: enveloped by a half-sine of {} and {}, with a velocity change of {}\n",
                 one.name,
-                significant(pulse.peak_acceleration_g, 4),
-                significant(1e3 * pulse.duration_s, 4),
-                significant(pulse.velocity_change_m_s, 4),
+                words("peak_acceleration_g", "g"),
+                words("duration_s", "ms"),
+                words("velocity_change_m_s", "m/s"),
             );
         }
     }

@@ -350,7 +350,8 @@ pub struct SideExtremes {
 pub enum RockingError {
     /// g + ü_v ≤ 0: the object leaves the floor.
     #[error(
-        "the base falls away at {time_s} s (g + vertical acceleration ≤ 0): the object is in free flight, which the rocking model does not cover"
+        "the base falls away at {time_s} s (g + vertical acceleration ≤ 0): the object is in free flight, which the \
+         rocking model does not cover"
     )]
     FreeFlight {
         /// Time \[s\].
@@ -380,7 +381,8 @@ pub enum RockingError {
     },
     /// The initial rotation is not within ±π/2, or the initial velocity is not finite.
     #[error(
-        "the initial rotation must be within ±π/2 and the velocity finite, not {rotation_rad} rad and {omega_rad_s} rad/s"
+        "the initial rotation must be within ±π/2 and the velocity finite, not {rotation_rad} rad and {omega_rad_s} \
+         rad/s"
     )]
     InitialState {
         /// θ \[rad\].
@@ -408,7 +410,8 @@ pub enum RockingError {
     },
     /// Horizontal and vertical motions with different time steps or lengths.
     #[error(
-        "the vertical motion has {vertical_samples} samples every {vertical_dt_s} s, the horizontal one {samples} every {dt_s} s"
+        "the vertical motion has {vertical_samples} samples every {vertical_dt_s} s, the horizontal one {samples} \
+         every {dt_s} s"
     )]
     VerticalMismatch {
         /// Samples of the horizontal motion.

@@ -1,4 +1,5 @@
-//! Virtual drop and static tests: for teaching, for planning a test, and for testing the identification.
+//! Virtual drop and static tests: for teaching, for planning a test, and for testing the
+//! identification.
 
 use rand::RngExt;
 use rand_chacha::ChaCha12Rng;
@@ -13,31 +14,32 @@ use crate::cushion::{ContactPoint, Cushion};
 pub struct VirtualDropOptions {
     /// Mass that falls \[kg\].
     pub mass_kg: f64,
-    /// Speed at the first touch \[m/s\].
+    /// Velocity at first contact \[m/s\].
     pub speed_m_s: f64,
-    /// Gravity \[m/s²\]; 0: none during the contact.
+    /// Gravity \[m/s²\]; 0 means none during the contact.
     pub gravity_m_s2: f64,
     /// Samples per second \[Hz\].
     pub sample_rate_hz: f64,
-    /// Before the first touch \[s\].
+    /// Time recorded before first contact \[s\].
     pub pre_trigger_s: f64,
-    /// After the first contact, without bounces \[s\].
+    /// Time recorded after the first contact, without bounces \[s\].
     pub after_s: f64,
-    /// Standard deviation of white noise over the peak.
+    /// Standard deviation of white noise divided by the peak.
     pub noise_ratio: f64,
     /// Added to every sample \[m/s²\].
     pub bias_m_s2: f64,
-    /// Added after the peak, over the peak: the zero line that a shaken sensor comes back to.
+    /// Added after the peak, as a share of the peak: the shift of the zero line of a shaken sensor.
     pub zero_shift_ratio: f64,
-    /// Corner of a low-pass of two poles before the converter \[Hz\].
+    /// Corner of a two-pole low-pass filter before the converter \[Hz\].
     pub filter_corner_hz: Option<f64>,
-    /// Bounces after the first contact that are recorded as well.
+    /// Number of bounces after the first contact that are recorded.
     pub bounces: u32,
-    /// Standard deviation of the speed that is stated, over the true one: guides that rub, a height read off a scale.
+    /// Relative standard deviation of the stated velocity: friction in the guides, a height read
+    /// from a scale.
     pub speed_error_ratio: f64,
     /// The seed.
     pub seed: u64,
-    /// The number of the test, with random numbers of its own.
+    /// The number of the test, which has its own random numbers.
     pub index: u64,
 }
 
@@ -68,31 +70,33 @@ impl VirtualDropOptions {
 /// A virtual drop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VirtualDrop {
-    /// Step \[s\].
+    /// Time step \[s\].
     pub dt_s: f64,
-    /// What the accelerometer reads \[m/s²\]: force over mass, zero in free fall.
+    /// The reading of the accelerometer \[m/s²\]: force over mass, zero in free fall.
     pub samples_m_s2: Vec<f64>,
-    /// The speed as it is stated, with its error \[m/s\].
+    /// The stated velocity, including its error \[m/s\].
     pub stated_speed_m_s: f64,
     /// Peak without noise, bias, shift and filter \[m/s²\].
     pub peak_m_s2: f64,
     /// Duration of the first contact \[s\].
     pub contact_s: f64,
-    /// Rebound over impact speed of the first contact.
+    /// Rebound velocity divided by impact velocity of the first contact.
     pub restitution_ratio: f64,
 }
 
-/// Most samples of a virtual record.
+/// The largest number of samples of a virtual record.
 const MAX_SAMPLES: usize = 5_000_000;
-/// Finer steps than the samples where a filter works.
+/// Steps per sample where there is a filter.
 const OVERSAMPLING: usize = 8;
 
-/// Drops a mass on a cushion and records it; `None` where the record would be longer than five million samples.
+/// Drops a mass on a cushion and records it; `None` where the record would exceed five million
+/// samples.
 ///
-/// The first touch falls between two samples, at random. Noise is Gaussian and white, of stream `index` of `seed`.
+/// The first contact falls between two samples, at random. The noise is Gaussian and white, from
+/// stream `index` of `seed`.
 ///
 /// # Accuracy
-/// That of [`Cushion::landing_history`]; between its steps the force is interpolated.
+/// That of [`Cushion::landing_history`]; the force is interpolated between its steps.
 pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<VirtualDrop> {
     let o = options;
     let mut random = ChaCha12Rng::seed_from_u64(o.seed);
@@ -106,7 +110,7 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     let (contact_s, rebound_m_s) = (last.time_s, -last.speed_m_s);
     let peak_at_s = first_s + first.iter().max_by(|a, b| a.force_n.total_cmp(&b.force_n))?.time_s;
     let finer = if o.filter_corner_hz.is_some() { OVERSAMPLING } else { 1 };
-    // As a float: a count beyond all integers must not wrap around.
+    // As a float: a count too large for an integer must not wrap around.
     let wanted = (end_s / dt_s).ceil() + 1.0;
     if wanted.is_nan() || wanted * finer as f64 > MAX_SAMPLES as f64 {
         return None;
@@ -127,7 +131,7 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
             reading + o.bias_m_s2 + peak_m_s2 * (shift + o.noise_ratio * noise)
         })
         .collect();
-    // Drawn last, so that the samples are those of a speed without error.
+    // Drawn last, so that the samples do not depend on the error of the velocity.
     let error: f64 = StandardNormal.sample(&mut random);
     Some(VirtualDrop {
         dt_s,
@@ -139,7 +143,7 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     })
 }
 
-/// The contacts with their beginnings, and the end of the record.
+/// The contacts with their start times, and the end of the record.
 fn contacts(cushion: &Cushion, o: &VirtualDropOptions, touch_s: f64) -> (Vec<(f64, Vec<ContactPoint>)>, f64) {
     let mut all = Vec::new();
     let (mut at_s, mut speed) = (touch_s, o.speed_m_s);
@@ -150,7 +154,8 @@ fn contacts(cushion: &Cushion, o: &VirtualDropOptions, touch_s: f64) -> (Vec<(f6
         all.push((at_s, history));
         end_s = at_s + last.time_s;
         speed = -last.speed_m_s;
-        // It leaves the pad where the force ends, falls back to its surface, and has to fly.
+        // The mass leaves the pad where the force ends, falls back to its surface, and must have
+        // flown.
         if speed <= 0.0 || o.gravity_m_s2 <= 0.0 {
             break;
         }
@@ -173,7 +178,7 @@ fn force_at(contacts: &[(f64, Vec<ContactPoint>)], time_s: f64) -> f64 {
     0.0
 }
 
-/// Butterworth of two poles, by the trapezoidal rule (bilinear transform with the corner kept).
+/// Two-pole Butterworth filter by the trapezoidal rule (bilinear transform that keeps the corner).
 fn low_pass(samples: &mut [f64], corner_hz: f64, dt_s: f64) {
     let w = (std::f64::consts::PI * corner_hz * dt_s).min(1.5).tan();
     let (root, w2) = (std::f64::consts::SQRT_2 * w, w * w);
@@ -192,15 +197,15 @@ fn low_pass(samples: &mut [f64], corner_hz: f64, dt_s: f64) {
 pub struct VirtualStaticOptions {
     /// Largest force \[N\].
     pub max_force_n: f64,
-    /// Points up, and as many down.
+    /// Points during loading, and as many during unloading.
     pub points: usize,
-    /// Energy lost over the energy of the way in.
+    /// Energy lost divided by the energy of loading.
     pub hysteresis_ratio: f64,
-    /// Slack before the pad is touched \[m\].
+    /// Slack before first contact \[m\].
     pub toe_m: f64,
     /// Stiffness of the machine \[N/m\].
     pub machine_stiffness_n_m: Option<f64>,
-    /// Standard deviation of the force over its largest value.
+    /// Standard deviation of the force divided by its largest value.
     pub noise_ratio: f64,
     /// The seed.
     pub seed: u64,
@@ -224,8 +229,9 @@ impl Default for VirtualStaticOptions {
     }
 }
 
-/// Force \[N\] and displacement \[m\] of a slow test, up and down at equal steps of compression. On the way out the force
-/// is the law's less a half-sine over the compression that takes the energy of the hysteresis.
+/// Force \[N\] and displacement \[m\] of a slow test, loading and unloading at equal steps of
+/// compression. During unloading the force is that of the law less a half-sine over the
+/// compression, whose energy is the hysteresis.
 pub fn virtual_static(cushion: &Cushion, options: &VirtualStaticOptions) -> Vec<(f64, f64)> {
     let o = options;
     let mut random = ChaCha12Rng::seed_from_u64(o.seed);

@@ -4,7 +4,6 @@ mod hostile;
 mod large;
 mod round_trip;
 
-use crate::library::{CushionPrior, Lookup};
 use std::io::{Cursor, Write};
 use std::path::Path;
 
@@ -12,11 +11,13 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::*;
 use crate::library::Confidence;
+use crate::library::{CushionPrior, Lookup};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::cushion::cushion_words;
+
+use super::*;
 
 /// Reads the bytes of a file called `objects.csv`.
 fn read(bytes: impl AsRef<[u8]>) -> Result<Reading, Problems> {

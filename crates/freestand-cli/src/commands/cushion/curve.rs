@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::G0_M_S2;
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_study::laboratory::cushion_curve::{CurveReport, CurveRequest, cushion_curve};
+use freestand_input::quantity::Dimension;
+use freestand_study::laboratory::cushion_curve::{CurveRequest, cushion_curve};
 
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant};
+use crate::printer::{Printer, lines};
 use crate::values::{Given, Reads, Values};
 
 /// Cushion curve (ASTM D1596): stress–energy fit, best load, and thickness for a limit
@@ -65,38 +65,6 @@ pub(crate) fn run(args: &CurveArgs, global: &GlobalArgs, printer: &Printer) -> R
     let request = CurveRequest { drop_height_m, thickness_m, static_stress_pa, limit_m_s2 };
     let files = Files::begin(global, std::slice::from_ref(&args.file))?;
     let report = cushion_curve(&args.file, &request)?;
-    files.print(printer, "freestand.cushion-curve/1", &report, &report.warnings, || text(&report, &request))?;
+    files.print(printer, "freestand.cushion-curve/1", &report.facts, &report.warnings, || lines(&report.facts))?;
     Ok(Done::OK)
-}
-
-fn text(report: &CurveReport, request: &CurveRequest) -> String {
-    let si = |value: Option<f64>, dimension| value.map_or_else(|| "-".to_owned(), |value| format_si(value, dimension));
-    let [least, most] = report.tested_energies_j_m3;
-    let mut rows = vec![
-        (
-            "dynamic stress",
-            format!(
-                "{} exp({} m³/J · E)",
-                format_si(report.stress_pa, Dimension::Pressure),
-                significant(report.exponent_m3_j, 5)
-            ),
-        ),
-        ("tests, R²", format!("{}, {}", report.tests.len(), significant(report.r_squared_ratio, 4))),
-        ("energies of the tests", format!("{} to {} J/m³", significant(least, 4), significant(most, 4))),
-    ];
-    if report.best_static_stress_pa.is_some() {
-        rows.push(("best static stress", si(report.best_static_stress_pa, Dimension::Pressure)));
-        rows.push(("least peak", optional(report.best_peak_acceleration_g, 4, "g")));
-    }
-    if report.peak_acceleration_g.is_some() {
-        rows.push(("static stress", si(request.static_stress_pa, Dimension::Pressure)));
-        rows.push(("peak", optional(report.peak_acceleration_g, 4, "g")));
-    }
-    if request.limit_m_s2.is_some() {
-        rows.push(("limit", si(request.limit_m_s2, Dimension::Acceleration)));
-        rows.push(("thickness at this static stress", si(report.thickness_m, Dimension::Length)));
-        rows.push(("optimum thickness", si(report.optimum_thickness_m, Dimension::Length)));
-        rows.push(("static stress that it takes", si(report.optimum_static_stress_pa, Dimension::Pressure)));
-    }
-    pairs(&rows)
 }

@@ -6,12 +6,13 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::identify::FittedLaw;
 use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, format_si, parse_positive};
+use freestand_input::quantity::{Dimension, parse_positive};
+use freestand_output::facts::Facts;
 use freestand_records::formats::ReadOptions;
-use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
     DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_csv,
 };
+use freestand_study::laboratory::{Failed, drop_figures};
 
 use freestand_study::laboratory::virtual_test::VELOCITY_ERROR_RATIO;
 
@@ -20,7 +21,7 @@ use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, print_failure, significant, table};
+use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failure};
 use crate::reading::{time_step, unit};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
@@ -102,24 +103,21 @@ pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let files = Files::begin(global, &args.files)?;
     let report = drop_tests(&request).map_err(Failure::Problems)?;
     for (i, test) in report.tests.iter().enumerate() {
-        if let Some(test) = test.test.as_ref().filter(|test| !test.points.is_empty()) {
-            files.write(&format!("loop-{:03}.csv", i + 1), || loop_csv(test))?;
+        if !test.test.points.is_empty() {
+            files.write(&format!("loop-{:03}.csv", i + 1), || loop_csv(&test.test))?;
         }
     }
     if let Some(toml) = cushion_toml(&report.pooled) {
         files.write("cushion.toml", || toml)?;
     }
-    if files.wanted() && report.tests.iter().any(|test| test.stiffness_n_m.is_some()) {
+    if files.wanted() && report.tests.iter().any(|test| test.test.identified.is_some()) {
         for figure in drop_figures(&report).map_err(|error| Failure::computation(error.to_string()))? {
             files.write(&format!("{}.svg", figure.name), || &figure.svg)?;
             files.write(&format!("{}.png", figure.name), || &figure.png)?;
         }
     }
-    files.print(printer, "freestand.cushion-drop/1", &report, &report.warnings, || text(&report))?;
-    let problems: Vec<Problem> = report.failed.iter().map(|one| one.problem.clone()).collect();
-    if !problems.is_empty() {
-        print_failure(&Failure::Problems(problems));
-    }
+    files.print(printer, "freestand.cushion-drop/1", &report.facts(), &report.warnings, || text(&report))?;
+    print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
     Ok(Done { criterion_met: report.all_gave() })
 }
 
@@ -163,118 +161,27 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
     }
 }
 
-fn per_mm(value: f64) -> String {
-    significant(value / 1e3, 5)
-}
+/// What is read of several tests.
+const COLUMNS: [Column; 12] = [
+    ("path", "file", 0),
+    ("impact_velocity_m_s", "impact velocity [m/s]", 4),
+    ("peak_acceleration_g", "peak [g]", 4),
+    ("contact_time_s", "contact time [ms]", 4),
+    ("max_compression_m", "compression [mm]", 4),
+    ("restitution_ratio", "restitution", 3),
+    ("fit", "stiffness [N/mm]", 5),
+    ("spread_ratio", "spread [%]", 2),
+    ("law", "law", 0),
+    ("exponent", "exponent", 3),
+    ("damping_ratio", "damping", 2),
+    ("flags", "flags", 0),
+];
 
 fn text(report: &DropsReport) -> String {
-    let mut out = match report.tests.as_slice() {
-        [one] => one_test(one),
-        several => many_tests(several),
-    };
-    let pooled = &report.pooled;
-    if let (Some(k), Some([low, high])) = (pooled.stiffness_n_m, pooled.ci95_n_m) {
-        let drops = if pooled.count == 1 { "drop" } else { "drops" };
-        out += &format!(
-            "\nOne pad, {} {drops}: {} N/mm, 95 % interval {} to {} N/mm; {}, exponent {}\n",
-            pooled.count,
-            per_mm(k),
-            per_mm(low),
-            per_mm(high),
-            pooled.law.unwrap_or("-"),
-            optional(pooled.exponent, 4, "")
-        );
+    let tests: Vec<Facts> = report.tests.iter().map(DropReport::facts).collect();
+    let mut out = if let [one] = tests.as_slice() { lines(one) } else { facts_table(&tests, &COLUMNS) };
+    if report.pooled.pad.is_some() {
+        out += &format!("\n{}", lines(&report.pooled.facts()));
     }
-    out += &report.failed.iter().map(|one| format!("failed: {}: {}\n", one.path, one.reason)).collect::<String>();
-    out
-}
-
-fn one_test(test: &DropReport) -> String {
-    let si = |value: Option<f64>, dimension| value.map_or_else(|| "-".to_owned(), |v| format_si(rounded(v), dimension));
-    let flags = if test.quality.flags.is_empty() { "none".to_owned() } else { test.quality.flags.join(", ") };
-    let mut rows = vec![
-        ("file", test.path.clone()),
-        (
-            "impact velocity",
-            format!("{} ({})", si(test.impact_velocity_m_s, Dimension::Velocity), test.impact_velocity_source),
-        ),
-        ("peak acceleration", optional(test.peak_acceleration_g, 5, "g")),
-        ("contact time", si(test.contact_time_s, Dimension::Time)),
-        ("largest compression", si(test.max_compression_m, Dimension::Length)),
-        ("restitution", optional(test.restitution_ratio, 4, "")),
-    ];
-    if let Some(e) = test.restitution_bounce_ratio {
-        rows.push(("restitution, from the bounce", significant(e, 4)));
-    }
-    if let Some(k) = test.stiffness_n_m {
-        let with_unit = |value: f64| format!("{} N/mm", per_mm(value));
-        let interval = test.stiffness_ci95_n_m.map_or_else(String::new, |[low, high]| {
-            format!(" ({} to {}), {}", per_mm(low), per_mm(high), test.law.unwrap_or("-"))
-        });
-        rows.extend([
-            ("stiffness, fitted", with_unit(k.fit) + &interval),
-            ("  m (a/v)^2", with_unit(k.peak_over_velocity)),
-            ("  m (pi/tc)^2", with_unit(k.contact_time)),
-            ("  m (v/d)^2", with_unit(k.velocity_over_compression)),
-            ("  m a/d", with_unit(k.acceleration_over_compression)),
-            ("  2E/d^2", with_unit(k.energy)),
-            ("  spread of the four", optional(test.quality.spread_ratio.map(|s| 100.0 * s), 3, "%")),
-            ("exponent, fitted", optional(test.exponent, 4, "")),
-            ("exponent, 2ad/v^2 - 1", optional(test.exponent_by_identity, 4, "")),
-            ("damping ratio", optional(test.damping_ratio, 3, "")),
-        ]);
-    }
-    rows.extend([
-        ("samples per contact", optional(test.quality.samples_per_contact, 3, "")),
-        ("zero shift", optional(test.quality.zero_shift_ratio.map(|s| 100.0 * s), 2, "% of the peak")),
-        ("noise", optional(test.quality.noise_ratio.map(|s| 100.0 * s), 2, "% of the peak")),
-        ("left by the fit", optional(test.quality.residual_ratio.map(|s| 100.0 * s), 2, "% of the peak")),
-        ("flags", flags),
-    ]);
-    if let Some(reason) = &test.reason {
-        rows.push(("no stiffness", reason.clone()));
-    }
-    pairs(&rows)
-}
-
-/// Five digits are more than a test has.
-fn rounded(value: f64) -> f64 {
-    significant(value, 5).parse().unwrap_or(value)
-}
-
-fn many_tests(tests: &[DropReport]) -> String {
-    let headings = [
-        "file",
-        "v0 [m/s]",
-        "peak [g]",
-        "tc [ms]",
-        "d [mm]",
-        "e",
-        "k [N/mm]",
-        "spread [%]",
-        "law",
-        "n",
-        "zeta",
-        "flags",
-    ];
-    let rows: Vec<Vec<String>> = tests
-        .iter()
-        .map(|test| {
-            vec![
-                test.path.clone(),
-                optional(test.impact_velocity_m_s, 4, ""),
-                optional(test.peak_acceleration_g, 4, ""),
-                optional(test.contact_time_s.map(|t| 1e3 * t), 4, ""),
-                optional(test.max_compression_m.map(|d| 1e3 * d), 4, ""),
-                optional(test.restitution_ratio, 3, ""),
-                test.stiffness_n_m.map_or_else(|| "-".to_owned(), |k| per_mm(k.fit)),
-                optional(test.quality.spread_ratio.map(|s| 100.0 * s), 2, ""),
-                test.law.unwrap_or("-").to_owned(),
-                optional(test.exponent, 3, ""),
-                optional(test.damping_ratio, 2, ""),
-                if test.quality.flags.is_empty() { "-".to_owned() } else { test.quality.flags.join(",") },
-            ]
-        })
-        .collect();
-    table(&headings, &rows)
+    out + &failed_lines(report.failed.iter().map(Failed::facts))
 }

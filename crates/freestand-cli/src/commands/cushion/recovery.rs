@@ -3,13 +3,14 @@
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_input::quantity::Dimension;
-use freestand_study::laboratory::virtual_test::{RecoveryRequest, RecoveryRow, recovery};
+use freestand_output::facts::Facts;
+use freestand_study::laboratory::virtual_test::{RecoveryRequest, recovery};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::printer::{Printer, optional, table};
+use crate::printer::{Column, Printer, facts_table};
 use crate::values::{Given, Reads, Values};
 
 /// How well drop tests recover stiffness, exponent and damping, by sampling rate, noise, bias,
@@ -45,7 +46,7 @@ pub(crate) struct RecoveryArgs {
 #[derive(Debug, Serialize)]
 struct Report {
     seed: u64,
-    rows: Vec<RecoveryRow>,
+    rows: Vec<Facts<'static>>,
 }
 
 pub(crate) fn run(args: &RecoveryArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
@@ -76,45 +77,21 @@ pub(crate) fn run(args: &RecoveryArgs, global: &GlobalArgs, printer: &Printer) -
     let rows = recovery(&request, &|done| bar.set_position(done as u64));
     bar.finish_and_clear();
     let report = Report { seed: request.seed, rows };
-    printer.result("freestand.cushion-recovery/1", &report, &[], || text(&report))?;
+    printer.result("freestand.cushion-recovery/1", &report, &[], || facts_table(&report.rows, &COLUMNS))?;
     Ok(Done::OK)
 }
 
-fn text(report: &Report) -> String {
-    let headings = [
-        "law",
-        "samples",
-        "noise [%]",
-        "bias [g]",
-        "shift [%]",
-        "given",
-        "flagged",
-        "k bias [%]",
-        "k rms [%]",
-        "coverage [%]",
-        "n bias",
-        "zeta bias",
-    ];
-    let percent = |value: Option<f64>| optional(value.map(|v| 100.0 * v), 2, "");
-    let rows: Vec<Vec<String>> = report
-        .rows
-        .iter()
-        .map(|row| {
-            vec![
-                row.law.to_owned(),
-                row.samples_per_contact.to_string(),
-                (100.0 * row.noise_ratio).to_string(),
-                row.bias_g.to_string(),
-                (100.0 * row.zero_shift_ratio).to_string(),
-                row.given.to_string(),
-                row.flagged.to_string(),
-                percent(row.stiffness_bias_ratio),
-                percent(row.stiffness_rms_ratio),
-                optional(row.coverage_ratio.map(|v| 100.0 * v), 3, ""),
-                optional(row.exponent_bias, 2, ""),
-                optional(row.damping_bias, 2, ""),
-            ]
-        })
-        .collect();
-    table(&headings, &rows)
-}
+const COLUMNS: [Column; 12] = [
+    ("law", "law", 0),
+    ("samples_per_contact", "samples", 0),
+    ("noise_ratio", "noise [%]", 0),
+    ("bias_g", "bias [g]", 0),
+    ("zero_shift_ratio", "zero shift [%]", 0),
+    ("given", "given", 0),
+    ("flagged", "flagged", 0),
+    ("stiffness_bias_ratio", "stiffness bias [%]", 2),
+    ("stiffness_rms_ratio", "stiffness rms [%]", 2),
+    ("coverage_ratio", "coverage [%]", 3),
+    ("exponent_bias", "exponent bias", 2),
+    ("damping_bias", "damping bias", 2),
+];

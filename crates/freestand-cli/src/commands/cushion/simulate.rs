@@ -3,8 +3,9 @@
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::cushion::Cushion;
-use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
+use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::quantity::Dimension;
+use freestand_output::facts::Facts;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::laboratory::virtual_test::{ASSUMED_DAMPING, drop_file, static_file};
 use serde::Serialize;
@@ -14,7 +15,7 @@ use crate::commands::Done;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, print_text, table};
+use crate::printer::{Column, Printer, facts_table, print_text};
 use crate::values::{Given, Reads, Values};
 
 /// Virtual drop tests and static tests of a cushion, with the imperfections of real ones
@@ -89,17 +90,7 @@ pub(crate) struct SimulateArgs {
 struct Report {
     law: &'static str,
     seed: u64,
-    tests: Vec<Simulated>,
-}
-
-#[derive(Debug, Serialize)]
-struct Simulated {
-    name: String,
-    path: Option<String>,
-    peak_acceleration_g: Option<f64>,
-    contact_time_s: Option<f64>,
-    samples_per_contact: Option<f64>,
-    restitution_ratio: Option<f64>,
+    tests: Vec<Facts<'static>>,
 }
 
 const SCHEMA: &str = "freestand.cushion-simulate/1";
@@ -135,41 +126,30 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         printer.warn(&notes);
         return Ok(Done::OK);
     }
-    printer.result(SCHEMA, &report, &notes, || text(&report))?;
+    printer.result(SCHEMA, &report, &notes, || facts_table(&report.tests, &COLUMNS))?;
     Ok(Done::OK)
 }
 
-fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Result<(String, Simulated), Failure> {
-    let number = index + 1;
-    let missing = |name: String, path| Simulated {
-        name,
-        path,
-        peak_acceleration_g: None,
-        contact_time_s: None,
-        samples_per_contact: None,
-        restitution_ratio: None,
-    };
-    match plan {
+/// The file of a test, and its part of the document.
+fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Result<(String, Facts<'static>), Failure> {
+    let (kind, text, drop) = match plan {
         Plan::Drop(options) => {
             let (text, drop) = drop_file(cushion, &VirtualDropOptions { index, ..*options })?;
-            let name = format!("drop-{number:03}");
-            let path = files.write(&format!("{name}.csv"), || &text)?;
-            let one = Simulated {
-                peak_acceleration_g: Some(drop.peak_m_s2 / G0_M_S2),
-                contact_time_s: Some(drop.contact_s),
-                samples_per_contact: Some(drop.contact_s / drop.dt_s),
-                restitution_ratio: Some(drop.restitution_ratio),
-                ..missing(name, path)
-            };
-            Ok((text, one))
+            ("drop", text, Some(drop))
         }
-        Plan::Static(options) => {
-            let text = static_file(cushion, &VirtualStaticOptions { index, ..*options });
-            let name = format!("static-{number:03}");
-            let path = files.write(&format!("{name}.csv"), || &text)?;
-            Ok((text, missing(name, path)))
-        }
-    }
+        Plan::Static(options) => ("static", static_file(cushion, &VirtualStaticOptions { index, ..*options }), None),
+    };
+    let name = format!("{kind}-{:03}", index + 1);
+    let path = files.write(&format!("{name}.csv"), || &text)?;
+    let of = |value: fn(&VirtualDrop) -> f64| drop.as_ref().map(value);
+    let facts = Facts::default()
+        .key("name", name)
+        .key("path", path)
+        .key("peak_acceleration_g", of(|drop| drop.peak_m_s2 / G0_M_S2))
+        .key("contact_time_s", of(|drop| drop.contact_s))
+        .key("samples_per_contact", of(|drop| drop.contact_s / drop.dt_s))
+        .key("restitution_ratio", of(|drop| drop.restitution_ratio));
+    Ok((text, facts))
 }
 
 /// The pad, and what was assumed of it.
@@ -183,7 +163,7 @@ fn edge(
     for (law, key, value) in ASSUMED_DAMPING {
         if words.get("law").is_some_and(|name| name == law) && words.get(key).is_none() {
             words.set(key, value);
-            assumed.push(format!("the {key} of the {law} pad is not given: {value}"));
+            assumed.push(format!("the {key} of the {law} pad is not given; {value} is assumed"));
         }
     }
     Ok((args.cushion.resolved(&words, mass_kg, values), assumed))
@@ -239,20 +219,10 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
     Ok((cushion, Plan::Drop(options), notes))
 }
 
-fn text(report: &Report) -> String {
-    let headings = ["test", "peak [g]", "tc [ms]", "samples per contact", "e"];
-    let rows: Vec<Vec<String>> = report
-        .tests
-        .iter()
-        .map(|one| {
-            vec![
-                one.path.clone().unwrap_or_else(|| one.name.clone()),
-                optional(one.peak_acceleration_g, 5, ""),
-                optional(one.contact_time_s.map(|t| 1e3 * t), 5, ""),
-                optional(one.samples_per_contact, 4, ""),
-                optional(one.restitution_ratio, 4, ""),
-            ]
-        })
-        .collect();
-    table(&headings, &rows)
-}
+const COLUMNS: [Column; 5] = [
+    ("path", "test", 0),
+    ("peak_acceleration_g", "peak [g]", 5),
+    ("contact_time_s", "contact time [ms]", 5),
+    ("samples_per_contact", "samples per contact", 4),
+    ("restitution_ratio", "restitution", 4),
+];

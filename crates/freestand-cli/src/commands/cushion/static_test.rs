@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
-use freestand_study::laboratory::static_figure;
-use freestand_study::laboratory::static_test::{StaticRequest, StaticsReport, curve_csv, static_tests};
+use freestand_output::facts::Facts;
+use freestand_study::laboratory::static_test::{StaticReport, StaticRequest, StaticsReport, curve_csv, static_tests};
+use freestand_study::laboratory::{Failed, static_figure};
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, print_failure, significant, table};
+use crate::printer::{Column, Printer, facts_table, failed_lines, print_failure};
 use crate::values::{Given, Reads, Values};
 
 /// Static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
@@ -92,50 +92,26 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
     for (i, test) in report.tests.iter().enumerate() {
         files.write(&format!("curve-{:03}.csv", i + 1), || curve_csv(&test.test))?;
     }
-    if files.wanted() {
-        let figure = static_figure(&report).map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("static.svg", || &figure.svg)?;
-        files.write("static.png", || &figure.png)?;
-    }
-    files.print(printer, "freestand.cushion-static/1", &report, &report.warnings, || text(&report))?;
-    let problems: Vec<Problem> = report.failed.iter().map(|one| one.problem.clone()).collect();
-    if !problems.is_empty() {
-        print_failure(&Failure::Problems(problems));
-    }
+    files.figure("static", || static_figure(&report))?;
+    files.print(printer, "freestand.cushion-static/1", &report.facts(), &report.warnings, || text(&report))?;
+    print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
     Ok(Done { criterion_met: report.failed.is_empty() })
 }
 
+const COLUMNS: [Column; 10] = [
+    ("path", "file", 0),
+    ("impactor", "impactor", 0),
+    ("boundary", "boundary", 0),
+    ("load_n", "load [N]", 4),
+    ("tangent_stiffness_n_m", "tangent [N/mm]", 4),
+    ("secant_stiffness_n_m", "secant [N/mm]", 4),
+    ("hysteresis_ratio", "hysteresis [%]", 3),
+    ("toe_m", "toe [mm]", 3),
+    ("exponent", "exponent", 3),
+    ("dynamic_over_static_ratio", "dynamic/static", 3),
+];
+
 fn text(report: &StaticsReport) -> String {
-    let headings = [
-        "file",
-        "impactor",
-        "boundary",
-        "load [N]",
-        "tangent [N/mm]",
-        "secant [N/mm]",
-        "hysteresis [%]",
-        "toe [mm]",
-        "n",
-        "dynamic/static",
-    ];
-    let rows: Vec<Vec<String>> = report
-        .tests
-        .iter()
-        .map(|test| {
-            vec![
-                test.path.clone(),
-                test.impactor.clone().unwrap_or_else(|| "-".to_owned()),
-                test.boundary.clone().unwrap_or_else(|| "-".to_owned()),
-                significant(test.load_n, 4),
-                significant(test.tangent_stiffness_n_m / 1e3, 4),
-                significant(test.secant_stiffness_n_m / 1e3, 4),
-                optional(test.hysteresis_ratio.map(|h| 100.0 * h), 3, ""),
-                significant(1e3 * test.toe_m, 3),
-                optional(test.exponent, 3, ""),
-                optional(test.dynamic_over_static_ratio, 3, ""),
-            ]
-        })
-        .collect();
-    let failed = report.failed.iter().map(|one| format!("failed: {}: {}\n", one.path, one.reason));
-    table(&headings, &rows) + &failed.collect::<String>()
+    let tests: Vec<Facts> = report.tests.iter().map(StaticReport::facts).collect();
+    facts_table(&tests, &COLUMNS) + &failed_lines(report.failed.iter().map(Failed::facts))
 }

@@ -5,21 +5,15 @@ use freestand::G0_M_S2;
 use freestand::compliant::{ASSUMED_TANGENTIAL_RATIO, CompliantBase, CompliantOptions, Start};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::folder::write_file;
-use freestand_study::compliant::{CompliantReport, CompliantRequest, accuracy, history_csv, rock_on_cushions};
-use freestand_study::compliant::{Trace, trace_figure};
-use serde::Serialize;
+use freestand_study::compliant::{CompliantRequest, accuracy, history_csv, rock_on_cushions, trace_figure};
 
-use super::{Reading, RockArgs, read};
+use super::{Reading, RockArgs, SCHEMA, read};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant};
+use crate::printer::{Printer, lines};
 use crate::values::{Given, Reads, Values, point};
-
-/// Before and behind the first landing in the figure, over the duration of its contact.
-const SHOWN_BEFORE: f64 = 2.0;
-const SHOWN_BEHIND: f64 = 14.0;
 
 /// What the object stands on.
 #[derive(Debug, Args)]
@@ -65,13 +59,6 @@ impl CompliantArgs {
     }
 }
 
-#[derive(Debug, Serialize)]
-struct Document<'a> {
-    #[serde(flatten)]
-    report: &'a CompliantReport,
-    processing: Vec<String>,
-}
-
 pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (request, reading) = request(args)?;
     let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
@@ -79,14 +66,14 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let mut report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);
     files.write("history.csv", || history_csv(&report.history))?;
-    if files.wanted() {
-        trace(&files, &report)?;
+    if !report.rocking.touches.is_empty() {
+        files.figure("trace", || trace_figure(&report))?;
     }
     if let Some(path) = &args.history {
         write_file(path, history_csv(&report.history).as_bytes(), &inputs)?;
     }
-    let document = Document { report: &report, processing: reading.processing };
-    files.print(printer, "freestand.rock/1", &document, &report.warnings, || text(&report))?;
+    let facts = report.facts.key("processing", reading.processing);
+    files.print(printer, SCHEMA, &facts, &report.warnings, || lines(&facts))?;
     Ok(Done::OK)
 }
 
@@ -157,73 +144,4 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     };
     let (pad_thickness_m, notes) = (edge.pad_thickness_m, edge.notes);
     Ok((CompliantRequest { block, base, pad_thickness_m, notes, horizontal, vertical, options }, reading))
-}
-
-/// The figure of the first landing, where there is one.
-fn trace(files: &Files, report: &CompliantReport) -> Result<(), Failure> {
-    let Some(first) = report.impacts.first() else { return Ok(()) };
-    let contact_s = first.end_time_s.unwrap_or(report.end_time_s) - first.time_s;
-    let window_s = (
-        (first.time_s - SHOWN_BEFORE * contact_s).max(0.0),
-        (first.time_s + SHOWN_BEHIND * contact_s).min(report.end_time_s),
-    );
-    let about = format!(
-        "{} kg on cushions ({}, tangential stiffness {} times the normal one, {})",
-        significant(report.mass_kg, 4),
-        report.law,
-        significant(report.tangential_stiffness_ratio, 3),
-        report.friction_ratio.map_or_else(|| "no slip".to_owned(), |mu| format!("friction {}", significant(mu, 3))),
-    );
-    let paper_g = report.edge_acceleration_paper_g;
-    let figure = trace_figure(&Trace { points: &report.history, window_s, paper_g, about: &about })
-        .map_err(|error| Failure::computation(error.to_string()))?;
-    files.write("trace.svg", || figure.svg.clone())?;
-    files.write("trace.png", || figure.png.clone())?;
-    Ok(())
-}
-
-fn text(report: &CompliantReport) -> String {
-    let seconds = |time: Option<f64>| time.map_or_else(|| "-".to_owned(), |t| format!("{t:.4} s"));
-    let length = |m: f64| format_si(m, Dimension::Length);
-    let mut rows = vec![
-        ("outcome", format!("{} (to {:.4} s)", report.outcome, report.end_time_s)),
-        (
-            "largest rotation",
-            format!(
-                "{} rad ({} of the balance angle) at {:.4} s",
-                significant(report.peak_rotation_rad, 6),
-                significant(report.peak_rotation_ratio, 4),
-                report.peak_rotation_time_s
-            ),
-        ),
-        ("uplift of the edge", length(report.uplift_m)),
-        ("rise of the centre of gravity", length(report.cg_rise_m)),
-        ("first uplift", seconds(report.first_uplift_time_s)),
-        ("touches of an edge", format!("{} ({} bounces)", report.impact_count, report.bounce_count)),
-        ("passes the balance angle", seconds(report.passed_alpha_time_s)),
-        ("overturns", seconds(report.overturn_time_s)),
-        ("compression at rest", report.static_compression_m.map_or_else(|| "-".to_owned(), length)),
-        ("shock at the edge, simulated", format!("{} g", significant(report.edge_acceleration_g, 4))),
-    ];
-    if report.first_impact_edge_acceleration_g.is_some() {
-        rows.push(("  in the first landing", optional(report.first_impact_edge_acceleration_g, 4, "g")));
-    }
-    rows.push(("shock at the edge by Eq. (5) at this rise", optional(report.edge_acceleration_paper_g, 4, "g")));
-    rows.push(match report.first_impact_over_paper_ratio {
-        Some(ratio) => ("first landing over Eq. (5)", significant(ratio, 4)),
-        None => ("simulated over Eq. (5)", optional(report.edge_acceleration_over_paper_ratio, 4, "")),
-    });
-    if let Some(at) = report.at {
-        let words =
-            format!("{} g across, {} g upright", significant(at.horizontal_g, 4), significant(at.vertical_g, 4));
-        rows.push(("acceleration at the point", words));
-    }
-    rows.extend([
-        ("off all cushions", format!("{} times, {:.4} s", report.flight_count, report.flight_time_s)),
-        ("friction used", significant(report.friction_used_ratio, 4)),
-        ("way that feet slid", length(report.slid_m)),
-        ("error of the energy balance", format!("{:.1e}", report.energy.residual_ratio)),
-    ]);
-    rows.extend(report.notes.iter().map(|note| ("note", note.clone())));
-    pairs(&rows)
 }

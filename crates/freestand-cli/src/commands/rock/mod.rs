@@ -8,10 +8,9 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 use freestand::rocking::{RockingOptions, Until};
-use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::quantity::Dimension;
 use freestand_output::folder::write_file;
-use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
-use serde::Serialize;
+use freestand_study::rock::{RockRequest, history_csv, rock};
 
 use self::compliant::CompliantArgs;
 use super::Done;
@@ -20,7 +19,7 @@ use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant};
+use crate::printer::{Printer, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
 use crate::values::{Given, Reads, Values};
 
@@ -109,17 +108,12 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(path) = &args.history {
         write_file(path, history_csv(&request.block, &report.history).as_bytes(), &inputs)?;
     }
-    let document = Document { report: &report, processing: reading.processing };
-    files.print(printer, "freestand.rock/1", &document, &report.warnings, || text(&report, &request))?;
+    let facts = report.facts.key("processing", reading.processing);
+    files.print(printer, SCHEMA, &facts, &report.warnings, || lines(&facts))?;
     Ok(Done::OK)
 }
 
-#[derive(Debug, Serialize)]
-struct Document<'a> {
-    #[serde(flatten)]
-    report: &'a RockReport,
-    processing: Vec<String>,
-}
+const SCHEMA: &str = "freestand.rock/1";
 
 /// What is to be said about the records.
 #[derive(Debug, Default)]
@@ -186,43 +180,4 @@ fn read(args: &ReadArgs, path: &std::path::Path, reading: &mut Reading) -> Resul
     reading.warnings.extend(read.notes.iter().map(named));
     reading.processing.extend(read.motion.processing.iter().map(named));
     Ok(read.motion.motion)
-}
-
-fn text(report: &RockReport, request: &RockRequest) -> String {
-    let seconds = |time: Option<f64>| time.map_or_else(|| "-".to_owned(), |t| format!("{t:.4} s"));
-    let mut rows = vec![
-        ("outcome", format!("{} ({} at {:.4} s)", report.outcome, report.stopped, report.end_time_s)),
-        (
-            "largest rotation",
-            format!(
-                "{} rad ({} of the balance angle) at {}",
-                significant(report.peak_rotation_rad, 6),
-                significant(report.peak_rotation_ratio, 4),
-                seconds(report.peak_rotation_time_s)
-            ),
-        ),
-        ("uplift of the edge", format_si(report.uplift_m, Dimension::Length)),
-        ("rise of the centre of gravity", format_si(report.cg_rise_m, Dimension::Length)),
-        ("first uplift", seconds(report.first_uplift_time_s)),
-        ("impacts", report.impact_count.to_string()),
-        ("passes the balance angle", seconds(report.passed_alpha_time_s)),
-        ("overturns", seconds(report.overturn_time_s)),
-        ("comes to rest", seconds(report.rest_time_s)),
-    ];
-    if request.cushion.is_some() {
-        rows.push(("shock at the edge, from the uplift", optional(report.edge_acceleration_g, 4, "g")));
-        rows.push((
-            "shock at the edge, from the impact velocity",
-            optional(report.edge_acceleration_impact_velocity_g, 4, "g"),
-        ));
-        rows.push(("uplift ceiling", optional(report.ceiling_g, 4, "g")));
-    }
-    rows.extend([
-        ("uplift threshold", format!("{} g", significant(report.uplift_threshold_g, 4))),
-        ("restitution", significant(report.restitution_ratio, 6)),
-        ("friction needed while rocking", optional(report.friction_needed_ratio, 4, "")),
-        ("friction needed in an impact", significant(report.impact_friction_needed_ratio, 4)),
-        ("frequency parameter p", format!("{} rad/s", significant(report.frequency_parameter_rad_s, 6))),
-    ]);
-    pairs(&rows)
 }

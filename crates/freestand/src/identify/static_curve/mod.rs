@@ -1,123 +1,129 @@
-//! A static test: load cell and displacement transducer.
+//! The force–displacement curve of a static test with load cell and displacement transducer.
 
 use thiserror::Error;
 
 /// How a static test is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StaticOptions {
-    /// Working load \[N\]; `None`: half of the largest force.
+    /// Working load \[N\]; `None`: half the largest force.
     pub load_n: Option<f64>,
-    /// Stiffness of the machine, whose give is in the displacement \[N/m\].
+    /// Stiffness of the machine, whose deformation is part of the displacement \[N/m\].
     pub machine_stiffness_n_m: Option<f64>,
-    /// Whether the foot of the curve (seating, slack) is cut off along the tangent at the working load. Not for a sphere,
-    /// whose curve has a foot of its own.
+    /// Whether the toe of the curve (seating, slack) is removed along the tangent at the working
+    /// load. Not for a sphere, whose curve has a toe by nature.
     pub compensates_toe: bool,
 }
 
-/// A static test, evaluated.
+/// The results of a static test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticTest {
     /// Working load \[N\].
     pub load_n: f64,
     /// Largest force of the cycle \[N\].
     pub max_force_n: f64,
-    /// Largest compression, after toe and machine \[m\].
+    /// Largest compression, corrected for toe and machine \[m\].
     pub max_compression_m: f64,
-    /// dF/dd at the working load, on the way in \[N/m\].
+    /// dF/dd at the working load, during loading \[N/m\].
     pub tangent_stiffness_n_m: f64,
     /// F/d at the working load \[N/m\].
     pub secant_stiffness_n_m: f64,
-    /// Energy lost in the cycle over the energy of the way in; `None` without a way out.
+    /// Energy lost in the cycle divided by the energy of loading; `None` without unloading.
     pub hysteresis_ratio: Option<f64>,
-    /// Displacement at which the straight part of the curve begins, from where the cycle begins; below zero where the
-    /// tangent meets zero force before that: a preload, or a pad that softens \[m\].
+    /// Displacement at which the straight part of the curve begins, from the start of the cycle;
+    /// negative where the tangent meets zero force before the start: a preload, or a pad that
+    /// softens \[m\].
     pub toe_m: f64,
-    /// Standard error of the toe, from what the points leave of the tangent \[m\].
+    /// Standard error of the toe, from the residuals of the tangent \[m\].
     pub toe_error_m: f64,
-    /// Cycles before and after the one that was evaluated.
+    /// Number of cycles before and after the evaluated one.
     pub other_cycles: usize,
-    /// Slope of ln F against ln d from a tenth of the load up to it: the exponent of a power law.
+    /// Slope of ln F against ln d from a tenth of the load to the load: the exponent of a power
+    /// law.
     pub exponent: Option<f64>,
-    /// Compression \[m\] and force \[N\], after toe and machine; the way in, then the way out, of one cycle.
+    /// Compression \[m\] and force \[N\], corrected for toe and machine; loading, then unloading,
+    /// of one cycle.
     pub curve: Vec<(f64, f64)>,
-    /// Number of points of the way in.
+    /// Number of points during loading.
     pub loading_count: usize,
 }
 
-/// Why numbers are no static test.
+/// Why a record cannot be evaluated as a static test.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum StaticError {
     /// Too few points.
-    #[error("{points} points up to the largest force are no static test: at least 10")]
+    #[error("a static test needs at least 10 points up to the largest force, not {points}")]
     TooFew {
-        /// How many there are.
+        /// Number of points.
         points: usize,
     },
-    /// A point is no number.
+    /// A point that is not a number.
     #[error("point {number} is not a number")]
     NotFinite {
-        /// The point, from 1.
+        /// The point, counted from 1.
         number: usize,
     },
-    /// Pulled, or nothing.
+    /// Tension, or no force at all.
     #[error("the largest force is {value} N: compression must be positive")]
     NoForce {
-        /// The largest force.
+        /// The largest force \[N\].
         value: f64,
     },
     /// The working load was not reached.
     #[error("the working load of {load_n} N is not below the largest force, {max_force_n} N")]
     Load {
-        /// The working load.
+        /// The working load \[N\].
         load_n: f64,
-        /// The largest force.
+        /// The largest force \[N\].
         max_force_n: f64,
     },
     /// The force does not rise with the displacement.
     #[error("the force does not rise with the displacement near {load_n} N")]
     NotRising {
-        /// The working load.
+        /// The working load \[N\].
         load_n: f64,
     },
     /// The cycle does not begin below the working load.
-    #[error("the way in to the largest force begins at {foot_n} N, not below the working load of {load_n} N")]
+    #[error("loading up to the largest force begins at {foot_n} N, which is not below the working load of {load_n} N")]
     Foot {
-        /// Where it begins.
+        /// The force at which it begins \[N\].
         foot_n: f64,
-        /// The working load.
+        /// The working load \[N\].
         load_n: f64,
     },
-    /// The machine is softer than what was measured.
-    #[error("the machine at {machine_n_m} N/m gives more than the displacement that was measured")]
+    /// The machine deforms by more than the measured displacement.
+    #[error("a machine of {machine_n_m} N/m would deform by more than the measured displacement")]
     Machine {
-        /// Its stiffness.
+        /// Its stiffness \[N/m\].
         machine_n_m: f64,
     },
 }
 
-/// Least points of the way in.
+/// Smallest number of points during loading.
 const MIN_POINTS: usize = 10;
 /// The tangent is a line through the points within this share of the load below and above it.
 const TANGENT_SHARE: f64 = 0.25;
-/// The force turns where it goes back by more than this share of the largest one; what is less is noise or a slip.
+/// The force turns where it falls back by more than this share of its largest value; less than that
+/// is noise or a slip.
 const TURN_SHARE: f64 = 0.1;
-/// A cycle is a full one from this share of the largest force on.
+/// A cycle is full if it reaches this share of the largest force.
 const FULL_SHARE: f64 = 0.95;
-/// Points so close to the least force of a pause belong to the pause.
+/// Points within this share of the smallest force of a pause belong to the pause.
 const PAUSE_SHARE: f64 = 0.05;
 
-/// Evaluates forces \[N\] over displacements \[m\], both positive in compression, in the order of the test.
+/// Evaluates forces \[N\] over displacements \[m\], both positive in compression, in the order of
+/// the test.
 ///
-/// Of several cycles the last that reaches 95 % of the largest force is evaluated: from where the force turned before it
-/// to where it turns after it. The machine's give F/k_m is taken from the displacement, then the toe; tangent and secant
-/// are those of the way in at the working load; the hysteresis is that of the loop, ∮F dd over ∫F dd of the way in.
+/// Of several cycles, the last one that reaches 95 % of the largest force is evaluated: from the
+/// turn of the force before it to the turn after it. The machine's deformation F/k_m is subtracted
+/// from the displacement, then the toe. Tangent and secant are those of loading, at the working
+/// load; the hysteresis is that of the loop, ∮F dd divided by ∫F dd of loading.
 ///
 /// # Reference
 /// Toe compensation after ASTM D695 annex A1.
 ///
 /// # Errors
-/// Too few points, no rising force, a load that was not reached or below which the cycle does not begin, a machine that
-/// is too soft.
+/// Too few points, no rising force, a load that was not reached or below which the cycle does not
+/// begin, or a machine that is too soft.
 ///
 /// # Example
 /// A straight line of 1000 N/mm in a machine of 4000 N/mm that shows 800 N/mm:
@@ -149,7 +155,7 @@ pub fn static_test(
     let top = cycle.top - cycle.foot;
     let max_force_n = force_n[top];
     if max_force_n <= 0.0 {
-        // Without the sign of a zero.
+        // Without a negative zero.
         return Err(StaticError::NoForce { value: max_force_n + 0.0 });
     }
     let load_n = options.load_n.unwrap_or(0.5 * max_force_n);
@@ -180,7 +186,8 @@ pub fn static_test(
         share += 0.1;
     }
     let first = line(&near(share)).ok_or(StaticError::NotRising { load_n })?;
-    // Points chosen by a force with noise in it lie on a line that is too flat: the same stretch once more, by displacement.
+    // Points selected by a noisy force lie on a line that is too flat, so the same section is
+    // selected again by displacement.
     let (centre_m, reach_m) = (first.at(load_n), share * load_n / first.slope);
     let stretch: Vec<(f64, f64)> = loading.iter().copied().filter(|(d, _)| (d - centre_m).abs() <= reach_m).collect();
     let again = line(&stretch).filter(|line| stretch.len() >= 5 && line.slope > 0.0);
@@ -220,12 +227,12 @@ struct Cycle {
     foot: usize,
     top: usize,
     end: usize,
-    /// How many there are beside it.
+    /// Number of the other cycles.
     others: usize,
 }
 
 impl Cycle {
-    /// The last cycle that is as high as the highest, or nearly; `None` without points.
+    /// The last cycle that is as high as the highest, or nearly so; `None` without points.
     fn last_full(force_n: &[f64], displacement_m: &[f64]) -> Option<Self> {
         let max_n = force_n.iter().copied().max_by(f64::total_cmp)?;
         let peaks = peaks(force_n, TURN_SHARE * max_n.abs());
@@ -243,7 +250,7 @@ impl Cycle {
     }
 }
 
-/// The largest points between which the force goes back by more than `turn_n`, and comes again.
+/// The largest points between which the force falls by more than `turn_n` and rises again.
 fn peaks(force_n: &[f64], turn_n: f64) -> Vec<usize> {
     let mut peaks = Vec::new();
     let (mut highest, mut lowest, mut is_rising) = (0, 0, true);
@@ -267,7 +274,8 @@ fn peaks(force_n: &[f64], turn_n: f64) -> Vec<usize> {
     peaks
 }
 
-/// Where the press turns between two cycles: the last of the points of least displacement among those of least force.
+/// The point at which the press turns between two cycles: the last of the points of smallest
+/// displacement among those of smallest force.
 fn pause(force_n: &[f64], displacement_m: &[f64], max_n: f64) -> usize {
     let min_n = force_n.iter().copied().fold(f64::INFINITY, f64::min) + PAUSE_SHARE * max_n.abs();
     let mut turn: Option<usize> = None;
@@ -284,7 +292,7 @@ struct Line {
     middle: (f64, f64),
     slope: f64,
     count: f64,
-    /// Sum of the squares of the first number about its mean, and of what the second leaves.
+    /// Sum of the squares of the first number about its mean, and of the residuals of the second.
     spread: f64,
     left: f64,
 }

@@ -2,8 +2,8 @@ use super::*;
 use crate::cushion::Cushion;
 use crate::identify::{VirtualStaticOptions, virtual_static};
 
-/// A machine of 10 kN/mm, a slack of 0.3 mm and a loss of a fifth are taken out and found again: the way in is straight,
-/// so only rounding is left; the half-sine of the loss is integrated in 200 steps.
+/// A machine of 10 kN/mm, a slack of 0.3 mm and a loss of a fifth are recovered. Loading is
+/// straight, so only rounding remains; the half-sine of the loss is integrated in 200 steps.
 #[test]
 fn static_tests_come_back() {
     let pad = Cushion::linear(1e6).unwrap();
@@ -31,7 +31,8 @@ fn static_tests_come_back() {
     assert!(matches!(static_test(&force, &displacement, &heavy), Err(StaticError::Load { .. })));
 }
 
-/// Straight lines of 1000 N/mm up to each of `tops`, and back at 80 % of the force; each cycle ends at `rest_n`.
+/// Straight lines of 1000 N/mm up to each of `tops`, and back at 80 % of the force; each cycle ends
+/// at `rest_n`.
 fn cycles(tops: &[f64], rest_n: f64) -> (Vec<f64>, Vec<f64>) {
     let (mut force, mut displacement) = (vec![0.0], vec![0.0]);
     let mut at_n = 0.0;
@@ -46,8 +47,9 @@ fn cycles(tops: &[f64], rest_n: f64) -> (Vec<f64>, Vec<f64>) {
     (force, displacement)
 }
 
-/// Cycles before the last full one and after it take no part: the way in is straight, 1000 N/mm to rounding, and the way
-/// out at 80 % of its force loses a fifth, less what the first step back, from 1000 to 792 N, takes: 0.2 · 1/100.
+/// Cycles before and after the last full one are ignored: loading is straight, 1000 N/mm to
+/// rounding, and unloading at 80 % of its force loses a fifth, less the share of the first step
+/// back, from 1000 to 792 N: 0.2 · 1/100.
 #[test]
 fn conditioning_cycles_are_left_out() {
     let options = StaticOptions { load_n: None, machine_stiffness_n_m: None, compensates_toe: true };
@@ -65,13 +67,14 @@ fn conditioning_cycles_are_left_out() {
         assert!(test.toe_m.abs() < 1e-12 && (test.exponent.unwrap() - 1.0).abs() < 1e-9, "{tops:?}");
         assert_eq!((test.max_force_n, test.other_cycles, test.loading_count), (max_n, others, 101), "{tops:?}");
     }
-    // A pause that is not unloaded is no beginning of a way in.
+    // A pause without unloading is not the start of loading.
     let (force, displacement) = cycles(&[600.0, 1000.0], 550.0);
     assert!(matches!(static_test(&force, &displacement, &options), Err(StaticError::Foot { .. })));
 }
 
-/// A curve that softens, F = 1000 N · √(d/1 mm): the tangent at 500 N (0.25 mm, 1000 N/mm) meets zero at −0.25 mm, and the
-/// straight line through a quarter to both sides of a parabola on its side is that tangent to 3 %.
+/// A curve that softens, F = 1000 N · √(d/1 mm): the tangent at 500 N (0.25 mm, 1000 N/mm) meets
+/// zero at −0.25 mm, and the straight line through a quarter to both sides of a parabola on its
+/// side is that tangent to 3 %.
 #[test]
 fn a_softening_curve_has_a_toe_below_zero() {
     let displacement: Vec<f64> = (0..=200).map(|i| f64::from(i) * 5e-6).collect();
@@ -82,11 +85,12 @@ fn a_softening_curve_has_a_toe_below_zero() {
     assert!(test.toe_m < -3.0 * test.toe_error_m);
 }
 
-/// Noise in the force alone biases no stiffness: 4000 points of a straight line of 1100 N/mm with 2 % of the largest force,
-/// even over their range; chosen by their force they would give 7 % less.
+/// Noise in the force alone does not bias the stiffness: 4000 points of a straight line of
+/// 1100 N/mm with 2 % of the largest force, evenly over their range; selected by their force they
+/// would give 7 % less.
 #[test]
 fn noise_in_the_force_does_not_flatten_the_line() {
-    // Additive recurrence with the golden ratio: even over ±√3 σ, and no two neighbours alike.
+    // Additive recurrence with the golden ratio: even over ±√3 σ, and no two neighbours are equal.
     let noise = |i: u32| 20.0 * 3f64.sqrt() * (2.0 * (f64::from(i) * 0.618_033_988_749_895).fract() - 1.0);
     let displacement: Vec<f64> = (0..4000).map(|i| f64::from(i) / 4000.0 / 1100.0).collect();
     let force: Vec<f64> = displacement.iter().zip(0..).map(|(d, i)| 1.1e6 * d + noise(i)).collect();
