@@ -11,8 +11,8 @@ use crate::options::parse_cushion;
 /// A cushion file is a few lines; a table of forces some thousand.
 const MAX_BYTES: u64 = 1 << 20;
 
-/// Reads a cushion file: the keys of [`CUSHION_KEYS`](super::CUSHION_KEYS), with `stiffness` (and all else) of one pad,
-/// which the words call `pad_stiffness`.
+/// Reads a cushion file: the keys of [`CUSHION_KEYS`](super::CUSHION_KEYS), with `stiffness` (and
+/// all else) of one pad, which the words call `pad_stiffness`.
 ///
 /// # Errors
 /// A file that cannot be read, is not TOML, or has unknown keys.
@@ -34,8 +34,8 @@ pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
     problems.finish(Some((options.entries().map(|(key, text)| (of_one_pad(key), text)).collect(), input)))
 }
 
-/// The words of the cushion file that some words name, with what these add to it: pads per edge, layers in series, the
-/// thickness of the pad.
+/// The words of the cushion file that some words name, with what these add to it: pads per edge,
+/// layers in series, the thickness of the pad.
 ///
 /// # Errors
 /// Words that describe the pad again, or do not say how many pads are under an edge.

@@ -1,7 +1,8 @@
-//! The cushion under one edge of an object: from the words of flags, studies and cushion files to a [`Cushion`].
+//! The cushion under one edge of an object: from the words of flags, studies and cushion files to a
+//! [`Cushion`].
 //!
-//! A drop test is of one pad; the impact model needs all that is under one edge. `pads_per_edge` connects the two, and
-//! every step from one to the other is stated in a note.
+//! A drop test is of one pad; the impact model needs all that is under one edge. `pads_per_edge`
+//! connects the two, and every step from one to the other is stated in a note.
 
 mod file;
 
@@ -20,7 +21,7 @@ pub use file::{read_cushion_file, with_file};
 pub const HERTZ_EXPONENT: f64 = 1.5;
 
 /// Why an object has no shock although it stays upright.
-pub const BOTTOMED: &str = "the cushion bottoms: its law gives no shock to rely on";
+pub const BOTTOMED: &str = "the cushion bottoms, so that its law gives no reliable shock";
 
 /// The keys that describe a cushion.
 pub const CUSHION_KEYS: [&str; 13] = [
@@ -55,8 +56,8 @@ pub fn spring(stiffness_n_m: f64) -> Words {
     Words::from_iter([("stiffness", format!("{stiffness_n_m} N/m"))])
 }
 
-/// The cushion that words with [`CUSHION_KEYS`] describe, under an edge of an object of `mass_kg`; a damping *ratio* ζ
-/// refers to that mass: c = 2ζ√(k m).
+/// The cushion that words with [`CUSHION_KEYS`] describe, under an edge of an object of `mass_kg`;
+/// a damping *ratio* ζ refers to that mass: c = 2ζ√(k m).
 ///
 /// # Errors
 /// Everything that is wrong, each problem with its key.
@@ -230,7 +231,7 @@ impl Reader<'_> {
         Some(edge)
     }
 
-    /// Kelvin–Voigt on the stiffness of the edge; its c is that of a pad where the stiffness is.
+    /// Kelvin–Voigt with the stiffness of the edge; c is that of a pad if the stiffness is.
     fn damped(&mut self, law: LawName, edge: Cushion, pads: Option<u32>, mass_kg: Option<f64>) -> Option<Cushion> {
         const KEY: &str = "damping";
         let (LawName::KelvinVoigt, Some(stiffness_n_m)) = (law, edge.linear_stiffness_n_m()) else { return Some(edge) };

@@ -38,7 +38,8 @@ fn every_law_has_its_words() {
     );
 }
 
-/// 2 × 2190 N/mm with 2 × 150 N s/m; a ratio is of the mass on the whole edge: 2 · 0.05 · √(4.38e6 · 140) = 2476.2875.
+/// 2 × 2190 N/mm with 2 × 150 N s/m; a ratio is of the mass on the whole edge: 2 · 0.05 · √(4.38e6
+/// · 140) = 2476.2875.
 #[test]
 fn pads_bring_their_damping_with_them() {
     let pads = [("law", "kelvin-voigt"), ("pad_stiffness", "2190 N/mm"), ("pads_per_edge", "2")];

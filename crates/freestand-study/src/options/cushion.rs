@@ -1,4 +1,5 @@
-//! The keys that describe a cushion, in `[objects]` and in a cushion file: kept as texts, each with its line.
+//! The keys that describe a cushion, in `[objects]` and in a cushion file: kept as texts, each with
+//! its line.
 
 use toml::de::DeValue;
 
@@ -6,7 +7,7 @@ use super::{Reader, Section, Written, bare_number, words};
 use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
-/// Keys whose value may be a bare number where they end in a unit.
+/// Keys with a unit: if the key ends in one, the value may be a bare number.
 const QUANTITIES: [(&str, Dimension); 7] = [
     ("stiffness", Dimension::Stiffness),
     ("pad_stiffness", Dimension::Stiffness),

@@ -29,7 +29,7 @@ pub(crate) struct GroundOptions {
     pub(crate) station_xml: Option<Written<String>>,
     pub(crate) scale: Option<Written<f64>>,
     pub(crate) processing: Option<ProcessingOptions>,
-    /// Some key was refused: files cannot be read as they were meant to be.
+    /// A key was refused, so that files cannot be read as intended.
     pub(crate) is_incomplete: bool,
 }
 
@@ -55,7 +55,7 @@ pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOpti
     }
 }
 
-/// `components`: both of a file, or two by name or number.
+/// `components`: both components of a file, or two by name or number.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum ComponentsOption {
     Both,

@@ -1,7 +1,7 @@
-//! The study as written: a TOML text, read key by key with the line of each value.
+//! Reads a study: a TOML text, key by key, with the line of each value.
 //!
-//! Nothing stops at the first problem: every reader takes what it can, notes what is wrong and goes on, so that a file
-//! is put right in one round. Unknown keys are found because each reader says which keys it knows.
+//! No reader stops at a problem: it notes the problem and continues, so that a person can correct a
+//! file in one go. Unknown keys are found because each reader states the keys that it knows.
 
 mod assessment;
 mod building;
@@ -34,7 +34,7 @@ pub(crate) use outputs::{HistoryOptions, OutputsOptions};
 pub(crate) use point_source::PointSourceOptions;
 pub(crate) use processing::ProcessingOptions;
 
-/// A study as written.
+/// A study as a person wrote it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Options {
     pub(crate) ground: GroundOptions,
@@ -51,7 +51,7 @@ pub(crate) fn has_table_of_ours(text: &str) -> bool {
         .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
 }
 
-/// Reads a study; what is wrong goes into the problems, what could be read into the options.
+/// Reads a study: what can be read, and all problems.
 pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     let mut reader = Reader::new(text, source);
     let mut options = Options::default();
@@ -93,7 +93,7 @@ fn words(entries: impl Iterator<Item = (&'static str, Option<Written<String>>)>)
     words
 }
 
-/// Reads a cushion file, in which the keys stand at the top.
+/// Reads a cushion file, in which the keys belong to no table.
 pub(crate) fn parse_cushion(text: &str, source: &Path) -> (Words, Problems) {
     let mut reader = Reader::new(text, Some(source));
     let Some(document) = reader.document(text) else { return (Words::default(), reader.problems) };
@@ -115,7 +115,8 @@ mod tests {
     #[test]
     fn quantities_take_strings_with_units_or_keys_that_state_them() {
         let (options, problems) = parse(
-            "[building]\nstorey_height_mm = 3200\nperiod = \"1.92 s\"\ndamping = \"5 %\"\n[objects]\nheights = [\"0.5 m\", \"700 mm\"]\nthicknesses_mm = [200, 300.5]\nstiffness_n_mm = 4380\n",
+            "[building]\nstorey_height_mm = 3200\nperiod = \"1.92 s\"\ndamping = \"5 %\"\n[objects]\nheights = \
+             [\"0.5 m\", \"700 mm\"]\nthicknesses_mm = [200, 300.5]\nstiffness_n_mm = 4380\n",
             None,
         );
         assert!(problems.is_empty(), "{problems}");
@@ -152,7 +153,8 @@ mod tests {
     #[test]
     fn every_problem_is_reported_with_its_line() {
         let got = problems(
-            "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nstorey_height = 3.2\nlevels = 4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\n",
+            "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nstorey_height = 3.2\nlevels = \
+             4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\n",
         );
         assert_eq!(
             got,
@@ -172,7 +174,8 @@ mod tests {
     fn text_that_is_not_toml_is_one_message_with_its_line() {
         let got = problems("[ground]\ncount = = 3\n");
         assert!(got[0].starts_with("s.toml:2: not TOML: "), "{got:?}");
-        // One fault is one message: no key without a value, no table cut short, is reported beside it.
+        // One fault is one message: no key without a value, no table cut short, is reported beside
+        // it.
         for text in [
             "[ground]\nseed=\n",
             "[ground]\nseed = \n[objects]\nmass = 3\n",

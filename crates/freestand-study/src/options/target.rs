@@ -5,7 +5,7 @@ use super::{Reader, Section, words};
 use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
-/// Keys whose value may be a bare number where they end in a unit.
+/// Keys with a unit: if the key ends in one, the value may be a bare number.
 const QUANTITIES: [(&str, Dimension); 8] = [
     ("ground_acceleration", Dimension::Acceleration),
     ("sds", Dimension::Acceleration),

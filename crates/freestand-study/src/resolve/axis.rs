@@ -1,4 +1,4 @@
-//! The building of `[building]` along each horizontal axis, as meant.
+//! Resolves the building of `[building]` along each horizontal axis.
 
 use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
@@ -6,7 +6,7 @@ use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 use super::{MAX_STOREYS, Resolver, or};
 use crate::building::{
     Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
-    DEFAULT_STOREYS, MOST_MODES, axis,
+    DEFAULT_STOREYS, MAX_MODES, axis,
 };
 use crate::options::{AxisOptions, BuildingOptions};
 use crate::study::BuildingInput;
@@ -14,7 +14,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si, shorten};
 use freestand_input::toml_reader::Written;
 
-/// The height that both axes share, and where it is from.
+/// The height that both axes share.
 #[derive(Debug, Clone, Copy)]
 struct Stated {
     storeys: usize,
@@ -45,7 +45,7 @@ impl Resolver<'_> {
             stated = Stated { storeys: floors, storey_height_m: height_m / floors as f64 };
         }
         let height_m = stated.storeys as f64 * stated.storey_height_m;
-        // Tried whatever became of the first, so that what is wrong with either is said at once.
+        // Resolved even if the first is wrong, so that the problems of both are reported at once.
         let across = written.across.as_ref();
         let second = across.map(|across| self.axis(&inherited(&across.value, along), stated, before));
         self.check_damping_counts(along, first.as_ref());
@@ -62,13 +62,17 @@ impl Resolver<'_> {
             && (other_m - height_m).abs() > 1e-3 * height_m
         {
             let (here, there) = (format_si(height_m, Dimension::Length), format_si(*other_m, Dimension::Length));
-            let message = format!("the building is {there} high across and {here} along");
-            self.note(Some(across.line), message, "levels are shares of one height: check both tables");
+            let message = format!("the building is {there} high across, but {here} along");
+            self.note(
+                Some(across.line),
+                message,
+                "both tables must have the same height, because levels are shares of it",
+            );
             return None;
         }
         let (second, across_note) = second.unzip();
         let mut tables = Vec::from_iter(first.table.clone().map(|table| (false, table)));
-        // A table that the second axis only inherits is that of the first.
+        // A table that the second axis inherits is listed once, with the first.
         let names_its_own =
             across.is_some_and(|axis| axis.value.storey_table.is_some() || axis.value.mode_table.is_some());
         let own = second.as_ref().and_then(|axis| axis.table.clone()).filter(|_| names_its_own);
@@ -87,12 +91,12 @@ impl Resolver<'_> {
         })
     }
 
-    /// Notes what is wrong with the keys of one axis as they are written.
+    /// Notes what is wrong with the keys of one axis.
     fn check_axis(&mut self, written: &AxisOptions) {
         self.positive(&written.period_s, "period", Dimension::Time);
         self.require(&written.damping, |zeta| (0.0..1.0).contains(&zeta), "damping", "a ratio from 0 to below 1");
         self.require(&written.shear_flexure, |a| a >= 0.0 && a.is_finite(), "shear_flexure", "0 or more");
-        self.require(&written.modes, |n| (1..=MOST_MODES).contains(&n), "modes", "a whole number from 1 to 50");
+        self.require(&written.modes, |n| (1..=MAX_MODES).contains(&n), "modes", "a whole number from 1 to 50");
         self.exclusive(("period", &written.period_s), ("frame", &written.frame));
         self.exclusive(("storey_table", &written.storey_table), ("mode_table", &written.mode_table));
         self.exclusive(("modes", &written.modes), ("mode_table", &written.mode_table));
@@ -109,7 +113,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Notes damping that no mode would have, since the table says that of each.
+    /// Notes damping keys that have no effect because the table states the damping of every mode.
     fn check_damping_counts(&mut self, written: &AxisOptions, axis: Option<&(Axis, String)>) {
         if !axis.is_some_and(|(axis, _)| axis.table.as_ref().is_some_and(|table| table.states_damping)) {
             return;
@@ -120,17 +124,14 @@ impl Resolver<'_> {
         ];
         for (key, line) in keys {
             if line.is_some() {
-                let message = format!("{key} is not used: every mode of the table has its own damping");
-                self.note(
-                    line,
-                    message,
-                    format!("leave {key} out, or empty the cells of the modes that it is meant for"),
-                );
+                let message = format!("{key} is not used: the table states the damping of every mode");
+                self.note(line, message, format!("leave {key} out, or clear the cells of the modes that it is for"));
             }
         }
     }
 
-    /// One axis, and where its period is from. `before`: how many problems there were before the building.
+    /// One axis, and the source of its period. `before`: the number of problems before the building
+    /// was read.
     fn axis(&mut self, written: &AxisOptions, stated: Stated, before: usize) -> Option<(Axis, String)> {
         let (model, note) = match (&written.storey_table, &written.mode_table) {
             (Some(name), _) => {
@@ -158,7 +159,7 @@ impl Resolver<'_> {
         };
         let modes = written.modes.as_ref().map(|modes| usize::try_from(modes.value).unwrap_or(usize::MAX));
         if self.problems.len() > before {
-            // What was refused above would be refused again.
+            // Values that were refused above would be refused again.
             return None;
         }
         match axis(&AxisRequest { model, damping, modes }) {
@@ -183,12 +184,12 @@ impl Resolver<'_> {
         self.fault(line, key, problem);
     }
 
-    /// The fundamental period, and where it is from.
+    /// The fundamental period and its source.
     fn period(&self, written: &AxisOptions, height_m: f64) -> Option<(f64, String)> {
         if let Some(period) = &written.period_s {
             return Some((period.value, "as given".to_owned()));
         }
-        // A frame that is not known was noted.
+        // A frame that does not exist was noted above.
         let kind = written.frame.as_ref().map_or(Some(FrameKind::Other), |frame| FrameKind::parse(&frame.value))?;
         let period_s = fundamental_period_s(kind, height_m).ok()?;
         let (kt, name, height) = (kind.period_factor(), kind.name(), format_si(height_m, Dimension::Length));
@@ -196,7 +197,8 @@ impl Resolver<'_> {
     }
 }
 
-/// What `across` does not say is as along; but another kind of model takes nothing but the damping from there.
+/// Values that `across` does not state are those along the first axis; but where it describes
+/// another kind of model, it takes only the damping from there.
 fn inherited(across: &AxisOptions, along: &AxisOptions) -> AxisOptions {
     let has_table = across.storey_table.is_some() || across.mode_table.is_some();
     let has_period = across.period_s.is_some() || across.frame.is_some();

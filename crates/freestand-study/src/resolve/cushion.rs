@@ -1,4 +1,4 @@
-//! The cushion of `[objects]`: its words, or those of the cushion file that they name.
+//! Resolves the cushion of `[objects]`, with the cushion file that it names.
 
 use super::Resolver;
 use crate::cushion::{self, EdgeCushion, read_cushion_file, with_file};
@@ -6,7 +6,7 @@ use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
 
-/// The pads of Al Abadi et al., two under an edge.
+/// The stiffness of the pads of Al Abadi et al., two under an edge.
 const BUILTIN: &str = "4380 N/mm";
 
 impl Resolver<'_> {
@@ -44,7 +44,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// A problem on the line of its key, or, where that is in the cushion file, on the first line about the cushion.
+    /// Notes a problem on the line of its key, or on the first line about the cushion where the key
+    /// is in the cushion file.
     fn cushion_fault(&mut self, written: &Words, problem: Problem) {
         let first = written.lines().next().and_then(|(_, line)| line);
         let line = written.line_of(&problem.keys).or(first);

@@ -1,4 +1,4 @@
-//! `[ground]` as meant.
+//! Resolves `[ground]`.
 
 use freestand::synthesis::{MatchedMotion, Resemblance};
 use rayon::prelude::*;
@@ -14,7 +14,7 @@ use freestand_input::problem::ProblemKind;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
-const ONE_COMPONENT: &str = "a record is matched by one component";
+const ONE_COMPONENT: &str = "only one component of a record is matched";
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -24,12 +24,16 @@ impl Resolver<'_> {
         let Some(motions) = &written.motions else {
             for (key, line) in reading_keys(written) {
                 if line.is_some() {
-                    self.note(line, format!("{key} goes with motions"), "name the files: motions = [\"record.AT2\"]");
+                    self.note(
+                        line,
+                        format!("{key} needs motions"),
+                        "name the files, such as motions = [\"record.AT2\"]",
+                    );
                 }
             }
             if let Some(by) = &written.match_by {
-                let hint = "name the records: motions = [\"record.AT2\"]; without any, motions are made for the target";
-                self.note(Some(by.line), "match goes with motions", hint);
+                let hint = "name the records, such as motions = [\"record.AT2\"]; synthetic motions need no match";
+                self.note(Some(by.line), "match needs motions", hint);
             }
             return match &written.point_source {
                 Some(source) => self.simulated(written, source, overrides).map(Ground::Simulated),
@@ -44,7 +48,7 @@ impl Resolver<'_> {
                 let message = format!("{key} and motions exclude each other");
                 let hint = match key {
                     "count" | "seed" | "point_source" => "keep one of them",
-                    _ => "keep one of them, or bring the records to the spectrum with match = \"wavelet\"",
+                    _ => "keep one of them, or match the records to the spectrum with match = \"wavelet\"",
                 };
                 self.note(Some(line.max(motions.line)), message, hint);
             }
@@ -52,7 +56,7 @@ impl Resolver<'_> {
         self.motions(written, motions, &written.across).map(Ground::Recorded)
     }
 
-    /// Records, each brought to the target.
+    /// Records, each matched to the target.
     fn matched(
         &mut self,
         written: &GroundOptions,
@@ -89,7 +93,7 @@ impl Resolver<'_> {
         (self.problems.len() == before).then_some(records)
     }
 
-    /// Notes what says nothing, or something else, where records are brought to a target.
+    /// Notes keys that have no meaning, or contradict the target, where records are matched.
     fn match_problems(&mut self, written: &GroundOptions, by: &Written<String>) {
         let scale_to = written.processing.as_ref().map(|processing| {
             let sa = processing.scale_to_sa.as_ref().map(|w| w.line);
@@ -99,7 +103,7 @@ impl Resolver<'_> {
         for (key, line, why) in [
             ("count", written.count.as_ref().map(|w| w.line), "each record gives one motion"),
             ("seed", written.seed.as_ref().map(|w| w.line), "there are no random numbers in a record"),
-            ("point_source", written.point_source.as_ref().map(|w| w.line), "the records are in its place"),
+            ("point_source", written.point_source.as_ref().map(|w| w.line), "the records replace it"),
             ("scale", written.scale.as_ref().map(|w| w.line), "the target sets the amplitudes"),
             ("scale_to", scale_to.flatten(), "the target sets the amplitudes"),
             ("across", written.across.as_ref().map(|w| w.line), ONE_COMPONENT),
@@ -108,7 +112,8 @@ impl Resolver<'_> {
             if let Some(line) = line {
                 let message = format!("{key} and match exclude each other: {why}");
                 let hint = if why == ONE_COMPONENT {
-                    "name one of them with component, or match each with freestand motion match and give the files"
+                    "name one of them with component; or match each component with the command motion match and \
+                     give the files"
                 } else {
                     "keep one of them"
                 };
@@ -157,7 +162,7 @@ impl Resolver<'_> {
     }
 }
 
-/// The keys of `[ground]` that describe motions without a record, with their lines.
+/// The keys of `[ground]` that describe motions other than records, with their lines.
 pub(super) fn synthetic_keys(written: &GroundOptions) -> Vec<(&'static str, Option<usize>)> {
     let others = [
         ("count", written.count.as_ref().map(|w| w.line)),

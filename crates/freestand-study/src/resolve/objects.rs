@@ -1,4 +1,4 @@
-//! `[objects]` as meant.
+//! Resolves `[objects]`.
 
 use freestand::block::Block;
 use freestand::impact::{ValidityWarning, stiffness_warnings};
@@ -35,7 +35,7 @@ impl Resolver<'_> {
             self.note(
                 line,
                 format!("the grid has more than {MAX_OBJECTS} objects"),
-                "take fewer heights or thicknesses",
+                "give fewer heights or thicknesses",
             );
             return None;
         }
@@ -95,7 +95,8 @@ impl Resolver<'_> {
     }
 }
 
-/// From `from` to `to`, both included, as [`freestand_input::quantity::parse_grid`] makes them.
+/// From `from` to `to`, both included, with the same rounding as
+/// [`freestand_input::quantity::parse_grid`].
 fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
     freestand_input::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
 }

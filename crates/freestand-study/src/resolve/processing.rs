@@ -1,4 +1,4 @@
-//! `processing` of `[ground]`, as meant.
+//! Resolves `processing` of `[ground]`.
 
 use super::{Resolver, or};
 use crate::options::{GroundOptions, ProcessingOptions};
@@ -8,7 +8,7 @@ use freestand_records::processing::{
 };
 
 impl Resolver<'_> {
-    /// What is done to the records; what cannot be meant is noted.
+    /// What is done to the records; contradictions are noted.
     pub(super) fn processing(&mut self, ground: &GroundOptions) -> Processing {
         let factor = Scale::Factor(or(&ground.scale, 1.0));
         if let Some(scale) = &ground.scale
@@ -48,7 +48,11 @@ impl Resolver<'_> {
             && processing.low_cut_hz.is_none()
             && processing.high_cut_hz.is_none()
         {
-            self.note(Some(order.line), "filter_order goes with low_cut or high_cut", "give a cut, such as \"0.1 Hz\"");
+            self.note(
+                Some(order.line),
+                "filter_order needs low_cut or high_cut",
+                "give one of them, such as low_cut = \"0.1 Hz\"",
+            );
         }
         for (key, problem) in processing.problems().into_iter().filter(|(key, _)| *key != "scale") {
             self.fault(Some(line_of(written, key)), key, problem.named(key));

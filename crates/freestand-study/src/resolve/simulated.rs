@@ -1,4 +1,4 @@
-//! `point_source` of `[ground]` as meant.
+//! Resolves `point_source` of `[ground]`.
 
 use freestand::code_spectrum::SiteClass;
 use freestand::synthesis::PAIR_MAGNITUDES;
@@ -28,7 +28,7 @@ impl Resolver<'_> {
         let each = input.map_or(1, |input| if pairs && input.magnitude.is_none() { PAIR_MAGNITUDES.len() } else { 1 });
         let count = self.count_of_each(written, each as u64);
         let earthquakes = input.and_then(|input| self.earthquakes((written, source), &input, hazard.as_ref(), pairs));
-        // Distances that are looked for without what was refused would be those of another study.
+        // Distances found without the keys that were refused would belong to another study.
         if written.is_incomplete || self.problems.len() > before {
             return None;
         }
@@ -80,7 +80,7 @@ impl Resolver<'_> {
         Some(Earthquakes::One { magnitude: input.magnitude?, distance_m: input.distance_m? })
     }
 
-    /// The code's spectrum whose rock spectrum the earthquakes are to meet.
+    /// The code spectrum, whose rock spectrum the earthquakes are to fit.
     fn hazard(&mut self, written: &GroundOptions) -> Option<Target> {
         let mut at_site = written.clone();
         if at_site.target.get("site").is_none() {
@@ -96,7 +96,7 @@ impl Resolver<'_> {
         self.target(&at_site)
     }
 
-    /// Of what describes a spectrum, one earthquake takes the ground at the site alone.
+    /// One earthquake needs no spectrum, only the ground at the site.
     fn site_of_one(&mut self, written: &GroundOptions) -> Option<SiteClass> {
         let mut site = Some(DEFAULT_SITE);
         for (key, text) in written.target.entries() {

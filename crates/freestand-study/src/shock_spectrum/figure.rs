@@ -145,7 +145,7 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
         title: "Damage boundary".to_owned(),
         caption:
             "A shock does harm only if both its peak and its velocity change are too large: above and to the right of \
-                  the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped component under \
+             the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped component under \
                   rectangular pulses, which begins at the same velocity change and ends on the same peak."
                 .to_owned(),
         panels: vec![panel(plots, x, y)],

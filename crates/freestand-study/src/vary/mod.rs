@@ -2,7 +2,8 @@
 //!
 //! A change is written into the study's text, which is then resolved like any other study: so any
 //! value of a study can be varied, and contradictions are refused in the same words. A change that
-//! does not reach the model is not run: its row would suggest that the result does not depend on it.
+//! does not reach the model is not run: its row would suggest that the result does not depend on
+//! it.
 
 mod model;
 mod request;
@@ -65,7 +66,8 @@ pub fn vary(
     Ok(Sensitivity { rows, left_out })
 }
 
-/// The study with one value changed, and its result; `None` where the change does not reach the model.
+/// The study with one value changed, and its result; `None` where the change does not reach the
+/// model.
 fn result_of(
     study: &Study,
     change: &Change,

@@ -1,4 +1,4 @@
-//! Which values are tried.
+//! Variations of a study, and the changes that they ask for.
 
 use freestand::building::Model;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SiteClass, SubsoilClass};

@@ -31,7 +31,8 @@ fn sensitivity(texts: &[&str]) -> Sensitivity {
     vary(&study, &base, &parsed(texts), &Overrides::default(), &|_, _, _| {}, &no_progress).unwrap()
 }
 
-/// A variation is the study that says so from the start, to the bit: nothing else is changed with it.
+/// A variation is the study that says so from the start, to the bit: nothing else is changed with
+/// it.
 #[test]
 fn a_variation_changes_one_value() {
     let result = sensitivity(&["damping = 2 %", "seed = 2"]);
