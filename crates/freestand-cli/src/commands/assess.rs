@@ -1,11 +1,13 @@
-//! `freestand assess`: an inventory in, the list of what must be restrained out.
+//! `freestand assess`: which objects of an inventory must be restrained.
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use freestand_assess::job::{Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
+use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
+use freestand_input::words::counted;
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 
@@ -15,43 +17,44 @@ use crate::failure::Failure;
 use crate::printer::{Printer, table};
 use crate::stop::Stop;
 
-/// Which objects of an inventory must be restrained, which want a softer pad, which may stay
+/// Finds which objects of an inventory must be restrained, need a softer pad or may stay as they
+/// are
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  A first inventory to fill in, then its assessment in the built-in building (30 storeys, Melbourne, 500 years):
+  An inventory to fill in, then its assessment in the built-in building (30 storeys, Melbourne, 500 years):
     freestand inventory template --csv > objects.csv
     freestand assess --inventory objects.csv --out assessment
-  In a building and a hazard of your own; the study may also name the inventory:
+  With a building and a hazard of your own (the study may also name the inventory):
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment
-  Go on after Ctrl-C or a crash, in the same folder:
+  Continue in the same folder after Ctrl-C or a crash:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
-  A table for pandas as well, and the study's keys for what is accepted and how uncertain values are:
+  Also write a table for pandas:
     freestand assess --inventory objects.csv --format csv,parquet
-    docs/assessment.md, [assessment] in a study")]
+The table [assessment] of a study sets the accepted probabilities and the uncertainties: see docs/assessment.md.")]
 pub(crate) struct AssessArgs {
     /// Hazard, building and settings (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
-    /// The objects, CSV or XLSX, in place of the study's
+    /// Inventory (CSV or XLSX) in place of that of the study
     #[arg(long, value_name = "FILE")]
     inventory: Option<PathBuf>,
-    /// Sheet of a workbook [default: the first that is an inventory]
+    /// Sheet of a workbook [default: the first with the headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
-    /// Tolerance library of your own (CSV), over the built-in one
+    /// Your own tolerance library (CSV): adds to the built-in one
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
-    /// Cushion library of your own (CSV), over the built-in one
+    /// Your own cushion library (CSV): adds to the built-in one
     #[arg(long, value_name = "FILE")]
     cushion_library: Option<PathBuf>,
-    /// Go on from what an earlier run in the same folder had finished
+    /// Continue an earlier run in the same folder
     #[arg(long)]
     resume: bool,
-    /// Tables and reports beside objects.csv, assessment.xlsx and report.html, which are always written
+    /// Tables to write besides objects.csv, assessment.xlsx and report.html
     #[arg(long, value_enum, value_delimiter = ',', default_value = "csv")]
     format: Vec<Format>,
-    /// Objects that get a page of the report, the most urgent [default: 200]
+    /// Number of objects with a page in the report, the most urgent ones [default: 200]
     #[arg(long, value_name = "N")]
     pages: Option<usize>,
 }
@@ -104,26 +107,20 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
 
 fn text(report: &JobReport) -> String {
     let count = |one: &Decision| report.decisions.get(one.name()).map_or_else(String::new, ToString::to_string);
-    let meaning = |one: &Decision| match one {
-        Decision::Restrain => "fix it to the building",
-        Decision::Soften => "put it on a softer pad",
-        Decision::NoVerdict => "something is missing for a verdict",
-        Decision::Leave => "let it stand as it is",
-    };
-    let rows: Vec<Vec<String>> =
-        Decision::ALL.iter().map(|one| vec![one.name().to_owned(), count(one), meaning(one).to_owned()]).collect();
+    let row = |one: &Decision| vec![one.name().to_owned(), count(one), advice(*one).to_owned()];
+    let rows: Vec<Vec<String>> = Decision::ALL.iter().map(row).collect();
     let mut text = table(&["decision", "objects", ""], &rows);
     let done = report.resumed + report.computed;
-    text.push_str(&format!("\n{done} of {} objects", report.objects));
+    text.push_str(&format!("\n{done} of {}", counted(report.objects, "object")));
     if report.resumed > 0 {
         text.push_str(&format!(", {} of them from an earlier run", report.resumed));
     }
-    text.push_str(&format!("; {} rocking histories\n", report.histories));
+    text.push_str(&format!("; {}\n", counted(report.histories as usize, "rocking history")));
     if report.failed > 0 {
-        text.push_str(&format!("{} objects could not be followed under every motion\n", report.failed));
+        text.push_str(&format!("{} with histories that failed\n", counted(report.failed, "object")));
     }
     if report.interrupted {
-        text.push_str("stopped before its end: go on with --resume\n");
+        text.push_str("stopped before the end: continue with --resume\n");
     }
     text.push_str(&format!("report.html, assessment.xlsx, objects.csv in {}\n", report.out));
     text

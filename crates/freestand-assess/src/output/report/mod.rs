@@ -1,5 +1,5 @@
-//! `report.html` of an assessment: a summary and a page for each of the most urgent objects, in one file that loads
-//! nothing else.
+//! `report.html` of an assessment: a summary and a page for each of the most urgent objects, in one
+//! file that loads nothing else.
 
 mod drawing;
 mod equations;
@@ -59,10 +59,12 @@ const TITLE: &str = "Which objects must be restrained";
 fn opening() -> String {
     let version = env!("CARGO_PKG_VERSION");
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" />\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n<title>{TITLE}</title>\n<style>\n{}{}</style>\n\
-         </head>\n<body>\n<header>\n<h1>{TITLE}</h1>\n<p class=\"sub\">Assessment of an inventory under an earthquake · freestand \
-         {version}</p>\n</header>\n<main>\n",
+        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" \
+         />\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" \
+         />\n<title>{TITLE}</title>\n<style>\n{}{}</style>\n\
+         </head>\n<body>\n<header>\n<h1>{TITLE}</h1>\n<p class=\"sub\">Assessment of an inventory under an \
+         earthquake · freestand {version}</p>\n</header>\n<main>\n",
         freestand_output::html::CSS,
         include_str!("style.css"),
     )
@@ -89,7 +91,8 @@ fn cut(text: &str, longest: usize) -> String {
         None => escape(text),
         Some((end, _)) => format!("{} … <i>(truncated)</i>", escape(&text[..end])),
     };
-    // Characters that change the direction of writing would change it for our own words after them too.
+    // Characters that change the direction of writing would change it for our own words after them
+    // too.
     let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     if text.contains(turns) { format!("<bdi>{shown}</bdi>") } else { shown }
 }

@@ -14,16 +14,17 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::path_text;
 
-/// An inventory to CSV or XLSX, every cell kept: to a file, to --out, or CSV to standard output
+/// Converts an inventory to CSV or XLSX and keeps every cell: to a file, to --out, or as CSV to
+/// standard output
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Text that a spreadsheet would take for a formula (= + - @) gets a leading ' in CSV, which reading takes away again.
+In CSV, text that a spreadsheet would take for a formula (= + - @) gets a leading ', which reading removes.
 
 Examples:
   freestand inventory convert objects.xlsx --to csv > objects.csv
   freestand inventory convert objects.csv --to xlsx objects.xlsx")]
 pub(crate) struct ConvertArgs {
-    /// Inventory, CSV or XLSX
+    /// Inventory (CSV or XLSX)
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// File to write
@@ -32,7 +33,7 @@ pub(crate) struct ConvertArgs {
     /// Format to write
     #[arg(long, value_enum)]
     to: Format,
-    /// Sheet of a workbook [default: the first with headings of an inventory]
+    /// Sheet of a workbook [default: the first with the headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
 }
@@ -44,7 +45,7 @@ struct ConvertReport {
     path: Option<String>,
     rows: usize,
     columns: usize,
-    /// The file itself, where it was not written.
+    /// The text, where it was not written to a file.
     text: Option<String>,
 }
 

@@ -13,7 +13,8 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
 
-/// An inventory to fill in, with its units and three examples: CSV to standard output, or a file
+/// Writes an inventory to fill in, with units and three examples: as CSV to standard output, or to
+/// a file
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -21,13 +22,13 @@ Examples:
   freestand inventory template --xlsx objects.xlsx
   freestand inventory template --xlsx --out hospital")]
 pub(crate) struct TemplateArgs {
-    /// File to write; .xlsx makes it a workbook
+    /// File to write; .xlsx gives a workbook
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
-    /// A workbook, with a sheet that explains the columns
+    /// Write a workbook, with a sheet that explains the columns
     #[arg(long)]
     xlsx: bool,
-    /// CSV
+    /// Write CSV
     #[arg(long, conflicts_with = "xlsx")]
     csv: bool,
 }
@@ -37,7 +38,7 @@ struct TemplateReport {
     format: &'static str,
     path: Option<String>,
     columns: Vec<ColumnReport>,
-    /// The file itself, where it was not written.
+    /// The text, where it was not written to a file.
     text: Option<String>,
 }
 
