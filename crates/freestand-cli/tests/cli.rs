@@ -156,6 +156,19 @@ fn usage_errors_have_an_error_and_a_hint() {
 }
 
 #[test]
+fn a_pdf_is_left_to_the_browser() {
+    insta::assert_snapshot!(freestand(&["assess", "--format", "csv,pdf"]), @r"
+    $ freestand assess --format csv,pdf
+    exit status 2
+    --- stdout
+
+    --- stderr
+    error: --format pdf: freestand does not write PDF files
+    hint: leave pdf out, open report.html in a browser and print it, to paper or as a PDF
+    ");
+}
+
+#[test]
 fn check_explains_the_built_in_study() {
     insta::assert_snapshot!(freestand(&["check"]));
 }

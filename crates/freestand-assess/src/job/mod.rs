@@ -15,8 +15,7 @@ use store::PROGRESS;
 
 use crate::inventory::{Inventory, read_inventory};
 use crate::library::{Libraries, Lookup};
-use crate::output::overview::Overview;
-use crate::output::{Head, Row, Wanted, head, write_all};
+use crate::output::{Head, Wanted, head, write_all};
 use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -30,7 +29,7 @@ use freestand_study::study::Study;
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 6] = ["objects.csv", "objects.parquet", "report.html", "report.pdf", "assessment.xlsx", MANIFEST];
+const OUTPUTS: [&str; 5] = ["objects.csv", "objects.parquet", "report.html", "assessment.xlsx", MANIFEST];
 
 /// How a job is run, and its optional outputs.
 #[derive(Debug, Clone, Copy, Default)]
@@ -41,12 +40,7 @@ pub struct Job {
     pub force: bool,
     /// Write `objects.parquet` too.
     pub parquet: bool,
-    /// `report.pdf`, by whoever can typeset it: what comes out is written.
-    pub pdf: Option<Typeset>,
 }
-
-/// From the head, the counts and the pages to a PDF.
-pub type Typeset = fn(&Head, &Overview, &[Row<'_>]) -> Result<Vec<u8>, String>;
 
 /// The summary of a job; its fields are the keys of the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -131,14 +125,7 @@ pub fn assess_into(
     let portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
-    let overview = write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
-    if let Some(typeset) = job.pdf {
-        let pages: Vec<Row> = portfolio.most_urgent(settings.pages)?;
-        let pdf = typeset(&head, &overview, &pages).map_err(|reason| {
-            Problem::new(ProblemKind::Computation, format!("report.pdf cannot be typeset: {reason}"))
-        })?;
-        folder.write("report.pdf", &pdf)?;
-    }
+    write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
     if portfolio.interrupted {
         portfolio.keep_in(&folder)?;
     }
@@ -228,9 +215,8 @@ fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), 
         return None;
     }
     let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;
-    let wanted = [("objects.parquet", job.parquet), ("report.pdf", job.pdf.is_some())];
     let is_there = |name: &str| target.join(name).is_file();
-    if !files.iter().all(|name| is_there(name)) || wanted.iter().any(|(name, wanted)| *wanted && !is_there(name)) {
+    if !files.iter().all(|name| is_there(name)) || (job.parquet && !is_there("objects.parquet")) {
         return None;
     }
     Some(JobReport {

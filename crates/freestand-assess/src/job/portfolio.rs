@@ -267,14 +267,6 @@ impl<'a> Portfolio<'a> {
         })
     }
 
-    /// The most urgent objects, in their order.
-    pub(super) fn most_urgent(&self, count: usize) -> Result<Vec<Row<'a>>, Problem> {
-        let urgent = |row: &Result<Row<'a>, Problem>| row.as_ref().map_or(true, |row| row.rank <= count);
-        let mut rows = self.rows().filter(urgent).collect::<Result<Vec<_>, _>>()?;
-        rows.sort_by_key(|row| row.rank);
-        Ok(rows)
-    }
-
     /// Keeps the finished parts beside the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
         let parts = self.ranks.len().div_ceil(PART);

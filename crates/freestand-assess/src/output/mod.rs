@@ -76,7 +76,7 @@ pub const URGENT_ROWS: usize = 50;
 /// and how many objects were assessed.
 ///
 /// Only the counts, the pages of the most urgent objects and one group of rows are in memory,
-/// whatever the number of rows. The counts are returned, for outputs that others write.
+/// whatever the number of rows.
 ///
 /// # Errors
 /// The first problem of `rows`, rows that are not in the order of the inventory, or a full disk.
@@ -86,7 +86,7 @@ pub fn write_all(
     inventory: &Inventory,
     wanted: Wanted,
     rows: &mut dyn Iterator<Item = Result<Row<'_>, Problem>>,
-) -> Result<Overview, Problem> {
+) -> Result<(), Problem> {
     let mut outputs = Outputs::begin(folder, head, inventory, wanted)?;
     let mut next = rows.next().transpose()?;
     for item in &inventory.items {
@@ -142,7 +142,7 @@ impl Outputs {
         Ok(())
     }
 
-    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<Overview, Problem> {
+    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<(), Problem> {
         self.csv.finish()?;
         if let Some(parquet) = self.parquet {
             parquet.finish(&self.overview)?;
@@ -153,7 +153,7 @@ impl Outputs {
         if let Some(report) = self.report {
             report.write(folder, head, &self.overview)?;
         }
-        Ok(self.overview)
+        Ok(())
     }
 }
 

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use freestand_assess::job::{Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
+use freestand_assess::job::{Job, JobReport, SCHEMA, assess_into, inventory_of};
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
 use freestand_input::words::counted;
@@ -65,12 +65,18 @@ enum Format {
     Csv,
     /// objects.parquet
     Parquet,
-    /// report.pdf, in builds with the feature pdf
+    /// Refused, with what to do instead
+    #[value(hide = true)]
     Pdf,
 }
 
 pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let pdf = if args.format.contains(&Format::Pdf) { Some(typesetter()?) } else { None };
+    if args.format.contains(&Format::Pdf) {
+        return Err(Failure::usage(
+            "--format pdf: freestand does not write PDF files",
+            "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
+        ));
+    }
     let overrides = Overrides { seed: global.seed, ..Overrides::default() };
     let mut study = match &args.study {
         Some(path) => load(path, &overrides)?,
@@ -83,7 +89,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     settings.cushion_library = args.cushion_library.clone().or(settings.cushion_library.take());
     let inventory = inventory_of(&study, args.inventory.as_deref(), args.sheet.as_deref())?;
     let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
-    let job = Job { resume: args.resume, force: global.force, parquet: args.format.contains(&Format::Parquet), pdf };
+    let job = Job { resume: args.resume, force: global.force, parquet: args.format.contains(&Format::Parquet) };
 
     let stop = Stop::listen();
     let bar = printer.progress_bar(false);
@@ -124,17 +130,4 @@ fn text(report: &JobReport) -> String {
     }
     text.push_str(&format!("report.html, assessment.xlsx, objects.csv in {}\n", report.out));
     text
-}
-
-#[cfg(not(feature = "pdf"))]
-fn typesetter() -> Result<Typeset, Failure> {
-    Err(Failure::usage(
-        "--format pdf needs a build with the feature pdf",
-        "cargo install --path crates/freestand-cli --features pdf, or print report.html from a browser",
-    ))
-}
-
-#[cfg(feature = "pdf")]
-fn typesetter() -> Result<Typeset, Failure> {
-    Ok(|head, overview, pages| freestand_pdf::assessment_pdf(head, overview, pages).map_err(|error| error.to_string()))
 }

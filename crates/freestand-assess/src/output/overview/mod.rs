@@ -132,7 +132,6 @@ impl Overview {
             assessed: 0,
             counts: Counts::default(),
             tiers: [0; 4],
-
             without_tolerance: 0,
             without_response: 0,
             with_failed_motions: 0,

@@ -20,7 +20,6 @@ fn decisions_are_counted() {
     assert_eq!((overview.counts.total(), overview.without_tolerance, overview.tiers), (24, 6, [6; 4]));
     // The quantities are 1, 2, 3, 1, 2, 3 …
     assert_eq!(overview.counts.pieces.iter().sum::<u64>(), 48);
-
     assert_eq!(overview.partial(), None);
     let consequence = |i: usize| overview.consequences[i].ratings.map(|counts| counts.total());
     assert_eq!((consequence(0), consequence(1), consequence(2)), ([8, 0, 8, 8], [0, 12, 0, 12], [24, 0, 0, 0]));

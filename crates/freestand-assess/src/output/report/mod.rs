@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use crate::inventory::Inventory;
 use freestand_input::problem::Problem;
 use freestand_output::folder::OutputFolder;
-use freestand_output::html::escape;
+use freestand_output::html::{CLOSING, escape, opening};
 
 use super::Head;
 use super::overview::Overview;
@@ -44,31 +44,21 @@ impl Report {
     /// Writes the file.
     pub(super) fn write(self, folder: &OutputFolder, head: &Head, overview: &Overview) -> Result<(), Problem> {
         let mut file = folder.begin(REPORT_NAME)?;
-        file.write(opening().as_bytes())?;
+        let subtitle =
+            format!("Assessment of an inventory under an earthquake · freestand {}", env!("CARGO_PKG_VERSION"));
+        file.write(opening(TITLE, &subtitle, CSS).as_bytes())?;
         file.write(summary::summary(head, overview, self.max_pages).as_bytes())?;
         for page in self.pages.values() {
             file.write(page.as_bytes())?;
         }
-        file.write(b"</main>\n</body>\n</html>\n")?;
+        file.write(CLOSING.as_bytes())?;
         file.finish()
     }
 }
 
-const TITLE: &str = "Which objects must be restrained";
+const CSS: &str = include_str!("style.css");
 
-fn opening() -> String {
-    let version = env!("CARGO_PKG_VERSION");
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" \
-         />\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" \
-         />\n<title>{TITLE}</title>\n<style>\n{}{}</style>\n\
-         </head>\n<body>\n<header>\n<h1>{TITLE}</h1>\n<p class=\"sub\">Assessment of an inventory under an \
-         earthquake · freestand {version}</p>\n</header>\n<main>\n",
-        freestand_output::html::CSS,
-        include_str!("style.css"),
-    )
-}
+const TITLE: &str = "Which objects must be restrained";
 
 /// Longest name, place or reason on a page, in characters.
 const MAX_NAME_CHARS: usize = 160;

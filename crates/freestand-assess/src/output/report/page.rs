@@ -21,7 +21,8 @@ pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Asse
     let mut html = format!("<section class=\"object\" id=\"{}\">\n", anchor(rank));
     let _ = writeln!(
         html,
-        "<p class=\"up\"><a href=\"#first\">Rank {rank}</a></p>\n<h2>{} <span class=\"what\">{}</span></h2>",
+        "<div class=\"name\">\n<p class=\"up\"><a href=\"#first\">Rank {rank}</a></p>\n\
+         <h2>{} <span class=\"what\">{}</span></h2>\n</div>",
         name(&item.id),
         name(&item.item)
     );

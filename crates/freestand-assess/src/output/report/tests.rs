@@ -1,3 +1,6 @@
+#[path = "../../../../freestand-output/tests/print/check.rs"]
+mod print_check;
+
 use crate::output::Wanted;
 use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
 
@@ -40,6 +43,12 @@ fn every_object_has_its_page_in_the_order_of_the_list() {
     {
         assert!(html.contains(words), "{words}");
     }
+}
+
+#[test]
+fn it_prints_like_every_report() {
+    let html = html(&inventory((0..12).map(item).collect()), 11, 200);
+    print_check::check_print(&html, TITLE, CSS);
 }
 
 #[test]
