@@ -45,9 +45,13 @@ pub fn percent_significant(share: f64, digits: usize) -> String {
     format!("{} %", number(100.0 * share, digits))
 }
 
-/// A count with its noun, which takes an s but for one: `1 motion`, `20 motions`.
+/// A count with its noun in singular or plural: `1 motion`, `20 motions`, `3 entries`.
 pub fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+    match noun.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u'])) {
+        _ if count == 1 => format!("{count} {noun}"),
+        Some(stem) => format!("{count} {stem}ies"),
+        None => format!("{count} {noun}s"),
+    }
 }
 
 /// A number of a CSV: the shortest text that reads back as `value`.
@@ -117,6 +121,12 @@ mod tests {
     fn rounding_up_a_decade_adds_no_digit() {
         assert_eq!((significant(9.99996, 4), significant(0.0999999, 3)), ("10.00".to_owned(), "0.100".to_owned()));
         assert_eq!((significant(2.7835e-5, 4), significant(4.38e6, 3)), ("2.784e-5".to_owned(), "4380000".to_owned()));
+    }
+
+    #[test]
+    fn nouns_follow_their_count() {
+        let found = [(1, "entry"), (2, "entry"), (0, "motion"), (30, "storey")].map(|(n, noun)| counted(n, noun));
+        assert_eq!(found, ["1 entry", "2 entries", "0 motions", "30 storeys"]);
     }
 
     #[test]
