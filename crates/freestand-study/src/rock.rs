@@ -61,11 +61,10 @@ pub fn rock(request: &RockRequest, record: bool) -> Result<RockReport, Problem> 
         && record
         && end_s / sampled > MAX_SAMPLES as f64
     {
-        return Err(Problem::new(
-            ProblemKind::Value,
+        return Err(Problem::value(
             format!("a history of {end_s} s at steps of {sampled} s is too long"),
-        )
-        .hint("give a shorter --duration, or leave --history out"));
+            "give a shorter `duration`, or leave `history` out",
+        ));
     }
     let mut recorder = HistoryRecorder::new(base.horizontal, FREE_HISTORY_DT_S);
     let mut friction: Option<f64> = None;
@@ -122,7 +121,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     let mut sliding = |needed: f64, when| {
         if needed > limit {
             let assumed =
-                if request.friction.is_some() { "" } else { "; this friction is an assumption, --friction sets it" };
+                if request.friction.is_some() { "" } else { "; this coefficient is assumed, `friction` sets it" };
             let warning = ValidityWarning::Sliding { needed_ratio: needed, friction_ratio: limit, when };
             warnings.push(format!("{warning}{assumed}"));
         }
@@ -193,15 +192,15 @@ pub fn problem(error: RockingError) -> Problem {
     let hint = match error {
         RockingError::FreeFlight { .. } => "check the unit and the scale of the vertical motion",
         RockingError::TooManyImpacts { .. } => {
-            "a restitution of 1 never loses energy: give a smaller one or a shorter duration"
+            "a `restitution` of 1 loses no energy: give a smaller one or a shorter `duration`"
         }
         RockingError::StepTooSmall { .. } => "check the unit and the scale of the motion, and the size of the object",
-        RockingError::Restitution { .. } => "give a restitution in (0, 1]",
+        RockingError::Restitution { .. } => "give a `restitution` in (0, 1]",
         RockingError::InitialState { .. } => "an object is overturned at 90 deg",
-        RockingError::Duration { .. } => "give --motion, or --initial-rotation with --duration",
-        RockingError::Gravity { .. } => "leave gravity out for 9.80665 m/s2",
-        RockingError::Accuracy { .. } => "use fast, standard or tight",
-        RockingError::VerticalMismatch { .. } => "resample one of them, so that both have the same step and length",
+        RockingError::Duration { .. } => "give `motion`, or `initial_rotation` with `duration`",
+        RockingError::Gravity { .. } => "leave `gravity` out for 9.80665 m/s2",
+        RockingError::Accuracy { .. } => "use `accuracy` fast, standard or tight",
+        RockingError::VerticalMismatch { .. } => "resample one of them so that both have the same step and length",
     };
     let kind = match error {
         RockingError::FreeFlight { .. } | RockingError::TooManyImpacts { .. } | RockingError::StepTooSmall { .. } => {

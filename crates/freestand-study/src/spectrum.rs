@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_output::facts::Facts;
 
 /// Block-steps of a chunk: seconds of work, after which a request to stop is noticed.
@@ -43,13 +43,12 @@ impl Grid {
     pub fn new(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
         if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
             let message = format!("{} × {} objects are too many", heights_m.len(), thicknesses_m.len());
-            return Err(Problem::new(ProblemKind::Value, message).hint(format!("at most {MAX_OBJECTS} in one call")));
+            return Err(Problem::value(message, format!("at most {MAX_OBJECTS} in one call")));
         }
         let grid = Self { heights_m, thicknesses_m };
         for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
-            Block::uniform(height_m, thickness_m).map_err(|error| {
-                Problem::new(ProblemKind::Value, error.to_string()).hint("check heights and thicknesses")
-            })?;
+            Block::uniform(height_m, thickness_m)
+                .map_err(|error| Problem::value(error.to_string(), "check `heights` and `thicknesses`"))?;
         }
         Ok(grid)
     }

@@ -80,8 +80,7 @@ pub fn rock_on_cushions(request: &CompliantRequest, record: bool) -> Result<Comp
     let end_s = options.duration_s.or(motion.horizontal.or(motion.vertical).map(Motion::duration_s)).unwrap_or(0.0);
     if record && end_s / dt_s > MAX_SAMPLES as f64 {
         let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
-        return Err(Problem::new(ProblemKind::Value, message)
-            .hint("give a shorter --duration, or leave --history and --out out"));
+        return Err(Problem::value(message, "give a shorter `duration`, or leave `history` and `out` out"));
     }
     let (width_m, contacts) = (request.block.base_width_m(), request.base.contacts);
     let mut recorder = CompliantRecorder::new(dt_s, width_m, &options.points_m, contacts);
@@ -139,9 +138,8 @@ pub fn damped(mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Result<Cu
     } else {
         ContactLaw::Linear { stiffness_n_m }
     };
-    Cushion::new(law).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string()).hint("check the stiffness and the damping of the cushion")
-    })
+    Cushion::new(law)
+        .map_err(|error| Problem::value(error.to_string(), "check the stiffness and the damping of the cushion"))
 }
 
 /// Eq. (5) for a rise of the centre of gravity, on any cushion: the landing of m_eff at the edge's velocity \[m/s²\].
@@ -270,7 +268,7 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
     if is_shaken && !base.cushion.law().is_damped() {
         warnings.push(
             "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock of a \
-             long history depends on rounding; use a damped law, such as kelvin-voigt with a damping of 5 %"
+             long history depends on rounding; use a damped law, such as `law = \"kelvin-voigt\"` with `damping = \"5 %\"`"
                 .to_owned(),
         );
     }
@@ -280,7 +278,7 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
     let missing = rocking.energy.residual_ratio;
     if missing > ENERGY_LIMIT {
         warnings.push(format!(
-            "the energy balance has an error of {missing:.1e} of the energy exchanged: use accuracy = tight"
+            "the energy balance has an error of {missing:.1e} of the energy exchanged: use `accuracy = \"tight\"`"
         ));
     }
     warnings
@@ -294,16 +292,17 @@ pub fn problem(error: CompliantError) -> Problem {
         CompliantError::Unstable { .. } => {
             (ProblemKind::Value, "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft")
         }
-        CompliantError::Duration { .. } => (ProblemKind::Value, "give --motion, or --cg-rise or --initial-rotation"),
+        CompliantError::Duration { .. } => (ProblemKind::Value, "give `motion`, `cg_rise` or `initial_rotation`"),
         CompliantError::VerticalMismatch => {
-            (ProblemKind::Value, "resample one of them, so that both have the same step and length")
+            (ProblemKind::Value, "resample one of them so that both have the same step and length")
         }
         CompliantError::StepTooSmall { .. } => {
             (ProblemKind::Computation, "check the units of the motion and of the cushion, and whether it bottoms")
         }
-        CompliantError::TooManySteps { .. } => {
-            (ProblemKind::Computation, "use a shorter --duration or --accuracy fast; a very stiff base is --base rigid")
-        }
+        CompliantError::TooManySteps { .. } => (
+            ProblemKind::Computation,
+            "use a shorter `duration` or `accuracy = \"fast\"`; for a very stiff base use `base = \"rigid\"`",
+        ),
     };
     Problem::new(kind, error.to_string()).hint(hint)
 }

@@ -246,8 +246,10 @@ impl AxisFloors {
 fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Problem> {
     motion.with_zero_tail(tail_s).map_err(|error| {
         let message = format!("{tail_s} s of zeros at steps of {} s: {error}", motion.dt_s());
-        Problem::new(ProblemKind::Value, message)
-            .hint("check `tail`, `period` and the time step of the record; ten periods of the building are enough")
+        Problem::value(
+            message,
+            "check `tail`, `period` and the time step of the record; ten periods of the building are enough",
+        )
     })
 }
 

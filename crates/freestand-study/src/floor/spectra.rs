@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::statistics::{QUANTILES, ranked_quantile};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_output::facts;
 use freestand_output::facts::table_csv;
 use freestand_records::horizontal::HorizontalMotion;
@@ -62,8 +62,7 @@ pub fn largest_psa_m_s2(
 
 /// Pseudo-accelerations of one floor, `[damping][period]` \[g\].
 pub(super) fn of_floor(floor: &HorizontalMotion, request: &SpectraRequest) -> Result<Vec<Vec<f64>>, Problem> {
-    let refused =
-        |error: String| Problem::new(ProblemKind::Value, error).hint("damping from 0 to below 1, periods of 0 or more");
+    let refused = |error: String| Problem::value(error, "damping from 0 to below 1, periods of 0 or more");
     let one = |&damping_ratio: &f64| -> Result<Vec<f64>, Problem> {
         let psa_m_s2 =
             largest_psa_m_s2(floor, damping_ratio, &request.periods_s).map_err(|error| refused(error.to_string()))?;

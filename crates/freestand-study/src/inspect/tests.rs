@@ -84,7 +84,7 @@ fn broken_files_are_listed_beside_what_could_be_read() {
     assert!(report.failed[0].reason.starts_with("line 3: "), "{:?}", report.failed);
     assert!(report.failed[0].problem.to_string().contains("a.csv:3: ") && report.failed[0].problem.hint.is_some());
     assert_eq!(String::from_utf8(report.measures_csv().unwrap()).unwrap().lines().count(), 3);
-    // Nothing is left to report of one file or of broken ones only.
+    // Of broken files only, or of one, there is nothing to report.
     request.files.paths.remove(1);
     let problems = info(&request).unwrap_err();
     let files: Vec<_> = problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
@@ -146,7 +146,7 @@ fn short_periods_are_warned_about_unless_there_are_samples_enough() {
     // Ten steps of 0.02 s are 0.2 s; half of that needs twice the samples.
     assert!(warnings(&[0.0, 0.2, 1.0], 1).is_empty());
     let found = warnings(&[0.1, 1.0], 1);
-    assert!(found[0].contains("0.1 s") && found[0].contains("; 2 samples in place of each "), "{found:?}");
+    assert!(found[0].contains("0.1 s") && found[0].contains("`upsample = 2`"), "{found:?}");
     assert!(warnings(&[0.1, 1.0], 2).is_empty());
 }
 
@@ -174,7 +174,7 @@ fn samples_are_refined_up_to_the_one_bound_of_resampling() {
     assert_eq!(check_upsampling(1, MAX_LENGTH + 1), Ok(()));
     for (factor, samples) in [(2, MAX_LENGTH / 2 + 1), (usize::MAX, 2)] {
         let problem = check_upsampling(factor, samples).unwrap_err();
-        assert!(problem.message.ends_with("more than resampling takes (25000000)"), "{problem}");
+        assert!(problem.message.ends_with("more than resampling allows (25000000)"), "{problem}");
         assert!(!problem.message.contains("--"), "{problem}");
     }
     let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s: vec![1.0], upsample: MAX_LENGTH };
@@ -255,8 +255,8 @@ fn spectra_over_directions_keep_the_order_of_the_percentiles() {
 #[test]
 fn what_no_spectrum_over_directions_has_is_refused() {
     let refused = |percentiles: &[f64], processing| directions(LEVEL, percentiles, processing).unwrap_err().message;
-    assert_eq!(refused(&[50.0, 0.0, 50.0], Processing::default()), "percentile 50 is asked for twice");
-    assert_eq!(refused(&[0.0, -0.0], Processing::default()), "percentile -0 is asked for twice");
+    assert_eq!(refused(&[50.0, 0.0, 50.0], Processing::default()), "percentile 50 is requested twice");
+    assert_eq!(refused(&[0.0, -0.0], Processing::default()), "percentile -0 is requested twice");
     assert!(refused(&[101.0], Processing::default()).contains("from 0 to 100"));
     let scale = Scale::Peak { target_m_s2: 1.0 };
     assert!(refused(&[50.0], Processing { scale, ..Processing::default() }).contains("no one factor"));

@@ -44,7 +44,7 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
         let stated = |value: Option<f64>, asked: Option<f64>, what: &str, key: &str| {
             value.or(asked).ok_or_else(|| {
                 let problem = Problem::new(ProblemKind::Value, format!("the {what} of the tests is not known"));
-                problem.in_file(path).hint(format!("give {key}, or a column with it"))
+                problem.in_file(path).hint(format!("give `{key}`, or a column with it"))
             })
         };
         let drop_height_m = stated(row.drop_height_m, request.drop_height_m, "drop height", "drop_height")?;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use freestand::identify::{StaticError, StaticOptions, StaticTest, static_test};
 
 use super::{Failed, is_sphere};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
@@ -125,7 +125,7 @@ fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
     if report.test.toe_m < -least_m {
         say(format!(
             "the tangent meets zero force {} mm before the first point: this indicates a preload or a pad that softens; \
-             with toe = keep the secant starts at the first point",
+             with `toe = \"keep\"` the secant starts at the first point",
             significant(-1e3 * report.test.toe_m, 3)
         ));
     }
@@ -155,14 +155,14 @@ fn problem(error: &StaticError) -> Problem {
         StaticError::TooFew { .. } => "record more points while loading",
         StaticError::NotFinite { .. } => "repair the file",
         StaticError::NoForce { .. } => "compression must be positive: reverse the signs of the columns",
-        StaticError::Load { .. } => "give a load that the test reached",
+        StaticError::Load { .. } => "give a `load` that the test reached",
         StaticError::NotRising { .. } => "check which columns are force and displacement, and their signs",
-        StaticError::Foot { .. } => "unload between the cycles, or give a higher load",
+        StaticError::Foot { .. } => "unload between the cycles, or give a higher `load`",
         StaticError::Machine { .. } => {
-            "check machine_compliance: it is the stiffness of the frame, such as \"50 kN/mm\""
+            "check `machine_compliance`: it is the stiffness of the frame, such as \"50 kN/mm\""
         }
     };
-    Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
+    Problem::value(error.to_string(), hint)
 }
 
 /// Compression and force of a test, corrected for machine and toe, as CSV.

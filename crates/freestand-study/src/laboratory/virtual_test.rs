@@ -10,7 +10,7 @@ use freestand::identify::{
 use freestand::{G0_M_S2, cushion::ContactLaw};
 use rayon::prelude::*;
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
 
@@ -23,8 +23,10 @@ const VELOCITY_ERROR: f64 = 0.01;
 /// A record of more than five million samples.
 pub fn drop_file(cushion: &Cushion, options: &VirtualDropOptions) -> Result<(String, VirtualDrop), Problem> {
     let drop = virtual_drop(cushion, options).ok_or_else(|| {
-        Problem::new(ProblemKind::Value, "the record would have more than five million samples")
-            .hint("reduce sample_rate, pre_trigger or bounces")
+        Problem::value(
+            "the record would have more than five million samples",
+            "reduce `sample_rate`, `pre_trigger` or `bounces`",
+        )
     })?;
     let height_m = options.speed_m_s.powi(2) / (2.0 * G0_M_S2);
     let mut text = format!("# virtual drop test\n# mass: {} kg\n# height: {} m\n", options.mass_kg, tidy(height_m));

@@ -131,7 +131,7 @@ fn overturning_lands_on_its_side() {
 
     request.scenario = Scenario::OverturnObstacle;
     request.energy = None;
-    assert!(refused(&request).contains("needs a gap"));
+    assert!(refused(&request).contains("needs `gap`"));
     request.gap_m = Some(0.2);
     assert!(refused(&request).contains("angular_velocity"));
     request.energy = Some(Energy::AngularVelocity(1.0));
@@ -179,7 +179,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let both = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..spectrum };
     assert_eq!(text(&shock(&both).unwrap(), "governing"), "spectrum");
     let no_peak = ShockRequest { tolerance_m_s2: None, ..both };
-    assert!(refused(&no_peak).contains("need tolerance"));
+    assert!(refused(&no_peak).contains("need `tolerance`"));
 }
 
 #[test]

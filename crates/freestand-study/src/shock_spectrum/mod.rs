@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 use std::time::Instant;
 
 use crate::recorded::ReadMotion;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, find_unit};
 use freestand_input::words::number;
 use freestand_output::facts::{Facts, table_csv};
@@ -196,7 +196,7 @@ fn refused(error: ShockResponseError) -> Problem {
         ShockResponseError::Damping { .. } => "damping from 0 to below 1; 5 % is Q = 10",
         ShockResponseError::Overflow { .. } => "check the unit of the accelerations",
     };
-    Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
+    Problem::value(error.to_string(), hint)
 }
 
 /// The chosen peaks in the unit of the input, and the half-sine that envelopes them.

@@ -124,7 +124,7 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
     if args.impactor == Some(Impactor::Flat) && args.sphere_radius.is_some() {
         values.push(problem("--sphere-radius is given for a flat impactor", "leave one of the two out"));
     }
-    // A radius says that it is a sphere.
+    // Only a sphere has a radius.
     let impactor = args.impactor.or(args.sphere_radius.as_ref().map(|_| Impactor::Sphere));
     let request = DropRequest {
         files: args.files.clone(),
@@ -158,7 +158,7 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
     }
 }
 
-/// What is read of several tests.
+/// The table of several tests.
 const COLUMNS: [Column; 12] = [
     ("path", "file", 0),
     ("impact_velocity_m_s", "impact velocity [m/s]", 4),

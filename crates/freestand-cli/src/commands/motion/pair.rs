@@ -14,7 +14,7 @@ use crate::values::{Given, Reads, Values, two_names};
 
 /// Two horizontal components.
 #[derive(Debug, Args)]
-// A pair is never turned as it is read; the flag stays known so that its error says what to do instead.
+// A pair is not rotated while it is read; the flag stays known so that its error can name the remedy.
 #[command(
     mut_arg("azimuth", |arg| arg.hide(true)),
     mut_arg("component", |arg| arg.help("The component of each of two files with several: its name or its number from 1"))
@@ -31,7 +31,7 @@ pub(super) struct PairArgs {
 }
 
 impl PairArgs {
-    /// What is to be read; what is wrong goes into `values`.
+    /// The files to read; problems go into `values`.
     pub(super) fn request(&self, values: &mut Values) -> PairFiles {
         PairFiles { files: self.read.files(&self.files, values), components: values.read(&self.components) }
     }

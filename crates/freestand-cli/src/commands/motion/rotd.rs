@@ -20,7 +20,7 @@ use crate::values::{Given, Reads, Values};
 Examples:
   freestand motion rotd record.v2 --periods \"0.05 s:3 s:60\"
   freestand motion rotd north.AT2 east.AT2 --percentiles \"0, 50, 100\" --damping 2% --json")]
-// Two components have no one factor to a target: these are known but refused.
+// Two components have no common factor to a target: these flags are known but refused.
 #[command(
     mut_arg("scale_to", |arg| arg.hide(true)),
     mut_arg("scale_to_sa", |arg| arg.hide(true)),

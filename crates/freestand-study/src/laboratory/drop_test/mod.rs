@@ -165,7 +165,7 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
         return Err(in_file(
-            value("the mass is not known").hint("give mass, or a line \"# mass: 0.365 kg\" in the file"),
+            value("the mass is not known").hint("give `mass`, or a line \"# mass: 0.365 kg\" in the file"),
         ));
     };
     let height_m = request.height_m.or(if request.impact_velocity_m_s.is_some() { None } else { said.height_m });

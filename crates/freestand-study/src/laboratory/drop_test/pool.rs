@@ -52,7 +52,7 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
     if alike.len() < given.len() {
         let laws: Vec<&str> = given.iter().filter_map(|test| law_of(test)).map(FittedLaw::name).collect();
         warnings.push(format!(
-            "the drops fit different laws ({}): only the {} of {} are pooled; a given law applies to all",
+            "the drops fit different laws ({}): only the {} of {} are pooled; `law` sets one law for all",
             laws.join(", "),
             alike.len(),
             law.name()
