@@ -15,12 +15,19 @@ use freestand::spectra::{UpliftCell, landings};
 
 use crate::cushion::EdgeCushion;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::{Choices, name_of};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
 
 /// Sampling of a history without a motion \[s\].
 const FREE_HISTORY_DT_S: f64 = 0.005;
+
+/// The equations of motion by name.
+pub const MODELS: Choices<RockingModel> = &[
+    (RockingModel::Rigid, "rigid", "The exact equation"),
+    (RockingModel::Linearised, "linear", "sin x → x, tan α → α: for comparison with closed forms"),
+];
 
 /// An object under a motion.
 #[derive(Debug, Clone)]
@@ -149,10 +156,6 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
             .key("edge_acceleration_impact_velocity_g", shock_of(i.omega_before_rad_s))
     };
     let is_up = rocking.outcome != Outcome::NoUplift;
-    let model = match options.model {
-        RockingModel::Rigid => "rigid",
-        RockingModel::Linearised => "linear",
-    };
     let by_velocity_g = shock.and_then(|s| s.edge_acceleration_impact_velocity_g);
     let threshold_g = options.model.uplift_threshold_ratio(block) * gravity / G0_M_S2;
     let facts = Facts::default()
@@ -178,7 +181,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .and(facts!(pivot; half_diagonal_m, slenderness_angle_rad))
         .fact("frequency_parameter_rad_s", "frequency parameter p", pivot.frequency_parameter_rad_s(gravity))
         .fact("uplift_threshold_g", "uplift threshold", threshold_g)
-        .key("model", model)
+        .key("model", name_of(MODELS, options.model))
         .key("accuracy", crate::summary::accuracy_words(options.accuracy))
         .fact("edge_acceleration_g", "shock, from the uplift", shock.and_then(|s| s.edge_acceleration_g))
         .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)

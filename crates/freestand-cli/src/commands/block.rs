@@ -5,6 +5,7 @@ use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse};
+use freestand_study::rock::MODELS;
 use freestand_study::shape::Shape;
 
 use crate::failure::problem;
@@ -27,11 +28,6 @@ pub(crate) struct RockingArgs {
     #[arg(long, value_parser = choice(ACCURACIES), default_value = name_of(ACCURACIES, Accuracy::default()))]
     pub(crate) accuracy: Accuracy,
 }
-
-const MODELS: Choices<RockingModel> = &[
-    (RockingModel::Rigid, "rigid", "The exact equation"),
-    (RockingModel::Linearised, "linear", "sin x → x, tan α → α: for comparison with closed forms"),
-];
 
 const ACCURACIES: Choices<Accuracy> = &[
     (Accuracy::Fast, "fast", "1e-9 a step; in spectra rotations to 1e-7 or so"),

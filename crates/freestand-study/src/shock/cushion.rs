@@ -1,8 +1,9 @@
 //! What an edge or a side lands on: a cushion, in any of its descriptions, or a measured drop.
 
-use super::ShockRequest;
+use super::{SCENARIOS, ShockRequest};
 use crate::cushion::{CushionWords, EdgeCushion};
 use freestand_input::problem::{Problem, Problems};
+use freestand_input::words::name_of;
 
 /// What the edge lands on.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +23,7 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
         }
         let Some(value_n_m) = request.contact_stiffness_n_m else {
             problems.push(Problem::value(
-                format!("the scenario {} needs `contact_stiffness`", request.scenario.name()),
+                format!("the scenario {} needs `contact_stiffness`", name_of(SCENARIOS, request.scenario)),
                 "give the stiffness of the object's side on what it hits, such as `contact_stiffness = \"2000 N/mm\"`",
             ));
             return None;

@@ -22,6 +22,7 @@ use verdict::{Compared, compared, max_stiffness};
 use crate::cushion::{CushionWords, cushion_words};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::{Choices, name_of};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 
@@ -39,28 +40,24 @@ pub enum Scenario {
     OverturnObstacle,
 }
 
-impl Scenario {
-    /// The name in inputs and outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rocking => "rocking",
-            Self::Halted => "halted",
-            Self::OverturnFloor => "overturn-floor",
-            Self::OverturnObstacle => "overturn-obstacle",
-        }
-    }
+/// The scenarios by name.
+pub const SCENARIOS: Choices<Scenario> = &[
+    (Scenario::Rocking, "rocking", "The edge lands and the object rocks on"),
+    (Scenario::Halted, "halted", "The edge lands and the object stops"),
+    (Scenario::OverturnFloor, "overturn-floor", "It falls over onto the floor"),
+    (Scenario::OverturnObstacle, "overturn-obstacle", "It falls against an obstacle"),
+];
 
+/// The impact models by name.
+pub const MODELS: Choices<ImpactModel> = &[
+    (ImpactModel::Paper, "paper", "Eq. (5): no-slip landing edge"),
+    (ImpactModel::Halted, "halted", "Eq. (8): the rotation is halted"),
+    (ImpactModel::FreeCorner, "free-corner", "Frictionless landing edge, for comparison"),
+];
+
+impl Scenario {
     fn overturns(self) -> bool {
         matches!(self, Self::OverturnFloor | Self::OverturnObstacle)
-    }
-}
-
-/// The name of a model in inputs and outputs: `paper`, `halted`, `free-corner`.
-pub fn model_name(model: ImpactModel) -> &'static str {
-    match model {
-        ImpactModel::Paper => "paper",
-        ImpactModel::Halted => "halted",
-        ImpactModel::FreeCorner => "free-corner",
     }
 }
 
@@ -274,7 +271,8 @@ fn contradictions(request: &ShockRequest) -> impl Iterator<Item = Problem> {
         ),
     ]
     .into_iter()
-    .filter_map(|(is_wrong, message, hint)| is_wrong.then(|| Problem::value(message, hint)))
+    .filter(|(is_wrong, ..)| *is_wrong)
+    .map(|(_, message, hint)| Problem::value(message, hint))
 }
 
 fn landing(request: &ShockRequest) -> Result<Landing, Problem> {
@@ -503,8 +501,8 @@ fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &F
         None => Verdict::None,
     };
     let facts = Facts::default()
-        .fact("scenario", "scenario", request.scenario.name())
-        .fact("model", "model", model_name(landing.model))
+        .fact("scenario", "scenario", name_of(SCENARIOS, request.scenario))
+        .fact("model", "model", name_of(MODELS, landing.model))
         .key("energy_source", fall.source.name())
         .fact("drop_acceleration_g", "drop acceleration", drop_m_s2 / G0_M_S2)
         .fact("edge_acceleration_g", "shock", edge_m_s2 / G0_M_S2)
