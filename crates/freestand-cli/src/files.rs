@@ -20,7 +20,8 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Begins the folder of `--out`, before any work is done; `inputs` are the files that the command reads.
+    /// Begins the folder of `--out`, before any work is done; `inputs` are the files that the
+    /// command reads.
     pub(crate) fn begin(global: &GlobalArgs, inputs: &[PathBuf]) -> Result<Self, Failure> {
         let folder = match &global.out {
             Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force, inputs)?)),
@@ -65,7 +66,8 @@ impl Files {
         self.folder.as_ref().map(|(target, _)| path_text(&target.join(name)))
     }
 
-    /// Ends a command whose result is its document: adds that as `result.json`, with a short manifest, and prints it.
+    /// Ends a command whose result is its document: adds that as `result.json`, with a short
+    /// manifest, and prints it.
     pub(crate) fn print<T: Serialize>(
         self,
         printer: &Printer,
@@ -81,13 +83,14 @@ impl Files {
         printer.result(schema, body, warnings, text)
     }
 
-    /// Adds the short manifest of a command whose document is in [`RESULT`] already, and puts the folder in its place.
+    /// Adds the short manifest of a command whose document is in [`RESULT`] already, and puts the
+    /// folder in its place.
     pub(crate) fn finish_result(self, schema: &str, warnings: &[String]) -> Result<(), Failure> {
         self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)
     }
 
-    /// Adds `manifest.json`, the document that is also printed with the names of all files, and puts the folder in its
-    /// place.
+    /// Adds `manifest.json`, the document that is also printed with the names of all files, and
+    /// puts the folder in its place.
     pub(crate) fn finish<T: Serialize>(self, schema: &str, body: &T, warnings: &[String]) -> Result<(), Failure> {
         let Some((_, folder)) = self.folder else { return Ok(()) };
         let mut names = folder.names()?;
@@ -103,7 +106,8 @@ impl Files {
 /// The document that is printed with `--json`, in the output folder.
 pub(crate) const RESULT: &str = "result.json";
 
-/// A document with the files that were written: by this list the next run knows what it may replace.
+/// A document with the files that were written: by this list the next run knows what it may
+/// replace.
 #[derive(Debug, Serialize)]
 struct Listed<'a, T> {
     #[serde(flatten)]

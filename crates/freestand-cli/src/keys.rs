@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use freestand_input::keys::{KeyStyle, Words};
 
 /// A flag by its key: what its value is called, how often it may be given, and its help.
 pub(crate) struct Key(&'static str, Option<&'static str>, ArgAction, &'static str);
@@ -32,29 +33,19 @@ pub(crate) trait KeySet: Debug + Clone {
 /// The keys that were given, with their texts.
 #[derive(Debug, Clone)]
 pub(crate) struct Keys<S> {
-    texts: Vec<(&'static str, String)>,
+    pub(crate) words: Words,
     set: PhantomData<S>,
-}
-
-impl<S> Keys<S> {
-    pub(crate) fn is_empty(&self) -> bool {
-        self.texts.is_empty()
-    }
-
-    pub(crate) fn get(&self, key: &str) -> Option<&str> {
-        self.texts().find(|(name, _)| *name == key).map(|(_, text)| text)
-    }
-
-    pub(crate) fn texts(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        self.texts.iter().map(|(key, text)| (*key, text.as_str()))
-    }
 }
 
 impl<S: KeySet> Args for Keys<S> {
     fn augment_args(command: Command) -> Command {
         let arg = |heading, Key(key, value, action, help): &Key| {
-            let flag = key.trim_end_matches("_years").replace('_', "-");
-            let arg = Arg::new(*key).long(flag).action(action.clone()).help(*help).help_heading(heading);
+            let flag = KeyStyle::Flag.name(key);
+            let arg = Arg::new(*key)
+                .long(flag.trim_start_matches('-').to_owned())
+                .action(action.clone())
+                .help(*help)
+                .help_heading(heading);
             value.map_or(arg.clone(), |value| arg.value_name(value))
         };
         command.args(S::KEYS.iter().flat_map(|(heading, keys)| keys.iter().map(|key| arg(*heading, key))))
@@ -73,7 +64,7 @@ impl<S: KeySet> FromArgMatches for Keys<S> {
             let texts = matches.get_raw(key).into_iter().flatten();
             texts.map(move |text| (key, text.to_string_lossy().into_owned()))
         });
-        Ok(Self { texts: texts.collect(), set: PhantomData })
+        Ok(Self { words: texts.collect(), set: PhantomData })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

@@ -1,4 +1,5 @@
-//! What the user sees: one JSON document or a table on standard output, everything else on standard error.
+//! What the user sees: one JSON document or a table on standard output, everything else on standard
+//! error.
 
 use std::io::{self, IsTerminal, Write};
 
@@ -27,7 +28,8 @@ impl Printer {
         Self { json: global.json, quiet: global.quiet, verbose: global.verbose }
     }
 
-    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the warnings.
+    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the
+    /// warnings.
     pub(crate) fn result<T: Serialize>(
         &self,
         schema: &str,
@@ -65,8 +67,8 @@ impl Printer {
         }
     }
 
-    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed` meanwhile would run
-    /// through it.
+    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed`
+    /// meanwhile would run through it.
     pub(crate) fn progress_bar(&self, printed: bool) -> ProgressBar {
         if self.quiet || !io::stderr().is_terminal() || (printed && io::stdout().is_terminal()) {
             return ProgressBar::hidden();

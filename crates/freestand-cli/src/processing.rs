@@ -18,39 +18,44 @@ use crate::values::{Given, Reads, Values};
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Processing records, in this order")]
 pub(crate) struct ProcessArgs {
-    /// Turn the two horizontal components of a file to this azimuth, clockwise from north
+    /// Rotate the two horizontal components of a file to this azimuth, clockwise from north
     #[arg(long, any = Dimension::Angle, conflicts_with = "component", hide_short_help = true)]
     pub(crate) azimuth: Option<Given>,
-    /// Baseline to remove: mean, pre-event:5s, linear, quadratic, cubic, poly:N, graizer, graizer:N:5s, boore:T1:T2
+    /// Baseline to remove: mean, pre-event:5s, linear, quadratic, cubic, poly:N, graizer,
+    /// graizer:N:5s, boore:T1:T2
     ///
-    /// mean, and pre-event (of the first seconds): a constant. linear, quadratic, cubic, poly:N: a polynomial fitted to
-    /// the acceleration. graizer: the derivative of a polynomial fitted to the velocity, of degree 2 or N, from 0 s or
-    /// another time on (Graizer 1979). boore: two offsets, from T1 to T2 and after T2, so that the velocity ends about
-    /// zero (Iwan 1985, Boore 2001).
+    /// mean and pre-event remove a constant: the mean of the record or of its first seconds.
+    /// linear, quadratic, cubic and poly:N remove a polynomial fitted to the acceleration. graizer
+    /// removes the derivative of a polynomial fitted to the velocity, of degree 2 or N, from 0 s or
+    /// from the time given (Graizer 1979). boore removes two offsets, one from T1 to T2 and one
+    /// after T2, so that the velocity ends near zero (Iwan 1985, Boore 2001).
     #[arg(long, value_name = "BASELINE", read = parse_baseline, hide_short_help = true)]
     pub(crate) baseline: Option<Given<Baseline>>,
-    /// Cosine taper over this share of the record at each end
+    /// Length of the cosine taper at each end, as a share of the record
     #[arg(long, any = Dimension::Ratio, hide_short_help = true)]
     pub(crate) taper: Option<Given>,
-    /// Corner of a high-pass filter
+    /// Corner frequency of a high-pass filter
     ///
-    /// Butterworth, forwards and backwards: no shift in time, half the amplitude at the corner. Zeros for 1.5 × order /
-    /// corner are put before and after the record and kept, so that it starts earlier (Boore 2005).
+    /// A Butterworth filter is run forwards and backwards: it shifts nothing in time and halves the
+    /// amplitude at the corner. Zeros are added before and after the record for a time of
+    /// 1.5 × order / corner, and are kept, so that the record starts earlier (Boore 2005).
     #[arg(long, any = Dimension::Frequency, hide_short_help = true)]
     pub(crate) low_cut: Option<Given>,
-    /// Corner of a low-pass filter, of the same kind
+    /// Corner frequency of a low-pass filter of the same kind
     #[arg(long, any = Dimension::Frequency, hide_short_help = true)]
     pub(crate) high_cut: Option<Given>,
-    /// Order of the filters, 1 to 10 [default: 4]
+    /// Order of the filters, from 1 to 10 [default: 4]
     #[arg(long, value_name = "N", read = filter_order, hide_short_help = true)]
     pub(crate) filter_order: Option<Given<u32>>,
-    /// New time step: band-limited interpolation; straight lines where the samples are unevenly spaced
+    /// New time step, by band-limited interpolation (by straight lines if samples are unevenly
+    /// spaced)
     #[arg(long, any = Dimension::Time, hide_short_help = true)]
     pub(crate) resample: Option<Given>,
-    /// Scale to this largest acceleration, such as "0.3 g"
+    /// Scale to this peak acceleration, such as "0.3 g"
     #[arg(long, any = Dimension::Acceleration, conflicts_with = "scale", hide_short_help = true)]
     pub(crate) scale_to: Option<Given>,
-    /// Scale to a pseudo-acceleration, such as "0.4 g at 1.2 s", or "0.4 g at 1.2 s, 2 %" for another damping than 5 %
+    /// Scale to a pseudo-acceleration, such as "0.4 g at 1.2 s", or "0.4 g at 1.2 s, 2 %" for a
+    /// damping other than 5 %
     #[arg(
         long,
         value_name = "ACCELERATION at PERIOD",
@@ -59,11 +64,13 @@ pub(crate) struct ProcessArgs {
         hide_short_help = true
     )]
     pub(crate) scale_to_sa: Option<Given<Scale>>,
-    /// Scale to a spectrum: a file, or "target.csv, 0.1 s to 2 s, 2 %" for part of it and for a damping
+    /// Scale to the spectrum of a file, such as target.csv; "target.csv, 0.1 s to 2 s, 2 %" uses a
+    /// part of it and a damping of 2 %
     ///
-    /// The file has columns of periods and pseudo-accelerations with units in their headings, such as "period [s]; PSA [g]",
-    /// or is the spectrum.csv of `freestand motion spectrum --out`. The factor is that of the least squares of ln PSA, in
-    /// which every period of the file counts the same. The damping is that of the file where it states one only, else 5 %.
+    /// The file has columns of periods and pseudo-accelerations with units in their headings, such
+    /// as "period [s]; PSA [g]", or is the spectrum.csv of `freestand motion spectrum --out`. The
+    /// factor gives the least squares of ln PSA, in which every period of the file has the same
+    /// weight. The damping is that of the file if it states exactly one, and otherwise 5 %.
     #[arg(
         long,
         value_name = "FILE[, PERIODS][, DAMPING]",

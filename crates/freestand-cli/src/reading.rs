@@ -18,22 +18,23 @@ use crate::values::{Given, Reads, Values, two_names};
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Reading records")]
 pub(crate) struct ReadArgs {
-    /// Unit of acceleration in the file, such as g, m/s2 or gal, where it does not state it
+    /// Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it
     #[arg(long, value_name = "UNIT", read = unit)]
     unit: Option<Given<String>>,
-    /// Time step of columns without a time
+    /// Time step of a file without a column of times
     #[arg(long, value_name = "TIME", read = time_step)]
     dt: Option<Given>,
-    /// Component of a file with several: its name or its number from 1
+    /// Component to read from a file with several, by name or by number (from 1)
     #[arg(long, value_name = "NAME|NUMBER")]
     pub(crate) component: Option<String>,
-    /// StationXML with the sensitivity of a miniSEED file [default: one beside the file]
+    /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same
+    /// folder]
     #[arg(long, value_name = "FILE")]
     pub(crate) station_xml: Option<PathBuf>,
-    /// Keep the mean of raw records (counts, miniSEED, SAC), which is removed otherwise
+    /// Do not remove the mean of raw records (counts, miniSEED, SAC)
     #[arg(long)]
     pub(crate) keep_mean: bool,
-    /// Factor on the samples [default: 1]
+    /// Factor that multiplies the samples [default: 1]
     #[arg(long, any = Dimension::Ratio)]
     scale: Option<Given>,
     #[command(flatten)]
@@ -61,17 +62,18 @@ fn components(text: &str) -> Result<Second, Problem> {
     two_names(text).map(|both| Second::SameFile(Some(both))).map_err(wrong)
 }
 
-/// The second horizontal component of records, and the directions in which objects are tried.
+/// The second horizontal component of records, and the directions in which objects may rock.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Two horizontal components")]
 pub(crate) struct SecondArgs {
-    /// Take two horizontal components of each file: "both", or two by name or number, such as "1, 2"
+    /// Use two horizontal components of each file: "both", or two by name or number, such as "1, 2"
     #[arg(long, value_name = "both|NAME, NAME", conflicts_with = "component", read = components)]
     components: Option<Given<Second>>,
-    /// Files with the second component, one for each of the first
+    /// Files with the second component, one for each file of the first
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "components")]
     pub(crate) across: Vec<PathBuf>,
-    /// Step between the directions in which objects are tried, 0 to 180 degrees [default: 15 deg]
+    /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
+    /// deg]
     #[arg(long, positive = Dimension::Angle)]
     pub(crate) rotation_step: Option<Given>,
 }
@@ -100,19 +102,21 @@ impl SecondArgs {
     }
 }
 
-/// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the command's own.
+/// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the
+/// command's own.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct VerticalArgs {
-    /// Factor on the vertical samples [default: 1]
+    /// Factor that multiplies the vertical samples [default: 1]
     #[arg(long, any = Dimension::Ratio, requires = "vertical")]
     vertical_scale: Option<Given>,
-    /// Component of the vertical record, where it has several
+    /// Component to read from the vertical record, if it has several
     #[arg(long, value_name = "NAME|NUMBER", requires = "vertical")]
     vertical_component: Option<String>,
 }
 
 impl VerticalArgs {
-    /// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
+    /// Unit, step, baseline and filters hold for both records; scale, component and direction do
+    /// not.
     pub(crate) fn reading(&self, horizontal: &ReadArgs) -> ReadArgs {
         let unscaled =
             ProcessArgs { scale_to: None, scale_to_sa: None, scale_to_spectrum: None, ..horizontal.process.clone() };
@@ -161,7 +165,8 @@ impl ReadArgs {
         }
     }
 
-    /// The files that are read: records, the StationXML that is named, and the target that they are scaled to.
+    /// The files that are read: records, the StationXML that is named, and the target that they are
+    /// scaled to.
     pub(crate) fn inputs<'a>(&self, records: impl IntoIterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
         let others = self.station_xml.iter().cloned().chain(self.process.target_path());
         records.into_iter().cloned().chain(others).collect()

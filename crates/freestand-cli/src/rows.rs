@@ -1,4 +1,5 @@
-//! Where the rows of a long table go while they are computed: CSV files, JSON documents, standard output.
+//! Where the rows of a long table go while they are computed: CSV files, JSON documents, standard
+//! output.
 
 use std::path::{Path, PathBuf};
 
@@ -64,8 +65,8 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends every output: what follows the rows in the document, the names of the files; then the text for people in
-    /// place of a printed document, and the warnings.
+    /// Ends every output: what follows the rows in the document, the names of the files; then the
+    /// text for people in place of a printed document, and the warnings.
     pub(crate) fn finish<T: Serialize>(
         mut self,
         files: Files,

@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_input::keys::KeyStyle;
-use freestand_study::target::{Target, TargetWords};
+use freestand_study::target::Target;
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -28,37 +27,40 @@ impl KeySet for TargetKeys {
                 key(
                     "code",
                     "CODE",
-                    "The code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or a table with --spectrum]",
+                    "Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or the table of \
+                     --spectrum]",
                 ),
                 key(
                     "edition",
                     "YEAR",
-                    "Edition: of AS 1170.4 2007 (amended to 2018) or 2024 (not confirmed), of ASCE 7 2022 or 2016 [default: the first]",
+                    "Edition: 2007 (amended to 2018) or 2024 (unconfirmed) of AS 1170.4, 2022 or 2016 of ASCE 7 \
+                     [default: the first]",
                 ),
                 key(
                     "site",
                     "CLASS",
-                    "Site class Ae to Ee [default: De]; ground type A to E of Eurocode 8; subsoil class A to E of NZS 1170.5",
+                    "Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8, \
+                     subsoil class A to E of NZS 1170.5",
                 ),
             ],
         ),
         (
             "AS 1170.4 and NZS 1170.5",
             &[
-                key("hazard_factor", "RATIO", "Hazard factor Z"),
+                key("hazard_factor", "RATIO", "Hazard factor Z [default: that of the city]"),
                 key("city", "NAME", "City in the table of AS 1170.4 [default: Melbourne]"),
                 key("return_period_years", "YEARS", "Return period in years [default: 500]"),
                 key(
                     "fault_distance",
                     "LENGTH",
-                    "Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault is near]",
+                    "Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault nearby]",
                 ),
             ],
         ),
         (
             "Eurocode 8",
             &[
-                key("spectrum_type", "1|2", "Type of spectrum: 1, or 2 where magnitudes stay below 5.5"),
+                key("spectrum_type", "1|2", "Type of spectrum: 1, or 2 if magnitudes stay below 5.5"),
                 key("ground_acceleration", "ACCELERATION", "Reference ground acceleration on rock, a_gR"),
                 key("importance_factor", "RATIO", "Importance factor [default: 1]"),
                 key(
@@ -93,11 +95,12 @@ impl KeySet for TargetKeys {
                     "FILE",
                     "Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings",
                 ),
-                key("interpolation", "HOW", "Between the periods of the table: log-log or linear [default: log-log]"),
+                key("interpolation", "HOW", "How to interpolate between periods: log-log or linear [default: log-log]"),
                 key(
                     "beyond",
                     "HOW",
-                    "Outside them: refuse, or hold (constant Sa below, constant displacement above) [default: refuse]",
+                    "Outside the periods of the table: refuse, or hold (constant Sa below, constant displacement \
+                     above) [default: refuse]",
                 ),
             ],
         ),
@@ -107,33 +110,24 @@ impl KeySet for TargetKeys {
 impl TargetArgs {
     /// The spectrum.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
-        let wrong = |problems: Vec<freestand_study::target::TargetProblem>| {
-            Failure::Problems(problems.into_iter().map(|problem| problem.problem).collect())
-        };
-        Target::resolve(&self.words(), Path::new("")).map_err(wrong)
+        Ok(Target::resolve(&self.keys.words, Path::new(""))?)
     }
 
     /// The spectrum, which must have all the periods that motions are matched at.
     pub(crate) fn matched_target(&self) -> Result<Target, Failure> {
         let target = self.target()?;
-        target.check_matched_band(&self.words().example("beyond", "hold"))?;
+        target.check_matched_band()?;
         Ok(target)
     }
 
     /// Whether any of these flags was given.
     pub(crate) fn is_given(&self) -> bool {
-        !self.keys.is_empty()
-    }
-
-    fn words(&self) -> TargetWords {
-        let mut words = TargetWords::new(KeyStyle::Flag);
-        self.keys.texts().for_each(|(key, text)| words.set(key, text));
-        words
+        !self.keys.words.is_empty()
     }
 
     /// The file that these flags name.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
-        self.keys.get("spectrum").map(PathBuf::from).into_iter().collect()
+        self.keys.words.get("spectrum").map(PathBuf::from).into_iter().collect()
     }
 }
 

@@ -1,5 +1,6 @@
-//! Flags that hold values with units. clap reads each of them once and keeps what is wrong with it in place of the value,
-//! under the name by which it knows the flag: so a command reports all problems at once.
+//! Flags that hold values with units. clap reads each of them once and keeps what is wrong with it
+//! in place of the value, under the name by which it knows the flag: so a command reports all
+//! problems at once.
 
 use std::any::TypeId;
 use std::ffi::OsStr;
@@ -7,13 +8,14 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, ValueParserFactory};
 use clap::{Arg, Command};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{self, Dimension};
 pub(crate) use freestand_input::words::{Choices, name_of};
 
 use crate::failure::{Failure, problem};
 
-/// What a flag says, or what is wrong with it. How it is read stands in its definition, see [`Reads`].
+/// What a flag says, or what is wrong with it. How it is read stands in its definition, see
+/// [`Reads`].
 #[derive(Debug, Clone)]
 pub(crate) struct Given<T = f64>(pub(crate) Result<T, Problem>);
 
@@ -49,7 +51,8 @@ fn named(flag: &str, mut problem: Problem) -> Problem {
     problem
 }
 
-/// How the value of a flag is read: `#[arg(long, positive = Dimension::Length)]`. Its name in the help is the dimension.
+/// How the value of a flag is read: `#[arg(long, positive = Dimension::Length)]`. Its name in the
+/// help is the dimension.
 pub(crate) trait Reads: Sized {
     /// By a function; the definition also states the name of the value.
     fn read<T, F>(self, read: F) -> Self
@@ -97,9 +100,10 @@ impl Reads for Arg {
     }
 }
 
-/// `LENGTH`, `VELOCITY`.
+/// `LENGTH`, `ANGULAR-VELOCITY`.
 fn value_name(dimension: Dimension) -> String {
-    dimension.with_article().rsplit(' ').next().unwrap_or_default().to_uppercase()
+    let name = dimension.with_article();
+    name.split_once(' ').map_or(name, |(_, name)| name).to_uppercase().replace(' ', "-")
 }
 
 /// Two lengths, `"0.3 m, 1.2 m"`.
@@ -130,22 +134,46 @@ pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedVa
     })
 }
 
-/// A command whose flags take values that begin with a minus sign, as in `--x "-1 rad"`. Not names of files, and not
-/// several values: they would take the next flag for one of them.
-pub(crate) fn with_negative_values(command: Command) -> Command {
-    let negative = |arg: Arg| {
-        let is_single = arg.get_action().takes_values() && arg.get_num_args().is_none_or(|count| count == 1.into());
-        let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
-        let allowed = !arg.is_positional() && is_single && !is_path;
-        arg.allow_hyphen_values(allowed)
+/// A command and those below it, whose flags take negative values and whose help ends with the
+/// units of values.
+pub(crate) fn finished(command: Command) -> Command {
+    let units = units(&command);
+    let command = match command.get_after_help() {
+        Some(help) if !units.is_empty() => {
+            let help = format!("{help}\n\nUnits:\n{units}");
+            command.after_long_help(help)
+        }
+        _ => command,
     };
-    command.mut_args(negative).mut_subcommands(with_negative_values)
+    command.mut_args(with_negative_values).mut_subcommands(finished)
+}
+
+/// Lets a value begin with a minus sign, as in `--x "-1 rad"`. Not the name of a file, and not one
+/// of several values: they would take the next flag for one of them.
+fn with_negative_values(arg: Arg) -> Arg {
+    let is_single = arg.get_action().takes_values() && arg.get_num_args().is_none_or(|count| count == 1.into());
+    let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+    let allowed = !arg.is_positional() && is_single && !is_path;
+    arg.allow_hyphen_values(allowed)
+}
+
+/// The units of the values that a command takes, a line for each dimension.
+fn units(command: &Command) -> String {
+    let names: Vec<&str> =
+        command.get_arguments().flat_map(|arg| arg.get_value_names().unwrap_or_default()).map(|name| &**name).collect();
+    let taken = Dimension::ALL.into_iter().filter(|dimension| names.contains(&&*value_name(*dimension)));
+    let line = |dimension: Dimension| {
+        let units: Vec<&str> = dimension.units().map(|unit| unit.symbol).collect();
+        let bare = if dimension == Dimension::Ratio { "none, or " } else { "" };
+        format!("  {:17}  {bare}{}", value_name(dimension), units.join(", "))
+    };
+    taken.map(line).collect::<Vec<_>>().join("\n")
 }
 
 /// Collects what is wrong with the values of flags.
 #[derive(Debug, Default)]
 pub(crate) struct Values {
-    problems: Vec<Problem>,
+    problems: Problems,
 }
 
 impl Values {
@@ -155,8 +183,8 @@ impl Values {
     }
 
     /// A value, or what is wrong with it.
-    pub(crate) fn take<T>(&mut self, result: Result<T, Problem>) -> Option<T> {
-        result.map_err(|problem| self.problems.push(problem)).ok()
+    pub(crate) fn take<T>(&mut self, result: Result<T, impl Into<Problems>>) -> Option<T> {
+        self.problems.keep(result)
     }
 
     /// A value found elsewhere; what is wrong with it is named by its flag.
@@ -171,6 +199,6 @@ impl Values {
 
     /// Fails if anything was wrong.
     pub(crate) fn finish(self) -> Result<(), Failure> {
-        if self.problems.is_empty() { Ok(()) } else { Err(Failure::Problems(self.problems)) }
+        Ok(self.problems.finish(Some(()))?)
     }
 }

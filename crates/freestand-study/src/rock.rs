@@ -25,8 +25,8 @@ const FREE_HISTORY_DT_S: f64 = 0.005;
 
 /// The equations of motion by name.
 pub const MODELS: Choices<RockingModel> = &[
-    (RockingModel::Rigid, "rigid", "The exact equation"),
-    (RockingModel::Linearised, "linear", "sin x → x, tan α → α: for comparison with closed forms"),
+    (RockingModel::Rigid, "rigid", "The exact equation of motion"),
+    (RockingModel::Linearised, "linear", "Linearised (sin x → x, tan α → α), for comparison with closed forms"),
 ];
 
 /// An object under a motion.

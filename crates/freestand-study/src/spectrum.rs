@@ -271,7 +271,7 @@ pub struct SpectrumTally {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cushion::CushionWords;
+    use crate::cushion;
     use freestand_output::facts::csv_rows;
 
     fn request() -> SpectrumRequest {
@@ -280,7 +280,7 @@ mod tests {
         SpectrumRequest {
             grid: Grid::new(heights_m, thicknesses_m).unwrap(),
             options: RockingOptions::default(),
-            cushion: Some((150.0, CushionWords::spring(4.38e6).resolve(None).unwrap())),
+            cushion: Some((150.0, cushion::resolve(&cushion::spring(4.38e6), None).unwrap())),
             sensitivity: true,
         }
     }
@@ -337,11 +337,8 @@ mod tests {
     /// A pad that bottoms after 0.1 mm cannot hold a rocking cabinet: a reason in place of a number.
     #[test]
     fn a_cushion_that_bottoms_gives_a_reason_and_no_number() {
-        let mut words = CushionWords::default();
-        for (key, text) in [("law", "tangent"), ("stiffness", "100 N/mm"), ("bottoming", "0.1 mm")] {
-            words.set(key, text);
-        }
-        let request = SpectrumRequest { cushion: Some((150.0, words.resolve(None).unwrap())), ..request() };
+        let words = [("law", "tangent"), ("stiffness", "100 N/mm"), ("bottoming", "0.1 mm")].into_iter().collect();
+        let request = SpectrumRequest { cushion: Some((150.0, cushion::resolve(&words, None).unwrap())), ..request() };
         let mut rocked = 0;
         let seen = spectrum::<Problem>(
             &request,

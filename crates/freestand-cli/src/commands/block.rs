@@ -3,8 +3,8 @@
 use clap::Args;
 use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
-use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, parse};
+use freestand_input::quantity::Dimension;
+use freestand_study::restitution::checked;
 use freestand_study::rock::MODELS;
 use freestand_study::shape::Shape;
 
@@ -15,10 +15,11 @@ use crate::values::{Choices, Given, Reads, Values, choice, name_of};
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The rocking")]
 pub(crate) struct RockingArgs {
-    /// Ratio of the angular velocities after and before an impact, in (0, 1] [default: Housner's]
-    #[arg(long, value_name = "RATIO", read = restitution, conflicts_with = "restitution_factor")]
+    /// Restitution: angular velocity after an impact over that before it, in (0, 1]
+    /// [default: Housner's]
+    #[arg(long, any = Dimension::Ratio, conflicts_with = "restitution_factor")]
     restitution: Option<Given>,
-    /// Factor on Housner's ratio
+    /// Factor that multiplies Housner's restitution
     #[arg(long, positive = Dimension::Ratio)]
     restitution_factor: Option<Given>,
     /// Equation of motion
@@ -30,9 +31,9 @@ pub(crate) struct RockingArgs {
 }
 
 const ACCURACIES: Choices<Accuracy> = &[
-    (Accuracy::Fast, "fast", "1e-9 a step; in spectra rotations to 1e-7 or so"),
-    (Accuracy::Standard, "standard", "1e-13 a step; in spectra rotations to 1e-9 or better"),
-    (Accuracy::Tight, "tight", "As far as double precision goes; in spectra nearly so"),
+    (Accuracy::Fast, "fast", "Error of 1e-9 a step; rotations in spectra to about 1e-7"),
+    (Accuracy::Standard, "standard", "Error of 1e-13 a step; rotations in spectra to 1e-9 or better"),
+    (Accuracy::Tight, "tight", "The limit of double precision; nearly so in spectra"),
 ];
 
 impl RockingArgs {
@@ -46,20 +47,11 @@ impl RockingArgs {
         flags.into_iter().find_map(|(name, given)| given.then_some(name))
     }
 
-    /// The restitution; what is wrong with it goes into `values`.
-    pub(crate) fn restitution(&self, values: &mut Values) -> Restitution {
+    /// The restitution of these blocks; what is wrong with it goes into `values`.
+    pub(crate) fn restitution(&self, blocks: &[Block], values: &mut Values) -> Restitution {
         let factor = values.read(&self.restitution_factor).map_or(Restitution::Housner, Restitution::Factor);
-        values.read(&self.restitution).map_or(factor, Restitution::Value)
-    }
-}
-
-fn restitution(text: &str) -> Result<f64, Problem> {
-    match parse(text, Dimension::Ratio)? {
-        value if value > 0.0 && value <= 1.0 => Ok(value),
-        value => Err(problem(
-            format!("must lie in (0, 1], not {value}"),
-            "1 loses no energy in an impact; leave it out for Housner's ratio of the object",
-        )),
+        let restitution = values.read(&self.restitution).map_or(factor, Restitution::Value);
+        values.take(checked(restitution, blocks)).unwrap_or_default()
     }
 }
 
@@ -67,16 +59,17 @@ fn restitution(text: &str) -> Result<f64, Problem> {
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The general block")]
 pub(crate) struct ShapeArgs {
-    /// Distance between the pivot edges, where the feet are set in
+    /// Distance between the two edges, if the feet are set in [default: the thickness]
     #[arg(long, positive = Dimension::Length)]
     base_width: Option<Given>,
-    /// Height of the centre of gravity, where it is not in the middle
+    /// Height of the centre of gravity [default: half of the height]
     #[arg(long, positive = Dimension::Length)]
     cg_height: Option<Given>,
-    /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the landing edge)
+    /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the
+    /// landing edge) [default: 0]
     #[arg(long, any = Dimension::Length)]
     cg_offset: Option<Given>,
-    /// Moment of inertia about the left pivot edge, such as "120 kg m2"; needs --mass
+    /// Moment of inertia about the left edge, such as "120 kg m2"; needs --mass [default: uniform]
     #[arg(long, positive = Dimension::Inertia, requires = "mass")]
     inertia: Option<Given>,
 }

@@ -34,8 +34,8 @@ use crate::values::{Given, Reads, Values};
 #[derive(Debug, Args)]
 #[command(
     after_help = "\
-The building is a shear-flexure beam (Miranda and Taghavi 2005), or what a table says: of storeys (height, mass, stiffness) \
-or of modes (period, participation, shape), see docs/buildings.md.
+The building is a shear-flexure beam (Miranda and Taghavi 2005), or a table of storeys (height, mass,
+stiffness) or of modes (period, participation, shape); see docs/buildings.md.
 
 Examples:
   freestand floor --motion record.AT2 --storeys 30 --storey-height \"3.2 m\" --levels \"0.5, 1.0\" --out floors
@@ -46,34 +46,36 @@ Examples:
     mut_arg("rotation_step", |arg| arg.hide(true))
 )]
 pub(crate) struct FloorArgs {
-    /// Ground motions; of several, medians are printed
+    /// Records of the ground motion; of several, medians are printed
     #[arg(long, value_name = "FILE", num_args = 1.., required = true)]
     motion: Vec<PathBuf>,
     #[command(flatten)]
     building: BuildingArgs,
-    /// Levels as shares of the height, 0 ground and 1 roof, or "all": the ground and every floor
+    /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor
     #[arg(long, value_name = "GRID|all", read = levels, default_value = "0.5, 1.0")]
     levels: Given<Option<Vec<f64>>>,
-    /// Zeros behind the record, in which the building rings down [default: none]
+    /// Length of the zeros appended to the record, in which the building comes to rest [default: 0
+    /// s]
     #[arg(long, non_negative = Dimension::Time)]
     tail: Option<Given>,
-    /// Look for the floors' peaks at N points in each sample interval; the ground stays linear between its samples
+    /// Find peaks of the floors at N points in each sample interval; the ground stays linear
+    /// between its samples
     #[arg(long, value_name = "N", default_value = "1", value_parser = at_least_one)]
     upsample: NonZeroUsize,
-    /// Response spectra of the levels as well
+    /// Also give response spectra of the levels
     #[arg(long)]
     spectra: bool,
     /// Damping ratios of the spectra [default: 5 %]
     #[arg(long, grid = Dimension::Ratio, value_name = "LIST", requires = "spectra")]
     spectrum_damping: Option<Given<Vec<f64>>>,
-    /// Periods of the spectra, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
+    /// Periods of the spectra: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, grid = Dimension::Time, requires = "spectra")]
     periods: Option<Given<Vec<f64>>>,
     #[command(flatten)]
     second: SecondArgs,
     #[command(flatten)]
     read: ReadArgs,
-    /// A code's accelerations of rigid parts beside those of the floors
+    /// The code whose accelerations of rigid parts are compared with the floors
     #[command(flatten)]
     target: TargetArgs,
 }
@@ -81,38 +83,41 @@ pub(crate) struct FloorArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Building")]
 struct BuildingArgs {
-    /// Storeys [default: 30]
+    /// Number of storeys [default: 30]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=500))]
     storeys: Option<u32>,
     /// Height of a storey [default: 3.2 m]
     #[arg(long, positive = Dimension::Length)]
     storey_height: Option<Given>,
-    /// Fundamental period [default: by AS 1170.4, from the height]
+    /// Fundamental period [default: from the height, by AS 1170.4]
     #[arg(long, positive = Dimension::Time, conflicts_with = "frame")]
     period: Option<Given>,
-    /// Structure, for the period of AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
+    /// Structure, for the period by AS 1170.4: steel-moment, concrete-moment, steel-braced, other
+    /// [default: other]
     #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
     frame: Option<FrameKind>,
-    /// Damping ratio of every mode, where a table does not say it [default: 5 %]
+    /// Damping ratio of every mode for which a table states none [default: 5 %]
     #[arg(long, non_negative = Dimension::Ratio)]
     damping: Option<Given>,
-    /// Rayleigh damping with that ratio at two modes, such as "1, 3"
+    /// Rayleigh damping, with that ratio at two modes, such as "1, 3"
     #[arg(long, value_name = "N, N", read = two_modes)]
     rayleigh_modes: Option<Given<[usize; 2]>>,
-    /// α₀ = H√(GA/EI): 0 flexural wall, 5 walls with frames, 20 and more a frame [default: 5]
+    /// α₀ = H√(GA/EI): 0 for a flexural wall, 5 for walls with frames, 20 and more for a frame
+    /// [default: 5]
     #[arg(long, non_negative = Dimension::Ratio)]
     shear_flexure: Option<Given>,
-    /// Modes [default: 10, or as many as there are storeys]
+    /// Number of modes [default: 10, or the number of storeys]
     #[arg(long, value_name = "N")]
     modes: Option<usize>,
-    /// Table of storeys from the ground up: height, mass, stiffness, with their units
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "mode_table"])]
+    /// Table of storeys from the ground up: height, mass and stiffness with their units
+    #[arg(long, value_name = "FILE", conflicts_with_all = BEAM, conflicts_with = "mode_table")]
     storey_table: Option<PathBuf>,
-    /// Table of modes: period, participation factor, and the shape at each floor under its height
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "modes"])]
+    /// Table of modes: period, participation factor, and the shape at each floor in a column headed
+    /// by its height
+    #[arg(long, value_name = "FILE", conflicts_with_all = BEAM, conflicts_with = "modes")]
     mode_table: Option<PathBuf>,
-    /// Fundamental period along the second axis [default: as along the first]
-    #[arg(long, positive = Dimension::Time, conflicts_with_all = ["across_storey_table", "across_mode_table", "storey_table", "mode_table"])]
+    /// Fundamental period along the second axis [default: the same as along the first]
+    #[arg(long, positive = Dimension::Time, conflicts_with_all = TABLES)]
     across_period: Option<Given>,
     /// α₀ along the second axis
     #[arg(long, non_negative = Dimension::Ratio, requires = "across_period")]
@@ -124,6 +129,10 @@ struct BuildingArgs {
     #[arg(long, value_name = "FILE")]
     across_mode_table: Option<PathBuf>,
 }
+
+/// Flags of a beam, which a table replaces.
+const BEAM: [&str; 5] = ["storeys", "storey_height", "period", "frame", "shear_flexure"];
+const TABLES: [&str; 4] = ["across_storey_table", "across_mode_table", "storey_table", "mode_table"];
 
 const SCHEMA: &str = "freestand.floor/1";
 

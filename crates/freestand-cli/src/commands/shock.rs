@@ -16,24 +16,26 @@ use crate::files::Files;
 use crate::printer::{Printer, lines};
 use crate::values::{Given, Reads, Values, choice, name_of, point};
 
-/// The shock of one landing: acceleration of the edge, pulse, ceiling, verdict
+/// The shock of one landing: acceleration of the edge, pulse, ceiling and verdict
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  Test 1 of the paper's Table I, a cabinet let fall from a rise of its centre of gravity by 16 mm:
-    freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
-  Two pads under each edge, and a component that stands 5 g:
+  Test 1 of Table I in the paper, a cabinet released at a rise of its centre of gravity of 16 mm:
+    freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
+      --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
+  Two pads under each edge, and an object that withstands 5 g:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --pad-stiffness \"2190 N/mm\" --pads-per-edge 2 \\
       --uplift \"30 mm\" --tolerance 5g
-  The same on pads that a laboratory tested, on legs of 9000 N/mm:
+  The same on pads that a laboratory tested, under legs of 9000 N/mm:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --cushion cushion.toml --pads-per-edge 2 \\
       --series-stiffness \"9000 N/mm\" --uplift \"30 mm\"
-  The verdict by shock tests of the object (ASTM D3332), with the columns
+  A verdict from shock tests of the object (ASTM D3332), in a file with the columns
   velocity change [m/s],peak acceleration [g],damaged,method:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --stiffness \"4380 N/mm\" --uplift \"30 mm\" \\
       --damage-boundary tests.csv --out shock
-  It falls over onto the floor:
-    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
+  The object falls over onto the floor:
+    freestand shock --height 2.3m --thickness 0.6m --mass 140kg \\
+      --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
 pub(crate) struct ShockArgs {
     /// Height of the object
     #[arg(long, positive = Dimension::Length)]
@@ -41,7 +43,7 @@ pub(crate) struct ShockArgs {
     /// Width of the object in the plane of motion
     #[arg(long, positive = Dimension::Length)]
     thickness: Given,
-    /// Mass
+    /// Mass of the object
     #[arg(long, positive = Dimension::Mass)]
     mass: Given,
     #[command(flatten)]
@@ -49,23 +51,23 @@ pub(crate) struct ShockArgs {
 
     #[command(flatten)]
     cushion: CushionArgs,
-    /// Stiffness of the object's side on what it falls against
+    /// Stiffness between the side of the object and what it falls onto
     #[arg(long, positive = Dimension::Stiffness, help_heading = "The cushion")]
     contact_stiffness: Option<Given>,
-    /// Measured peak acceleration of the same mass dropped by the same rise, in place of a stiffness
+    /// Measured peak acceleration of the same mass dropped by the same rise, instead of a stiffness
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The cushion")]
     drop_acceleration: Option<Given>,
 
     /// Rise of the centre of gravity
     #[arg(long, non_negative = Dimension::Length, group = "energy", help_heading = "The fall (one of)")]
     cg_rise: Option<Given>,
-    /// Lift of the free edge
+    /// Uplift of the free edge
     #[arg(long, non_negative = Dimension::Length, group = "energy", help_heading = "The fall (one of)")]
     uplift: Option<Given>,
-    /// Rotation
+    /// Rotation of the object
     #[arg(long, any = Dimension::Angle, group = "energy", help_heading = "The fall (one of)")]
     rotation: Option<Given>,
-    /// Angular velocity just before the contact
+    /// Angular velocity just before the landing
     #[arg(long, any = Dimension::AngularVelocity, group = "energy", help_heading = "The fall (one of)")]
     angular_velocity: Option<Given>,
 
@@ -77,7 +79,7 @@ pub(crate) struct ShockArgs {
         help_heading = "The landing"
     )]
     scenario: Scenario,
-    /// Impact model [default: that of the scenario; a squat object is halted]
+    /// Impact model [default: that of the scenario; halted for a squat object]
     #[arg(long, value_parser = choice(MODELS), help_heading = "The landing")]
     model: Option<ImpactModel>,
     /// Distance to the obstacle
@@ -86,27 +88,27 @@ pub(crate) struct ShockArgs {
     /// Height of the obstacle [default: taller than the object]
     #[arg(long, positive = Dimension::Length, help_heading = "The landing")]
     obstacle_height: Option<Given>,
-    /// Shock at a point: "x, z" from the old pivot and above the base
+    /// Point whose shock is wanted: "x, z", from the pivot and above the base
     #[arg(long, value_name = "X, Z", read = point, help_heading = "The landing")]
     at: Option<Given<(f64, f64)>>,
-    /// Coefficient of friction, for the warning against sliding [default: 0.5]
+    /// Coefficient of friction, used for the warning about sliding [default: 0.5]
     #[arg(long, positive = Dimension::Ratio, help_heading = "The landing")]
     friction: Option<Given>,
     /// Gravity [default: 1 g]
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The landing")]
     gravity: Option<Given>,
 
-    /// Peak acceleration that the object stands
+    /// Peak acceleration that the object withstands
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The verdict")]
     tolerance: Option<Given>,
-    /// Duration of the half-sine of that peak that it was shown to stand
+    /// Duration of the half-sine pulse for which that peak was shown
     #[arg(long, positive = Dimension::Time, help_heading = "The verdict")]
     tolerance_duration: Option<Given>,
-    /// Velocity change below which no peak does harm
+    /// Velocity change below which no peak damages the object
     #[arg(long, positive = Dimension::Velocity, help_heading = "The verdict")]
     tolerance_velocity_change: Option<Given>,
-    /// Shock tests of the object (ASTM D3332): velocity change, peak acceleration and damaged (yes, no) in columns,
-    /// perhaps method (A, B) or a duration
+    /// Shock tests of the object (ASTM D3332): a table with velocity change, peak acceleration and
+    /// damaged (yes, no), and optionally method (A, B) or duration
     #[arg(
         long,
         value_name = "FILE",
@@ -114,13 +116,13 @@ pub(crate) struct ShockArgs {
         help_heading = "The verdict"
     )]
     damage_boundary: Option<PathBuf>,
-    /// Lift of one edge from which the object may fall back (bench handling)
+    /// Uplift of one edge from which the object may fall back (bench handling)
     #[arg(long, positive = Dimension::Length, help_heading = "The verdict")]
     tolerance_edge_lift: Option<Given>,
-    /// Frequency of the most delicate component, with --component-capacity
+    /// Natural frequency of the most delicate component; needs --component-capacity
     #[arg(long, positive = Dimension::Frequency, help_heading = "The verdict")]
     component_frequency: Option<Given>,
-    /// Acceleration that this component itself stands
+    /// Acceleration that this component withstands
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The verdict")]
     component_capacity: Option<Given>,
 }
@@ -156,11 +158,9 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let component_frequency_hz = values.read(&args.component_frequency);
     let component_capacity_m_s2 = values.read(&args.component_capacity);
     let cushion = args.cushion.words(&mut values)?;
-    // Wrong values are reported with the others; what is missing or contradictory, by the library.
-    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some())
-        && let Err(problems) = cushion.resolve(mass)
-    {
-        problems.into_iter().for_each(|(_, problem)| values.push(problem));
+    // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
+    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some()) {
+        values.take(freestand_study::cushion::resolve(&cushion, mass));
     }
     let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
     let at_m = values.read(&args.at);

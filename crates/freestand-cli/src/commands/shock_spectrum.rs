@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKind};
+use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockSpectrumOptions};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse, parse_grid};
 use freestand_study::shock_spectrum::{
@@ -19,27 +19,28 @@ use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values, choice, name_of};
 
-/// Shock response spectrum of records or of a classical pulse (ISO 18431-4): what a component feels
+/// Shock response spectrum of records or of a classical pulse (ISO 18431-4)
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   A drop test with the columns time [ms] and acceleration [g]:
     freestand shock-spectrum drop.csv --out spectrum
   Pseudo-velocity after the shock, at Q = 25:
-    freestand shock-spectrum drop.csv --kind pseudo-velocity --peak residual --q 25 --frequencies \"10 Hz:2 kHz:24/oct\"
+    freestand shock-spectrum drop.csv --kind pseudo-velocity --peak residual --q 25 \\
+      --frequencies \"10 Hz:2 kHz:24/oct\"
   The pulse of a data sheet:
-    freestand shock-spectrum --pulse half-sine --peak-acceleration \"30 g\" --duration \"11 ms\" --frequencies \"20 Hz, 45 Hz\"
+    freestand shock-spectrum --pulse half-sine --peak-acceleration \"30 g\" --duration \"11 ms\" \\
+      --frequencies \"20 Hz, 45 Hz\"
 
-Values are sizes: negative is the size of the largest negative response. Maximax is during the record or after it.
-Accelerations are in the unit of the input, displacements in m, velocities in m/s. With --out: the spectra as
-shock_spectrum.csv and as a figure.")]
-// The columns of a laboratory's file are columns before they are components.
+Values are magnitudes: a negative peak is given without its sign. Accelerations are in the unit of
+the input, displacements in m, velocities in m/s. --out writes shock_spectrum.csv and a figure.")]
+// The file of a laboratory has columns rather than components.
 #[command(mut_arg("component", |arg| arg.visible_alias("column")))]
 pub(crate) struct ShockSpectrumArgs {
     /// Record files
     #[arg(value_name = "FILE", required_unless_present = "pulse", conflicts_with = "pulse")]
     files: Vec<PathBuf>,
-    /// A classical pulse in place of files
+    /// A classical pulse instead of files
     #[arg(
         long,
         value_parser = choice(SHAPES),
@@ -48,28 +49,28 @@ pub(crate) struct ShockSpectrumArgs {
         help_heading = "A pulse"
     )]
     pulse: Option<PulseShape>,
-    /// Its peak; the spectrum is in the same unit
+    /// Peak of the pulse; the spectrum has the same unit
     #[arg(long, value_name = "ACCELERATION", read = peak, requires = "pulse", help_heading = "A pulse")]
     peak_acceleration: Option<Given<(f64, &'static str)>>,
-    /// Its duration
+    /// Duration of the pulse
     #[arg(long, positive = Dimension::Time, requires = "pulse", help_heading = "A pulse")]
     duration: Option<Given>,
     /// Damping ratio of the oscillators [default: 5 %]
     #[arg(long, non_negative = Dimension::Ratio, conflicts_with = "q")]
     damping: Option<Given>,
-    /// Quality factor Q = 1/(2 damping), in place of it [default: 10]
+    /// Quality factor Q = 1/(2 damping), instead of the damping ratio [default: 10]
     #[arg(long, positive = Dimension::Ratio)]
     q: Option<Given>,
-    /// Their frequencies: from:to:N/oct, from:to:count or a list
+    /// Frequencies of the oscillators: from:to:N/oct, from:to:count or a list
     #[arg(long, value_name = "GRID", read = frequencies, default_value = "1 Hz:10 kHz:12/oct")]
     frequencies: Given<Vec<f64>>,
-    /// What is looked at in them
+    /// Response of the oscillators
     #[arg(long, value_parser = choice(KINDS), default_value = name_of(KINDS, ResponseKind::default()))]
     kind: ResponseKind,
-    /// Which peak of it
+    /// Peak of that response
     #[arg(long, value_parser = choice(PEAKS), default_value = name_of(PEAKS, Peak::default()))]
     peak: Peak,
-    /// Peaks at the samples as they are, without the band-limited curve between them
+    /// Find peaks at the samples only, not on the band-limited curve through them
     #[arg(long, conflicts_with = "pulse")]
     no_upsample: bool,
     #[command(flatten)]
@@ -102,7 +103,7 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
 fn request(args: &ShockSpectrumArgs, values: &mut Values) -> ShockSpectrumRequest {
     let damping = values.read(&args.damping);
     let q = values.read(&args.q);
-    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(0.05);
+    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(ShockSpectrumOptions::default().damping_ratio);
     if damping_ratio >= 1.0 {
         let flag = if q.is_some() { "--q" } else { "--damping" };
         let message = format!("{flag}: a damping ratio of {damping_ratio} is not below 1");

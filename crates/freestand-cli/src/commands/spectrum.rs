@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand::block::Block;
 use freestand::impact::{Impact, ValidityWarning, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::rocking::{RockingError, RockingOptions};
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
 use freestand_input::quantity::Dimension;
+use freestand_study::restitution::checked;
 use freestand_study::rock::problem;
 use freestand_study::spectrum::{
     Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming, chunk_objects, spectrum,
@@ -29,25 +31,26 @@ use crate::values::{Given, Reads, Values};
 
 const SCHEMA: &str = "freestand.spectrum/1";
 
-/// Uplift and shock spectra (URS, SRS): a grid of objects under records
+/// Uplift and shock spectra: a grid of objects under one or more records
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   Uplift of 64 × 64 objects:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:64\" --thicknesses \"0.1 m:1 m:64\" --json
-  Shock of three cabinets on their pads, two records:
+  Shock of four cabinets on their pads under two records:
     freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" --thicknesses \"300 mm, 400 mm\" \\
       --mass 150kg --stiffness \"4380 N/mm\"
-  A million objects to a file, with what each makes of an error in the motion:
+  A million objects in a file, each with its sensitivity to an error of the motion:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" --thicknesses \"0.1 m:1 m:1000\" \\
       --accuracy fast --sensitivity --csv rows.csv
 
-Rows are written as they are computed and never kept: a large grid needs time and disk, not memory.")]
+Rows are written as they are computed: a large grid needs time and disk space, not memory.")]
 pub(crate) struct SpectrumArgs {
-    /// Records of the base's horizontal acceleration
+    /// Records of the horizontal acceleration of the floor
     #[arg(long, value_name = "FILE", required = true, num_args = 1..)]
     motion: Vec<PathBuf>,
-    /// Records of the base's vertical acceleration, positive upward: one for each --motion, of the same step and length
+    /// Records of the vertical acceleration of the floor, positive upward: one for each --motion,
+    /// with the same step and length
     #[arg(long, value_name = "FILE", num_args = 1..)]
     vertical: Vec<PathBuf>,
     #[command(flatten)]
@@ -60,24 +63,26 @@ pub(crate) struct SpectrumArgs {
     /// Thicknesses: a grid "from:to:count" or a list
     #[arg(long, grid = Dimension::Length, help_heading = "The objects")]
     thicknesses: Given<Vec<f64>>,
-    /// Mass, for the shock
+    /// Mass of each object; needed for the shock
     #[arg(long, positive = Dimension::Mass, help_heading = "The objects")]
     mass: Option<Given>,
     #[command(flatten)]
     cushion: CushionArgs,
     #[command(flatten)]
     rocking: RockingArgs,
-    /// Tell how many times each object amplifies an error of the motion
+    /// Report how strongly each object amplifies an error of the motion
     ///
-    /// Every object is followed again under 1.000001 times the horizontal motion, which doubles the work.
-    /// `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6: 1 to some tens are usual, and
-    /// with 1000 an error of 0.1 % in the record leaves nothing of the result. An object is `sensitive` if the ratio is above 10
-    /// (the peak changes by more than 1e-5), if its fastest impacts change as much, or if it overturns, rocks or stays under one
-    /// of the two motions only; the ratio is then empty, as it is for objects that do not rock or that overturn under both.
-    /// One that overturns under both is `sensitive` if what it did before differs by more than 0.1 %.
+    /// Every object is calculated again under 1.000001 times the horizontal motion, which doubles
+    /// the work. `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6:
+    /// 1 to a few tens is usual; with 1000, an error of 0.1 % in the record makes the result
+    /// meaningless. An object is `sensitive` if the ratio is above 10 (the peak changes by more
+    /// than 1e-5), if its fastest impacts change as much, or if its outcome differs between the two
+    /// motions; the ratio is then empty, as it is for objects that do not rock or that overturn
+    /// under both. An object that overturns under both is `sensitive` if its history before that
+    /// differs by more than 0.1 %.
     #[arg(long, help_heading = "The rocking")]
     sensitivity: bool,
-    /// File for the rows (CSV)
+    /// File to write the rows to (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
 }
@@ -167,7 +172,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     }
     let options = RockingOptions {
         model: args.rocking.model,
-        restitution: args.rocking.restitution(&mut values),
+        restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
         ..RockingOptions::default()
     };
@@ -180,9 +185,8 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         ));
     }
     let grid = Grid::new(heights, thicknesses)?;
-    for block in grid.blocks(0..grid.objects()) {
-        options.restitution.ratios(&block).map_err(problem)?;
-    }
+    let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
+    checked(options.restitution, &blocks)?;
     Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity })
 }
 

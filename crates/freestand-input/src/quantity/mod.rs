@@ -45,6 +45,26 @@ pub enum Dimension {
 }
 
 impl Dimension {
+    /// All dimensions.
+    pub const ALL: [Self; 16] = [
+        Self::Length,
+        Self::Mass,
+        Self::Time,
+        Self::Acceleration,
+        Self::Stiffness,
+        Self::Force,
+        Self::Damping,
+        Self::Pressure,
+        Self::Area,
+        Self::Dissipation,
+        Self::Frequency,
+        Self::Angle,
+        Self::AngularVelocity,
+        Self::Velocity,
+        Self::Inertia,
+        Self::Ratio,
+    ];
+
     /// The name with its article: `a length`, `an acceleration`.
     pub fn with_article(self) -> &'static str {
         match self {

@@ -26,7 +26,7 @@ fn request(along: Axis, across: Option<Axis>) -> FloorRequest {
 /// AS 1170.4, section 8, Melbourne on De: 0.08 · 1.1 g at the ground, twice that at mid-height, three times at the roof.
 #[test]
 fn a_codes_parts_are_listed_with_the_floors() {
-    let target = crate::target::Target::resolve(&crate::target::TargetWords::default(), "".as_ref()).unwrap();
+    let target = crate::target::Target::resolve(&freestand_input::keys::Words::default(), "".as_ref()).unwrap();
     let request = FloorRequest { code: Some(target.spectrum), ..request(beam(1.0), None) };
     let motions = vec![floors(&read(1, 1.0), &request).unwrap().report];
     let report = FloorReport::new(&request, motions, None).unwrap();

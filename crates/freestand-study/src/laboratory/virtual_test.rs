@@ -10,12 +10,12 @@ use freestand::identify::{
 use freestand::{G0_M_S2, cushion::ContactLaw};
 use rayon::prelude::*;
 
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
 
-/// Standard deviation of the stated impact velocity, as in `freestand cushion drop`.
-const VELOCITY_ERROR: f64 = 0.01;
+/// Standard deviation of the stated impact velocity, where nobody says it, over the velocity.
+pub const VELOCITY_ERROR_RATIO: f64 = 0.01;
 
 /// A virtual drop as a file of a laboratory: its setup in comments, then time and acceleration.
 ///
@@ -75,6 +75,40 @@ pub struct RecoveryRequest {
     /// The seed.
     pub seed: u64,
 }
+
+impl RecoveryRequest {
+    /// A pad of each law under 0.365 kg from 100 mm, 100 drops a cell, at usual rates, noise and bias; seed 1.
+    ///
+    /// # Errors
+    /// None: the pads are fixed.
+    pub fn worked_example() -> Result<Self, Problem> {
+        let (mass_kg, stiffness_n_m, coefficient_n_mn, exponent) = (0.365, 2.19e6_f64, 2e7, 1.5);
+        let laws = [
+            ContactLaw::Linear { stiffness_n_m },
+            ContactLaw::Power { coefficient_n_mn, exponent },
+            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m: 0.2 * (stiffness_n_m * mass_kg).sqrt() },
+            ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m: 0.3 },
+        ];
+        let cushion =
+            |law| Cushion::new(law).map_err(|error| Problem::new(ProblemKind::Computation, error.to_string()));
+        Ok(Self {
+            cushions: laws.into_iter().map(cushion).collect::<Result<_, _>>()?,
+            samples_per_contact: vec![25.0, 50.0, 200.0],
+            noise_ratios: vec![0.005, 0.02],
+            biases_g: vec![0.0, 5.0],
+            zero_shift_ratios: vec![0.0],
+            drops: 100,
+            mass_kg,
+            speed_m_s: (0.2 * G0_M_S2).sqrt(),
+            seed: 1,
+        })
+    }
+}
+
+/// Damping of virtual pads whose law has some, where nobody says how much: law, key and value. As in
+/// [`RecoveryRequest::worked_example`].
+pub const ASSUMED_DAMPING: [(&str, &str, &str); 2] =
+    [("kelvin-voigt", "damping", "10 %"), ("hunt-crossley", "dissipation", "0.3 s/m")];
 
 /// The result of one drop.
 struct Trial {
@@ -138,7 +172,7 @@ fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio:
         zero_shift_ratio: zero.shift_ratio,
         filter_corner_hz: None,
         bounces: 0,
-        speed_error_ratio: VELOCITY_ERROR,
+        speed_error_ratio: VELOCITY_ERROR_RATIO,
         seed: request.seed,
         index: 0,
     };
@@ -176,7 +210,7 @@ fn trial(cushion: &Cushion, options: &VirtualDropOptions, truth_n_m: f64) -> Tri
         let speed_m_s = drop.stated_speed_m_s;
         let setup = DropSetup {
             mass_kg: options.mass_kg,
-            impact_velocity: ImpactVelocity::Known { speed_m_s, error_ratio: VELOCITY_ERROR },
+            impact_velocity: ImpactVelocity::Known { speed_m_s, error_ratio: VELOCITY_ERROR_RATIO },
             gravity_m_s2: G0_M_S2,
             filter_corner_hz: None,
             law: None,

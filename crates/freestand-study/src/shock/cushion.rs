@@ -1,7 +1,8 @@
 //! What an edge or a side lands on: a cushion, in any of its descriptions, or a measured drop.
 
 use super::{SCENARIOS, ShockRequest};
-use crate::cushion::{CushionWords, EdgeCushion};
+use crate::cushion::{self, EdgeCushion};
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::name_of;
 
@@ -28,9 +29,9 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
             ));
             return None;
         };
-        let mut side = CushionWords::spring(value_n_m);
-        for (key, text) in request.cushion.entries().iter().filter(|(key, _)| *key == "series_stiffness") {
-            side.set(key, text.clone());
+        let mut side = cushion::spring(value_n_m);
+        for text in request.cushion.all("series_stiffness") {
+            side.add("series_stiffness", text, None);
         }
         return resolved(&side, request, problems);
     }
@@ -66,12 +67,6 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
     }
 }
 
-fn resolved(words: &CushionWords, request: &ShockRequest, problems: &mut Problems) -> Option<Contact> {
-    match words.resolve(Some(request.mass_kg)) {
-        Ok(cushion) => Some(Contact::Cushion(cushion)),
-        Err(wrong) => {
-            problems.problems.extend(wrong.into_iter().map(|(_, problem)| problem));
-            None
-        }
-    }
+fn resolved(words: &Words, request: &ShockRequest, problems: &mut Problems) -> Option<Contact> {
+    problems.keep(cushion::resolve(words, Some(request.mass_kg))).map(Contact::Cushion)
 }

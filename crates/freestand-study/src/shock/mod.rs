@@ -19,7 +19,8 @@ use cushion::{Contact, contact};
 pub use test_points::{BoundaryTests, Bracket, TestPoint, boundary_tests};
 use verdict::{Compared, compared, max_stiffness};
 
-use crate::cushion::{CushionWords, cushion_words};
+use crate::cushion::cushion_words;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{Choices, name_of};
@@ -42,17 +43,17 @@ pub enum Scenario {
 
 /// The scenarios by name.
 pub const SCENARIOS: Choices<Scenario> = &[
-    (Scenario::Rocking, "rocking", "The edge lands and the object rocks on"),
+    (Scenario::Rocking, "rocking", "The edge lands and the object continues to rock"),
     (Scenario::Halted, "halted", "The edge lands and the object stops"),
-    (Scenario::OverturnFloor, "overturn-floor", "It falls over onto the floor"),
-    (Scenario::OverturnObstacle, "overturn-obstacle", "It falls against an obstacle"),
+    (Scenario::OverturnFloor, "overturn-floor", "The object falls over onto the floor"),
+    (Scenario::OverturnObstacle, "overturn-obstacle", "The object falls against an obstacle"),
 ];
 
 /// The impact models by name.
 pub const MODELS: Choices<ImpactModel> = &[
-    (ImpactModel::Paper, "paper", "Eq. (5): no-slip landing edge"),
+    (ImpactModel::Paper, "paper", "Eq. (5): the landing edge does not slip"),
     (ImpactModel::Halted, "halted", "Eq. (8): the rotation is halted"),
-    (ImpactModel::FreeCorner, "free-corner", "Frictionless landing edge, for comparison"),
+    (ImpactModel::FreeCorner, "free-corner", "The landing edge slides without friction; for comparison"),
 ];
 
 impl Scenario {
@@ -82,7 +83,7 @@ pub struct ShockRequest {
     /// Its mass \[kg\].
     pub mass_kg: f64,
     /// The cushion under one edge.
-    pub cushion: CushionWords,
+    pub cushion: Words,
     /// Stiffness of the side on the floor or the obstacle, when the object falls over \[N/m\].
     pub contact_stiffness_n_m: Option<f64>,
     /// A measured drop acceleration (same mass, same rise) in place of the stiffness \[m/s²\].
@@ -125,7 +126,7 @@ impl ShockRequest {
         Self {
             block,
             mass_kg,
-            cushion: CushionWords::default(),
+            cushion: Words::default(),
             contact_stiffness_n_m: None,
             drop_acceleration_m_s2: None,
             energy: None,
@@ -191,10 +192,10 @@ pub struct ShockReport {
 /// # Example
 /// Test 1 of Table I of Al Abadi et al., with g = 9.81 m/s² as the paper has it:
 /// ```
-/// use freestand_study::cushion::CushionWords;
+/// use freestand_study::cushion::spring;
 /// use freestand_study::shock::{Energy, ShockRequest, shock};
 /// let mut cabinet = ShockRequest::new(freestand::block::Block::uniform(2.3, 0.6)?, 140.0);
-/// cabinet.cushion = CushionWords::spring(4.38e6);
+/// cabinet.cushion = spring(4.38e6);
 /// cabinet.energy = Some(Energy::CgRise(0.016));
 /// let report = shock(&cabinet)?;
 /// let shock_g = report.facts.number("edge_acceleration_g").expect("a shock");

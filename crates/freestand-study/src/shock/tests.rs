@@ -1,10 +1,10 @@
 use super::*;
-use freestand_input::keys::KeyStyle;
+use crate::cushion::spring;
 use freestand_output::facts::Value;
 
 fn cabinet() -> ShockRequest {
     ShockRequest {
-        cushion: CushionWords::spring(4.38e6),
+        cushion: spring(4.38e6),
         energy: Some(Energy::CgRise(0.016)),
         gravity_m_s2: 9.81,
         ..ShockRequest::new(Block::uniform(2.3, 0.6).unwrap(), 140.0)
@@ -55,7 +55,7 @@ fn ceilings_of_three_objects() {
 fn a_drop_acceleration_replaces_the_stiffness() {
     let known = shock(&cabinet()).unwrap();
     let mut measured = cabinet();
-    measured.cushion = CushionWords::default();
+    measured.cushion = Words::default();
     measured.drop_acceleration_m_s2 = Some(number(&known, "drop_acceleration_g") * G0_M_S2);
     let implied = shock(&measured).unwrap();
     assert!((number(&implied, "stiffness_n_m") / 4.38e6 - 1.0).abs() < 1e-12);
@@ -65,14 +65,14 @@ fn a_drop_acceleration_replaces_the_stiffness() {
     for missing in ["pulse_duration_s", "velocity_change_m_s", "ceiling_g"] {
         assert_eq!(alone.facts.get(missing), Some(&Value::Missing));
     }
-    measured.cushion = CushionWords::spring(4.38e6);
+    measured.cushion = spring(4.38e6);
     assert!(refused(&measured).contains("exclude each other"));
 }
 
 #[test]
 fn pads_and_series_become_an_edge() {
     let mut request = cabinet();
-    request.cushion = CushionWords::new(KeyStyle::Flag);
+    request.cushion = Words::default();
     request.cushion.set("pad_stiffness", "2190 N/mm");
     assert!(refused(&request).contains("--pads-per-edge"));
     request.cushion.set("pads_per_edge", "2");
@@ -123,7 +123,7 @@ fn overturning_lands_on_its_side() {
     assert!((number(&floor, "cg_rise_m") - (number(&floor, "half_diagonal_m") - 0.3)).abs() < 1e-15);
     // The edge's stiffness, and a rise, have no part in the fall: said, and the same shock without them.
     assert!(floor.warnings.iter().any(|warning| warning.contains("its edge is not used")));
-    request.cushion = CushionWords::default();
+    request.cushion = Words::default();
     request.energy = Some(Energy::CgRise(0.01));
     let again = shock(&request).unwrap();
     assert_eq!(again.facts.number("edge_acceleration_g"), floor.facts.number("edge_acceleration_g"));
@@ -150,7 +150,7 @@ fn squat_objects_are_halted_with_a_warning() {
 
 #[test]
 fn newtons_per_metre_are_noticed() {
-    let report = shock(&ShockRequest { cushion: CushionWords::spring(4380.0), ..cabinet() }).unwrap();
+    let report = shock(&ShockRequest { cushion: spring(4380.0), ..cabinet() }).unwrap();
     assert!(report.warnings.iter().any(|warning| warning.contains("N/m for N/mm")));
 }
 
@@ -160,8 +160,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let report = shock(&peak_only).unwrap();
     assert_eq!((text(&report, "governing"), report.verdict), ("peak", Verdict::Exceeded));
     // At the largest stiffness the shock is the tolerance.
-    let softer =
-        ShockRequest { cushion: CushionWords::spring(number(&report, "max_stiffness_n_m")), ..peak_only.clone() };
+    let softer = ShockRequest { cushion: spring(number(&report, "max_stiffness_n_m")), ..peak_only.clone() };
     assert!((number(&shock(&softer).unwrap(), "demand_capacity_ratio") - 1.0).abs() < 1e-12);
 
     let boundary = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..peak_only.clone() };
@@ -209,9 +208,7 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
     };
     for request in [with(None, None), with(Some(0.025), None), with(None, Some(0.5)), with(Some(0.03), Some(0.5))] {
         let largest = number(&shock(&request).unwrap(), "max_stiffness_n_m");
-        let at = |factor: f64| {
-            shock(&ShockRequest { cushion: CushionWords::spring(factor * largest), ..request.clone() }).unwrap()
-        };
+        let at = |factor: f64| shock(&ShockRequest { cushion: spring(factor * largest), ..request.clone() }).unwrap();
         assert_eq!((at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict), (Verdict::Ok, Verdict::Exceeded), "{largest}");
     }
     // 5 g for 11 ms carry less velocity than the landing; a limit of 1 m/s carries more.
@@ -251,7 +248,7 @@ fn a_lift_or_a_component_alone_is_enough() {
     assert_eq!((text(&report, "source"), number(&report, "critical_acceleration_g")), ("component", a / G0_M_S2));
     let largest = number(&report, "max_stiffness_n_m");
     let at = |factor: f64| {
-        let cushion = CushionWords::spring(factor * largest);
+        let cushion = spring(factor * largest);
         shock(&ShockRequest { cushion, ..delicate.clone() }).unwrap().verdict
     };
     assert_eq!((at(1.0 - 1e-6), at(1.0 + 1e-6)), (Verdict::Ok, Verdict::Exceeded));

@@ -58,7 +58,7 @@ pub(super) struct Compared {
 }
 
 /// Damping of a component: Q = 10.
-const COMPONENT_DAMPING_RATIO: f64 = 0.05;
+const COMPONENT_DAMPING_RATIO: f64 = freestand::oscillator::DAMPING_RATIO;
 
 /// The response of a component of this frequency to the half-sine of the same peak and velocity
 /// change \[m/s²\].

@@ -49,17 +49,17 @@ pub const SHAPES: Choices<PulseShape> = &[
 /// Response quantities by name.
 pub const KINDS: Choices<ResponseKind> = &[
     (ResponseKind::AbsoluteAcceleration, "absolute-acceleration", "Acceleration of the component"),
-    (ResponseKind::RelativeDisplacement, "relative-displacement", "Its displacement relative to its base"),
+    (ResponseKind::RelativeDisplacement, "relative-displacement", "Displacement of the component relative to its base"),
     (ResponseKind::PseudoVelocity, "pseudo-velocity", "That displacement times ω"),
 ];
 
 /// Peaks by name.
 pub const PEAKS: Choices<Peak> = &[
     (Peak::Maximax, "maximax", "The largest of either sign, during the record or after it"),
-    (Peak::Positive, "positive", "The largest positive one"),
-    (Peak::Negative, "negative", "The largest negative one, as its size"),
+    (Peak::Positive, "positive", "The largest positive value"),
+    (Peak::Negative, "negative", "The magnitude of the largest negative value"),
     (Peak::Primary, "primary", "The largest of either sign during the record"),
-    (Peak::Residual, "residual", "The largest of either sign after it"),
+    (Peak::Residual, "residual", "The largest of either sign after the record"),
 ];
 
 /// One spectrum.

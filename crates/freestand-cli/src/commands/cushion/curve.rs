@@ -14,35 +14,37 @@ use crate::files::Files;
 use crate::printer::{Printer, lines};
 use crate::values::{Given, Reads, Values};
 
-/// Cushion curve (ASTM D1596): stress–energy fit, best load, thickness for a limit
+/// Cushion curve (ASTM D1596): stress–energy fit, best load, and thickness for a limit
 ///
-/// The file has a row for each drop: static stress mg/A, drop height, thickness, peak acceleration, with their units in the
-/// header. The dynamic stress is fitted as a exp(b E), E the energy per volume of cushion, so that a few tests give the curves of
-/// all heights and thicknesses.
+/// The file has a row for each drop: static stress mg/A, drop height, thickness and peak
+/// acceleration, with units in the header. The dynamic stress is fitted as a exp(b E), where E is
+/// the energy per volume of cushion, so that a few tests give the curves of all heights and
+/// thicknesses.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  The curve, the best load on 50 mm for drops from 600 mm, and the least thickness for 40 g:
+  The curve, the best load on 50 mm for drops from 600 mm, and the smallest thickness for 40 g:
     freestand cushion curve foam.csv --drop-height 600mm --thickness 50mm --limit 40g
-  The thickness under 70 kg on 0.02 m2:
+  The thickness for 70 kg on 0.02 m2:
     freestand cushion curve foam.csv --drop-height 600mm --mass 70kg --area \"0.02 m2\" --limit 40g")]
 pub(crate) struct CurveArgs {
-    /// Tests, with a header such as "static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]"
+    /// Table of tests with a header such as "static stress [kPa],drop height [mm],thickness
+    /// [mm],peak acceleration [g]"
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Drop height of the design, and of tests without such a column
+    /// Drop height of the design, and of tests in a file without that column
     #[arg(long, positive = Dimension::Length)]
     drop_height: Option<Given>,
-    /// Thickness of the design, and of tests without such a column
+    /// Thickness of the design, and of tests in a file without that column
     #[arg(long, positive = Dimension::Length)]
     thickness: Option<Given>,
     /// Static stress of the design
     #[arg(long, positive = Dimension::Pressure, conflicts_with_all = ["mass", "area"])]
     static_stress: Option<Given>,
-    /// Mass on the cushion, with --area
+    /// Mass on the cushion; needs --area
     #[arg(long, positive = Dimension::Mass, requires = "area")]
     mass: Option<Given>,
-    /// Area of the cushion, with --mass
+    /// Area of the cushion; needs --mass
     #[arg(long, positive = Dimension::Area, requires = "mass")]
     area: Option<Given>,
     /// Peak acceleration that must not be exceeded

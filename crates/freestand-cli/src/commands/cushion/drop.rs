@@ -14,6 +14,8 @@ use freestand_study::laboratory::drop_test::{
 };
 use freestand_study::laboratory::{Failed, drop_figures};
 
+use freestand_study::laboratory::virtual_test::VELOCITY_ERROR_RATIO;
+
 use super::static_test::{Boundary, Impactor, name};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -23,7 +25,7 @@ use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_fa
 use crate::reading::{time_step, unit};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
-/// Drop tests of a pad: stiffness with its 95 % interval, exponent, damping
+/// Drop tests of a pad: stiffness with its 95 % interval, exponent and damping
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -32,58 +34,59 @@ Examples:
   freestand cushion drop column.txt --unit g --dt 20us --mass 0.365kg
   freestand shock … --cushion pad/cushion.toml --pads-per-edge 2
 
-A file has columns of time and acceleration with their units (time [ms],acceleration [g]), positive upward, and some
-milliseconds of free fall before the contact, whose mean is the zero line. Lines such as \"# mass: 0.365 kg\", \"# height:
-100 mm\", \"# impactor: flat\", \"# boundary: glued\" above them are read where no flag says it.
-A record that cannot give a stiffness has flags, no stiffness and the exit status 1. Drops are pooled as repeats of one test:
-where impactor, boundary or mass differ there is no stiffness of all, and the exit status is 1.")]
+A file has columns of time and acceleration with their units (time [ms],acceleration [g]), positive
+upward, and a few milliseconds of free fall before the contact, whose mean is the zero line. Lines
+such as \"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary: glued\" before
+the columns are used unless a flag replaces them.
+A record that cannot give a stiffness is shown with the reasons. Drops are pooled as repeats of one
+test; they must have the same impactor, boundary and mass. Otherwise the exit status is 1.")]
 pub(crate) struct DropArgs {
-    /// Files of drops on one pad
+    /// Files with drops on one pad
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// Mass that falls
+    /// Mass of the impactor
     #[arg(long, positive = Dimension::Mass)]
     mass: Option<Given>,
-    /// Height of the fall
+    /// Drop height
     #[arg(long, positive = Dimension::Length, conflicts_with = "impact_velocity")]
     height: Option<Given>,
-    /// Speed at the first touch; without it and without a height the pulse itself must tell
+    /// Velocity at the first touch [default: from the drop height, or from the pulse itself]
     #[arg(long, positive = Dimension::Velocity)]
     impact_velocity: Option<Given>,
-    /// Standard deviation of the impact velocity, as a ratio
-    #[arg(long, value_name = "RATIO", read = velocity_error, default_value = "1 %")]
-    velocity_error: Given,
-    /// Gravity during the contact; 0 m/s2 where the zero line is not that of a free fall [default: 1 g]
+    /// Standard deviation of the impact velocity, as a share of it [default: 1 %]
+    #[arg(long, value_name = "RATIO", read = velocity_error)]
+    velocity_error: Option<Given>,
+    /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
     #[arg(long, non_negative = Dimension::Acceleration)]
     gravity: Option<Given>,
-    /// Corner of the low-pass filter before the converter, for its gate
+    /// Corner frequency of the low-pass filter before the converter, to check the record against
     #[arg(long, positive = Dimension::Frequency)]
     corner: Option<Given>,
-    /// Fit this law alone [default: the simplest that none betters clearly]
+    /// Fit only this law [default: the simplest one that no other clearly improves on]
     #[arg(long, value_name = "LAW", value_parser = choice(LAWS))]
     law: Option<FittedLaw>,
-    /// Thickness of the pad, for the warnings
+    /// Thickness of the pad, used in warnings only
     #[arg(long, positive = Dimension::Length)]
     pad_thickness: Option<Given>,
-    /// Shape of the impactor, over what the files say
+    /// Shape of the impactor; replaces what the files state
     #[arg(long, value_name = "SHAPE")]
     impactor: Option<Impactor>,
-    /// Radius of a sphere
+    /// Radius of a spherical impactor
     #[arg(long, positive = Dimension::Length)]
     sphere_radius: Option<Given>,
-    /// Boundary of the pad, over what the files say
+    /// Boundary of the pad; replaces what the files state
     #[arg(long, value_name = "BOUNDARY")]
     boundary: Option<Boundary>,
-    /// Turn the sign: the sensor is mounted upside down
+    /// Change the sign of all samples: the sensor is mounted upside down
     #[arg(long)]
     invert: bool,
-    /// Unit of acceleration, where the file does not state it
+    /// Unit of acceleration of a file that does not state it
     #[arg(long, value_name = "UNIT", read = unit)]
     unit: Option<Given<String>>,
-    /// Time step, where there is no column of time
+    /// Time step of a file without a column of times
     #[arg(long, value_name = "TIME", read = time_step)]
     dt: Option<Given>,
-    /// Column of acceleration, by name or number
+    /// Column of accelerations, by name or by number (from 1)
     #[arg(long, value_name = "NAME")]
     component: Option<String>,
 }
@@ -131,7 +134,7 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         mass_kg: values.read(&args.mass),
         height_m: values.read(&args.height),
         impact_velocity_m_s: values.read(&args.impact_velocity),
-        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or_default(),
+        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or(VELOCITY_ERROR_RATIO),
         gravity_m_s2: values.read(&args.gravity).unwrap_or(G0_M_S2),
         filter_corner_hz: values.read(&args.corner),
         law: args.law,
@@ -142,7 +145,7 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         sphere_radius_m: values.read(&args.sphere_radius),
         boundary: name(args.boundary.as_ref()),
         thickness_m: values.read(&args.pad_thickness),
-        seed: global.seed.unwrap_or(1),
+        seed: global.seed(),
     };
     values.finish()?;
     Ok(request)

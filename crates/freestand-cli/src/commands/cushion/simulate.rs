@@ -7,7 +7,7 @@ use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions}
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_study::cushion::EdgeCushion;
-use freestand_study::laboratory::virtual_test::{drop_file, static_file};
+use freestand_study::laboratory::virtual_test::{ASSUMED_DAMPING, drop_file, static_file};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -18,67 +18,70 @@ use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, print_text};
 use crate::values::{Given, Reads, Values};
 
-/// Virtual drop tests (and static tests) of a cushion, with all that is wrong with real ones
+/// Virtual drop tests and static tests of a cushion, with the imperfections of real ones
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --noise 0.5% --bias 1g --count 5 --out drops
+  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm \\
+    --noise 0.5% --bias 1g --count 5 --out drops
   freestand cushion simulate --law hertz --stiffness \"2e7 N/m^1.5\" --mass 0.365kg --height 100mm > drop.csv
-  freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% --mass 0.365kg --height 100mm --bounces 1
+  freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% \\
+    --mass 0.365kg --height 100mm --bounces 1
   freestand cushion simulate --static --stiffness \"1100 N/mm\" --load \"1 kN\" --hysteresis 15% > press.csv
 
-Without --out the one file goes to standard output. The first touch falls between two samples; noise, touch and number of
-the drop follow from --seed.")]
+Without --out, the file is printed. The first touch lies between two samples. Its place and the noise
+depend on --seed and on the number of the test.")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     cushion: CushionArgs,
-    /// Mass that falls
+    /// Mass of the impactor
     #[arg(long, positive = Dimension::Mass)]
     mass: Option<Given>,
-    /// Height of the fall
+    /// Drop height
     #[arg(long, positive = Dimension::Length)]
     height: Option<Given>,
     /// Samples per second [default: 50 per contact]
     #[arg(long, positive = Dimension::Frequency)]
     sample_rate: Option<Given>,
-    /// Standard deviation of white noise as a share of the peak (of the largest force in a static test)
-    #[arg(long, non_negative = Dimension::Ratio, default_value = "0")]
-    noise: Given,
-    /// Added to every sample
+    /// Standard deviation of white noise, as a share of the peak (in a static test, of the largest
+    /// force) [default: 0]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    noise: Option<Given>,
+    /// Bias added to every sample [default: 0 g]
     #[arg(long, any = Dimension::Acceleration)]
     bias: Option<Given>,
-    /// Shift of the zero line after the peak, as a share of it
-    #[arg(long, any = Dimension::Ratio, default_value = "0")]
-    zero_shift: Given,
-    /// Corner of a low-pass of two poles before the converter
+    /// Shift of the zero line after the peak, as a share of the peak [default: 0]
+    #[arg(long, any = Dimension::Ratio)]
+    zero_shift: Option<Given>,
+    /// Corner frequency of a two-pole low-pass filter before the converter [default: no filter]
     #[arg(long, positive = Dimension::Frequency)]
     filter_corner: Option<Given>,
     /// Time before the first touch [default: 3 contacts]
     #[arg(long, non_negative = Dimension::Time)]
     pre_trigger: Option<Given>,
-    /// Bounces after the first contact
+    /// Number of bounces after the first contact
     #[arg(long, value_name = "N", default_value = "0", value_parser = clap::value_parser!(u32).range(0..=20))]
     bounces: u32,
     /// Gravity during the contact [default: 1 g]
     #[arg(long, non_negative = Dimension::Acceleration)]
     gravity: Option<Given>,
-    /// How many tests
+    /// Number of tests
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
 
-    /// A static test
+    /// Simulate static tests instead of drops
     #[arg(long = "static", help_heading = "Static tests")]
     is_static: bool,
     /// Largest force [default: 1 kN]
     #[arg(long, positive = Dimension::Force, requires = "is_static", help_heading = "Static tests")]
     load: Option<Given>,
-    /// Energy lost as a share of that of the way in
-    #[arg(long, non_negative = Dimension::Ratio, default_value = "0", help_heading = "Static tests")]
-    hysteresis: Given,
-    /// Slack before the pad is touched
+    /// Energy lost as a share of the energy put in [default: 0]
+    #[arg(long, non_negative = Dimension::Ratio, help_heading = "Static tests")]
+    hysteresis: Option<Given>,
+    /// Slack before the pad is touched [default: 0 mm]
     #[arg(long, non_negative = Dimension::Length, requires = "is_static", help_heading = "Static tests")]
     slack: Option<Given>,
-    /// Stiffness of the machine
+    /// Stiffness of the machine [default: rigid]
     #[arg(long, positive = Dimension::Stiffness, requires = "is_static", help_heading = "Static tests")]
     machine_compliance: Option<Given>,
 }
@@ -114,7 +117,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         }
         tests.push(one);
     }
-    let report = Report { law: cushion.law().name(), seed: global.seed.unwrap_or(1), tests };
+    let report = Report { law: cushion.law().name(), seed: global.seed(), tests };
     let is_file = !files.wanted() && !printer.json();
     files.finish(SCHEMA, &report, &notes)?;
     if is_file {
@@ -149,10 +152,6 @@ fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Resul
     Ok((text, facts))
 }
 
-/// Damping of virtual pads whose law has some, where it is not given: that of `recovery`.
-const DAMPING: [(&str, &str, &str); 2] =
-    [("kelvin-voigt", "damping", "10 %"), ("hunt-crossley", "dissipation", "0.3 s/m")];
-
 /// The pad, and what was assumed of it.
 fn edge(
     args: &SimulateArgs,
@@ -161,7 +160,7 @@ fn edge(
 ) -> Result<(Option<EdgeCushion>, Vec<String>), Failure> {
     let mut words = args.cushion.words(values)?;
     let mut assumed = Vec::new();
-    for (law, key, value) in DAMPING {
+    for (law, key, value) in ASSUMED_DAMPING {
         if words.get("law").is_some_and(|name| name == law) && words.get(key).is_none() {
             words.set(key, value);
             assumed.push(format!("the {key} of the {law} pad is not given; {value} is assumed"));
@@ -172,59 +171,52 @@ fn edge(
 
 fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<String>), Failure> {
     let mut values = Values::default();
-    let seed = global.seed.unwrap_or(1);
-    let mass = values.read(&args.mass);
-    let height = values.read(&args.height);
-    let noise_ratio = values.read(&args.noise).unwrap_or(0.0);
+    let (mass, height) = (values.read(&args.mass), values.read(&args.height));
+    let noise = values.read(&args.noise);
     let (edge, assumed) = edge(args, mass, &mut values)?;
     let Some(edge) = edge else {
         values.finish()?;
         return Err(Failure::usage("there is no cushion", "give --stiffness, such as \"2190 N/mm\""));
     };
-    let cushion = edge.cushion;
+    let (cushion, notes) = (edge.cushion, [edge.notes, assumed].concat());
     if args.is_static {
+        let usual = VirtualStaticOptions::default();
         let options = VirtualStaticOptions {
-            max_force_n: values.read(&args.load).unwrap_or(1000.0),
-            points: 201,
-            hysteresis_ratio: values.read(&args.hysteresis).unwrap_or(0.0),
-            toe_m: values.read(&args.slack).unwrap_or(0.0),
+            max_force_n: values.read(&args.load).unwrap_or(usual.max_force_n),
+            hysteresis_ratio: values.read(&args.hysteresis).unwrap_or(usual.hysteresis_ratio),
+            toe_m: values.read(&args.slack).unwrap_or(usual.toe_m),
             machine_stiffness_n_m: values.read(&args.machine_compliance),
-            noise_ratio,
-            seed,
-            index: 0,
+            noise_ratio: noise.unwrap_or(usual.noise_ratio),
+            seed: global.seed(),
+            ..usual
         };
         values.finish()?;
-        return Ok((cushion, Plan::Static(options), [edge.notes, assumed].concat()));
+        return Ok((cushion, Plan::Static(options), notes));
     }
     let gravity = values.read(&args.gravity);
     let rate = values.read(&args.sample_rate);
     let bias = values.read(&args.bias);
     let zero_shift = values.read(&args.zero_shift);
-    let corner = values.read(&args.filter_corner);
+    let filter_corner_hz = values.read(&args.filter_corner);
     let pre_trigger = values.read(&args.pre_trigger);
     values.finish()?;
     let (Some(mass_kg), Some(height_m)) = (mass, height) else {
         return Err(Failure::usage("a drop needs a mass and a height", "give --mass and --height, or --static"));
     };
-    let speed_m_s = (2.0 * G0_M_S2 * height_m).sqrt();
-    let contact_s = cushion.land(mass_kg, speed_m_s).duration_s;
+    let usual = VirtualDropOptions::from_height(&cushion, mass_kg, height_m);
     let options = VirtualDropOptions {
-        mass_kg,
-        speed_m_s,
-        gravity_m_s2: gravity.unwrap_or(G0_M_S2),
-        sample_rate_hz: rate.unwrap_or(50.0 / contact_s),
-        pre_trigger_s: pre_trigger.unwrap_or(3.0 * contact_s),
-        after_s: 4.0 * contact_s,
-        noise_ratio,
-        bias_m_s2: bias.unwrap_or(0.0),
-        zero_shift_ratio: zero_shift.unwrap_or(0.0),
-        filter_corner_hz: corner,
+        gravity_m_s2: gravity.unwrap_or(usual.gravity_m_s2),
+        sample_rate_hz: rate.unwrap_or(usual.sample_rate_hz),
+        pre_trigger_s: pre_trigger.unwrap_or(usual.pre_trigger_s),
+        noise_ratio: noise.unwrap_or(usual.noise_ratio),
+        bias_m_s2: bias.unwrap_or(usual.bias_m_s2),
+        zero_shift_ratio: zero_shift.unwrap_or(usual.zero_shift_ratio),
+        filter_corner_hz,
         bounces: args.bounces,
-        speed_error_ratio: 0.0,
-        seed,
-        index: 0,
+        seed: global.seed(),
+        ..usual
     };
-    Ok((cushion, Plan::Drop(options), [edge.notes, assumed].concat()))
+    Ok((cushion, Plan::Drop(options), notes))
 }
 
 const COLUMNS: [Column; 5] = [

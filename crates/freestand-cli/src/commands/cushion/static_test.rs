@@ -15,36 +15,38 @@ use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, failed_lines, print_failure};
 use crate::values::{Given, Reads, Values};
 
-/// Static tests of a pad: tangent and secant stiffness at the working load, hysteresis
+/// Static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion static press.csv --load \"350 N\" --machine-compliance \"50 kN/mm\"
-  freestand cushion static glued.csv unglued.csv lubricated.csv --dynamic \"2190 N/mm\" --out static
+  freestand cushion static glued.csv unglued.csv lubricated.csv --dynamic \"2190 N/mm\" \\
+    --out static
 
-A file has columns of displacement and force with their units (displacement [mm],force [N]), both positive in compression,
-in the order of the test. Of several cycles the last full one is evaluated. The foot of the curve is cut off along the tangent at the working load, but for a sphere, whose
-curve has a foot of its own. The dynamic over static ratio is shown and never applied.")]
+A file has columns of displacement and force with their units (displacement [mm],force [N]), both
+positive in compression, in the order of the test. Of several cycles, the last complete one is
+evaluated. The toe of the curve is cut off along the tangent at the working load, except for a sphere,
+whose curve begins with a toe by nature. The ratio of dynamic to static stiffness is shown only.")]
 pub(crate) struct StaticArgs {
-    /// Files
+    /// Files with tests of one pad
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// Working load [default: half of the largest force]
     #[arg(long, positive = Dimension::Force)]
     load: Option<Given>,
-    /// Stiffness of the machine's frame, whose give is taken from the displacement
+    /// Stiffness of the frame of the machine, whose deformation is subtracted [default: rigid]
     #[arg(long, positive = Dimension::Stiffness)]
     machine_compliance: Option<Given>,
-    /// Whether the foot of the curve is cut off [default: yes, but for a sphere]
+    /// Whether to cut off the toe of the curve [default: cut, but keep for a sphere]
     #[arg(long, value_name = "WHEN")]
     toe: Option<Toe>,
-    /// Shape of the impactor, over what the files say
+    /// Shape of the impactor; replaces what the files state
     #[arg(long, value_name = "SHAPE")]
     impactor: Option<Impactor>,
-    /// Boundary of the pad, over what the files say
+    /// Boundary of the pad; replaces what the files state
     #[arg(long, value_name = "BOUNDARY")]
     boundary: Option<Boundary>,
-    /// Dynamic stiffness from a drop test, to be set beside the secant
+    /// Dynamic stiffness from a drop test, to compare with the secant stiffness
     #[arg(long, positive = Dimension::Stiffness)]
     dynamic: Option<Given>,
 }

@@ -19,27 +19,30 @@ use crate::printer::{Printer, significant, table};
 use crate::target::{TargetArgs, TargetReport};
 use crate::values::{Given, Reads, Values};
 
-/// Elastic spectrum of a code, 5 % damping
+/// Elastic response spectrum of a design code, for 5 % damping
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion code-spectrum --site De --city Melbourne
-  freestand motion code-spectrum --site Ce --hazard-factor 0.11 --return-period 2500 --periods \"0 s, 0.5 s, 1 s\" --json
-  freestand motion code-spectrum --code eurocode8 --spectrum-type 2 --site B --ground-acceleration 0.1g --parts
-  freestand motion code-spectrum --code nzs1170.5 --site C --hazard-factor 0.4 --parts --building-height \"30 m\" --out wellington")]
+  freestand motion code-spectrum --site Ce --hazard-factor 0.11 --return-period 2500 \\
+    --periods \"0 s, 0.5 s, 1 s\" --json
+  freestand motion code-spectrum --code eurocode8 --spectrum-type 2 --site B \\
+    --ground-acceleration 0.1g --parts
+  freestand motion code-spectrum --code nzs1170.5 --site C --hazard-factor 0.4 --parts \\
+    --building-height \"30 m\" --out wellington")]
 pub(crate) struct CodeSpectrumArgs {
     #[command(flatten)]
     target: TargetArgs,
-    /// Periods, from:to:count or a list [default: 0, 121 from 0.05 to 5 s and the corners of the code]
+    /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
     #[arg(long, grid = Dimension::Time)]
     periods: Option<Given<Vec<f64>>>,
-    /// Adds the acceleration that the code gives a rigid part on each floor
+    /// Add the acceleration that the code prescribes for a rigid part on each floor
     #[arg(long, help_heading = "Parts and components")]
     parts: bool,
-    /// Height of the building; AS 1170.4 and NZS 1170.5 ask for it
+    /// Height of the building; needed by AS 1170.4 and NZS 1170.5
     #[arg(long, positive = Dimension::Length, requires = "parts", help_heading = "Parts and components")]
     building_height: Option<Given>,
-    /// Fundamental period of the building, for ASCE 7-22 [default: not known]
+    /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
     #[arg(long, positive = Dimension::Time, requires = "parts", help_heading = "Parts and components")]
     building_period: Option<Given>,
 }
@@ -108,7 +111,8 @@ pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printe
     Ok(Done::OK)
 }
 
-/// The periods that are asked for; without any the usual ones with the corners, as far as the spectrum goes.
+/// The periods that are asked for; without any the usual ones with the corners, as far as the
+/// spectrum goes.
 fn periods(args: &CodeSpectrumArgs, target: &Target, values: &mut Values) -> Vec<f64> {
     let spectrum = &target.spectrum;
     let (from_s, to_s) = (spectrum.shortest_period_s(), spectrum.longest_period_s().unwrap_or(f64::INFINITY));

@@ -19,7 +19,7 @@ use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_fa
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
 
-/// What is in record files: every component with its peaks, intensities, durations and periods
+/// The content of records: peaks, intensities, durations and periods of every component
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -28,19 +28,19 @@ Examples:
   freestand motion info *.AT2 --height \"2 m\" --thickness \"500 mm\" --json
   freestand motion info *.AT2 --plot --out records
 
-Measures are of the motion after what is done to it; first and last values, mean and sum of JSON are as in the file, and
-processed_first_values_m_s2 and processed_last_values_m_s2 after. A file that fails hides no other: it is listed, and the
-exit status is 1.")]
-// Components are reported as they are: the flag is known but refused.
+Measures are those of the processed motion. In JSON, the first and last values, mean and sum are those
+of the file; processed_first_values_m_s2 and processed_last_values_m_s2 are those after processing.
+A file that cannot be read is listed after the others, and the exit status is 1.")]
+// Every component is measured as it is: the flag is known but refused.
 #[command(mut_arg("azimuth", |arg| arg.hide(true)))]
 pub(crate) struct InfoArgs {
-    /// Record files
+    /// Records
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// Height of a block, for what the motions are to it
+    /// Height of a block, to see what the motions mean to it; needs --thickness
     #[arg(long, positive = Dimension::Length, requires = "thickness")]
     height: Option<Given>,
-    /// Thickness of the block in the plane of motion
+    /// Thickness of the block in the plane of motion; needs --height
     #[arg(long, positive = Dimension::Length, requires = "height")]
     thickness: Option<Given>,
     #[command(flatten)]

@@ -14,17 +14,23 @@ use crate::values::{Given, Reads, Values, two_names};
 
 /// Two horizontal components.
 #[derive(Debug, Args)]
-// A pair is not rotated while it is read; the flag stays known so that its error can name the remedy.
+// A pair is never rotated while it is read; the flag is known so that its error can say what to do.
 #[command(
     mut_arg("azimuth", |arg| arg.hide(true)),
-    mut_arg("component", |arg| arg.help("The component of each of two files with several: its name or its number from 1"))
+    mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
 )]
 pub(super) struct PairArgs {
-    /// A record file with two horizontal components, or two files with one each
+    /// A record with two horizontal components, or two records with one each
     #[arg(value_name = "FILE", required = true, num_args = 1..=2)]
     pub(super) files: Vec<PathBuf>,
-    /// The two components of one file with several: their names or numbers, such as "1, 2"
-    #[arg(long, value_name = "NAME, NAME", read = two_names, conflicts_with = "component", help_heading = "Reading records")]
+    /// The two components to read from one file with several: names or numbers, such as "1, 2"
+    #[arg(
+        long,
+        value_name = "NAME, NAME",
+        read = two_names,
+        conflicts_with = "component",
+        help_heading = "Reading records"
+    )]
     components: Option<Given<(String, String)>>,
     #[command(flatten)]
     read: ReadArgs,

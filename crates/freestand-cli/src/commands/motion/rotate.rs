@@ -1,4 +1,4 @@
-//! `freestand motion rotate`: the component at another azimuth.
+//! `freestand motion rotate`: the motion in another direction.
 
 use clap::Args;
 use freestand_input::quantity::Dimension;
@@ -15,19 +15,22 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::values::{Given, Reads, Values};
 
-/// The component at another azimuth, of two horizontal ones: to --out, or to standard output
+/// Rotate two horizontal components to the one at another azimuth
+///
+/// Writes into the folder of --out; without it, the motion is printed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion rotate record.v2 --to \"30 deg\" > record-30.csv
-  freestand motion rotate north.AT2 east.AT2 --azimuths \"0 deg, 90 deg\" --to \"30 deg\" --format at2 --out turned")]
+  freestand motion rotate north.AT2 east.AT2 --azimuths \"0 deg, 90 deg\" --to \"30 deg\" \\
+    --format at2 --out rotated")]
 pub(crate) struct RotateArgs {
     #[command(flatten)]
     pair: PairArgs,
-    /// Azimuth to turn to, clockwise from north
+    /// Azimuth of the new component, clockwise from north
     #[arg(long, any = Dimension::Angle)]
     to: Given,
-    /// Azimuths of the two components [default: as the files state them]
+    /// Azimuths of the two components [default: those stated in the files]
     #[arg(long, value_name = "ANGLE, ANGLE", read = azimuths)]
     azimuths: Option<Given<(f64, f64)>>,
     /// Format to write

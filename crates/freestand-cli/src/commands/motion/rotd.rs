@@ -1,6 +1,7 @@
 //! `freestand motion rotd`: response spectra over all horizontal directions.
 
 use clap::Args;
+use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{RotdReport, RotdRequest, rotd};
@@ -14,13 +15,15 @@ use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::values::{Given, Reads, Values};
 
-/// Response spectra over all horizontal directions (RotDnn), larger and geometric mean of two components
+/// Response spectra over all horizontal directions (RotDnn)
+///
+/// Also gives the larger and the geometric mean of the two components.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion rotd record.v2 --periods \"0.05 s:3 s:60\"
   freestand motion rotd north.AT2 east.AT2 --percentiles \"0, 50, 100\" --damping 2% --json")]
-// Two components have no common factor to a target: these flags are known but refused.
+// Two components have no common factor to a target: these are known but refused.
 #[command(
     mut_arg("scale_to", |arg| arg.hide(true)),
     mut_arg("scale_to_sa", |arg| arg.hide(true)),
@@ -32,10 +35,10 @@ pub(crate) struct RotdArgs {
     /// Percentiles over the directions: 50 is the median, 100 the largest
     #[arg(long, value_name = "LIST", read = percentiles, default_value = "50, 100")]
     percentiles: Given<Vec<f64>>,
-    /// Damping ratio
-    #[arg(long, non_negative = Dimension::Ratio, default_value = "5 %")]
-    damping: Given,
-    /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
+    /// Damping ratio [default: 5 %]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    damping: Option<Given>,
+    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, grid = Dimension::Time)]
     periods: Option<Given<Vec<f64>>>,
 }
@@ -48,7 +51,7 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;
-    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(0.05), periods_s, percentiles })?;
+    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(DAMPING_RATIO), periods_s, percentiles })?;
     let files = Files::begin(global, &args.pair.inputs())?;
     let csv = report.csv()?;
     files.write("rotd.csv", || csv)?;

@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{SpectrumReport, SpectrumRequest, spectrum};
@@ -18,7 +19,7 @@ use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
 
-/// Response spectrum of a record (exact for a motion that is linear between samples)
+/// Response spectrum of a record, exact for a motion that is linear between samples
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -26,16 +27,17 @@ Examples:
   freestand motion spectrum record.AT2 --damping \"2 %, 5 %\" --plot spectrum.svg
   freestand motion spectrum record.AT2 --upsample 10 --periods \"0.02 s, 0.05 s, 0.1 s\" --json")]
 pub(crate) struct SpectrumArgs {
-    /// Record file
+    /// Record
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Damping ratio, or a list of them
-    #[arg(long, value_name = "RATIO", read = dampings, default_value = "5 %")]
-    damping: Given<Vec<f64>>,
-    /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
+    /// Damping ratio, or a list of ratios [default: 5 %]
+    #[arg(long, value_name = "RATIO", read = dampings)]
+    damping: Option<Given<Vec<f64>>>,
+    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, grid = Dimension::Time)]
     periods: Option<Given<Vec<f64>>>,
-    /// N samples in place of each, on the band-limited curve through them (for periods below ten steps)
+    /// Replace each sample by N on the band-limited curve through the samples, for periods shorter
+    /// than ten time steps
     #[arg(long, value_name = "N", default_value = "1", value_parser = at_least_one)]
     upsample: NonZeroUsize,
     #[command(flatten)]
@@ -54,7 +56,7 @@ struct Document<'a> {
 
 pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let damping_ratios = values.read(&args.damping).unwrap_or_default();
+    let damping_ratios = values.read(&args.damping).unwrap_or_else(|| vec![DAMPING_RATIO]);
     let periods_s = super::periods(&args.periods, &mut values);
     values.finish()?;
     let target = args.plot.target(global)?;

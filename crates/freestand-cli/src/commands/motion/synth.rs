@@ -16,10 +16,11 @@ use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchMethod, match_record};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::recorded::name_of;
-use freestand_study::study::synthetic_name;
+use freestand_study::study::{DEFAULT_MOTIONS, synthetic_name};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::motions;
 use super::plot::{Target, failed, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -30,7 +31,7 @@ use crate::reading::ReadArgs;
 use crate::target::{TargetArgs, TargetReport};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
-/// Synthetic motions that fit the elastic spectrum of a code, or a table
+/// Synthetic motions that fit a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -41,55 +42,56 @@ Examples:
 pub(crate) struct SynthArgs {
     #[command(flatten)]
     target: TargetArgs,
-    /// How many motions
-    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
-    count: u32,
+    /// Number of motions
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
+    count: u64,
     #[command(flatten)]
     layout: LayoutArgs,
     #[command(flatten)]
     peak: PeakArgs,
 }
 
-/// How a motion is laid out in time.
+/// The motion in time.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The motion")]
 struct LayoutArgs {
-    /// Time step, at most 0.01 s
-    #[arg(long, positive = Dimension::Time, default_value = "0.005 s")]
-    time_step: Given,
-    /// Length of the shaking with its tapers, at least 10 s
-    #[arg(long, positive = Dimension::Time, default_value = "40 s")]
-    shaking: Given,
-    /// Duration of the window that shapes the noise; D5-95 is about as long
-    #[arg(long, positive = Dimension::Time, default_value = "10 s")]
-    envelope: Given,
+    /// Time step, at most 0.01 s [default: 0.005 s]
+    #[arg(long, positive = Dimension::Time)]
+    time_step: Option<Given>,
+    /// Length of the shaking including its tapers, at least 10 s [default: 40 s]
+    #[arg(long, positive = Dimension::Time)]
+    shaking: Option<Given>,
+    /// Duration of the window that shapes the noise, about equal to D5-95 [default: 10 s]
+    #[arg(long, positive = Dimension::Time)]
+    envelope: Option<Given>,
 }
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The motion")]
 struct PeakArgs {
-    /// Bring the peak acceleration to the code's at T = 0 by scaling half-cycles; the fit at short periods suffers
+    /// Scale half-cycles so that the peak acceleration is that of the target at T = 0; the fit at
+    /// short periods gets worse
     #[arg(long)]
     match_pga: bool,
 }
 
 /// How the spectrum of a record is brought to the target.
 const METHODS: Choices<MatchMethod> = &[
-    (MatchMethod::Wavelet, "wavelet", "Scales wavelets; keeps more of the record"),
-    (MatchMethod::Fft, "fft", "Scales Fourier amplitudes at the period itself"),
+    (MatchMethod::Wavelet, "wavelet", "Scale wavelets; keeps more of the record"),
+    (MatchMethod::Fft, "fft", "Scale Fourier amplitudes at the period itself"),
 ];
 
-/// A record matched to the elastic spectrum of a code; its phases stay
+/// Match a record to a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion match record.AT2 --code as1170.4 --site De --city Melbourne --out matched
   freestand motion match record.AT2 --site De --method fft --match-pga --json")]
 pub(crate) struct MatchArgs {
-    /// Record file
+    /// Record
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// How
+    /// Method
     #[arg(long, value_parser = choice(METHODS), default_value = MatchMethod::default().name())]
     method: MatchMethod,
     #[command(flatten)]
@@ -171,11 +173,12 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
     check_peak(&args.peak, &asked.spectrum)?;
     let inputs = args.target.inputs();
     let files = Files::begin(global, &inputs)?;
-    let seed = global.seed.unwrap_or(1);
+    let seed = global.seed();
     let options = options(&args.layout)?;
     let target = |period_s| asked.spectrum.sa_g(period_s);
-    // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
-    let made: Vec<Made> = (0..u64::from(args.count))
+    // Each motion has its own stream of random numbers, so the order in which they are made does
+    // not matter.
+    let made: Vec<Made> = (0..args.count)
         .into_par_iter()
         .map(|index| with_peak(synthesize(target, seed, index, &options)?, &args.peak, target))
         .collect::<Result<_, SynthesisError>>()

@@ -1,4 +1,4 @@
-//! `freestand rock --base compliant`: the object on flags.
+//! `freestand rock --base compliant`: the object on cushions.
 
 use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
@@ -18,35 +18,37 @@ use crate::values::{Given, Reads, Values, point};
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The base")]
 pub(crate) struct CompliantArgs {
-    /// What the object stands on: two rigid edges, or cushions under them, which take --mass and --stiffness
+    /// Floor contact: rigid edges, or a cushion under each edge, which needs --mass and --stiffness
     #[arg(long, value_enum, default_value_t)]
     base: BaseName,
-    /// Tangential stiffness of the cushion under one edge [default: as the normal one, an assumption]
+    /// Tangential stiffness of the cushion under one edge [default: equal to the normal stiffness,
+    /// an assumption]
     #[arg(long, positive = Dimension::Stiffness, conflicts_with = "tangential_ratio")]
     tangential_stiffness: Option<Given>,
-    /// The same as a ratio to the stiffness under half the weight
+    /// Tangential stiffness over the normal stiffness under half the weight
     #[arg(long, positive = Dimension::Ratio)]
     tangential_ratio: Option<Given>,
-    /// The feet never slip while they carry (what holds without --friction)
+    /// The edges never slip while loaded (the default without --friction)
     #[arg(long, conflicts_with = "friction")]
     no_slip: bool,
-    /// Contact elements, evenly from edge to edge; more than 2 share the cushions of both edges
-    #[arg(long, value_name = "N", default_value_t = 2)]
-    contacts: usize,
-    /// Let go from this rise of the centre of gravity, tilted to the right
+    /// Number of contact elements, evenly spaced from edge to edge; more than 2 share the cushions
+    /// of both edges [default: 2]
+    #[arg(long, value_name = "N")]
+    contacts: Option<usize>,
+    /// Start at rest at this rise of the centre of gravity, rotated to the right
     #[arg(long, positive = Dimension::Length, conflicts_with = "initial_rotation")]
     cg_rise: Option<Given>,
-    /// Point whose acceleration is wanted: from the left edge, and above the base
+    /// Point whose acceleration is wanted: "x, z", from the left edge and above the base
     #[arg(long, value_name = "X, Z", read = point)]
     at: Option<Given<(f64, f64)>>,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 enum BaseName {
-    /// Housner's block
+    /// Housner's model: the object rotates about fixed edges
     #[default]
     Rigid,
-    /// A rigid body on cushions, followed in time
+    /// A rigid body on cushions, integrated in time
     Compliant,
 }
 
@@ -116,7 +118,8 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         }
     }
     let gravity_m_s2 = gravity.unwrap_or(G0_M_S2);
-    let base = CompliantBase { contacts: flags.contacts, friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    let base = CompliantBase { contacts: flags.contacts.unwrap_or(base.contacts), ..base };
     let normal_n_m = base.normal_stiffness_n_m(gravity_m_s2);
     let tangential_stiffness_ratio = tangential.map(|k| k / normal_n_m).or(ratio).unwrap_or(ASSUMED_TANGENTIAL_RATIO);
     let base = CompliantBase { tangential_stiffness_ratio, ..base };

@@ -24,23 +24,27 @@ use crate::printer::{Printer, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
 use crate::values::{Given, Reads, Values};
 
-/// One object under one motion: rotation, uplift, impacts, overturning, shock
+/// One object under one motion: rotation, uplift, impacts, overturning and shock
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   A cabinet under a record, with the shock on its pads:
-    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\"
-  A column of accelerations in g every 5 ms, twice as strong, history to a file:
-    freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m --thickness 0.3m --history history.csv
-  Free rocking from a tilt of 5 degrees:
+    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --stiffness \"4380 N/mm\"
+  A column of accelerations in g every 5 ms, multiplied by 2, with the history in a file:
+    freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m \\
+      --thickness 0.3m --history history.csv
+  Free rocking from a rotation of 5 degrees:
     freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
-  A cabinet let go on its pads, followed in time, with the trace of the landing:
-    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
+  A cabinet released on its pads, with the history of the landing:
+    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
 pub(crate) struct RockArgs {
-    /// Record of the base's horizontal acceleration; none: free rocking
+    /// Record of the horizontal acceleration of the floor [default: none, free rocking]
     #[arg(long, value_name = "FILE")]
     motion: Option<PathBuf>,
-    /// Record of the base's vertical acceleration, positive upward, of the same step and length
+    /// Record of the vertical acceleration of the floor, positive upward, with the same step and
+    /// length
     #[arg(long, value_name = "FILE")]
     vertical: Option<PathBuf>,
     #[command(flatten)]
@@ -54,11 +58,11 @@ pub(crate) struct RockArgs {
     /// Width of the object in the plane of motion
     #[arg(long, positive = Dimension::Length, help_heading = "The object")]
     thickness: Given,
-    /// Mass, for the shock
+    /// Mass of the object; needed for the shock
     #[arg(long, positive = Dimension::Mass, help_heading = "The object")]
     mass: Option<Given>,
-    /// Coefficient of friction: for the warning against sliding [default: 0.5]; on a compliant base the feet slip by it [default:
-    /// they do not]
+    /// Coefficient of friction: on a rigid base used for the warning about sliding [default: 0.5],
+    /// on a compliant base the edges slip by it [default: no slip]
     #[arg(long, non_negative = Dimension::Ratio, help_heading = "The object")]
     friction: Option<Given>,
     #[command(flatten)]
@@ -80,10 +84,11 @@ pub(crate) struct RockArgs {
     /// Gravity [default: 1 g]
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The rocking")]
     gravity: Option<Given>,
-    /// When to stop [default: the last sample]; the base is still after the last sample
+    /// Time at which to stop; the floor does not move after the last sample [default: the last
+    /// sample]
     #[arg(long, positive = Dimension::Time, help_heading = "The rocking")]
     duration: Option<Given>,
-    /// File for the history (CSV)
+    /// File to write the history to (CSV)
     #[arg(long, value_name = "FILE.csv")]
     history: Option<PathBuf>,
 }
@@ -171,7 +176,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let duration = values.read(&args.duration);
     let options = RockingOptions {
         model: args.rocking.model,
-        restitution: args.rocking.restitution(&mut values),
+        restitution: args.rocking.restitution(block.as_slice(), &mut values),
         gravity_m_s2: gravity.unwrap_or(G0_M_S2),
         accuracy: args.rocking.accuracy,
         initial_rotation_rad: rotation.unwrap_or(0.0),
