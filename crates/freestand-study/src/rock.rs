@@ -143,8 +143,8 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     }
     if friction.is_some_and(f64::is_infinite) {
         warnings.push(
-            "at some instant the contact would have to pull the object down: the object would leave the floor, which \
-             the model does not include"
+            "at some instant the contact would have to pull the object down: the object would leave the floor, \
+             which the model does not include"
                 .to_owned(),
         );
     }
@@ -214,8 +214,8 @@ pub fn problem(error: RockingError) -> Problem {
     Problem::new(kind, error.to_string()).hint(hint)
 }
 
-/// A history as CSV: time, rotation, angular velocity, uplift, base acceleration. Its rows are at the
-/// steps of the motion and just before and after every impact.
+/// A history as CSV: time, rotation, angular velocity, uplift, base acceleration. Its rows are at
+/// the steps of the motion and just before and after every impact.
 pub fn history_csv(block: &Block, history: &[HistoryPoint]) -> String {
     let uplift_m = |p: &HistoryPoint| block.base_width_m() * p.theta_rad.abs().sin();
     let row = |p: &HistoryPoint| [p.time_s, p.theta_rad, p.omega_rad_s, uplift_m(p), p.base_accel_m_s2];

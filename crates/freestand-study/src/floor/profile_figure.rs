@@ -28,7 +28,8 @@ pub struct ProfilePicture<'a> {
     pub height_m: Option<f64>,
     /// Peak floor accelerations, `[motion][level]` \[g\].
     pub pfa_g: &'a [Vec<f64>],
-    /// Peak ground acceleration of each motion \[g\]; drawn where no level is the ground. May be empty.
+    /// Peak ground acceleration of each motion \[g\]; drawn where no level is the ground. May be
+    /// empty.
     pub pga_g: &'a [f64],
     /// A code's line for parts and components: its name and its points (share of the height, g).
     pub code: Option<(&'a str, &'a [(f64, f64)])>,
@@ -98,8 +99,8 @@ fn caption(picture: &ProfilePicture<'_>, median: &[(f64, f64)]) -> String {
         format!(" Dashed: the acceleration that a rigid part is designed for, {name}.")
     });
     format!(
-        "Largest absolute acceleration of the floors over the height under {motions} from {} g at the lowest level to {} g at \
-         the highest.{code}",
+        "Largest absolute acceleration of the floors over the height under {motions} from {} g at the lowest level \
+         to {} g at the highest.{code}",
         of(median.first()),
         of(median.last())
     )
@@ -109,8 +110,8 @@ fn entry(sign: Sign, words: &str) -> Entry {
     Entry { sign, words: words.into() }
 }
 
-/// Acceleration and height of the levels of one motion, from the lowest up, with the ground where no
-/// level is the ground.
+/// Acceleration and height of the levels of one motion, from the lowest up, with the ground where
+/// no level is the ground.
 fn curve(picture: &ProfilePicture<'_>, motion: &[f64], pga_g: Option<&f64>, scale: f64) -> Vec<(f64, f64)> {
     let levels = picture.levels_ratio.iter().zip(motion);
     let mut points: Vec<(f64, f64)> = levels.map(|(&level, &pfa)| (pfa, scale * level)).collect();

@@ -21,7 +21,8 @@ pub struct SpectraRequest {
     pub periods_s: Vec<f64>,
 }
 
-/// Floor response spectra: medians over the motions; of two components, of the largest over all directions (RotD100).
+/// Floor response spectra: medians over the motions; of two components, of the largest over all
+/// directions (RotD100).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct SpectraReport {
@@ -42,7 +43,8 @@ pub struct LevelSpectra {
     pub psa_g_p84: Vec<Vec<f64>>,
 }
 
-/// Pseudo-accelerations of a motion \[m/s²\]; of two components, the largest over all directions (RotD100).
+/// Pseudo-accelerations of a motion \[m/s²\]; of two components, the largest over all directions
+/// (RotD100).
 ///
 /// # Errors
 /// Damping outside 0 ≤ ζ < 1, a negative period, components that are not a pair.

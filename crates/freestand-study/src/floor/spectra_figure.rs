@@ -57,8 +57,8 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
         name: "spectra".to_owned(),
         title: "Response spectra of the floors".to_owned(),
         caption: format!(
-            "Pseudo-acceleration of a linear oscillator on the ground and on floors against its period, {of}; of two \
-             components, the largest over all directions."
+            "Pseudo-acceleration of a linear oscillator on the ground and on floors against its period, {of}; of \
+             two components, the largest over all directions."
         ),
         legend: legend.collect(),
         row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],

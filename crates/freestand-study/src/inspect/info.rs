@@ -54,8 +54,8 @@ pub struct MotionInfo {
     description: String,
     /// What was done to the samples, one step each.
     processing: Vec<String>,
-    /// What is in it and its measures. First and last values, mean and sum are those of the file; the
-    /// measures, and the values called processed, those of the motion after `processing`.
+    /// What is in it and its measures. First and last values, mean and sum are those of the file;
+    /// the measures, and the values called processed, those of the motion after `processing`.
     facts: Facts<'static>,
     /// The motion, where it was kept.
     motion: Option<Motion>,
@@ -64,8 +64,8 @@ pub struct MotionInfo {
 /// Reads the files, on the threads of the current pool; the report does not depend on their number.
 ///
 /// # Errors
-/// Everything that is wrong with the only file, or with all of several; otherwise the report lists the
-/// files that failed.
+/// Everything that is wrong with the only file, or with all of several; otherwise the report lists
+/// the files that failed.
 pub fn info(request: &InfoRequest) -> Result<InfoReport, Vec<Problem>> {
     let each: Vec<_> = request.files.paths.par_iter().map(|path| info_of_file(path, request)).collect();
     let mut report = InfoReport { motions: Vec::new(), failed: Vec::new(), warnings: Vec::new() };

@@ -49,9 +49,9 @@ pub(crate) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
     };
     let about = if words.description.is_empty() { String::new() } else { format!(" ({})", words.description) };
     let caption = format!(
-        "The motion “{}”{about}, {} samples every {} s; {done}. Acceleration, velocity and displacement are the samples and \
-         their integrals from rest by the trapezoid rule, without further baseline correction. The lowest panel is the \
-         Husid curve, the share of ∫a² dt reached so far; it takes {} s from 5 to 95 %.",
+        "The motion “{}”{about}, {} samples every {} s; {done}. Acceleration, velocity and displacement are the \
+         samples and their integrals from rest by the trapezoid rule, without further baseline correction. The \
+         lowest panel is the Husid curve, the share of ∫a² dt reached so far; it takes {} s from 5 to 95 %.",
         words.name,
         accel_g.len(),
         number(dt_s, 6),

@@ -20,7 +20,8 @@ pub struct SpectrumRequest {
     pub damping_ratios: Vec<f64>,
     /// Periods; 0 is the rigid oscillator \[s\].
     pub periods_s: Vec<f64>,
-    /// How many samples replace each one, on the band-limited curve through them; 1: none are added.
+    /// How many samples replace each one, on the band-limited curve through them; 1: none are
+    /// added.
     pub upsample: usize,
 }
 
@@ -111,8 +112,8 @@ fn short_period_note(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<St
     let (shortest_s, needed) = samples_needed(periods_s, dt_s, upsample)?;
     let given = if upsample > 1 { format!(", in {upsample} parts each") } else { String::new() };
     Some(format!(
-        "{}{given}: the spectrum is inaccurate there, because peaks between samples are missed; `upsample = {needed}` \
-         would give it ten",
+        "{}{given}: the spectrum is inaccurate there, because peaks between samples are missed; `upsample = \
+         {needed}` would give it ten",
         few_steps("the shortest period", shortest_s, dt_s)
     ))
 }

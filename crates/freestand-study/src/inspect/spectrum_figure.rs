@@ -48,8 +48,8 @@ pub(crate) fn response_spectrum(words: Words<'_>, periods_s: &[f64], spectra: &[
         name: "spectrum".to_owned(),
         title: plain(&format!("Response spectrum of {}", shorten(words.name))),
         caption: format!(
-            "Pseudo-acceleration, pseudo-velocity and relative displacement of a linear oscillator under the motion “{}” \
-             against its period. Peaks are taken at the samples.{done}",
+            "Pseudo-acceleration, pseudo-velocity and relative displacement of a linear oscillator under the motion \
+             “{}” against its period. Peaks are taken at the samples.{done}",
             words.name
         ),
         panels,

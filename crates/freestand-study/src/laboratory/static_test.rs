@@ -26,7 +26,8 @@ pub struct StaticRequest {
     pub load_n: Option<f64>,
     /// Stiffness of the machine \[N/m\].
     pub machine_stiffness_n_m: Option<f64>,
-    /// `Some(false)`: the toe of the curve is kept; `None`: it is removed unless the impactor is a sphere.
+    /// `Some(false)`: the toe of the curve is kept; `None`: it is removed unless the impactor is a
+    /// sphere.
     pub compensates_toe: Option<bool>,
     /// Flat or sphere; overrides the file.
     pub impactor: Option<String>,
@@ -124,8 +125,8 @@ fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
     let least_m = (NOISE_ERRORS * report.test.toe_error_m).max(NEGATIVE_TOE_SHARE * report.test.max_compression_m);
     if report.test.toe_m < -least_m {
         say(format!(
-            "the tangent meets zero force {} mm before the first point: this indicates a preload or a pad that softens; \
-             with `toe = \"keep\"` the secant starts at the first point",
+            "the tangent meets zero force {} mm before the first point: this indicates a preload or a pad that \
+             softens; with `toe = \"keep\"` the secant starts at the first point",
             significant(-1e3 * report.test.toe_m, 3)
         ));
     }

@@ -17,7 +17,8 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Problems) -> Option
     if request.scenario.overturns() {
         if request.drop_acceleration_m_s2.is_some() {
             problems.push(Problem::value(
-                "a drop acceleration belongs to the object's own cushion, but an object that falls over does not land on it",
+                "a drop acceleration belongs to the object's own cushion, but an object that falls over does not \
+                 land on it",
                 "give `contact_stiffness`, the stiffness of its side on the floor or obstacle",
             ));
             return None;

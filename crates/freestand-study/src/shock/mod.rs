@@ -114,7 +114,8 @@ pub struct ShockRequest {
     pub boundary_tests: Option<BoundaryTests>,
     /// Uplift from which it may fall back: bench handling \[m\].
     pub tolerance_edge_lift_m: Option<f64>,
-    /// Frequency of its most delicate component \[Hz\], with [`ShockRequest::component_capacity_m_s2`].
+    /// Frequency of its most delicate component \[Hz\], with
+    /// [`ShockRequest::component_capacity_m_s2`].
     pub component_frequency_hz: Option<f64>,
     /// Acceleration that this component itself withstands \[m/s²\].
     pub component_capacity_m_s2: Option<f64>,
@@ -237,7 +238,8 @@ fn contradictions(request: &ShockRequest) -> impl Iterator<Item = Problem> {
     [
         (
             request.boundary_tests.is_some() && (is_peak || is_pulse),
-            "the test points of `damage_boundary` replace `tolerance`, `tolerance_velocity_change` and `tolerance_duration`",
+            "the test points of `damage_boundary` replace `tolerance`, `tolerance_velocity_change` and \
+             `tolerance_duration`",
             "leave these three out",
         ),
         (
@@ -337,17 +339,19 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
                 rise_m: Some(fall),
                 rotation_rad: None,
                 warning: Some(
-                    "the fall starts from rest at the balance point: this is a lower estimate, because a rocking history \
-                     still has some speed there"
+                    "the fall starts from rest at the balance point: this is a lower estimate, because a rocking \
+                     history still has some speed there"
                         .to_owned(),
                 ),
             }),
             None if request.scenario == Scenario::OverturnFloor => Err(Problem::value(
-                "on its side the centre of gravity is higher than at the balance point: there is no fall to provide the energy",
+                "on its side the centre of gravity is higher than at the balance point: there is no fall to provide \
+                 the energy",
                 "check the centre of gravity and the base width, or give the `angular_velocity` of the contact",
             )),
             None => Err(Problem::value(
-                "the object touches the obstacle before it reaches its balance point: there is no fall to provide the energy",
+                "the object touches the obstacle before it reaches its balance point: there is no fall to provide \
+                 the energy",
                 "give the speed of the contact from a rocking history, such as `angular_velocity = \"1.2 rad/s\"`",
             )),
         };
@@ -552,8 +556,8 @@ fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<Stri
     let kinds = [
         (
             request.component_frequency_hz.is_some() && compared.component.is_none(),
-            "the component is not compared: a drop acceleration alone has no duration; give the rise at which it was \
-             measured, or the cushion",
+            "the component is not compared: a drop acceleration alone has no duration; give the rise at which it \
+             was measured, or the cushion",
         ),
         (
             request.tolerance_edge_lift_m.is_some() && compared.edge_lift.is_none(),
@@ -563,7 +567,8 @@ fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<Stri
     kinds.into_iter().filter(|(is_left, _)| *is_left).map(|(_, words)| words.to_owned()).collect()
 }
 
-/// The spring on which the mass dropped by the same rise meets the measured acceleration; `None` where no rise is known.
+/// The spring on which the mass dropped by the same rise meets the measured acceleration; `None`
+/// where no rise is known.
 fn implied_spring(
     measured_m_s2: f64,
     mass_kg: f64,

@@ -139,11 +139,11 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     Page {
         name: "damage-boundary".to_owned(),
         title: "Damage boundary".to_owned(),
-        caption:
-            "A shock does damage only if both its peak and its velocity change are too large: above and to the right of \
-                  the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped component under \
-                  rectangular pulses, which begins at the same velocity change and ends at the same peak."
-                .to_owned(),
+        caption: "A shock does damage only if both its peak and its velocity change are too large: above and to the \
+                  right of the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped \
+                  component under rectangular pulses, which begins at the same velocity change and ends at the same \
+                  peak."
+            .to_owned(),
         panels: vec![panel(plots, x, y)],
         columns: 1,
         row_heights_px: vec![PANEL_PX],

@@ -265,7 +265,8 @@ fn report(
     }
 }
 
-/// Samples in a period below which the response of an oscillator is uncertain: ISO 18431-4 requires ten.
+/// Samples in a period below which the response of an oscillator is uncertain: ISO 18431-4 requires
+/// ten.
 const FEW_SAMPLES: f64 = 10.0;
 
 /// A warning about frequencies above those of the record, or whose peaks lie between samples.
@@ -274,7 +275,8 @@ fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpec
     let in_hz = |f: f64| format!("{} Hz", number(f, 4));
     if highest_hz * dt_s > 0.5 {
         return Some(format!(
-            "the record contains nothing above half its sampling rate, {}: higher oscillators respond to what is below",
+            "the record contains nothing above half its sampling rate, {}: higher oscillators respond to what is \
+             below",
             in_hz(0.5 / dt_s)
         ));
     }
@@ -288,8 +290,8 @@ fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpec
     }
     (request.upsample && least < SAMPLES_PER_PERIOD).then(|| {
         format!(
-            "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks may be {} % \
-             too low",
+            "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks \
+             may be {} % too low",
             in_hz(highest_hz),
             number(least, 3),
             number(100.0 * (1.0 - (PI / least).cos()), 2),
