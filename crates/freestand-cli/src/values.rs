@@ -10,6 +10,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, Value
 use clap::{Arg, Command};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{self, Dimension};
+pub(crate) use freestand_input::words::{Choices, name_of};
 
 use crate::failure::{Failure, problem};
 
@@ -112,9 +113,6 @@ pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
     }
 }
 
-/// Values with their names in flags and what they mean.
-pub(crate) type Choices<T> = &'static [(T, &'static str, &'static str)];
-
 /// One of these values, by its name.
 pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedValueParser<Value = T> {
     let names = choices.iter().map(|(_, name, meaning)| PossibleValue::new(*name).help(*meaning));
@@ -122,11 +120,6 @@ pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedVa
         let known = choices.iter().find(|(_, name, _)| *name == text);
         known.map(|(value, ..)| *value).ok_or("not one of the values")
     })
-}
-
-/// The name of a value, for a default.
-pub(crate) fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
-    choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
 }
 
 /// A command and those below it, whose flags take negative values and whose help ends with the

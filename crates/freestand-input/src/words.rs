@@ -68,6 +68,14 @@ pub fn push_shortest(out: &mut String, value: f64) {
     let _ = if size == 0.0 || (1e-5..1e16).contains(&size) { write!(out, "{value}") } else { write!(out, "{value:e}") };
 }
 
+/// Values with their names in inputs and outputs, and what they mean.
+pub type Choices<T> = &'static [(T, &'static str, &'static str)];
+
+/// The name of one of these values.
+pub fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
+    choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
+}
+
 /// The candidate that a mistyped word most likely meant: at most a third of its letters differ.
 pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();

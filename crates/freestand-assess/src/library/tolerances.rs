@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
-use freestand_study::shock_spectrum::pulse_name;
+use freestand_input::words::{name_of, number};
+use freestand_study::shock_spectrum::SHAPES;
 
 use super::collection::{Library, Shelf};
 use super::reader::RowReader;
@@ -223,7 +223,7 @@ impl ToleranceEntry {
             peak_high_m_s2,
             peak_high_g: in_g(peak_high_m_s2),
             duration_s,
-            shape: shape.map(pulse_name),
+            shape: shape.map(|shape| name_of(SHAPES, shape)),
             pulse_velocity_change_m_s: pulse
                 .and_then(|((shape, peak), duration)| Pulse::new(shape, peak, duration).ok())
                 .map(|pulse| pulse.velocity_change_m_s()),
@@ -329,7 +329,7 @@ fn shape(reader: &mut RowReader<'_>, duration_s: Option<f64>) -> Option<PulseSha
             reader.note("shape", "a shape needs a duration", hint);
             None
         }
-        (false, Some(_)) => reader.word("shape", &PulseShape::ALL.map(|shape| (pulse_name(shape), shape))),
+        (false, Some(_)) => reader.word("shape", &PulseShape::ALL.map(|shape| (name_of(SHAPES, shape), shape))),
     }
 }
 
@@ -344,7 +344,7 @@ fn notice(text: String) -> String {
 /// A range gives its low end. The velocity change of the pulse does not become a critical velocity
 /// change.
 pub fn to_tolerance(entry: &ToleranceEntry) -> Option<Tolerance> {
-    let is_comparable = entry.shape.is_none_or(|shape| shape == pulse_name(PulseShape::HalfSine));
+    let is_comparable = entry.shape.is_none_or(|shape| shape == name_of(SHAPES, PulseShape::HalfSine));
     (entry.kind != Kind::Fragility && is_comparable).then(|| Tolerance {
         peak_m_s2: entry.peak_m_s2,
         duration_s: entry.duration_s,

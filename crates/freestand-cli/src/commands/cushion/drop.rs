@@ -127,7 +127,7 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
     if args.impactor.as_deref() == Some("flat") && args.sphere_radius.is_some() {
         values.push(problem("--sphere-radius is given for a flat impactor", "leave one of the two out"));
     }
-    // A radius says that it is a sphere.
+    // Only a sphere has a radius.
     let impactor = args.impactor.clone().or(args.sphere_radius.as_ref().map(|_| "sphere".to_owned()));
     let request = DropRequest {
         files: args.files.clone(),
@@ -161,7 +161,7 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
     }
 }
 
-/// What is read of several tests.
+/// The table of several tests.
 const COLUMNS: [Column; 12] = [
     ("path", "file", 0),
     ("impact_velocity_m_s", "impact velocity [m/s]", 4),
