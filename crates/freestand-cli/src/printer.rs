@@ -1,4 +1,5 @@
-//! What the user sees: one JSON document or a table on standard output, everything else on standard error.
+//! What the user sees: one JSON document or a table on standard output, everything else on standard
+//! error.
 
 use std::io::{self, IsTerminal, Write};
 
@@ -6,6 +7,7 @@ use comfy_table::{Cell, CellAlignment, Table, presets};
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::ProblemKind;
 pub(crate) use freestand_input::words::significant;
+use freestand_output::facts::Facts;
 use freestand_output::json::document;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
@@ -26,7 +28,8 @@ impl Printer {
         Self { json: global.json, quiet: global.quiet, verbose: global.verbose }
     }
 
-    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the warnings.
+    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the
+    /// warnings.
     pub(crate) fn result<T: Serialize>(
         &self,
         schema: &str,
@@ -64,8 +67,8 @@ impl Printer {
         }
     }
 
-    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed` meanwhile would run
-    /// through it.
+    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed`
+    /// meanwhile would run through it.
     pub(crate) fn progress_bar(&self, printed: bool) -> ProgressBar {
         if self.quiet || !io::stderr().is_terminal() || (printed && io::stdout().is_terminal()) {
             return ProgressBar::hidden();
@@ -135,6 +138,41 @@ pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
 pub(crate) fn pairs(rows: &[(&str, String)]) -> String {
     let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     rows.iter().map(|(name, value)| format!("{name}{}  {value}\n", " ".repeat(width - name.chars().count()))).collect()
+}
+
+/// Labels and values of a result in two columns.
+pub(crate) fn lines(facts: &Facts) -> String {
+    pairs(&facts.lines())
+}
+
+/// A column of a table of results: the name of a fact, a heading that states the unit in brackets,
+/// and the digits of a number.
+pub(crate) type Column = (&'static str, &'static str, usize);
+
+/// Results as rows of a table.
+pub(crate) fn facts_table<'a>(rows: impl IntoIterator<Item = &'a Facts<'a>>, columns: &[Column]) -> String {
+    table(&headings(columns), &rows.into_iter().map(|row| cells(row, columns)).collect::<Vec<_>>())
+}
+
+/// The headings of columns.
+pub(crate) fn headings(columns: &[Column]) -> Vec<&'static str> {
+    columns.iter().map(|(_, heading, _)| *heading).collect()
+}
+
+/// A row of a table.
+pub(crate) fn cells(row: &Facts, columns: &[Column]) -> Vec<String> {
+    columns.iter().map(|(name, heading, digits)| row.cell(name, in_brackets(heading), *digits)).collect()
+}
+
+/// Files that failed, a line each.
+pub(crate) fn failed_lines<'a>(failed: impl Iterator<Item = Facts<'a>>) -> String {
+    let words = |one: &Facts, name: &str| one.text(name).unwrap_or_default().to_owned();
+    failed.map(|one| format!("failed: {}: {}\n", words(&one, "path"), words(&one, "reason"))).collect()
+}
+
+/// `N/mm` of `stiffness [N/mm]`.
+fn in_brackets(heading: &str) -> &str {
+    heading.split_once('[').and_then(|(_, rest)| rest.split_once(']')).map_or("", |(unit, _)| unit)
 }
 
 /// Significant digits and a unit, or `-` for a value that is missing.

@@ -7,6 +7,7 @@ pub mod keys;
 pub mod problem;
 pub mod quantity;
 pub mod toml_reader;
+pub mod word_reader;
 pub mod words;
 
 pub use problem::{Problem, ProblemKind, Problems};

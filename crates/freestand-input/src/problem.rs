@@ -50,6 +50,11 @@ impl Problem {
         Self::new(ProblemKind::Value, message).hint(hint)
     }
 
+    /// The caller stopped the calculation.
+    pub fn stopped() -> Self {
+        Self::new(ProblemKind::Stopped, "the calculation was stopped before its end").hint("run it again")
+    }
+
     /// Says which keys it is about, unless that was said already.
     #[must_use]
     pub fn of(mut self, keys: &[&'static str]) -> Self {
@@ -125,6 +130,16 @@ impl Problems {
         self.problems.is_empty()
     }
 
+    /// Whether the caller stopped the calculation.
+    pub fn is_stopped(&self) -> bool {
+        self.problems.iter().any(|problem| problem.kind == ProblemKind::Stopped)
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.problems.len()
+    }
+
     /// Adds a problem.
     pub fn push(&mut self, problem: Problem) {
         self.problems.push(problem);
@@ -140,12 +155,15 @@ impl Problems {
         self.keep(result.map_err(|problem| problem.named(key)))
     }
 
-    /// The value, where nothing was wrong.
+    /// The value, where nothing was wrong; a value that is missing has its problem here.
     ///
     /// # Errors
     /// All that is wrong.
-    pub fn finish<T>(self, value: T) -> Result<T, Self> {
-        if self.is_empty() { Ok(value) } else { Err(self) }
+    pub fn finish<T>(self, value: Option<T>) -> Result<T, Self> {
+        match value {
+            Some(value) if self.is_empty() => Ok(value),
+            _ => Err(self),
+        }
     }
 }
 

@@ -5,7 +5,8 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::problem::{Problem, ProblemKind};
+use crate::keys::KeyStyle;
+use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{self, Dimension, Unit};
 use crate::words::nearest;
 
@@ -64,13 +65,13 @@ pub struct Reader<'s> {
     /// Byte at which each line starts.
     pub line_starts: Vec<usize>,
     /// What is wrong so far.
-    pub problems: Vec<Problem>,
+    pub problems: Problems,
 }
 
 impl<'s> Reader<'s> {
     /// A reader of a text that has not been parsed.
     pub fn new(text: &str, source: Option<&'s Path>) -> Self {
-        let mut reader = Self { source, line_starts: Vec::new(), problems: Vec::new() };
+        let mut reader = Self { source, line_starts: Vec::new(), problems: Problems::default() };
         reader.set_text(text);
         reader
     }
@@ -89,7 +90,7 @@ impl<'s> Reader<'s> {
         for error in errors {
             let line = error.span().map(|span| self.line_of(span.start));
             // Further errors on the same line follow from the first.
-            if self.problems.last().is_some_and(|last| last.line == line) {
+            if self.problems.problems.last().is_some_and(|last| last.line == line) {
                 continue;
             }
             let problem = Problem::new(ProblemKind::Format, format!("not TOML: {}", one_line(error.message())));
@@ -109,10 +110,11 @@ impl<'s> Reader<'s> {
         self.line_starts.partition_point(|&start| start <= byte)
     }
 
-    /// Adds a problem, at a line where that is known, and in the file.
+    /// Adds a problem of the file, at a line where that is known; it names the keys as the file
+    /// does.
     pub fn note(&mut self, line: Option<usize>, problem: Problem) {
-        let problem = line.map_or(problem.clone(), |line| problem.at_line(line));
-        self.problems.push(self.source.map_or(problem.clone(), |path| problem.in_file(path)));
+        let problem = line.into_iter().fold(problem.shown(KeyStyle::File), Problem::at_line);
+        self.problems.push(self.source.into_iter().fold(problem, Problem::in_file));
     }
 
     /// Notes a value of the wrong type.

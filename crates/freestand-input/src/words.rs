@@ -40,6 +40,16 @@ pub fn percent(share: f64, decimals: usize) -> String {
     format!("{} %", fixed(100.0 * share, decimals))
 }
 
+/// A share in percent with `digits` significant digits.
+pub fn percent_significant(share: f64, digits: usize) -> String {
+    format!("{} %", number(100.0 * share, digits))
+}
+
+/// A count with its noun, which takes an s but for one: `1 motion`, `20 motions`.
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
 /// A number of a CSV: the shortest text that reads back as `value`.
 pub fn shortest(value: f64) -> String {
     let mut text = String::new();

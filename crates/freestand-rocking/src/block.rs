@@ -2,14 +2,15 @@
 
 use thiserror::Error;
 
-/// Slenderness h/t below which a uniform block cannot rock through an impact: Housner's r = 1 − 1.5 sin²α is
-/// negative for h/t < 1/√2.
+/// Slenderness h/t below which a uniform block cannot rock through an impact: Housner's r = 1 − 1.5
+/// sin²α is negative for h/t < 1/√2.
 pub const SQUAT_SLENDERNESS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// A rigid object seen in the plane of its motion. All lengths in metres.
+/// A rigid object seen in the plane of its motion. All lengths are in metres.
 ///
-/// A uniform rectangle by default; feet that are set in, a centre of gravity that is not in the middle and a measured
-/// inertia are the general block. Nothing here depends on the mass: the inertia is held as a gyration radius.
+/// By default it is a uniform rectangle. The general block has edges set in from its sides, a
+/// centre of gravity off the middle, or a measured inertia. Nothing here depends on the mass: the
+/// inertia is stored as a gyration radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Block {
     height_m: f64,
@@ -20,12 +21,13 @@ pub struct Block {
     gyration_radius_m: f64,
 }
 
-/// One pivot edge and the block as seen from it.
+/// One pivot edge and the geometry of the block about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pivot {
-    /// R: from the pivot edge to the centre of gravity \[m\].
+    /// R: distance from the pivot edge to the centre of gravity \[m\].
     pub half_diagonal_m: f64,
-    /// α: angle between R and the vertical at rest \[rad\]; at θ = α the block balances on the edge.
+    /// α: angle between R and the vertical at rest \[rad\]; at θ = α the block balances on the
+    /// edge.
     pub slenderness_angle_rad: f64,
     /// I/m about this edge \[m²\]: (4/3)R² for a uniform block.
     pub inertia_per_mass_m2: f64,
@@ -39,7 +41,7 @@ impl Pivot {
 
     /// Rise of the centre of gravity at rotation |θ|: R\[cos(α−|θ|) − cos α\] \[m\].
     ///
-    /// Written as a product of sines, which keeps its digits at small rotations.
+    /// Written as a product of sines, which loses no digits at small rotations.
     pub fn cg_rise_m(&self, rotation_rad: f64) -> f64 {
         let theta = rotation_rad.abs();
         2.0 * self.half_diagonal_m * (self.slenderness_angle_rad - 0.5 * theta).sin() * (0.5 * theta).sin()
@@ -50,13 +52,13 @@ impl Pivot {
         self.cg_rise_m(peak_rotation_rad.abs().min(self.slenderness_angle_rad))
     }
 
-    /// The largest rise that a block reaches before it falls: R(1 − cos α) at θ = α \[m\].
+    /// The largest rise that a block can reach without overturning: R(1 − cos α) at θ = α \[m\].
     pub fn balance_rise_m(&self) -> f64 {
         self.cg_rise_m(self.slenderness_angle_rad)
     }
 
-    /// Rotation at which the centre of gravity has risen by `cg_rise_m` \[rad\], the inverse of [`Pivot::cg_rise_m`]
-    /// up to the balance point; `None` beyond it.
+    /// Rotation at which the centre of gravity has risen by `cg_rise_m` \[rad\]: the inverse of
+    /// [`Pivot::cg_rise_m`] up to the balance point, `None` beyond it.
     pub fn rotation_at_rise_rad(&self, cg_rise_m: f64) -> Option<f64> {
         let tilt = (self.slenderness_angle_rad.cos() + cg_rise_m / self.half_diagonal_m).min(1.0);
         let balance = self.balance_rise_m();
@@ -64,7 +66,7 @@ impl Pivot {
             return None;
         }
         let mut theta = self.slenderness_angle_rad - tilt.acos();
-        // acos loses half of the digits near the upright position: two Newton steps give them back.
+        // acos loses half of the digits near the rest position; two Newton steps restore them.
         for _ in 0..2 {
             let slope = self.half_diagonal_m * (self.slenderness_angle_rad - theta).sin();
             if slope > 1e-6 * self.half_diagonal_m {
@@ -75,7 +77,7 @@ impl Pivot {
     }
 }
 
-/// Why dimensions are not a [`Block`].
+/// Why dimensions do not make a [`Block`].
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BlockError {
     /// A length that is not positive and finite.
@@ -86,24 +88,26 @@ pub enum BlockError {
         /// What was given.
         value_m: f64,
     },
-    /// Feet wider than the object, a centre of gravity above it or outside its base.
-    #[error("the {name} is {value_m} m, outside what the object allows ({limit_m} m)")]
+    /// A base wider than the object, or a centre of gravity above the object or outside its base.
+    #[error("the {name} is {value_m} m, beyond the limit of {limit_m} m that the object sets")]
     OutOfObject {
         /// Which length.
         name: &'static str,
         /// What was given.
         value_m: f64,
-        /// The limit that it breaks.
+        /// The limit that it exceeds.
         limit_m: f64,
     },
-    /// An inertia about the edge that is smaller than that of all the mass at the centre of gravity.
+    /// An inertia about the edge that is smaller than if all the mass were at the centre of
+    /// gravity.
     #[error(
-        "the inertia about the pivot edge is {given} m² per unit mass; a body with its centre of gravity there has more than {least} m²"
+        "the inertia about the pivot edge is {given} m² per unit mass; with this centre of gravity it must be more \
+         than {least} m²"
     )]
     Inertia {
         /// I/m that was given.
         given: f64,
-        /// R², the least there can be.
+        /// R², the smallest possible.
         least: f64,
     },
 }
@@ -139,10 +143,10 @@ impl Block {
         })
     }
 
-    /// The block standing on edges `base_width_m` apart (feet that are set in).
+    /// The block on edges `base_width_m` apart: its base is narrower than the object.
     ///
     /// # Errors
-    /// Not positive, or wider than the object.
+    /// A width that is not positive, or larger than the thickness of the object.
     pub fn with_base_width(mut self, base_width_m: f64) -> Result<Self, BlockError> {
         self.base_width_m = length("base width", base_width_m)?;
         if base_width_m > self.thickness_m {
@@ -155,10 +159,11 @@ impl Block {
         self.check_offset()
     }
 
-    /// The block with its centre of gravity `cg_height_m` above the base; the inertia about the centre of gravity stays.
+    /// The block with its centre of gravity `cg_height_m` above the base. The inertia about the
+    /// centre of gravity does not change.
     ///
     /// # Errors
-    /// Not positive, or above the top.
+    /// A height that is not positive, or above the top.
     pub fn with_cg_height(mut self, cg_height_m: f64) -> Result<Self, BlockError> {
         self.cg_height_m = length("height of the centre of gravity", cg_height_m)?;
         if cg_height_m > self.height_m {
@@ -171,10 +176,11 @@ impl Block {
         Ok(self)
     }
 
-    /// The block with its centre of gravity off the middle of the base, positive towards the right edge.
+    /// The block with its centre of gravity off the middle of the base, positive towards the right
+    /// edge.
     ///
     /// # Errors
-    /// At or outside an edge.
+    /// A centre of gravity at or outside an edge.
     pub fn with_cg_offset(mut self, cg_offset_m: f64) -> Result<Self, BlockError> {
         self.cg_offset_m = cg_offset_m;
         self.check_offset()
@@ -189,11 +195,11 @@ impl Block {
         }
     }
 
-    /// The block with a measured inertia: `inertia_per_mass_m2` = I₀/m about the left edge, which is the pivot when
-    /// the object tilts to the left (both edges are alike without an offset).
+    /// The block with a measured inertia: `inertia_per_mass_m2` = I₀/m about the left edge, which
+    /// is the pivot when the object tilts to the left (without an offset both edges are alike).
     ///
     /// # Errors
-    /// Not more than R², the least that any body has.
+    /// A value of R² or less, which no rigid object can have.
     pub fn with_inertia_per_mass(mut self, inertia_per_mass_m2: f64) -> Result<Self, BlockError> {
         let least = self.pivot().half_diagonal_m.powi(2);
         if !(inertia_per_mass_m2 > least && inertia_per_mass_m2.is_finite()) {
@@ -219,7 +225,7 @@ impl Block {
         self.thickness_m
     }
 
-    /// B: distance between the pivot edges \[m\]; t unless the feet are set in.
+    /// B: distance between the pivot edges \[m\]; equal to t unless the base is narrower.
     pub fn base_width_m(&self) -> f64 {
         self.base_width_m
     }
@@ -244,12 +250,12 @@ impl Block {
         0.5 * self.base_width_m - self.cg_offset_m
     }
 
-    /// The block as seen from its left edge, the pivot of everything that knows only one edge.
+    /// The block as seen from its left edge, which also serves where only one edge is considered.
     pub fn pivot(&self) -> Pivot {
         self.pivot_at(self.cg_from_left_m())
     }
 
-    /// The block as seen from its right edge, about which a positive rotation turns.
+    /// The block as seen from its right edge, the pivot of positive rotations.
     pub fn right_pivot(&self) -> Pivot {
         self.pivot_at(self.cg_from_right_m())
     }
@@ -268,15 +274,17 @@ impl Block {
         self.gyration_radius_m.powi(2) + half_diagonal_m.powi(2)
     }
 
-    /// R_D = θ̇₂/θ̇₁, Eq. (6): the share of the angular velocity that is left when the pivot changes from the left edge
-    /// to the right one without slip or bounce. Negative for squat blocks, which cannot rock through.
+    /// R_D = θ̇₂/θ̇₁, Eq. (6): the share of the angular velocity that remains when the pivot
+    /// changes from the left edge to the right one without slip or bounce. Negative for squat
+    /// blocks, which cannot rock through.
     ///
-    /// Angular momentum about the landing edge: R_D = (k² + z² − x₁x₂)/(k² + z² + x₂²) with the gyration radius k,
-    /// the c.g. at height z and at x₁, x₂ from the two edges; 1 − ⅜(d/R)² = 1 − (3/2)sin²α for a uniform block.
+    /// Angular momentum about the landing edge: R_D = (k² + z² − x₁x₂)/(k² + z² + x₂²) with the
+    /// gyration radius k, the centre of gravity at height z and at distances x₁, x₂ from the two
+    /// edges; 1 − ⅜(d/R)² = 1 − (3/2)sin²α for a uniform block. For a landing on the left edge, use
+    /// the ratio of [`Block::mirrored`].
     ///
     /// # Reference
     /// Housner (1963); Al Abadi et al., Eq. (6).
-    /// For a landing on the left edge: that of [`Block::mirrored`].
     pub fn landing_ratio(&self) -> f64 {
         let half_diagonal_m = self.cg_from_right_m().hypot(self.cg_height_m);
         1.0 - self.cg_from_right_m() * self.base_width_m / self.inertia_per_mass_m2(half_diagonal_m)
@@ -306,7 +314,8 @@ mod tests {
         assert!(Block::uniform(SQUAT_SLENDERNESS * 0.999999, 1.0).unwrap().landing_ratio() < 0.0);
     }
 
-    /// General block, r = 1 − 2mR² sin²α/I₀: set-in feet, high centre of gravity, doubled central inertia.
+    /// General block, r = 1 − 2mR² sin²α/I₀: narrow base, high centre of gravity, doubled central
+    /// inertia.
     #[test]
     fn general_block_without_offset_follows_the_general_formula() {
         let block = Block::uniform(2.0, 0.8).unwrap().with_base_width(0.6).unwrap().with_cg_height(1.2).unwrap();
@@ -327,7 +336,8 @@ mod tests {
         assert_eq!(right.mirrored(), left);
     }
 
-    /// Round trip through the balance point; near it a rise of ε moves θ by √ε, hence the looser bound there.
+    /// Inverts the rise up to the balance point; near it a rise of ε changes θ by √ε, hence the
+    /// looser bound there.
     #[test]
     fn rotation_at_rise_inverts_the_rise() {
         let edge = Block::uniform(2.3, 0.6).unwrap().pivot();

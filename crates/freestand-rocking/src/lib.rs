@@ -1,4 +1,5 @@
-//! The rocking of free-standing blocks: the part of freestand that takes longest to compile and changes least.
+//! The rocking of free-standing blocks: the part of freestand that takes longest to compile and
+//! changes least.
 //!
 //! | what | module |
 //! |---|---|
@@ -6,8 +7,8 @@
 //! | equally spaced samples of acceleration | [`motion`] |
 //! | rotation against time: the scalar solver and the vector kernel | [`rocking`] |
 //!
-//! The crate `freestand` holds the rest of the science and re-exports these modules. Signs and units are described there.
-//! There are no files, clock, environment or output here.
+//! The crate `freestand` holds the rest of the science and re-exports these modules; signs and
+//! units are described there. This crate uses no files, clock, environment or output.
 
 pub mod block;
 pub mod motion;

@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-/// Base acceleration against time: equally spaced samples, linear between them; the first sample is at t = 0.
+/// Base acceleration against time: equally spaced samples, linear between them; the first sample is
+/// at t = 0.
 ///
 /// **Units**: seconds and m/s². A `Motion` always holds at least two samples, all of them finite.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,10 +12,11 @@ pub struct Motion {
     accel_m_s2: Vec<f64>,
 }
 
-/// Most samples that a motion is extended to: a guard against a step or a tail that is out of all proportion.
+/// The largest number of samples that a motion may have: a guard against absurd time steps and
+/// tails.
 pub const MAX_SAMPLES: usize = 100_000_000;
 
-/// Why samples are not a [`Motion`].
+/// Why samples do not make a [`Motion`].
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
     /// The time step is not a positive finite number.
@@ -23,16 +25,16 @@ pub enum MotionError {
         /// The step that was given.
         dt_s: f64,
     },
-    /// One sample spans no time.
+    /// A single sample has no duration.
     #[error("a motion needs at least 2 samples, not {samples}")]
     TooShort {
-        /// Samples that were given.
+        /// The samples that were given.
         samples: usize,
     },
     /// More samples than [`MAX_SAMPLES`].
-    #[error("{samples:.0} samples are more than a motion may have ({MAX_SAMPLES})")]
+    #[error("{samples:.0} samples exceed the {MAX_SAMPLES} that a motion may have")]
     TooLong {
-        /// Samples that it would take.
+        /// The samples that it would have.
         samples: f64,
     },
     /// A sample is NaN or infinite.
@@ -40,16 +42,17 @@ pub enum MotionError {
     NotFinite {
         /// Index of the first such sample, from 0.
         index: usize,
-        /// What stands there.
+        /// Its value.
         value: f64,
     },
 }
 
 impl Motion {
-    /// A motion of samples `accel_m_s2` every `dt_s` seconds.
+    /// A motion with samples `accel_m_s2` at intervals of `dt_s` seconds.
     ///
     /// # Errors
-    /// A step that is not positive and finite, fewer than two samples, or a sample that is not finite.
+    /// A time step that is not positive and finite, fewer than two samples, or a sample that is not
+    /// finite.
     ///
     /// # Example
     /// ```
@@ -91,7 +94,8 @@ impl Motion {
         self.accel_m_s2.iter().fold(0.0, |peak: f64, a| peak.max(a.abs()))
     }
 
-    /// Mean of the samples, `Σ aₖ/n`: where the zero line of a record is, if it swings about it evenly \[m/s²\].
+    /// Mean of the samples, `Σ aₖ/n`: the zero line of a record that swings evenly about
+    /// it \[m/s²\].
     ///
     /// # Example
     /// ```
@@ -114,7 +118,7 @@ impl Motion {
         from + (to - from) * (position - index as f64)
     }
 
-    /// The same motion times `factor`.
+    /// The motion multiplied by `factor`.
     ///
     /// # Errors
     /// A factor that makes a sample infinite or NaN.
@@ -122,11 +126,11 @@ impl Motion {
         Self::new(self.dt_s, self.accel_m_s2.iter().map(|a| a * factor).collect())
     }
 
-    /// The same motion with `factor` samples in place of each, linear between them as the motion is by definition; 0 and
-    /// 1 change nothing.
+    /// The same motion with `factor` samples in place of each, linear between the old ones, as a
+    /// motion is by definition; factors of 0 and 1 change nothing.
     ///
-    /// It is the same motion still: a response to it has the same values at the old samples, and its peaks are looked for
-    /// between them as well. What a digitised record was between its samples is
+    /// A response to it has the same values at the old samples, and its peaks are also searched for
+    /// between them. For the values that a digitised record had between its samples, use
     /// `freestand::signal::resample::upsampled_sinc`.
     pub fn upsampled(&self, factor: usize) -> Self {
         let factor = factor.max(1);
@@ -141,10 +145,10 @@ impl Motion {
         Self { dt_s: self.dt_s / factor as f64, accel_m_s2 }
     }
 
-    /// The same motion followed by zeros for at least `tail_s` ≥ 0 seconds.
+    /// The motion followed by zeros for at least `tail_s` ≥ 0 seconds.
     ///
     /// # Errors
-    /// A tail that makes the motion longer than [`MAX_SAMPLES`], or is no length of time.
+    /// A tail that makes the motion longer than [`MAX_SAMPLES`], or that is negative or not finite.
     pub fn with_zero_tail(&self, tail_s: f64) -> Result<Self, MotionError> {
         let extra = (tail_s / self.dt_s).ceil();
         let samples = self.accel_m_s2.len() as f64 + extra;
@@ -159,7 +163,7 @@ impl Motion {
     }
 }
 
-/// The mean of at least one value.
+/// The mean of one or more values.
 pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
@@ -171,7 +175,7 @@ mod tests {
     #[test]
     fn the_mean_is_that_of_all_samples_and_scales_with_them() {
         let motion = Motion::new(0.01, vec![0.5, -3.0, 0.25, 4.25]).unwrap();
-        // 2/4; binary fractions, so that no sum rounds.
+        // 2/4: binary fractions, so that no sum is rounded.
         assert_eq!((motion.mean_m_s2(), motion.scaled(-2.0).unwrap().mean_m_s2()), (0.5, -1.0));
         assert_eq!(motion.with_zero_tail(0.04).unwrap().mean_m_s2(), 0.25);
     }

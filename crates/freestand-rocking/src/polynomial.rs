@@ -1,6 +1,6 @@
-//! Real roots of a polynomial on the unit interval, none of them missed.
+//! All real roots of a polynomial on the unit interval.
 
-/// Highest degree that [`roots`] takes.
+/// The highest degree that [`roots`] accepts.
 pub(crate) const MAX_DEGREE: usize = 23;
 
 type Coefficients = [f64; MAX_DEGREE + 1];
@@ -21,7 +21,8 @@ const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
     rows
 };
 
-/// Subdivisions after which two roots closer than 2⁻⁴⁰ of the interval count as a touch, not as two crossings.
+/// Subdivisions after which two roots closer than 2⁻⁴⁰ of the interval count as one touch, not as
+/// two crossings.
 const MAX_DEPTH: usize = 40;
 
 /// p(x) = Σ aₖ xᵏ.
@@ -34,7 +35,7 @@ pub(crate) fn value_and_slope(a: &[f64], x: f64) -> (f64, f64) {
     a.iter().rev().fold((0.0, 0.0), |(p, dp), &a| (p * x + a, dp * x + p))
 }
 
-/// The first x in (0, 1] at which p changes its sign; an exact zero at x = 1 counts.
+/// The first x in (0, 1] at which p changes sign; an exact zero at x = 1 counts.
 pub(crate) fn first_root(a: &[f64]) -> Option<f64> {
     let mut first = None;
     roots(a, &mut |x| {
@@ -44,10 +45,12 @@ pub(crate) fn first_root(a: &[f64]) -> Option<f64> {
     first
 }
 
-/// Calls `found` with every sign change of p in (0, 1], from left to right, until it returns `false`.
+/// Calls `found` with every sign change of p in (0, 1], from left to right, until it returns
+/// `false`.
 ///
-/// Descartes' rule on the Bernstein coefficients: a part of the interval without a sign change among them has no root,
-/// one with a single change has exactly one, and any other is halved (Lane and Riesenfeld 1981).
+/// Descartes' rule on the Bernstein coefficients: a part of the interval in which they do not
+/// change sign has no root, a part with one change has exactly one, and any other part is halved
+/// (Lane and Riesenfeld 1981).
 pub(crate) fn roots(a: &[f64], found: &mut impl FnMut(f64) -> bool) {
     let n = a.len() - 1;
     debug_assert!(n <= MAX_DEGREE);
@@ -63,7 +66,7 @@ pub(crate) fn roots(a: &[f64], found: &mut impl FnMut(f64) -> bool) {
     isolate(a, &b, n, 0.0, 1.0, 0, found);
 }
 
-/// Returns `false` once `found` has asked to stop.
+/// Returns `false` once `found` has returned `false`.
 fn isolate(
     a: &[f64],
     b: &Coefficients,
@@ -83,7 +86,8 @@ fn isolate(
             sign = c.signum();
         }
     }
-    // A zero at the right end of the whole interval is a crossing there; inside, the neighbour's bracket has it.
+    // A zero at the right end of the whole interval is a crossing there; elsewhere the next part
+    // finds it.
     if hi == 1.0 && b[n] == 0.0 && sign != 0.0 {
         changes += 1;
     }
@@ -109,9 +113,9 @@ fn isolate(
     isolate(a, &left, n, lo, mid, depth + 1, found) && isolate(a, &right, n, mid, hi, depth + 1, found)
 }
 
-/// The only root in [lo, hi] by Newton's method inside a shrinking bracket.
+/// The only root in [lo, hi], by Newton's method inside a shrinking bracket.
 fn refine(a: &[f64], mut lo: f64, mut hi: f64) -> f64 {
-    // The sign just inside the left end: p itself may vanish there.
+    // The sign just to the right of the left end: p itself may be zero at it.
     let sign_lo = {
         let end = value(a, hi);
         if end == 0.0 {
@@ -131,7 +135,7 @@ fn refine(a: &[f64], mut lo: f64, mut hi: f64) -> f64 {
             hi = x;
         }
         let mut next = x - p / dp;
-        // Not `lo < next < hi`: a converged root may sit on an end of its bracket.
+        // Not `lo < next < hi`: a converged root may lie on an end of its bracket.
         if !(lo <= next && next <= hi) {
             next = 0.5 * (lo + hi);
         }
@@ -167,7 +171,7 @@ mod tests {
         list
     }
 
-    /// Well separated simple roots keep all but a few of their digits.
+    /// Well-separated simple roots keep all but a few of their digits.
     #[test]
     fn finds_every_simple_root_in_order() {
         let zeros = [0.1, 0.3, 0.35, 0.9, -0.5, 1.5];

@@ -1,4 +1,5 @@
-//! The damage boundary of ASTM D3332: a shock does harm only if both its peak and its velocity change are too large.
+//! The damage boundary of ASTM D3332: a shock causes damage only if both its peak and its velocity
+//! change are too large.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -11,15 +12,15 @@ pub struct DamageBoundary {
     velocity_change_m_s: f64,
 }
 
-/// Why there is no such boundary.
+/// Why numbers do not make a boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum DamageBoundaryError {
     /// One of the two numbers that define it is not positive and finite.
     #[error("the {what} must be positive and finite, not {value}")]
     NotPositive {
-        /// What it is, with its unit.
+        /// The name of the number, with its unit.
         what: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: f64,
     },
 }
@@ -28,18 +29,20 @@ fn positive(what: &'static str, value: f64) -> Result<f64, DamageBoundaryError> 
     if value > 0.0 && value.is_finite() { Ok(value) } else { Err(DamageBoundaryError::NotPositive { what, value }) }
 }
 
-/// The velocity change, over the critical one, from which a test for the critical acceleration is run: π/2, the 1.57 of
-/// ASTM D3332; there the exact boundary of a component under a rectangle meets its floor.
+/// The velocity change, divided by the critical one, at which a test for the critical acceleration
+/// is run: π/2, the 1.57 of ASTM D3332. There the exact boundary of a component under a rectangular
+/// pulse meets its floor.
 pub const KNEE_RATIO: f64 = FRAC_PI_2;
 
 impl DamageBoundary {
-    /// From tests: A_c \[m/s²\] and V_c \[m/s\].
+    /// From test results: A_c \[m/s²\] and V_c \[m/s\].
     ///
     /// # Errors
     /// A number that is not positive and finite.
     ///
     /// # Example
-    /// 30 g for 2 ms is no harm to what stands 20 g at any length and 0.6 m/s at any peak:
+    /// A shock of 30 g for 2 ms does not damage an object that withstands 20 g at any duration and
+    /// 0.6 m/s at any peak:
     /// ```
     /// use freestand::damage_boundary::DamageBoundary;
     /// let boundary = DamageBoundary::new(20.0 * 9.80665, 0.6)?;
@@ -54,24 +57,26 @@ impl DamageBoundary {
         })
     }
 
-    /// A_c: no shock of a smaller peak does harm \[m/s²\].
+    /// A_c: no shock with a smaller peak causes damage \[m/s²\].
     pub fn acceleration_m_s2(&self) -> f64 {
         self.acceleration_m_s2
     }
 
-    /// V_c: no shock of a smaller velocity change does harm \[m/s\].
+    /// V_c: no shock with a smaller velocity change causes damage \[m/s\].
     pub fn velocity_change_m_s(&self) -> f64 {
         self.velocity_change_m_s
     }
 
-    /// Demand over capacity, min(A/A_c, Δv/V_c): an AND, safe at or below 1 (the rectangular corner of ASTM D3332).
+    /// Demand/capacity, min(A/A_c, Δv/V_c): both must be exceeded, so a value of 1 or less is safe
+    /// (the rectangular corner of ASTM D3332).
     pub fn demand_ratio(&self, acceleration_m_s2: f64, velocity_change_m_s: f64) -> f64 {
         (acceleration_m_s2 / self.acceleration_m_s2).min(velocity_change_m_s / self.velocity_change_m_s)
     }
 
-    /// The peak at which a shock of this velocity change begins to do harm \[m/s²\], with the rounded knee of an
-    /// undamped component under rectangular pulses: 2A sin(ωV/(2A)) = a_c, where a_c = 2 A_c and ω = a_c/V_c. `None` at
-    /// or below V_c: no peak does harm. From (π/2) V_c on it is A_c.
+    /// The peak above which a shock with this velocity change causes damage \[m/s²\], with the
+    /// rounded knee of an undamped component under rectangular pulses: 2A sin(ωV/(2A)) = a_c, where
+    /// a_c = 2 A_c and ω = a_c/V_c. `None` at or below V_c, where no peak causes damage. From (π/2)
+    /// V_c on it is A_c.
     ///
     /// # Accuracy
     /// Rounding.
@@ -93,7 +98,8 @@ impl DamageBoundary {
         if ratio >= KNEE_RATIO {
             return Some(self.acceleration_m_s2);
         }
-        // With x = ωV/(2A): sin(x)/x = 1/ratio, which falls from 1 at x = 0 to 2/π at π/2; A = a_c ratio/(2x).
+        // With x = ωV/(2A): sin(x)/x = 1/ratio, which falls from 1 at x = 0 to 2/π at π/2; A = a_c
+        // ratio/(2x).
         let (mut low, mut high) = (0.0, FRAC_PI_2);
         for _ in 0..60 {
             let x = 0.5 * (low + high);
@@ -102,12 +108,13 @@ impl DamageBoundary {
         Some(self.acceleration_m_s2 * ratio / low.max(f64::MIN_POSITIVE)).filter(|a| a.is_finite())
     }
 
-    /// The boundary of an undamped component of frequency f and capacity a_c, the largest acceleration that it stands
-    /// itself, under rectangular pulses, which amplify most: A_c = a_c/2, V_c = a_c/ω.
+    /// The boundary of an undamped component of frequency f and capacity a_c, the largest
+    /// acceleration that the component itself withstands, under rectangular pulses, which amplify
+    /// most: A_c = a_c/2, V_c = a_c/ω.
     ///
     /// # Reference
-    /// From the undamped oscillator under a rectangle: residual 2A|sin πfT|, maximax 2A from fT = ½ on. It explains
-    /// the 1.57 of ASTM D3332.
+    /// From the undamped oscillator under a rectangular pulse: residual 2A|sin πfT|, maximax 2A
+    /// from fT = ½ on. It explains the 1.57 of ASTM D3332.
     ///
     /// # Errors
     /// A number that is not positive and finite.
@@ -127,15 +134,17 @@ impl DamageBoundary {
     }
 }
 
-/// Largest amplification of an undamped component by a half-sine of any duration; it is reached at fT = 0.80994.
+/// Largest amplification of an undamped component by a half-sine of any duration; it occurs at fT =
+/// 0.80994.
 pub const HALF_SINE_LARGEST_RATIO: f64 = 1.768_457_653_993_67;
 
-/// The peak of a half-sine of any duration that a component of capacity a_c stands without damping, 0.56546 a_c \[m/s²\].
+/// The peak of a half-sine of any duration that a component of capacity a_c withstands without
+/// damping, 0.56546 a_c \[m/s²\].
 pub fn half_sine_floor_m_s2(capacity_m_s2: f64) -> f64 {
     capacity_m_s2 / HALF_SINE_LARGEST_RATIO
 }
 
-/// The duration of the half-sine of a given peak and velocity change, πΔv/(2A) \[s\].
+/// The duration of a half-sine with a given peak and velocity change, πΔv/(2A) \[s\].
 ///
 /// # Example
 /// ```
@@ -151,7 +160,7 @@ mod tests {
     use super::*;
     use crate::shock_response::half_sine_maximax_ratio;
 
-    /// a_c = 40 g at 100 Hz: the curve by hand, to half a unit of the last digit.
+    /// a_c = 40 g at 100 Hz: the curve calculated by hand, to half a unit of the last digit.
     #[test]
     fn the_knee_of_a_component() {
         let (g, a_c) = (9.80665, 40.0 * 9.80665);
@@ -164,7 +173,7 @@ mod tests {
             assert!((left / a_c - 1.0).abs() < 1e-13);
         }
         let knee_m_s = KNEE_RATIO * boundary.velocity_change_m_s();
-        // a_c/(4f) = 0.980665, half a unit from what is printed.
+        // a_c/(4f) = 0.980665, within half a unit of the printed digits.
         assert!((knee_m_s - 0.98067).abs() < 5.1e-6);
         assert_eq!(boundary.knee_acceleration_m_s2(knee_m_s), Some(20.0 * g));
         let before = boundary.knee_acceleration_m_s2(knee_m_s * (1.0 - 1e-9)).unwrap();
@@ -182,7 +191,7 @@ mod tests {
         assert!(boundary.knee_acceleration_m_s2(1.0 + f64::EPSILON).is_none_or(f64::is_finite));
     }
 
-    /// It is an AND: either may be exceeded alone.
+    /// Both must be exceeded: either may be exceeded alone.
     #[test]
     fn both_must_be_exceeded() {
         let boundary = DamageBoundary::new(200.0, 0.5).unwrap();
@@ -193,7 +202,8 @@ mod tests {
         assert!(DamageBoundary::of_component(-1.0, 1.0).is_err());
     }
 
-    /// The constant is the largest value of the closed form: the curve is flat there, 5e-5 in fT are 1e-8 of it.
+    /// The constant is the largest value of the closed form. The curve is flat there: 5e-5 in fT
+    /// changes it by 1e-8.
     #[test]
     fn half_sine_floor() {
         let largest = (8000..8200).map(|i| half_sine_maximax_ratio(1e-4 * f64::from(i))).fold(0.0, f64::max);

@@ -1,40 +1,44 @@
-//! The shock of one landing: from the rise of the centre of gravity to the acceleration at the impacting edge.
+//! The shock of one landing: from the rise of the centre of gravity to the acceleration at the
+//! impacting edge.
 //!
-//! Every scenario is one line: an effective mass m_eff lands on the cushion k at the velocity v = ω₁d of the contact
-//! point, a_edge = F/m_eff = v√(k/m_eff). Eqs. (5) and (8) of Al Abadi et al. are this line with their own m_eff, which
-//! [`ImpactModel`] spells out. Misprints of that paper that are set right here: I₀ = (4/3)mR² (printed ¾); R_D is the
-//! angular velocity after over before; 1 − R_D² is the share of energy that is lost; stiffnesses are N/mm (printed N/m).
+//! Every scenario follows one rule: an effective mass m_eff lands on the cushion k at the velocity
+//! v = ω₁d of the contact point, and a_edge = F/m_eff = v√(k/m_eff). Eqs. (5) and (8) of Al Abadi
+//! et al. are this rule, each with its own m_eff; see [`ImpactModel`]. Misprints of the paper that
+//! are corrected here: I₀ = (4/3)mR² (printed ¾); R_D is the angular velocity after the impact over
+//! that before it; 1 − R_D² is the share of energy that is lost; stiffnesses are N/mm (printed
+//! N/m).
 
 use thiserror::Error;
 
 use crate::block::{Block, Pivot};
 use crate::cushion::{ContactLaw, Cushion};
 
-/// What happens to the rest of the object while its edge lands.
+/// What the rest of the object does while its edge lands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ImpactModel {
-    /// Eq. (5): no-slip landing edge, old pivot unloaded; m_eff = (I_A − I_B R_D²)/d², for a uniform block
-    /// m(1 − 0.1875(d/R)²).
+    /// Eq. (5): the landing edge does not slip and the old pivot is unloaded; m_eff = (I_A − I_B
+    /// R_D²)/d², for a uniform block m(1 − 0.1875(d/R)²).
     Paper,
     /// Eq. (8): the rotation about the old pivot is halted; m_eff = I_A/d².
     Halted,
-    /// Frictionless landing edge, old pivot free; m_eff = m/(1 + x²/k_g²), for a uniform block m/(1 + 0.75(d/R)²).
-    /// For comparison only.
+    /// Frictionless landing edge, old pivot free; m_eff = m/(1 + x²/k_g²), for a uniform block
+    /// m/(1 + 0.75(d/R)²). For comparison only.
     FreeCorner,
 }
 
-/// A contact that the object is about to make.
+/// The landing that an object is about to make.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Landing {
     /// The model that gives [`Landing::effective_mass_ratio`].
     pub model: ImpactModel,
-    /// The edge about which the object turns until the contact.
+    /// The edge about which the object rotates until the contact.
     pub pivot: Pivot,
-    /// d: from the pivot edge to the point of contact \[m\].
+    /// d: distance from the pivot edge to the point of contact \[m\].
     pub contact_distance_m: f64,
     /// m_eff/m.
     pub effective_mass_ratio: f64,
-    /// Δh from the balance point to the contact \[m\], for the scenarios in which the object falls from there.
+    /// Δh from the balance point to the contact \[m\], for the scenarios in which the object falls
+    /// from there.
     pub fall_from_balance_m: Option<f64>,
     block: Block,
 }
@@ -42,8 +46,9 @@ pub struct Landing {
 /// Why a landing cannot be evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum LandingError {
-    /// The gap is wider than the object is high: its top passes in front of the obstacle.
-    #[error("the obstacle is {gap_m} m away and the object {height_m} m high: it never touches it")]
+    /// The gap is wider than the object is high, so that the falling object does not reach the
+    /// obstacle.
+    #[error("the obstacle is {gap_m} m away and the object is {height_m} m high, so the object cannot reach it")]
     OutOfReach {
         /// Distance to the obstacle.
         gap_m: f64,
@@ -55,7 +60,7 @@ pub enum LandingError {
 /// The shock of one landing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
-    /// Δh: rise of the centre of gravity that feeds the landing \[m\].
+    /// Δh: rise of the centre of gravity before the landing \[m\].
     pub cg_rise_m: f64,
     /// a, Eq. (7): peak acceleration of the lumped mass dropped by Δh on the same cushion \[m/s²\].
     pub drop_acceleration_m_s2: f64,
@@ -63,9 +68,9 @@ pub struct Impact {
     pub edge_acceleration_m_s2: f64,
     /// v = ω₁d: velocity of the contact point just before the contact \[m/s\].
     pub edge_velocity_m_s: f64,
-    /// How long the contact lasts; on a spring half a period of m_eff on k, π√(m_eff/k) \[s\].
+    /// Duration of the contact; on a spring half a period of m_eff on k, π√(m_eff/k) \[s\].
     pub pulse_duration_s: f64,
-    /// Change of the edge's velocity over the pulse, (1 + e)v; on a spring 2v \[m/s\].
+    /// Change of the velocity of the edge during the pulse, (1 + e)v; on a spring 2v \[m/s\].
     pub velocity_change_m_s: f64,
     /// Largest compression of the cushion; on a spring v√(m_eff/k) \[m\].
     pub compression_m: f64,
@@ -74,7 +79,8 @@ pub struct Impact {
 impl Landing {
     /// A rocking object lands on its other edge, Fig. 1(c) (or 1(b), halted), at d = B.
     ///
-    /// A squat block (R_D < 0) cannot rock through: `Paper` then becomes `Halted`; compare [`Landing::model`].
+    /// A squat block (R_D < 0) cannot rock through: `Paper` then becomes `Halted`; compare
+    /// [`Landing::model`].
     pub fn rocking(block: &Block, model: ImpactModel) -> Self {
         let r_d = block.landing_ratio();
         let model = if model == ImpactModel::Paper && r_d < 0.0 { ImpactModel::Halted } else { model };
@@ -91,23 +97,27 @@ impl Landing {
 
     /// The object falls over onto the floor, Fig. 1(a): halted, with d = h.
     ///
-    /// The centre of gravity falls from the balance point to the side's distance from it, R − t/2 for a uniform block;
-    /// the energy that the object still has at the balance point comes on top, so this is a lower estimate.
+    /// The centre of gravity falls from the balance point to its distance from the side, R − t/2
+    /// for a uniform block. The energy that the object still has at the balance point is not
+    /// included, so this is a lower estimate.
     pub fn overturning_onto_floor(block: &Block) -> Self {
         let pivot = block.pivot();
-        // Lying on its side, the centre of gravity is as far from the floor as it was from that side.
+        // When the object lies on its side, its centre of gravity is as far from the floor as it
+        // was from that side.
         let lying_m = 0.5 * block.thickness_m() - 0.5 * block.base_width_m() + block.cg_from_left_m();
         Self::halted_at(block, block.height_m(), pivot.half_diagonal_m - lying_m)
     }
 
-    /// The object tips onto an obstacle `gap_m` away, Fig. 1(a): halted at the contact.
+    /// The object falls against an obstacle at a distance `gap_m`, Fig. 1(a): halted at the
+    /// contact.
     ///
     /// Obstacle taller than the object (or `None`): θ_c = asin(gap/h), d = h. Lower, of height H_o:
-    /// θ_c = atan(gap/H_o), d = √(gap² + H_o²). There is a fall from the balance point only where θ_c ≥ α: otherwise
-    /// [`Landing::fall_from_balance_m`] is `None` and only the angular velocity of a rocking history gives the shock.
+    /// θ_c = atan(gap/H_o), d = √(gap² + H_o²). The object falls from the balance point only where
+    /// θ_c ≥ α; otherwise [`Landing::fall_from_balance_m`] is `None`, and only the angular velocity
+    /// from a rocking history gives the shock.
     ///
     /// # Errors
-    /// A gap that the object cannot bridge.
+    /// A gap that is wider than the object is high.
     pub fn overturning_onto_obstacle(
         block: &Block,
         gap_m: f64,
@@ -140,9 +150,10 @@ impl Landing {
         }
     }
 
-    /// a_edge/a: the factor in front of a in Eqs. (5) and (8), for a uniform block ¾(1−R_D²)^(−½)(d/R)² and ¾(d/R)².
+    /// a_edge/a: the factor of a in Eqs. (5) and (8), for a uniform block ¾(1−R_D²)^(−½)(d/R)² and
+    /// ¾(d/R)².
     ///
-    /// A drop acceleration that was *measured* (same mass, same rise) may be multiplied by it directly.
+    /// It may also be applied to a *measured* drop acceleration (same mass, same rise).
     pub fn amplification_ratio(&self) -> f64 {
         self.contact_distance_m / (self.pivot.inertia_per_mass_m2 * self.effective_mass_ratio).sqrt()
     }
@@ -152,18 +163,18 @@ impl Landing {
         (2.0 * gravity_m_s2 * cg_rise_m / self.pivot.inertia_per_mass_m2).sqrt()
     }
 
-    /// Δh that carries the energy of ω: I ω²/(2 m g) \[m\], the `impact-velocity` source.
+    /// Δh with the energy of ω: I ω²/(2 m g) \[m\], the `impact-velocity` source.
     pub fn equivalent_rise_m(&self, omega_rad_s: f64, gravity_m_s2: f64) -> f64 {
         self.pivot.inertia_per_mass_m2 * omega_rad_s * omega_rad_s / (2.0 * gravity_m_s2)
     }
 
-    /// The shock of this landing on a cushion, all of it that is under the landing edge: m_eff lands at v = ω₁d, a_edge =
-    /// F_max/m_eff. On a spring this is Eqs. (5), (7) and (8).
+    /// The shock of this landing on a cushion (everything under the landing edge): m_eff lands at
+    /// v = ω₁d, and a_edge = F_max/m_eff. On a spring these are Eqs. (5), (7) and (8).
     ///
     /// **Units**: kg, m, m/s².
     ///
     /// # Reference
-    /// Al Abadi, Petrolito, Lam and Gad, Eqs. (1)–(8); for other laws see [`Cushion::land`].
+    /// Al Abadi, Petrolito, Lam and Gad, Eqs. (1)–(8); see [`Cushion::land`] for other laws.
     ///
     /// # Limitation
     /// Gravity during the contact is neglected (the `1` of √(1+2kΔh/mg), 0.5 % at 10 g).
@@ -194,38 +205,42 @@ impl Landing {
         }
     }
 
-    /// a_edge of [`Landing::impact`] alone, which is cheaper.
+    /// Only a_edge of [`Landing::impact`], which takes less work \[m/s²\].
     pub fn edge_acceleration_m_s2(&self, mass_kg: f64, cushion: &Cushion, cg_rise_m: f64, gravity_m_s2: f64) -> f64 {
         let m_eff = self.effective_mass_ratio * mass_kg;
         cushion.peak_force_n(m_eff, self.edge_velocity_m_s(cg_rise_m, gravity_m_s2)) / m_eff
     }
 
-    /// v = ω₁d: velocity of the contact point after a fall of the centre of gravity by `cg_rise_m` \[m/s\].
+    /// v = ω₁d: velocity of the contact point after a fall of the centre of gravity by
+    /// `cg_rise_m` \[m/s\].
     pub fn edge_velocity_m_s(&self, cg_rise_m: f64, gravity_m_s2: f64) -> f64 {
         self.omega_rad_s(cg_rise_m, gravity_m_s2) * self.contact_distance_m
     }
 
-    /// The shock of this landing at an angular velocity ω₁, the `impact-velocity` source: [`Landing::impact`] at the rise
-    /// that carries its energy.
+    /// The shock of this landing at an angular velocity ω₁, the `impact-velocity` source:
+    /// [`Landing::impact`] at the rise with the same energy.
     pub fn impact_at_omega(&self, mass_kg: f64, cushion: &Cushion, omega_rad_s: f64, gravity_m_s2: f64) -> Impact {
         let rise_m = self.equivalent_rise_m(omega_rad_s, gravity_m_s2);
         self.impact(mass_kg, cushion, rise_m, gravity_m_s2)
     }
 
-    /// The largest stiffness of a spring that keeps a_edge at or below `tolerance_m_s2` for this rise: m_eff (a/v)² \[N/m\].
+    /// The largest stiffness of a spring that keeps a_edge at or below `tolerance_m_s2` for this
+    /// rise: m_eff (a/v)² \[N/m\].
     pub fn max_stiffness_n_m(&self, mass_kg: f64, cg_rise_m: f64, gravity_m_s2: f64, tolerance_m_s2: f64) -> f64 {
         let v = self.edge_velocity_m_s(cg_rise_m, gravity_m_s2);
         self.effective_mass_ratio * mass_kg * (tolerance_m_s2 / v).powi(2)
     }
 
-    /// Shock elsewhere in the object, as shares of a_edge: (horizontal, vertical) at `x_m` from the old pivot and
-    /// `z_m` above the base.
+    /// Shock elsewhere in the object, as shares of a_edge: (horizontal, vertical) at `x_m` from the
+    /// old pivot and `z_m` above the base.
     ///
-    /// Rocking through: vertical R_D + (1−R_D)x/B, horizontal (1−R_D)z/B, the velocity jump of the no-slip edge.
-    /// Halted: ρ/d, perpendicular to ρ, the distance from the pivot.
+    /// Rocking through: vertical R_D + (1−R_D)x/B, horizontal (1−R_D)z/B, from the velocity jump of
+    /// the landing edge, which does not slip. Halted: ρ/d, perpendicular to ρ, the distance from
+    /// the pivot.
     ///
     /// # Limitation
-    /// A rigid object. Simulations on two springs put the horizontal part of `Paper` at 1.2–1.7 times this.
+    /// The object is rigid. In simulations on two springs the horizontal part of `Paper` is 1.2–1.7
+    /// times this.
     pub fn shock_share_at(&self, x_m: f64, z_m: f64) -> (f64, f64) {
         let d = self.contact_distance_m;
         match self.model {
@@ -243,57 +258,65 @@ impl Landing {
     }
 }
 
-/// Thickness that a pad is taken to have where nobody says \[m\]: the rubber pads of Al Abadi et al., 20 mm.
+/// Thickness of a pad where none is given \[m\]: the rubber pads of Al Abadi et al., 20 mm.
 pub const ASSUMED_PAD_THICKNESS_M: f64 = 0.020;
 
-/// A stiffness per edge below this looks like N/m typed for N/mm \[N/m\].
+/// A stiffness per edge below this was probably given in N/m instead of N/mm \[N/m\].
 pub const SUSPICIOUS_STIFFNESS_N_M: f64 = 20_000.0;
 
-/// Coefficient of friction that sliding is judged by where nobody says: an assumption, not a property.
+/// Coefficient of friction for the check of sliding where none is given: an assumption, not a
+/// property.
 pub const ASSUMED_FRICTION: f64 = 0.5;
 
-/// Where a result leaves what its model was made for.
+/// Where a result is outside the range of its model.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ValidityWarning {
-    /// The weight alone flattens the pad.
+    /// The weight alone would compress the pad completely.
     #[error(
-        "the weight alone would compress the cushion by {compression_mm:.4} mm, more than its {limit_mm} mm: was the stiffness typed in N/m for N/mm?"
+        "the weight alone would compress the cushion by {compression_mm:.4} mm, more than its {limit_mm} mm: was the \
+         stiffness given in N/m instead of N/mm?"
     )]
     StaticCompression {
         /// m g/k.
         compression_mm: f64,
-        /// The pad's thickness.
+        /// Thickness of the pad.
         limit_mm: f64,
     },
     /// A spring softer than any cushion.
-    #[error("the stiffness of {stiffness_n_mm:.4} N/mm under one edge is very low: was it typed in N/m for N/mm?")]
+    #[error(
+        "the stiffness of {stiffness_n_mm:.4} N/mm under one edge is very low: was it given in N/m instead of N/mm?"
+    )]
     LowStiffness {
         /// k.
         stiffness_n_mm: f64,
     },
-    /// The impact compresses the pad beyond half of its thickness, where a linear law no longer holds.
+    /// The impact compresses the pad by more than half of its thickness, where a linear law no
+    /// longer holds.
     #[error(
-        "the impact compresses the cushion by {compression_mm:.2} mm of its {limit_mm} mm: near bottoming the pad stiffens and the shock is higher than a linear law says"
+        "the impact compresses the cushion by {compression_mm:.2} mm of its {limit_mm} mm: a pad stiffens as it \
+         bottoms, so the shock is higher than the linear law gives"
     )]
     Bottoming {
         /// Peak compression.
         compression_mm: f64,
-        /// The pad's thickness.
+        /// Thickness of the pad.
         limit_mm: f64,
     },
-    /// A sphere's law on a pad that is too thin for it.
+    /// A Hertz law, which assumes a deep pad, on a pad that is too thin for it.
     #[error(
-        "the impact dents the cushion by {compression_mm:.2} mm of its {limit_mm} mm: beyond a quarter a Hertz law no longer sees a half-space, the pad stiffens and the shock is higher"
+        "the impact compresses the cushion by {compression_mm:.2} mm of its {limit_mm} mm: beyond a quarter of the \
+         thickness a Hertz law no longer holds, the pad stiffens and the shock is higher"
     )]
     HalfSpace {
         /// Peak compression.
         compression_mm: f64,
-        /// The pad's thickness.
+        /// Thickness of the pad.
         limit_mm: f64,
     },
-    /// A tangent law near its pole.
+    /// A tangent law close to its bottoming compression.
     #[error(
-        "the impact compresses the cushion by {compression_mm:.2} mm of the {bottoming_mm} mm at which it bottoms: the shock is that of the bottomed pad and depends on this number above all"
+        "the impact compresses the cushion by {compression_mm:.2} mm of the {bottoming_mm} mm at which it bottoms: \
+         the shock is that of a bottomed pad and depends mainly on this number"
     )]
     Bottomed {
         /// Peak compression.
@@ -301,37 +324,41 @@ pub enum ValidityWarning {
         /// d_b.
         bottoming_mm: f64,
     },
-    /// More compression than was measured.
+    /// More compression than the table covers.
     #[error(
-        "the impact compresses the cushion by {compression_mm:.2} mm, beyond the last point of its force table: the table's last line goes on"
+        "the impact compresses the cushion by {compression_mm:.2} mm, beyond the last point of its force table: the \
+         last line of the table was extended"
     )]
     BeyondTable {
         /// Peak compression.
         compression_mm: f64,
     },
-    /// h/t < 0.7071: no rocking through.
+    /// h/t < 0.7071: the object cannot rock through an impact.
     #[error(
-        "a squat object (Housner's ratio {landing_ratio:.3} is negative, h/t < 0.707 for a uniform block) cannot rock through an impact: landings are halted (r = 0 in the motion, shock by Eq. (8))"
+        "a squat object (Housner's ratio {landing_ratio:.3} is negative, h/t < 0.707 for a uniform block) cannot \
+         rock through an impact: landings are halted (r = 0 in the motion, shock by Eq. (8))"
     )]
     Squat {
         /// R_D by Eq. (6).
         landing_ratio: f64,
     },
-    /// The motion takes more friction than there is.
+    /// The motion requires more friction than there is.
     #[error(
-        "no sliding takes a friction of {needed_ratio:.3} {when}, more than {friction_ratio}: the object may slide, which the model leaves out"
+        "the object needs a coefficient of friction of {needed_ratio:.3} {when} so as not to slide, more than \
+         {friction_ratio}: it may slide, which the model does not cover"
     )]
     Sliding {
-        /// F_x/N that is needed.
+        /// F_x/N that is required.
         needed_ratio: f64,
-        /// What there is.
+        /// The coefficient of friction that is available.
         friction_ratio: f64,
         /// "while rocking" or "in an impact".
         when: &'static str,
     },
 }
 
-/// Guards on a cushion: the weight alone flattens the pad, or no cushion is that soft.
+/// Checks of the stiffness: the weight alone compresses the pad completely, or no cushion is that
+/// soft.
 pub fn stiffness_warnings(mass_kg: f64, cushion: &Cushion, pad_thickness_m: Option<f64>) -> Vec<ValidityWarning> {
     let limit_mm = 1e3 * pad_thickness_m.unwrap_or(ASSUMED_PAD_THICKNESS_M);
     let compression_m = cushion.static_compression_m(mass_kg * crate::G0_M_S2);
@@ -340,7 +367,7 @@ pub fn stiffness_warnings(mass_kg: f64, cushion: &Cushion, pad_thickness_m: Opti
     if compression_mm > limit_mm {
         warnings.push(ValidityWarning::StaticCompression { compression_mm, limit_mm });
     }
-    // What a curved law has for a stiffness is its secant under the weight.
+    // The stiffness of a curved law is taken as its secant under the weight.
     let stiffness_n_m = mass_kg * crate::G0_M_S2 / compression_m;
     if stiffness_n_m < SUSPICIOUS_STIFFNESS_N_M && !cushion.is_curved() {
         warnings.push(ValidityWarning::LowStiffness { stiffness_n_mm: 1e-3 * stiffness_n_m });
@@ -348,15 +375,17 @@ pub fn stiffness_warnings(mass_kg: f64, cushion: &Cushion, pad_thickness_m: Opti
     warnings
 }
 
-/// Share of a pad's thickness up to which its law is taken to hold: engineering judgement, half.
+/// Share of a pad's thickness up to which its law is assumed to hold: engineering judgement, half.
 const LINEAR_SHARE: f64 = 0.5;
-/// Share of a pad's thickness up to which it is a half-space to what dents it: engineering judgement, a quarter.
+/// Share of a pad's thickness up to which it counts as a half-space under a Hertz contact:
+/// engineering judgement, a quarter.
 pub const HALF_SPACE_SHARE: f64 = 0.25;
-/// Share of its bottoming compression beyond which a tangent law is all bottoming: the tangent has grown to 6.3 there.
+/// Share of its bottoming compression beyond which bottoming governs a tangent law: the tangent has
+/// grown to 6.3 there.
 const BOTTOMED_SHARE: f64 = 0.9;
 
-/// Guards on the compression of a cushion: it comes near the pad's thickness, leaves the half-space of a Hertz law, or the
-/// law's own data. Of layers one on top of the other each has its own.
+/// Checks of the compression of a cushion: it approaches the pad's thickness, leaves the half-space
+/// of a Hertz law, or exceeds the law's own data. Each layer of a series is checked separately.
 pub fn compression_warnings(
     compression_m: f64,
     cushion: &Cushion,
@@ -383,8 +412,9 @@ pub fn compression_warnings(
     cushion.layers_at(compression_m).into_iter().filter_map(warning).collect()
 }
 
-/// μ without which the landing edge slips in an impact: the ratio of the impulses of the no-slip landing,
-/// z(1−r)/(x₁ + r x₂), for a block without offset H(1−r)/(1+r) with H = 2z/B.
+/// The coefficient of friction below which the landing edge slips in an impact: the ratio of the
+/// impulses of a landing without slip, z(1−r)/(x₁ + r x₂), for a block without offset H(1−r)/(1+r)
+/// with H = 2z/B.
 ///
 /// # Example
 /// H = 5, r = 0.63:
@@ -411,7 +441,8 @@ mod tests {
         Cushion::linear(stiffness_n_m).unwrap()
     }
 
-    /// Coefficients a_edge/a of Eqs. (5), (8) and of the free corner, to the four decimals of the table.
+    /// Coefficients a_edge/a of Eqs. (5) and (8) and of the free corner, to the four decimals of
+    /// the table.
     #[test]
     fn coefficients_of_the_three_models() {
         for (x, paper, halted, free) in [
@@ -429,7 +460,7 @@ mod tests {
         }
     }
 
-    /// Eq. (5) as printed against v√(k/m_eff): the same number up to rounding.
+    /// Eq. (5) as printed and v√(k/m_eff) are the same number up to rounding.
     #[test]
     fn effective_mass_form_is_equation_5() {
         for (h, t) in [(2.3, 0.6), (1.0, 1.0), (3.0, 0.2), (0.8, 1.1)] {
@@ -447,9 +478,9 @@ mod tests {
         }
     }
 
-    /// Another law is solved for m_eff at the edge's velocity. Putting the lumped mass's drop acceleration into Eq. (5)
-    /// would be (a_edge/a)(v₀/v)^(2n/(n+1)) (m_eff/m)^(1/(n+1)) times as high: for the cabinet 18.57 % too high at n = 1.5
-    /// and 44.06 % at n = 2.5.
+    /// Another law is solved for m_eff at the edge's velocity. Inserting the drop acceleration of
+    /// the lumped mass into Eq. (5) would give (a_edge/a)(v₀/v)^(2n/(n+1)) (m_eff/m)^(1/(n+1))
+    /// times as much: for the cabinet 18.57 % too much at n = 1.5 and 44.06 % at n = 2.5.
     #[test]
     fn a_curved_law_is_not_put_into_equation_5() {
         let landing = Landing::rocking(&Block::uniform(2.3, 0.6).unwrap(), ImpactModel::Paper);
@@ -465,7 +496,7 @@ mod tests {
         }
     }
 
-    /// Each limit is noticed once, and by its own words.
+    /// Each limit causes exactly one warning, in its own words.
     #[test]
     fn compressions_beyond_a_law_are_noticed() {
         let landing = Landing::rocking(&Block::uniform(2.3, 0.6).unwrap(), ImpactModel::Paper);
@@ -526,7 +557,7 @@ mod tests {
         assert!(Landing::overturning_onto_obstacle(&block, 2.1, None).is_err());
     }
 
-    /// At the landing edge the share is (·, 1), at the old pivot (0, R_D) or (0, 0).
+    /// The share is (·, 1) at the landing edge, and (0, R_D) or (0, 0) at the old pivot.
     #[test]
     fn shock_in_the_object_starts_from_the_edges() {
         let block = Block::uniform(2.0, 0.5).unwrap();

@@ -1,35 +1,40 @@
 //! The science of free-standing objects in an earthquake.
 //!
-//! A cabinet, a server rack or a museum case stands on the floor of a building. When the floor shakes, it rocks on the
-//! edges of its base; each time the base strikes the floor the edge takes a shock; if it rocks too far it falls. This
-//! crate follows that chain in double precision and SI units:
+//! A cabinet, a server rack or a museum case rests on the floor of a building. When the floor
+//! shakes, it rocks on the edges of its base; each time the base strikes the floor, the landing
+//! edge takes a shock; if it rocks too far, it overturns. This crate calculates that chain of
+//! events in double precision and SI units:
 //!
 //! | step | module |
 //! |---|---|
 //! | the object, as a rigid block on two edges | [`block`] |
-//! | ground motions that meet a code's spectrum | [`code_spectrum`], [`synthesis`] |
+//! | ground motions that match the spectrum of a code | [`code_spectrum`], [`synthesis`] |
 //! | the floors of a building | [`building`], [`oscillator`] |
 //! | rotation against time, event by event | [`rocking`] |
-//! | largest uplift over a grid of objects (URS) and the shock that follows (SRS) | [`spectra`] |
-//! | contact laws: what a cushion does to what lands on it | [`cushion`] |
-//! | the object on cushions, followed in time: a second opinion on that shock | [`compliant`] |
-//! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi, Petrolito, Lam and Gad | [`impact`] |
-//! | a cushion from a test of it | [`identify`] |
-//! | what a component feels of a shock: shock response spectra, classical pulses | [`shock_response`] |
-//! | what a shock must exceed to do harm, ASTM D3332 | [`damage_boundary`] |
-//! | fragilities, probabilities over motions, numbered random draws | [`fragility`] |
+//! | largest uplift over a grid of objects, and the resulting shock | [`spectra`] |
+//! | contact laws: the force of a cushion, and the landing of a mass on it | [`cushion`] |
+//! | the object on cushions, integrated in time: a second opinion on that shock | [`compliant`] |
+//! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi et al. | [`impact`] |
+//! | a cushion identified from tests | [`identify`] |
+//! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
+//! | the shocks that cause damage, ASTM D3332 | [`damage_boundary`] |
+//! | fragilities, probabilities over motions, reproducible random draws | [`fragility`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
 //!
-//! **Signs**: a rotation is positive when the object tilts to the right (clockwise), about its right edge; a positive
-//! horizontal acceleration of the base, to the right, drives it negative. Vertical acceleration is positive upward.
+//! The paper is Al Abadi, Petrolito, Lam and Gad.
 //!
-//! **Units** stand in every name (`_m`, `_kg`, `_s`, `_rad`, `_m_s2`, `_n_m`, `_g`); pure ratios end in `_ratio`.
+//! **Signs**: a rotation is positive when the object tilts to the right (clockwise), about its
+//! right edge; a positive horizontal acceleration of the base, to the right, drives it negative.
+//! Vertical acceleration is positive upward.
 //!
-//! The crate has no files, clock, environment or output: it cannot fail by anything but its input.
+//! **Units** are part of every name (`_m`, `_kg`, `_s`, `_rad`, `_m_s2`, `_n_m`, `_g`); pure ratios
+//! end in `_ratio`.
+//!
+//! The crate uses no files, clock, environment or output: it can only fail because of its input.
 //!
 //! # Example
-//! A cabinet of 2.3 m × 0.6 m and 140 kg on pads of 4380 N/mm an edge, under one cycle of 0.35 g:
+//! A cabinet of 2.3 m × 0.6 m and 140 kg on pads of 4380 N/mm per edge, under one cycle of 0.35 g:
 //! ```
 //! use freestand::block::Block;
 //! use freestand::cushion::Cushion;
@@ -62,9 +67,10 @@ pub mod damage_boundary;
 pub mod fragility;
 pub mod identify;
 pub mod impact;
+mod integration;
 pub mod measures;
 pub mod oscillator;
-mod quadrature;
+mod search;
 pub mod shock_response;
 pub mod signal;
 pub mod spectra;

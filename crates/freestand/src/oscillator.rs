@@ -1,13 +1,19 @@
-//! The damped linear oscillator under a motion that is linear between its samples: exact step, history and spectrum.
+//! The damped linear oscillator under a motion that is linear between its samples: exact step,
+//! history and spectrum.
 //!
-//! `ü + 2ζω u̇ + ω² u = −a(t)`, u relative to the base, a the base acceleration. Because a [`Motion`] *is* linear
-//! between samples, the step has no discretisation error; what remains is round-off.
+//! `ü + 2ζω u̇ + ω² u = −a(t)`, u relative to the base, a the base acceleration. Because a
+//! [`Motion`] *is* linear between samples, the step has no discretisation error; only rounding
+//! remains.
 
 use crate::motion::Motion;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
-/// Why an oscillator cannot be made.
+/// Damping of an oscillator where none is stated, as a share of critical damping: that of the
+/// spectra of design codes, and Q = 10.
+pub const DAMPING_RATIO: f64 = 0.05;
+
+/// Why numbers do not make an oscillator.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OscillatorError {
     /// The circular frequency is not positive, or so large that its square is not finite.
@@ -16,7 +22,8 @@ pub enum OscillatorError {
         /// The frequency that was given.
         omega_rad_s: f64,
     },
-    /// The period is negative, not a number, or too short or long to have a frequency.
+    /// The period is negative, not a number, or too short or too long for its frequency to be
+    /// finite and positive.
     #[error("a period must be zero or positive and finite, not {period_s} s")]
     Period {
         /// The period that was given.
@@ -31,12 +38,12 @@ pub enum OscillatorError {
     /// The time step is not a positive finite number.
     #[error("the time step must be positive and finite, not {dt_s} s")]
     TimeStep {
-        /// The step that was given.
+        /// The time step that was given.
         dt_s: f64,
     },
 }
 
-/// Where an oscillator is and how fast it moves, relative to its base.
+/// Displacement and velocity of an oscillator relative to its base.
 ///
 /// **Units**: m and m/s. The default is at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -47,18 +54,20 @@ pub struct OscillatorState {
     pub velocity_m_s: f64,
 }
 
-/// One exact time step of a damped oscillator under a base acceleration that is linear within the step.
+/// One exact time step of a damped oscillator under a base acceleration that is linear within the
+/// step.
 ///
 /// With `h(t) = e^(−ζωt) sin(ω_D t)/ω_D`, `S₁ = ∫h`, `S₂ = ∫∫h` over the step, `Δ = a₁ − a₀`:
 /// `u₁ = (1 − ω²S₁) u₀ + h u̇₀ − S₁ a₀ − S₂ Δ/dt` and `u̇₁ = −ω²h u₀ + ḣ u̇₀ − h a₀ − S₁ Δ/dt`.
 ///
 /// # Reference
-/// Nigam and Jennings (1969), "Calculation of response spectra from strong-motion earthquake records", BSSA 59;
-/// the coefficients are theirs, written by h, S₁, S₂ so that they do not cancel.
+/// Nigam and Jennings (1969), "Calculation of response spectra from strong-motion earthquake
+/// records", BSSA 59; the coefficients are theirs, written with h, S₁, S₂ so that no digits cancel.
 ///
 /// # Accuracy
-/// Better than 10⁻¹³ for every ω dt: a power series where ω dt < 0.5 (there the usual closed form loses 1/(ω dt)³ in
-/// digits), the closed form above. A very stiff oscillator keeps no better phase than ω dt itself has digits.
+/// Better than 10⁻¹³ for every ω dt: a power series where ω dt < 0.5 (where the usual closed form
+/// loses digits like 1/(ω dt)³), the closed form above. The phase of a very stiff oscillator is
+/// only as accurate as ω dt itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OscillatorStep {
     omega2: f64,
@@ -73,20 +82,23 @@ pub struct OscillatorStep {
     v_a1: f64,
 }
 
-/// Below this ω dt the series is used; 0.5 needs 17 terms and the closed form still has 12 digits there.
+/// Below this ω dt the series is used; at 0.5 it needs 17 terms, and the closed form still has 12
+/// digits.
 const SERIES_BELOW: f64 = 0.5;
 /// Terms of the series: the 17th is below 0.5^17 · 18/17! ≈ 4e-19 of the first.
 const SERIES_TERMS: usize = 17;
 
 impl OscillatorStep {
-    /// The step of an oscillator with circular frequency `omega_rad_s` and damping ratio `damping_ratio`.
+    /// The step of an oscillator with circular frequency `omega_rad_s` and damping ratio
+    /// `damping_ratio`.
     ///
     /// # Errors
-    /// A frequency that is not positive (or whose square overflows), damping outside 0 ≤ ζ < 1, a step that is not
-    /// positive and finite.
+    /// A frequency that is not positive (or whose square overflows), damping outside 0 ≤ ζ < 1, or
+    /// a time step that is not positive and finite.
     ///
     /// # Example
-    /// Half a period after a step of −1 m/s², an undamped oscillator of ω = 1 rad/s stands at 2 a/ω² = 2 m:
+    /// Half a period after a step of −1 m/s², an undamped oscillator of ω = 1 rad/s is at 2 a/ω² =
+    /// 2 m:
     /// ```
     /// use freestand::oscillator::{OscillatorState, OscillatorStep};
     /// let half_period = OscillatorStep::new(1.0, 0.0, std::f64::consts::PI)?;
@@ -119,7 +131,8 @@ impl OscillatorStep {
         })
     }
 
-    /// The state one step later, while the base acceleration goes linearly from `a0_m_s2` to `a1_m_s2`.
+    /// The state one time step later, while the base acceleration changes linearly from `a0_m_s2`
+    /// to `a1_m_s2`.
     #[inline]
     pub fn advance(&self, state: OscillatorState, a0_m_s2: f64, a1_m_s2: f64) -> OscillatorState {
         let (u, v) = (state.displacement_m, state.velocity_m_s);
@@ -148,7 +161,8 @@ fn kernel(omega: f64, zeta: f64, dt: f64) -> Kernel {
     if x < SERIES_BELOW { kernel_series(x, zeta, dt) } else { kernel_closed(omega, zeta, dt) }
 }
 
-/// Σ c_k x^k/(k+n)! times dt^n, with c the Taylor coefficients of h: c₀ = 1, c₁ = −2ζ, c_{k+1} = −2ζ c_k − c_{k−1}.
+/// Σ c_k x^k/(k+n)! times dt^n, with c the Taylor coefficients of h: c₀ = 1, c₁ = −2ζ, c_{k+1} =
+/// −2ζ c_k − c_{k−1}.
 fn kernel_series(x: f64, zeta: f64, dt: f64) -> Kernel {
     let (mut h, mut s1, mut s2) = (0.0, 0.0, 0.0);
     let (mut before, mut c) = (0.0, 1.0);
@@ -164,7 +178,8 @@ fn kernel_series(x: f64, zeta: f64, dt: f64) -> Kernel {
     Kernel { h: dt * h, s1: dt * dt * s1, s2: dt * dt * dt * s2 }
 }
 
-/// From integrating the equation of h once and twice; divides by ω², so not for small ω dt.
+/// From integrating the equation of h once and twice; it divides by ω² and is therefore not used
+/// for small ω dt.
 fn kernel_closed(omega: f64, zeta: f64, dt: f64) -> Kernel {
     let root = ((1.0 - zeta) * (1.0 + zeta)).sqrt();
     let omega_d = omega * root;
@@ -180,7 +195,7 @@ pub(crate) fn check_damping(damping_ratio: f64) -> Result<(), OscillatorError> {
     if (0.0..1.0).contains(&damping_ratio) { Ok(()) } else { Err(OscillatorError::Damping { damping_ratio }) }
 }
 
-/// Absolute acceleration of an oscillator at every sample of `motion`, at rest at t = 0 \[m/s²\].
+/// Absolute acceleration of an oscillator at every sample of `motion`, from rest at t = 0 \[m/s²\].
 ///
 /// `A = ü + a = −2ζω u̇ − ω² u`; the first value is 0 even where the motion starts with a jump.
 ///
@@ -188,7 +203,7 @@ pub(crate) fn check_damping(damping_ratio: f64) -> Result<(), OscillatorError> {
 /// Nigam and Jennings (1969).
 ///
 /// # Errors
-/// A period that is not positive or too short to have a finite ω², damping outside 0 ≤ ζ < 1.
+/// A period that is not positive or too short to have a finite ω², or damping outside 0 ≤ ζ < 1.
 ///
 /// # Example
 /// ```
@@ -226,7 +241,7 @@ pub(crate) fn step_of_period(period_s: f64, damping_ratio: f64, dt_s: f64) -> Re
 
 /// Peak responses of damped oscillators to one motion.
 ///
-/// **Units** and shapes: four arrays, one value for each period, in the order asked for.
+/// **Units** and shapes: four arrays with one value for each period, in the order of the request.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResponseSpectrum {
     /// Undamped periods T \[s\].
@@ -241,7 +256,8 @@ pub struct ResponseSpectrum {
     pub sa_m_s2: Vec<f64>,
 }
 
-/// Response spectrum of a motion: exact between samples, peaks taken at the record's samples and within the record.
+/// Response spectrum of a motion: exact between samples; peaks are the largest values at the
+/// samples of the motion.
 ///
 /// T = 0 is the rigid oscillator: Sd = PSV = 0 and both accelerations the PGA.
 ///
@@ -249,12 +265,13 @@ pub struct ResponseSpectrum {
 /// Nigam and Jennings (1969).
 ///
 /// # Limitation
-/// Peaks between samples are not seen, and below T ≈ 10 dt straight lines are no record of the ground: upsample such a
-/// motion first ([`upsampled_sinc`](crate::signal::resample::upsampled_sinc)). Free vibration after the
-/// last sample counts only if the caller adds a zero tail.
+/// Peaks between samples are missed, and below T ≈ 10 dt straight lines do not represent the ground
+/// motion: upsample such a motion first
+/// ([`upsampled_sinc`](crate::signal::resample::upsampled_sinc)). Free vibration after the last
+/// sample counts only if the caller adds zeros at the end.
 ///
 /// # Errors
-/// A negative or non-finite period, damping outside 0 ≤ ζ < 1.
+/// A negative or non-finite period, or damping outside 0 ≤ ζ < 1.
 ///
 /// # Example
 /// ```
@@ -285,8 +302,8 @@ pub fn response_spectrum(
     Ok(ResponseSpectrum { periods_s: periods_s.to_vec(), sd_m, psv_m_s, psa_m_s2, sa_m_s2 })
 }
 
-/// Oscillators that pass over a record together: enough independent chains to hide the latency of a step. Of 8, 16 and 32
-/// the fastest with AVX-512 (two vectors) and no worse without.
+/// Oscillators that pass over a motion together: enough independent chains to hide the latency of a
+/// step. Of 8, 16 and 32 this is the fastest with AVX-512 (two vectors) and no slower without.
 const LANES: usize = 16;
 
 #[derive(Debug, Clone, Copy)]
@@ -311,7 +328,7 @@ pub(crate) struct OscillatorBank {
 }
 
 impl OscillatorBank {
-    /// A period of 0 takes a lane that stays at rest.
+    /// An oscillator with a period of 0 gets a lane that stays at rest.
     pub(crate) fn new(periods_s: &[f64], damping_ratio: f64, dt_s: f64) -> Result<Self, OscillatorError> {
         check_damping(damping_ratio)?;
         let steps = periods_s
@@ -326,7 +343,8 @@ impl OscillatorBank {
         Ok(Self { groups, count: periods_s.len() })
     }
 
-    /// Writes max|u| \[m\] and, where `ABSOLUTE`, max|ü + a| \[m/s²\] (else zeros) of every oscillator, at rest at t = 0.
+    /// Writes max|u| \[m\] and, if `ABSOLUTE`, max|ü + a| \[m/s²\] (otherwise zeros) of every
+    /// oscillator, from rest at t = 0.
     pub(crate) fn peaks<const ABSOLUTE: bool>(&self, accel_m_s2: &[f64], sd_m: &mut Vec<f64>, sa_m_s2: &mut Vec<f64>) {
         sd_m.clear();
         sa_m_s2.clear();
@@ -363,9 +381,9 @@ impl LaneGroup {
         }
     }
 
-    /// The same operations in the same order as [`OscillatorStep::advance`], so the results are equal bit for bit on every
-    /// processor: vector units only do several lanes at a time, and nothing is fused. Inlined into what `pulp` compiles for
-    /// each of them.
+    /// The same operations in the same order as [`OscillatorStep::advance`], so the results are
+    /// equal bit for bit on every processor: vector units only process several lanes at a time, and
+    /// nothing is fused. Inlined into the code that `pulp` compiles for each vector unit.
     #[inline(always)]
     fn peaks<const ABSOLUTE: bool>(&self, accel_m_s2: &[f64]) -> ([f64; LANES], [f64; LANES]) {
         let (mut u, mut v) = ([0.0_f64; LANES], [0.0_f64; LANES]);
@@ -377,7 +395,7 @@ impl LaneGroup {
                 let v1 = self.v_u[i] * u[i] + self.v_v[i] * v[i] + (self.v_a0[i] * a0 + self.v_a1[i] * a1);
                 u[i] = u1;
                 v[i] = v1;
-                // Not f64::max: its care for NaN keeps the loop from vectorising.
+                // Not f64::max: its handling of NaN prevents vectorisation.
                 sd[i] = if u1.abs() > sd[i] { u1.abs() } else { sd[i] };
                 if ABSOLUTE {
                     let absolute = (self.two_zeta_omega[i] * v1 + self.omega2[i] * u1).abs();
@@ -393,7 +411,8 @@ impl LaneGroup {
 mod tests {
     use super::*;
 
-    /// Frequencies and dampings that reach both branches of the kernel, their border and both extremes.
+    /// Frequencies and dampings that reach both branches of the kernel, the border between them and
+    /// both extremes.
     const OMEGA_DT: [f64; 9] = [1e-6, 1e-3, 0.1, 0.499_999, 0.500_001, 1.0, 3.0, 40.0, 1e4];
     const ZETA: [f64; 4] = [0.0, 0.05, 0.7, 0.999];
     const DT_S: f64 = 0.01;
@@ -420,8 +439,9 @@ mod tests {
                     let t = k as f64 * DT_S;
                     state = step.advance(state, 3.0 - 2.0 * t, 3.0 - 2.0 * (t + DT_S));
                     let want = exact(omega, zeta, 3.0, -2.0, t + DT_S);
-                    // Round-off: the argument of the sine, up to ω t = 2e6 and so wrong by 2e6 ε = 5e-10, times the
-                    // size of the response, 2·3/ω²; plus 200 steps of a few ε.
+                    // Rounding: the argument of the sine, up to ω t = 2e6 and therefore wrong by
+                    // 2e6 ε = 5e-10, times the size of the response, 2·3/ω²; plus 200 steps of a
+                    // few ε.
                     let tolerance = 6.0 / (omega * omega) * (1e-12 + 4.0 * omega * t * f64::EPSILON);
                     assert!((state.displacement_m - want).abs() < tolerance, "x {x}, zeta {zeta}, k {k}");
                 }
@@ -431,11 +451,13 @@ mod tests {
 
     #[test]
     fn a_slow_oscillator_lets_the_base_move_away() {
-        // ω dt → 0: u = −∫∫a, whatever the damping; the closed form would have no digit left at ω dt = 1e-6.
+        // ω dt → 0: u = −∫∫a, whatever the damping; the closed form would have no digits left at ω
+        // dt = 1e-6.
         for zeta in ZETA {
             let step = OscillatorStep::new(1e-6 / DT_S, zeta, DT_S).unwrap();
             let state = step.advance(OscillatorState::default(), 1.0, 4.0);
-            // Trapezium: a₀ dt²/2 + (a₁ − a₀) dt²/6 = dt²; the neglected term is of order ζ ω dt = 1e-6.
+            // Trapezium: a₀ dt²/2 + (a₁ − a₀) dt²/6 = dt²; the neglected term is of order ζ ω dt =
+            // 1e-6.
             assert!((state.displacement_m / (-DT_S * DT_S) - 1.0).abs() < 2e-6);
             assert!((state.velocity_m_s / (-2.5 * DT_S) - 1.0).abs() < 2e-6);
         }
@@ -443,11 +465,13 @@ mod tests {
 
     #[test]
     fn a_stiff_oscillator_follows_the_base() {
-        // ω dt → ∞ with damping: the absolute acceleration is that of the base, but for 2ζ/(ω dt) of its change.
+        // ω dt → ∞ with damping: the absolute acceleration is that of the base, except for 2ζ/(ω
+        // dt) of its change.
         let motion = Motion::new(DT_S, vec![0.0, 1.0, -2.0, 5.0, 0.5]).unwrap();
         let history = absolute_acceleration_history_m_s2(&motion, TAU * DT_S / 1e4, 0.05).unwrap();
         for (a, base) in history.iter().zip(motion.accel_m_s2()) {
-            // Largest change 7 m/s² · 2·0.05/1e4 for the lag, and 7/1e4 for the slope's own vibration.
+            // Largest change 7 m/s² · 2·0.05/1e4 for the lag, and 7/1e4 for the vibration that the
+            // slope excites.
             assert!((a - base).abs() < 7.0 * 1.1e-4, "{a} {base}");
         }
     }
@@ -466,7 +490,7 @@ mod tests {
                     let (sin, cos) = (omega_d * t).sin_cos();
                     let want =
                         (-zeta * omega * t).exp() * (0.3 * cos + (0.2 * omega + zeta * omega * 0.3) / omega_d * sin);
-                    // 100 steps of a few ε; near-critical damping magnifies by ω/ω_D = 22.
+                    // 100 steps of a few ε; near-critical damping magnifies them by ω/ω_D = 22.
                     assert!((state.displacement_m - want).abs() < 1e-12, "x {x}, zeta {zeta}, k {k}");
                 }
             }
@@ -477,7 +501,7 @@ mod tests {
     fn both_branches_of_the_kernel_agree_where_they_meet() {
         for zeta in ZETA {
             let (a, b) = (kernel_series(SERIES_BELOW, zeta, DT_S), kernel_closed(SERIES_BELOW / DT_S, zeta, DT_S));
-            // The closed form loses about 12/(ω dt)³ ≈ 100 ε in S₂; the series nothing.
+            // The closed form loses about 12/(ω dt)³ ≈ 100 ε in S₂; the series loses nothing.
             for (series, closed) in [(a.h, b.h), (a.s1, b.s1), (a.s2, b.s2)] {
                 assert!((series / closed - 1.0).abs() < 300.0 * f64::EPSILON, "zeta {zeta}: {series} {closed}");
             }
@@ -486,8 +510,9 @@ mod tests {
 
     #[test]
     fn the_sampling_of_a_sine_costs_the_square_of_the_step() {
-        // Steady state under sin(Ω t): amplitude of u is 1/√((ω²−Ω²)² + (2ζωΩ)²). A motion is linear between samples,
-        // so the error is that of the interpolation, O(dt²): halving the step divides it by 4.
+        // Steady state under sin(Ω t): amplitude of u is 1/√((ω²−Ω²)² + (2ζωΩ)²). A motion is
+        // linear between samples, so the error is that of the interpolation, O(dt²): halving the
+        // step divides it by 4.
         let (omega, zeta, drive) = (TAU, 0.05, 5.0);
         let error = |per_second: usize| {
             let step = OscillatorStep::new(omega, zeta, 1.0 / per_second as f64).unwrap();
@@ -498,7 +523,8 @@ mod tests {
             }
             let (stiff, damp) = (omega * omega - drive * drive, 2.0 * zeta * omega * drive);
             let (sin, cos) = (drive * 60.0_f64).sin_cos();
-            // After 60 s the transient is e^(−19) = 6e-9 of the answer, far below the errors of 1e-5.
+            // After 60 s the transient is e^(−19) = 6e-9 of the result, far below the errors of
+            // 1e-5.
             state.displacement_m + (stiff * sin - damp * cos) / (stiff * stiff + damp * damp)
         };
         let ratio = error(50) / error(100);

@@ -1,7 +1,7 @@
-//! Uplift response spectra (URS) and the shock spectra (SRS) that follow from them.
+//! Uplift spectra and the shock spectra that follow from them.
 //!
-//! The rocking response of an object depends on its geometry, its restitution and the motion; mass and stiffness enter
-//! afterwards, so one uplift spectrum gives the shock for any of them.
+//! The rocking response of an object depends on its geometry, its restitution and the motion. Mass
+//! and stiffness enter only afterwards, so one uplift spectrum gives the shock for any of them.
 
 use crate::G0_M_S2;
 use crate::block::Block;
@@ -9,66 +9,72 @@ use crate::cushion::Cushion;
 use crate::impact::{ImpactModel, Landing};
 use crate::rocking::{Base, Outcome, RockingError, RockingOptions, RockingSummary, SideExtremes, rock_many};
 
-/// Part of the motion by which it is changed to see what a cell is sensitive to.
+/// Relative change of the motion in the test for sensitivity.
 pub const PERTURBATION_RATIO: f64 = 1e-6;
 
-/// Amplification above which a cell is sensitive: its peak rotation changes by more than 1e-5 of itself when the motion
-/// changes by [`PERTURBATION_RATIO`].
+/// Amplification above which a cell is sensitive: its peak rotation changes by more than 1e-5 of
+/// itself when the motion changes by [`PERTURBATION_RATIO`].
 pub const SENSITIVE_RATIO: f64 = 10.0;
 
-/// Amplification, in the rotations and impacts before it, above which an overturning is in doubt: an error of 1e-6 in the motion
-/// has become one of 0.1 %.
+/// Amplification in the rotations and impacts before an overturning above which the overturning is
+/// in doubt: an error of 1e-6 in the motion has grown to 0.1 %.
 pub const DOUBTFUL_RATIO: f64 = 1000.0;
 
-/// One cell of an uplift response spectrum: an object under a motion.
+/// One cell of an uplift spectrum: an object and its response to a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UpliftCell {
     /// The object.
     pub block: Block,
-    /// What it did.
+    /// Its response.
     pub rocking: RockingSummary,
 }
 
-/// The shock that belongs to an [`UpliftCell`], for a mass and a cushion.
+/// The shock of an [`UpliftCell`] for a given mass and cushion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShockCell {
-    /// a_edge from the largest rise of the centre of gravity (the paper's source); `None` for overturned objects \[g\].
+    /// a_edge from the largest rise of the centre of gravity (the paper's source); `None` for
+    /// overturned objects \[g\].
     pub edge_acceleration_g: Option<f64>,
     /// a_edge from the largest velocity before an impact; `None` for overturned objects \[g\].
     pub edge_acceleration_impact_velocity_g: Option<f64>,
-    /// The `uplift` shock at the balance point: no record can give more \[g\].
+    /// The `uplift` shock at the balance point: no motion can cause more without overturning \[g\].
     pub ceiling_g: f64,
 }
 
-/// A shock above this is a law driven into its end, and no number of an object \[g\].
+/// A shock above this comes from a law driven past its bottoming and says nothing about an
+/// object \[g\].
 pub const BEYOND_ALL_G: f64 = 1e6;
 
 impl ShockCell {
-    /// Whether a cushion that bottoms gives no number to rely on, for an object that stays upright.
+    /// Whether the cushion bottoms so strongly that the shock of an object that does not overturn
+    /// is unreliable.
     pub fn is_beyond_numbers(&self) -> bool {
         let shocks = [self.edge_acceleration_g, self.edge_acceleration_impact_velocity_g];
         shocks.iter().flatten().any(|shock_g| shock_g.is_nan() || *shock_g > BEYOND_ALL_G)
     }
 }
 
-/// What a small error of the motion does to an [`UpliftCell`].
+/// The effect of a small error of the motion on an [`UpliftCell`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sensitivity {
-    /// Amplification of the error: relative change of the peak rotation by the relative change of the motion. `None`
-    /// where no two peaks can be compared: no uplift, overturned, or another outcome under the changed motion.
+    /// Amplification of the error: relative change of the peak rotation divided by the relative
+    /// change of the motion. `None` where no two peaks can be compared: no uplift, overturned, or
+    /// another outcome under the changed motion.
     pub ratio: Option<f64>,
-    /// Whether the cell is not to be relied on: another outcome, an amplification above [`SENSITIVE_RATIO`] in the peak
-    /// rotation or in the speeds of impacts, or, of an overturned block, above [`DOUBTFUL_RATIO`] in what it did before.
+    /// Whether the cell is unreliable: another outcome, an amplification above [`SENSITIVE_RATIO`]
+    /// in the peak rotation or in the velocities of the impacts, or, for an overturned block, above
+    /// [`DOUBTFUL_RATIO`] in the rocking before it overturned.
     pub sensitive: bool,
 }
 
-/// The uplift response spectrum of `base` over `blocks`: one cell for each, in their order.
+/// The uplift spectrum of `base` over `blocks`: one cell for each block, in the same order.
 ///
-/// Blocks are followed in parallel on the current thread pool; every cell is computed on its own, so the result depends
-/// neither on the number of threads nor on which blocks are asked for together.
+/// The blocks are calculated in parallel on the current thread pool. Every cell is calculated on
+/// its own, so the result depends neither on the number of threads nor on which blocks are
+/// calculated together.
 ///
 /// # Errors
-/// Each cell has its own: see [`rock`](crate::rocking::rock).
+/// Each cell has its own error: see [`rock`](crate::rocking::rock).
 pub fn uplift_spectrum(
     blocks: &[Block],
     base: Base,
@@ -78,21 +84,23 @@ pub fn uplift_spectrum(
     blocks.iter().zip(rocked).map(|(block, rocking)| Ok(UpliftCell::new(*block, rocking?))).collect()
 }
 
-/// How much the peak rotations of `cells`, an [`uplift_spectrum`] of the same base and options, amplify an error of the
-/// motion: |θ(1.000001 ü_h)/θ(ü_h) − 1| / 1e-6, from a second spectrum under the changed horizontal motion. A cell that
-/// could not be followed has no ratio and is not sensitive.
+/// How much the peak rotations of `cells`, an [`uplift_spectrum`] of the same base and options,
+/// amplify an error of the motion: |θ(1.000001 ü_h)/θ(ü_h) − 1| / 1e-6, from a second spectrum
+/// under the changed horizontal motion. A cell without a history has no ratio and is not sensitive.
 ///
 /// # Limitation
-/// A difference in one direction, for an error of the motion's scale: errors of another kind may be amplified more or
-/// less, and where the peak passes from one swing to another, the slope on the other side differs. The solver's own
-/// error is amplified alike: errors of ε a step leave about ε/1e-6 of a ratio open, and a ratio above 1e6 says no more
-/// than that the rotation cannot be told.
+/// This is a difference in one direction, for an error in the scale of the motion. Other errors may
+/// be amplified more or less, and where the peak moves from one swing to another, the slope on the
+/// other side differs. The solver's own error is amplified in the same way: errors of ε per step
+/// leave the ratio uncertain by about ε/1e-6, and a ratio above 1e6 only says that the rotation is
+/// undetermined.
 pub fn uplift_sensitivity(
     cells: &[Result<UpliftCell, RockingError>],
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Sensitivity> {
-    // A motion at the end of the range of numbers cannot grow: it is made smaller, which gives the same slope.
+    // A motion at the end of the range of floating-point numbers cannot grow; it is reduced
+    // instead, which gives the same slope.
     let changed = base.horizontal.and_then(|motion| {
         let (more, less) = (1.0 + PERTURBATION_RATIO, 1.0 - PERTURBATION_RATIO);
         motion.scaled(more).or_else(|_| motion.scaled(less)).ok()
@@ -106,12 +114,12 @@ pub fn uplift_sensitivity(
 }
 
 impl UpliftCell {
-    /// An object and what it did: a summary, or the whole history (`&Rocking`).
+    /// An object and its response: a summary, or the whole history (`&Rocking`).
     pub fn new(block: Block, rocking: impl Into<RockingSummary>) -> Self {
         Self { block, rocking: rocking.into() }
     }
 
-    /// The sensitivity by what the object does under the changed motion.
+    /// The sensitivity, from the response to the changed motion.
     fn sensitivity(&self, changed: &Result<RockingSummary, RockingError>) -> Sensitivity {
         let Ok(changed) = changed else { return Sensitivity { ratio: None, sensitive: true } };
         if changed.outcome != self.rocking.outcome {
@@ -129,13 +137,14 @@ impl UpliftCell {
         }
         match self.rocking.outcome {
             Outcome::NoUplift => Sensitivity { ratio: None, sensitive: false },
-            // No number is left but those of the rocking before: where an error has grown visible in them, the fall is in
-            // doubt.
+            // Only the rocking before remains to compare: where an error has become visible in it,
+            // the overturning is in doubt.
             Outcome::Overturned => Sensitivity { ratio: None, sensitive: lower.max(speed) > DOUBTFUL_RATIO },
             Outcome::Rocked => {
                 let peak = self.rocking.peak_rotation_rad;
                 let ratio = amplified(peak, changed.peak_rotation_rad, peak);
-                // A block that is lifted and does not rise can rise under the changed motion: no number, but sensitive.
+                // A block at the threshold that does not rise may rise under the changed motion: it
+                // has no ratio, but is sensitive.
                 Sensitivity {
                     ratio: Some(ratio).filter(|ratio| ratio.is_finite()),
                     sensitive: ratio.max(speed) > SENSITIVE_RATIO,
@@ -149,8 +158,8 @@ impl UpliftCell {
         self.rocking.sides.iter().fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
     }
 
-    /// The shock on a cushion, all of it that is under the landing edge: the harder of the landings off the two
-    /// edges, which are alike unless the centre of gravity is off the middle.
+    /// The shock on a cushion (everything under the landing edge): the larger one of the landings
+    /// from the two edges, which are equal unless the centre of gravity is off the middle.
     pub fn shock(&self, mass_kg: f64, cushion: &Cushion, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
         let stands = self.rocking.outcome != Outcome::Overturned;
         let landings = landings(&self.block, model);
@@ -172,7 +181,7 @@ impl UpliftCell {
     }
 }
 
-/// The landings of a rocking block, off its right edge and off its left one.
+/// The landings of a rocking block from its right edge and from its left one.
 pub fn landings(block: &Block, model: ImpactModel) -> [Landing; 2] {
     [block.mirrored(), *block].map(|block| Landing::rocking(&block, model))
 }
@@ -182,7 +191,7 @@ mod tests {
     use super::*;
     use crate::motion::Motion;
 
-    /// The ceilings that are known: 150 kg on 4380 N/mm.
+    /// Known ceilings, for 150 kg on 4380 N/mm.
     #[test]
     fn ceiling_is_the_shock_at_the_balance_point() {
         for (thickness_m, height_m, expected) in [(0.2, 1.5, 1.45), (0.4, 1.5, 5.72), (0.6, 2.0, 8.32)] {
@@ -193,13 +202,13 @@ mod tests {
             let cell = cells[0].unwrap();
             assert_eq!(cell.rocking.outcome, Outcome::NoUplift);
             let shock = cell.shock(150.0, &Cushion::linear(4.38e6).unwrap(), ImpactModel::Paper, G0_M_S2);
-            // Two decimals are known.
+            // Known to two decimals.
             assert!((shock.ceiling_g - expected).abs() < 5e-3, "{}", shock.ceiling_g);
             assert_eq!(shock.edge_acceleration_g, Some(0.0));
         }
     }
 
-    /// A pulse of one sine of 0.4 s and the quiet behind it, `amplitude` in g.
+    /// A pulse of one sine of 0.4 s followed by quiet; `amplitude` in g.
     fn pulse(amplitude: f64) -> Motion {
         let sample = |i: u32| {
             let t = f64::from(i) * 0.01;
@@ -215,8 +224,9 @@ mod tests {
         (cells[0].unwrap().rocking.outcome, uplift_sensitivity(&cells, base, &options)[0])
     }
 
-    /// Towards overturning the block lingers at the balance point: α − θ falls with the root of what is missing in the
-    /// amplitude, so the slope of the peak grows without bound.
+    /// Close to overturning the block lingers at the balance point: α − θ is proportional to the
+    /// square root of the distance to the critical amplitude, so the slope of the peak grows
+    /// without bound.
     #[test]
     fn sensitivity_grows_towards_overturning() {
         let (mut stands, mut falls) = (0.6, 5.0);
@@ -233,9 +243,9 @@ mod tests {
         };
         let (near, nearer) = (ratio(1e-4), ratio(1e-5));
         assert!(near.1 && near.0 > SENSITIVE_RATIO && nearer.1, "{near:?}");
-        // √10 = 3.16; a twentieth of what is missing is the change itself, which bends the slope.
+        // √10 = 3.16; the change itself is a twentieth of that distance, which changes the slope.
         assert!((2.8..3.6).contains(&(nearer.0 / near.0)), "{near:?} {nearer:?}");
-        // One part in a million more overturns it.
+        // A millionth more overturns it.
         let edge = under_pulse(stands * (1.0 - 0.5 * PERTURBATION_RATIO));
         assert_eq!(edge, (Outcome::Rocked, Sensitivity { ratio: None, sensitive: true }));
     }
@@ -244,7 +254,8 @@ mod tests {
     fn sensitivity_is_moderate_elsewhere_and_absent_without_a_peak() {
         let (outcome, sensitivity) = under_pulse(0.6);
         assert_eq!(outcome, Outcome::Rocked);
-        // The rotation grows from the threshold of t/h g = 0.267 g: faster than the motion, but not much.
+        // The rotation grows from the threshold of t/h g = 0.267 g: faster than the motion, but not
+        // by much.
         assert!(
             !sensitivity.sensitive && (1.0..SENSITIVE_RATIO).contains(&sensitivity.ratio.unwrap()),
             "{sensitivity:?}"
@@ -254,7 +265,7 @@ mod tests {
         assert_eq!(under_pulse(5.0), (Outcome::Overturned, quiet));
     }
 
-    /// A cell that cannot be followed keeps its place.
+    /// A cell without a history keeps its place.
     #[test]
     fn sensitivities_stay_beside_their_cells() {
         let motion = pulse(0.6);
@@ -267,7 +278,7 @@ mod tests {
         assert_eq!(sensitivities, [alone, Sensitivity { ratio: None, sensitive: false }, alone]);
     }
 
-    /// An overturned object has no shock, and its uplift is its whole base.
+    /// An overturned object has no shock, and its uplift is the whole width of its base.
     #[test]
     fn overturned_cells_carry_no_shock() {
         let block = Block::uniform(2.0, 0.2).unwrap();

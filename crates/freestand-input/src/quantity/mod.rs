@@ -45,6 +45,26 @@ pub enum Dimension {
 }
 
 impl Dimension {
+    /// All dimensions.
+    pub const ALL: [Self; 16] = [
+        Self::Length,
+        Self::Mass,
+        Self::Time,
+        Self::Acceleration,
+        Self::Stiffness,
+        Self::Force,
+        Self::Damping,
+        Self::Pressure,
+        Self::Area,
+        Self::Dissipation,
+        Self::Frequency,
+        Self::Angle,
+        Self::AngularVelocity,
+        Self::Velocity,
+        Self::Inertia,
+        Self::Ratio,
+    ];
+
     /// The name with its article: `a length`, `an acceleration`.
     pub fn with_article(self) -> &'static str {
         match self {
@@ -257,11 +277,8 @@ fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
 
 fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
     let text = shorten(text);
-    let problem = value_problem(format!(
-        "\"{text}\" is {}, not {}",
-        unit.dimension.with_article(),
-        expected.with_article()
-    ));
+    let problem =
+        value_problem(format!("\"{text}\" is {}, not {}", unit.dimension.with_article(), expected.with_article()));
     match expected {
         // Who writes "150 g" for a mass means grams.
         Dimension::Mass if unit.symbol == "g" => problem.hint("g is the acceleration of gravity here; write kg or t"),

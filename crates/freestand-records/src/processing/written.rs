@@ -1,5 +1,6 @@
 //! Processing as people write it.
 
+use freestand::oscillator::DAMPING_RATIO;
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
 
 use super::{Scale, TargetSource};
@@ -82,7 +83,7 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
     let (period, damping) = rest.split_once(',').map_or((rest, None), |(period, damping)| (period, Some(damping)));
     let damping_ratio = match damping {
         Some(damping) => parse(damping, Dimension::Ratio)?,
-        None => 0.05,
+        None => DAMPING_RATIO,
     };
     if !(0.0..1.0).contains(&damping_ratio) {
         return Err(wrong(text, "does not have a damping from 0 to below 100 %").hint(HINT));

@@ -4,14 +4,15 @@ use super::{RockingError, RockingModel};
 use crate::block::Pivot;
 use crate::polynomial::{self, MAX_DEGREE};
 
-/// Largest p·h of a step: the series then converges like ½ᵏ/k! or faster.
+/// Largest p·h of a step: up to it the series converges like ½ᵏ/k! or faster.
 const MAX_STEP: f64 = 0.5;
 
 /// The block as it turns about one of its edges, with y = sθ ≥ 0.
 ///
-/// With E = (1+ü_v/g) sin α + s(ü_h/g) cos α and D = (1+ü_v/g) cos α − s(ü_h/g) sin α, both linear in time between
-/// samples, the equation of motion is ÿ = −p²(E cos y − D sin y). E vanishes where the block is about to uplift, so
-/// small rotations keep their digits. Linearised: E = (1+ü_v/g)α + sü_h/g, D = 1+ü_v/g, cos y → 1, sin y → y.
+/// With E = (1+ü_v/g) sin α + s(ü_h/g) cos α and D = (1+ü_v/g) cos α − s(ü_h/g) sin α, both linear
+/// in time between samples, the equation of motion is ÿ = −p²(E cos y − D sin y). E vanishes where
+/// the block is about to uplift, so small rotations keep their digits. Linearised: E = (1+ü_v/g)α +
+/// sü_h/g, D = 1+ü_v/g, cos y → 1, sin y → y.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
     /// s: +1 on the right edge, −1 on the left one.
@@ -25,7 +26,8 @@ pub(super) struct Edge {
     cos: f64,
 }
 
-/// Base acceleration over a step in units of g, with one g of gravity in `v`: start and slope \[1/s\].
+/// Base acceleration over a step in units of g, with one g of gravity in `v`: start and
+/// slope \[1/s\].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ground {
     pub u: f64,
@@ -35,20 +37,20 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    /// The same `tau` later.
+    /// The acceleration `tau` later.
     pub(super) fn after(self, tau: f64) -> Self {
         Self { u: self.u + self.u_slope * tau, v: self.v + self.v_slope * tau, ..self }
     }
 }
 
-/// A piece of a history between two events or samples: y = sθ as a polynomial of time.
+/// A part of a history between two events or samples: y = sθ as a polynomial in time.
 #[derive(Debug, Clone, Copy)]
 pub struct Segment {
-    /// When it begins \[s\].
+    /// Start time \[s\].
     pub start_s: f64,
-    /// The step over which the series is scaled \[s\].
+    /// The step that the series is scaled by \[s\].
     pub step_s: f64,
-    /// The part of the step that belongs to the history, in (0, 1\].
+    /// The share of the step that belongs to the history, in (0, 1\].
     pub end_ratio: f64,
     pub(super) edge: Edge,
     pub(super) ground: Ground,
@@ -77,22 +79,24 @@ impl Edge {
         Self { side, pivot, p2: p * p, linearised, threshold, sin, cos }
     }
 
-    /// How far the base is from lifting this edge's opposite: (1+ü_v/g) tan α + s ü_h/g, negative when it lifts.
+    /// How far the base is from lifting the block about this edge: (1+ü_v/g) tan α + s ü_h/g,
+    /// negative when it uplifts.
     pub(super) fn margin(&self, u: f64, v: f64) -> f64 {
         v * self.threshold + self.side * u
     }
 
-    /// Longest step on which the series converges fast.
+    /// The longest step over which the series converges fast.
     pub(super) fn max_step_s(&self) -> f64 {
         MAX_STEP / self.p2.sqrt()
     }
 }
 
 impl Segment {
-    /// The motion from (y, w) at `start_s` over `step_s`, or over half of it as often as the series needs.
+    /// The motion from (y, w) at `start_s` over `step_s`, which is halved as often as the series
+    /// needs.
     ///
-    /// `lifting`: the block starts at the very instant at which the threshold is passed; E is zero or less then,
-    /// whatever rounding says.
+    /// `lifting`: the block starts at the instant at which the threshold is passed; E is zero or
+    /// less there, whatever rounding yields.
     #[expect(clippy::too_many_arguments, reason = "the state, the step and the accuracy are what a Taylor step takes")]
     pub(super) fn new(
         edge: Edge,
@@ -125,8 +129,9 @@ impl Segment {
         Ok(segment)
     }
 
-    /// Taylor coefficients in units of the step, to the order at which two terms in a row fall below `tolerance` of
-    /// the largest; `false` if that takes more than the arrays hold.
+    /// Taylor coefficients in units of the step, up to the order at which two consecutive terms
+    /// fall below `tolerance` of the largest; `false` if that takes more terms than the arrays
+    /// hold.
     fn expand(&mut self, y: f64, w: f64, tolerance: f64, lifting: bool) -> bool {
         let (edge, ground, h) = (&self.edge, &self.ground, self.step_s);
         let e = {
@@ -177,7 +182,7 @@ impl Segment {
             c[k + 2] = next;
             slope[k + 2] = (k + 2) as f64 * next;
             largest = largest.max(next.abs());
-            // The derivative's term counts: velocities are as accurate as rotations.
+            // The term of the derivative is tested: velocities are then as accurate as rotations.
             small = if slope[k + 2].abs() <= tolerance * largest { small + 1 } else { 0 };
             if small >= 2 && k >= 2 {
                 self.degree = k + 2;
@@ -204,18 +209,21 @@ impl Segment {
         (self.edge.side * y, self.edge.side * w)
     }
 
-    /// The largest F_x/N of the contact over the segment, as far as |θ| ≤ α: the friction that it takes not to slide;
-    /// infinite where the contact would have to pull (N ≤ 0), 0 where the object is past its balance point all along.
+    /// The largest F_x/N of the contact over the segment while |θ| ≤ α: the friction without which
+    /// the object slides. Infinite where the contact would have to pull (N ≤ 0), 0 where the object
+    /// is past its balance point throughout.
     ///
     /// # Limitation
-    /// Past α an object falls, its contact unloads and F_x/N passes through a pole: no friction is reported there.
+    /// Past α an object falls, its contact unloads and F_x/N passes through a pole: no friction is
+    /// reported there.
     pub fn friction_needed_ratio(&self) -> f64 {
         const PARTS: usize = 4;
         let at = |i: usize| self.end_ratio * i as f64 / PARTS as f64;
         let best = (0..=PARTS).max_by(|&i, &j| self.friction(at(i)).total_cmp(&self.friction(at(j)))).unwrap_or(0);
         let mut most = self.friction(at(best));
         if (1..PARTS).contains(&best) {
-            // A smooth maximum inside: golden sections around it, far below the digits that anyone prints.
+            // A smooth maximum inside the segment: golden sections around it, to far below the
+            // printed digits.
             let (mut lo, mut hi) = (at(best - 1), at(best + 1));
             for _ in 0..40 {
                 let (a, b) = (hi - 0.618_033_988_75 * (hi - lo), lo + 0.618_033_988_75 * (hi - lo));
@@ -228,8 +236,8 @@ impl Segment {
 
     /// F_x/N of the contact at a ratio of the step; 0 past the balance point.
     ///
-    ///
-    /// F_x/m = ü_h + s ẍ, N/m = g + ü_v + z̈ with the centre of gravity at x = −R sin(α−y), z = R cos(α−y).
+    /// F_x/m = ü_h + s ẍ, N/m = g + ü_v + z̈ with the centre of gravity at x = −R sin(α−y), z = R
+    /// cos(α−y).
     pub(super) fn friction(&self, ratio: f64) -> f64 {
         let (y, w) = self.state(ratio);
         let Ground { u, v, .. } = self.ground.after(ratio * self.step_s);
@@ -262,7 +270,8 @@ mod tests {
         Segment::new(edge, 0.07, 0.3, ground, 9.81, 0.0, step_s, 1e-16, false).unwrap()
     }
 
-    /// The local error of the series cut after degree n falls like hⁿ⁺¹: every coefficient is of its order.
+    /// The local error of the series truncated after degree n decreases like hⁿ⁺¹: every
+    /// coefficient is right to its order.
     #[test]
     fn a_series_of_degree_n_converges_with_order_n_plus_one() {
         for model in [RockingModel::Rigid, RockingModel::Linearised] {
@@ -272,14 +281,16 @@ mod tests {
                     (polynomial::value(&full.series()[..=usize::from(degree)], 1.0) - full.state(1.0).0).abs()
                 };
                 let order = (error(0.04) / error(0.02)).log2();
-                // A wrong coefficient of degree k ≤ n would show as order k; the next term bends it by less than half.
+                // A wrong coefficient of degree k ≤ n would show as order k; the next term changes
+                // the order by less than half.
                 let excess = order - (f64::from(degree) + 1.0);
                 assert!((-0.5..0.75).contains(&excess), "{model:?} degree {degree}: order {order}");
             }
         }
     }
 
-    /// The polynomial satisfies the equation of motion: its second derivative against the right-hand side.
+    /// The polynomial satisfies the equation of motion: its second derivative equals the right-hand
+    /// side.
     #[test]
     fn the_series_solves_the_equation_of_motion() {
         let full = segment(0.08, RockingModel::Rigid);
@@ -289,7 +300,7 @@ mod tests {
             let Ground { u, v, .. } = full.ground.after(0.08 * ratio);
             let phi = full.edge.pivot.slenderness_angle_rad - full.state(ratio).0;
             let expected = -full.edge.p2 * (v * phi.sin() + u * phi.cos());
-            // Double precision of a sum of terms up to 20.
+            // Double precision for a sum of terms of up to 20.
             assert!((polynomial::value(&second, ratio) - expected).abs() < 1e-11, "{ratio}");
         }
     }

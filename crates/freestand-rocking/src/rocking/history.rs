@@ -1,4 +1,4 @@
-//! The history of a rocking block, sampled for people to look at.
+//! The history of a rocking block, sampled for plots and tables.
 
 use super::{Rocking, Segment};
 use crate::motion::Motion;
@@ -16,8 +16,9 @@ pub struct HistoryPoint {
     pub base_accel_m_s2: f64,
 }
 
-/// Collects a history at a fixed step, with the instants just before and after every impact and that of the peak, from the pieces that
-/// [`super::rock_observed`] shows.
+/// Collects the points of a history at a fixed time step, together with the instants just before
+/// and after every impact and the instant of the peak, from the segments that
+/// [`super::rock_observed`] passes on.
 #[derive(Debug, Clone)]
 pub struct HistoryRecorder<'a> {
     base: Option<&'a Motion>,
@@ -36,7 +37,7 @@ impl<'a> HistoryRecorder<'a> {
         HistoryPoint { time_s, theta_rad, omega_rad_s, base_accel_m_s2: self.base.map_or(0.0, |m| m.at_m_s2(time_s)) }
     }
 
-    /// Samples at rest up to, not including, `until_s`.
+    /// Adds samples at rest up to, but not including, `until_s`.
     fn rest(&mut self, until_s: f64) {
         while (self.sampled as f64) * self.dt_s < until_s {
             self.points.push(self.point(self.sampled as f64 * self.dt_s, (0.0, 0.0)));
@@ -44,11 +45,12 @@ impl<'a> HistoryRecorder<'a> {
         }
     }
 
-    /// Takes the next piece.
+    /// Adds the next segment.
     pub fn observe(&mut self, segment: &Segment) {
         self.rest(segment.start_s);
         let end_s = segment.start_s + segment.end_ratio * segment.step_s;
-        // A piece that leaves the base begins with an event: a point of its own, also between samples.
+        // A segment that starts at θ = 0 starts with an event, which gets its own point even
+        // between samples.
         let event = segment.rotation(0.0).0 == 0.0;
         if event {
             self.points.push(self.point(segment.start_s, segment.rotation(0.0)));
@@ -65,7 +67,7 @@ impl<'a> HistoryRecorder<'a> {
         }
     }
 
-    /// The instant of the largest rotation, unless a sample is there already: so that the points hold the peak.
+    /// Adds the instant of the largest rotation, unless a sample is already there.
     fn peak(&mut self, time_s: f64, rotation_rad: f64) {
         let next = self.points.partition_point(|p| p.time_s < time_s);
         let near = |index: usize| self.points.get(index).filter(|p| (p.time_s - time_s).abs() < 1e-9 * self.dt_s);
@@ -86,7 +88,7 @@ impl<'a> HistoryRecorder<'a> {
         if let Some(time_s) = rocking.peak_rotation_time_s {
             self.peak(time_s, rocking.peak_rotation_rad);
         }
-        // An overturned block ends on an event that is there already.
+        // An overturned block ends with an event that is already among the points.
         self.points.dedup_by(|b, a| a.time_s == b.time_s && a.omega_rad_s == b.omega_rad_s);
         self.points
     }

@@ -1,20 +1,23 @@
 //! The rigid block rocking on a rigid base (Housner 1963), followed event by event.
 //!
-//! θ̈ = −p²\[(1+ü_v/g) sin(sα−θ) + (ü_h/g) cos(sα−θ)\], s = sgn θ; at θ = 0 an impact, ω⁺ = r ω⁻. θ is positive when the
-//! block tilts to the right, about its right edge; a positive ü_h drives θ negative. The base acceleration is linear
-//! between the samples of the motion.
+//! θ̈ = −p²\[(1+ü_v/g) sin(sα−θ) + (ü_h/g) cos(sα−θ)\], s = sgn θ; at θ = 0 an impact, ω⁺ = r ω⁻. θ
+//! is positive when the block tilts to the right, about its right edge; a positive ü_h drives θ
+//! negative. The base acceleration is linear between the samples of the motion.
 //!
 //! Event rules:
-//! * **Uplift** from rest when |ü_h| > (g+ü_v) tan α, at the instant at which the straight line between two samples
-//!   passes the threshold.
-//! * **Impact** when θ returns to 0; every one is reported. The velocity keeps its sign and the pivot changes.
-//! * **Rest** when the velocity after an impact is at most [`REST_OMEGA_RAD_S`] and |ü_h| ≤ (g+ü_v) tan α: exactly
-//!   θ = 0 until the next uplift. Where the threshold is passed the block starts again from zero velocity.
+//! * **Uplift** from rest when |ü_h| > (g+ü_v) tan α, at the instant at which the straight line
+//!   between two samples passes the threshold.
+//! * **Impact** when θ returns to 0; every one is reported. The velocity keeps its sign and the
+//!   pivot changes.
+//! * **Rest** when the velocity after an impact is at most [`REST_OMEGA_RAD_S`] and |ü_h| ≤ (g+ü_v)
+//!   tan α: exactly θ = 0 until the next uplift. Where the threshold is passed the block starts
+//!   again from zero velocity.
 //! * **Overturned** when |θ| reaches π/2; passing α is reported but is not yet overturning.
 //! * **Free flight** where g + ü_v ≤ 0: the model does not hold, an error.
 //!
-//! Each piece of the motion is a Taylor series of the exact equation whose order follows the accuracy that is asked for
-//! (`equation`), and each event a root of that polynomial (`crate::polynomial`): nothing depends on where samples fall.
+//! Each piece of the motion is a Taylor series of the exact equation, with an order that follows
+//! from the accuracy (`equation`), and each event is a root of that polynomial
+//! (`crate::polynomial`): no result depends on where the samples of the output fall.
 
 mod equation;
 mod history;
@@ -31,14 +34,15 @@ pub use history::{HistoryPoint, HistoryRecorder};
 pub use lanes::{rock_each, rock_many, rock_many_on};
 pub use solve::{rock, rock_observed};
 
-/// Speed after an impact at or below which a block comes to rest, unless the base lifts it again \[rad/s\].
+/// Speed after an impact at or below which a block comes to rest, unless the base lifts it
+/// again \[rad/s\].
 pub const REST_OMEGA_RAD_S: f64 = 1e-9;
 
-/// Impacts after which a history is given up: only a restitution of (nearly) 1 gets there.
+/// Impacts after which a history is abandoned; only a restitution of (nearly) 1 reaches them.
 pub const MAX_IMPACTS: usize = 1_000_000;
 
-/// Impacts to rest above which a block in the quiet behind a motion counts as rocking for ever: only a restitution of
-/// (nearly) 1 gets there.
+/// A block that needs more impacts than this to come to rest after the motion counts as rocking for
+/// ever; only a restitution of (nearly) 1 does.
 const STEADY_IMPACTS: f64 = 1e5;
 
 /// Equation of motion.
@@ -52,8 +56,7 @@ pub enum RockingModel {
 }
 
 impl RockingModel {
-    /// |ü_h|/(g+ü_v) at which a block at rest uplifts about the edge that is nearer to its centre of gravity: tan α, or α
-    /// when linearised.
+    /// |ü_h|/(g+ü_v) at which a block at rest uplifts about the edge nearer to its centre of gravity: tan α, or α when linearised.
     pub fn uplift_threshold_ratio(self, block: &Block) -> f64 {
         let nearer = block.cg_from_left_m().min(block.cg_from_right_m());
         match self {
@@ -63,24 +66,26 @@ impl RockingModel {
     }
 }
 
-/// ω⁺/ω⁻ at an impact, in the motion.
+/// ω⁺/ω⁻ at each impact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Restitution {
-    /// Housner's ratio of the block ([`Block::landing_ratio`]); 0 for a squat block, whose landings are halted.
+    /// Housner's ratio of the block ([`Block::landing_ratio`]); 0 for a squat block, whose landings
+    /// are halted.
     #[default]
     Housner,
-    /// A value in \[0, 1\] for every impact.
+    /// One value in \[0, 1\] for every impact.
     Value(f64),
     /// Housner's ratio times a factor.
     Factor(f64),
 }
 
-/// How accurately a history is followed: a relative truncation error of each Taylor step for [`rock`]; [`rock_many`] lets
-/// the first term left out be 300 times that, relative to the acceleration.
+/// The accuracy of a history: the relative truncation error of each Taylor step in [`rock`]. In
+/// [`rock_many`] the first term left out may be 300 times that, relative to the acceleration.
 ///
 /// # Accuracy
-/// Errors in the peak rotation: worst of 336 histories that were solved to 160 bits, and median and 99 % of 4096 blocks
-/// 0.3–4 m high and 0.1–1 m thick under a record with steps of 5 ms (`benches/README.md`); cost of that spectrum.
+/// Errors of the peak rotation: the worst of 336 histories that were solved to 160 bits, and the
+/// median and 99 % of 4096 blocks 0.3–4 m high and 0.1–1 m thick under a record with steps of 5 ms
+/// (`benches/README.md`). The last column is the relative cost of that spectrum.
 ///
 /// | level | `rock`, worst | `rock_many`, worst | median | 99 % | cost |
 /// |---|---|---|---|---|---|
@@ -89,14 +94,14 @@ pub enum Restitution {
 /// | tight | 4.4e-15 | 7.7e-14 | 1e-15 | 1e-14 | 1.2 |
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Accuracy {
-    /// 1e-9 a step: for surveys.
+    /// 1e-9 for each step: for surveys.
     Fast,
-    /// 1e-13 a step.
+    /// 1e-13 for each step.
     #[default]
     Standard,
-    /// Rounding, or nearly.
+    /// Close to rounding.
     Tight,
-    /// A relative truncation error of each step, between 2⁻⁵³ and 1e-3.
+    /// A relative truncation error for each step, between 2⁻⁵³ and 1e-3.
     Tolerance(f64),
 }
 
@@ -111,7 +116,7 @@ impl Accuracy {
         }
     }
 
-    /// Whether the tolerance is one that a step can have.
+    /// Whether the tolerance is within the range that a step can meet.
     pub(crate) fn is_valid(self) -> bool {
         (0.5 * f64::EPSILON..=1e-3).contains(&self.tolerance())
     }
@@ -127,18 +132,20 @@ impl Accuracy {
     }
 }
 
-/// When a history ends, unless the block overturns before.
+/// When a history ends, unless the block overturns first.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Until {
     /// At the last sample.
     #[default]
     EndOfMotion,
-    /// At this time \[s\]; past the last sample the base comes to rest within one more step, as if zeros followed.
+    /// At this time \[s\]; after the last sample the base comes to rest within one time step, as if
+    /// zeros followed.
     Time(f64),
-    /// When the block has come to rest after the last sample, or this much later \[s\]; a block that would need more
-    /// than 1e5 impacts to come to rest stops at its first impact there, with the reason [`StopReason::EndOfMotion`].
+    /// When the block has come to rest after the last sample, or `at_most_s` after that sample. A
+    /// block that would need more than 1e5 impacts to come to rest stops at its first impact after
+    /// the motion, with the reason [`StopReason::EndOfMotion`].
     Settled {
-        /// Longest wait after the last sample.
+        /// Longest time after the last sample \[s\].
         at_most_s: f64,
     },
 }
@@ -146,13 +153,14 @@ pub enum Until {
 /// How the base moves.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Base<'a> {
-    /// Horizontal acceleration; `None`: none.
+    /// Horizontal acceleration; `None` if there is none.
     pub horizontal: Option<&'a Motion>,
-    /// Vertical acceleration, positive upward, of the same step and length; `None`: none.
+    /// Vertical acceleration, positive upward, with the same time step and length; `None` if there
+    /// is none.
     pub vertical: Option<&'a Motion>,
 }
 
-/// What a history depends on beside the block and the base.
+/// Everything else that a history depends on: model, restitution, start and end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RockingOptions {
     /// Equation of motion.
@@ -188,7 +196,7 @@ impl Default for RockingOptions {
 /// One impact of the base on the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RockingImpact {
-    /// When \[s\].
+    /// Time \[s\].
     pub time_s: f64,
     /// ω⁻, signed \[rad/s\].
     pub omega_before_rad_s: f64,
@@ -196,19 +204,19 @@ pub struct RockingImpact {
     pub omega_after_rad_s: f64,
 }
 
-/// What an object did.
+/// How a history ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// The base never passed the uplift threshold.
     NoUplift,
-    /// It rocked and did not fall.
+    /// The object rocked and did not overturn.
     Rocked,
     /// |θ| reached π/2.
     Overturned,
 }
 
 impl Outcome {
-    /// The word for it in every output: `no-uplift`, `rocked`, `overturned`.
+    /// The name in every output: `no-uplift`, `rocked`, `overturned`.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoUplift => "no-uplift",
@@ -221,9 +229,9 @@ impl Outcome {
 /// Why a history stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StopReason {
-    /// The motion, or the time that was asked for, is over.
+    /// The end of the motion, or the requested time, was reached.
     EndOfMotion,
-    /// The motion is over and the block at rest ([`Until::Settled`]).
+    /// The motion has ended and the block is at rest ([`Until::Settled`]).
     Settled,
     /// |θ| = π/2.
     Overturned,
@@ -240,46 +248,46 @@ impl StopReason {
     }
 }
 
-/// Work that a history took.
+/// Work done to calculate a history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Effort {
     /// Taylor steps.
     pub steps: usize,
-    /// Taylor coefficients over all steps: each is one evaluation of the equation of motion.
+    /// Taylor coefficients over all steps; each is one evaluation of the equation of motion.
     pub evaluations: usize,
 }
 
-/// What a block did under a motion.
+/// The response of a block to a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rocking {
-    /// What happened; a block that is given a rotation or a velocity has rocked.
+    /// How the history ended; a block that starts with a rotation or a velocity has rocked.
     pub outcome: Outcome,
     /// Why the history stopped.
     pub stop: StopReason,
-    /// When it stopped \[s\].
+    /// Time at which it stopped \[s\].
     pub end_s: f64,
     /// Largest |θ| \[rad\]; π/2 when overturned.
     pub peak_rotation_rad: f64,
-    /// What was largest on the right edge and on the left one: they differ in what follows from them only where the
+    /// Extremes on the right edge and on the left one. Their consequences differ only where the
     /// centre of gravity is off the middle.
     pub sides: [SideExtremes; 2],
-    /// When |θ| was largest \[s\].
+    /// Time at which |θ| was largest \[s\].
     pub peak_rotation_time_s: Option<f64>,
-    /// B sin(peak rotation): lift of the free base edge \[m\].
+    /// B sin(peak rotation): uplift of the free edge \[m\].
     pub uplift_m: f64,
     /// Largest rise of the centre of gravity \[m\]: R(1 − cos α) once |θ| has passed α.
     pub cg_rise_m: f64,
-    /// First uplift from rest \[s\].
+    /// Time of the first uplift from rest \[s\].
     pub first_uplift_time_s: Option<f64>,
-    /// Uplifts from rest.
+    /// Number of uplifts from rest.
     pub uplift_count: usize,
-    /// When |θ| first passed α \[s\].
+    /// Time at which |θ| first passed α \[s\].
     pub passed_alpha_time_s: Option<f64>,
-    /// When |θ| reached π/2 \[s\].
+    /// Time at which |θ| reached π/2 \[s\].
     pub overturn_time_s: Option<f64>,
-    /// Every impact.
+    /// All impacts.
     pub impacts: Vec<RockingImpact>,
-    /// When the block last came to rest \[s\].
+    /// Time at which the block last came to rest \[s\].
     pub rest_time_s: Option<f64>,
     /// θ at the end \[rad\].
     pub final_rotation_rad: f64,
@@ -287,16 +295,17 @@ pub struct Rocking {
     pub final_omega_rad_s: f64,
     /// Whether the block is at rest at the end.
     pub at_rest: bool,
-    /// r that was used for landings on the right edge (the same on the left without an offset of the c.g.).
+    /// r for landings on the right edge (the same on the left edge unless the centre of gravity is
+    /// off the middle).
     pub restitution_ratio: f64,
-    /// Work that it took.
+    /// Work done.
     pub effort: Effort,
 }
 
-/// What a spectrum keeps of a history.
+/// The part of a history that a spectrum keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RockingSummary {
-    /// What happened.
+    /// How the history ended.
     pub outcome: Outcome,
     /// Why the history stopped.
     pub stop: StopReason,
@@ -304,9 +313,9 @@ pub struct RockingSummary {
     pub peak_rotation_rad: f64,
     /// Extremes on the right and the left edge.
     pub sides: [SideExtremes; 2],
-    /// Impacts until rest or the end.
+    /// Number of impacts until rest or the end.
     pub impact_count: usize,
-    /// B sin(peak rotation): lift of the free base edge \[m\].
+    /// B sin(peak rotation): uplift of the free edge \[m\].
     pub uplift_m: f64,
     /// Largest rise of the centre of gravity \[m\]; R(1 − cos α) once |θ| has passed α.
     pub cg_rise_m: f64,
@@ -331,92 +340,96 @@ impl From<&Rocking> for RockingSummary {
 pub struct SideExtremes {
     /// Largest |θ| \[rad\].
     pub peak_rotation_rad: f64,
-    /// Largest |ω| just before an impact that ends the motion about this edge \[rad/s\]; 0 without impacts.
+    /// Largest |ω| just before an impact that ends the motion about this edge \[rad/s\]; 0 without
+    /// impacts.
     pub impact_omega_rad_s: f64,
 }
 
-/// Why a history cannot be followed.
+/// Why a history cannot be calculated.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum RockingError {
     /// g + ü_v ≤ 0: the object leaves the floor.
     #[error(
-        "the base falls away at {time_s} s (g + vertical acceleration ≤ 0): the object is in free flight, which the rocking model leaves out"
+        "the base falls away at {time_s} s (g + vertical acceleration ≤ 0): the object is in free flight, which the \
+         rocking model does not cover"
     )]
     FreeFlight {
-        /// When.
+        /// Time \[s\].
         time_s: f64,
     },
-    /// A restitution of (nearly) 1 never comes to rest.
+    /// With a restitution of (nearly) 1 the block never comes to rest.
     #[error("{limit} impacts by {time_s} s without coming to rest")]
     TooManyImpacts {
-        /// When it was given up.
+        /// Time at which the calculation was abandoned \[s\].
         time_s: f64,
         /// [`MAX_IMPACTS`].
         limit: usize,
     },
-    /// The Taylor series does not converge: the input is outside all physical bounds.
-    #[error("the motion cannot be followed at {time_s} s: the step shrank to {step_s} s")]
+    /// The Taylor series does not converge: the input is physically impossible.
+    #[error("the rocking cannot be calculated at {time_s} s: the time step shrank to {step_s} s")]
     StepTooSmall {
-        /// When.
+        /// Time \[s\].
         time_s: f64,
-        /// The step.
+        /// The step \[s\].
         step_s: f64,
     },
     /// The restitution is outside \[0, 1\].
-    #[error("the restitution must lie between 0 and 1, not {value}")]
+    #[error("the restitution must be between 0 and 1, not {value}")]
     Restitution {
         /// r.
         value: f64,
     },
-    /// The initial rotation is not below π/2 or not finite, or the initial velocity is not finite.
+    /// The initial rotation is not within ±π/2, or the initial velocity is not finite.
     #[error(
-        "the initial rotation must be within ±π/2 and the velocity finite, not {rotation_rad} rad and {omega_rad_s} rad/s"
+        "the initial rotation must be within ±π/2 and the velocity finite, not {rotation_rad} rad and {omega_rad_s} \
+         rad/s"
     )]
     InitialState {
-        /// θ.
+        /// θ \[rad\].
         rotation_rad: f64,
-        /// ω.
+        /// ω \[rad/s\].
         omega_rad_s: f64,
     },
-    /// An end that is not positive and finite, or no end at all.
+    /// An end that is not positive and finite, or none at all.
     #[error("a history needs a motion or a positive finite duration, not {duration_s} s")]
     Duration {
-        /// What was given.
+        /// The duration that was given \[s\].
         duration_s: f64,
     },
     /// Gravity that is not positive and finite.
     #[error("gravity must be positive and finite, not {gravity_m_s2} m/s²")]
     Gravity {
-        /// What was given.
+        /// The gravity that was given \[m/s²\].
         gravity_m_s2: f64,
     },
-    /// An accuracy that is no relative error.
-    #[error("the accuracy must lie between 1.1e-16 and 1e-3, not {tolerance}")]
+    /// An accuracy outside the range of relative errors that a step can meet.
+    #[error("the accuracy must be between 1.1e-16 and 1e-3, not {tolerance}")]
     Accuracy {
-        /// What was given.
+        /// The tolerance that was given.
         tolerance: f64,
     },
-    /// Horizontal and vertical motions of different sampling.
+    /// Horizontal and vertical motions with different time steps or lengths.
     #[error(
-        "the vertical motion has {vertical_samples} samples every {vertical_dt_s} s, the horizontal one {samples} every {dt_s} s"
+        "the vertical motion has {vertical_samples} samples every {vertical_dt_s} s, the horizontal one {samples} \
+         every {dt_s} s"
     )]
     VerticalMismatch {
-        /// Horizontal samples.
+        /// Samples of the horizontal motion.
         samples: usize,
-        /// Horizontal step.
+        /// Time step of the horizontal motion \[s\].
         dt_s: f64,
-        /// Vertical samples.
+        /// Samples of the vertical motion.
         vertical_samples: usize,
-        /// Vertical step.
+        /// Time step of the vertical motion \[s\].
         vertical_dt_s: f64,
     },
 }
 
 impl Restitution {
-    /// The ratio for a landing of `block` on its right and left edges.
+    /// The ratios for landings of `block` on its right and left edges.
     ///
     /// # Errors
-    /// A value or a product outside \[0, 1\].
+    /// A value, or a product of Housner's ratio and the factor, outside \[0, 1\].
     pub fn ratios(self, block: &Block) -> Result<[f64; 2], RockingError> {
         let housner = [block, &block.mirrored()].map(|b| b.landing_ratio().max(0.0));
         let ratios = match self {

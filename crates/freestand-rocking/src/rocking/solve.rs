@@ -1,4 +1,4 @@
-//! From event to event through a motion.
+//! The scalar solver: it follows a block from event to event through a motion.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -11,22 +11,24 @@ use crate::block::Block;
 use crate::motion::Motion;
 use crate::polynomial::{first_root, roots, value};
 
-/// Follows `block` through the motion of its base.
+/// The response of `block` to the motion of its base.
 ///
-/// **Units**: SI; times from the first sample.
+/// **Units**: SI; times are counted from the first sample.
 ///
 /// # Reference
-/// Housner (1963); events as the module's rules say.
+/// Housner (1963); the event rules are those of the module.
 ///
 /// # Accuracy
-/// The truncation error of a step is below [`super::Accuracy::tolerance`] of the rotation; events are roots of the
-/// step's polynomial to double precision. What an error grows to is a property of the motion, not of the solver.
+/// The truncation error of a step is below [`super::Accuracy::tolerance`] of the rotation; events
+/// are roots of the step's polynomial to double precision. How errors grow is a property of the
+/// motion, not of the solver.
 ///
 /// # Errors
-/// Input outside what the model takes, and free flight.
+/// Input outside the range of the model, and free flight.
 ///
 /// # Example
-/// Free rocking from half of the balance angle: a quarter period is 1.3185044/p for α = 0.2 (Housner 1963).
+/// Free rocking from half of the balance angle: a quarter period is 1.3185044/p for α = 0.2
+/// (Housner 1963).
 /// ```
 /// use freestand_rocking::{block::Block, rocking::{rock, Base, RockingOptions, Until}};
 /// let block = Block::uniform(2.0 * 0.2f64.cos(), 2.0 * 0.2f64.sin())?;
@@ -40,10 +42,10 @@ pub fn rock(block: &Block, base: Base, options: &RockingOptions) -> Result<Rocki
     rock_observed(block, base, options, |_| ())
 }
 
-/// [`rock`], showing every piece of the history to `observe` as it is passed.
+/// [`rock`], which also passes every segment of the history to `observe` in order.
 ///
 /// # Errors
-/// As [`rock`].
+/// Those of [`rock`].
 pub fn rock_observed(
     block: &Block,
     base: Base,
@@ -53,10 +55,11 @@ pub fn rock_observed(
     Solver::new(block, base, options, observe)?.run()
 }
 
-/// What the block does at the moment.
+/// What the block is doing.
 enum Phase {
     Rest,
-    /// Turning about `edges[edge]` with (y, w); `lifting`: from zero velocity at this very instant.
+    /// Rotating about `edges[edge]` with (y, w); `lifting`: it starts from zero velocity at this
+    /// instant.
     Moving {
         edge: usize,
         y: f64,
@@ -76,9 +79,9 @@ struct Solver<'a, F: FnMut(&Segment)> {
     tolerance: f64,
     gravity_m_s2: f64,
     settle: bool,
-    /// Behind the record, where nothing moves the base.
+    /// After the motion, when the base no longer moves.
     quiet: bool,
-    /// Rocks on unchanged for as long as anybody looks.
+    /// Rocks on unchanged for practically ever.
     steady: bool,
     phase: Phase,
     result: Rocking,
@@ -86,15 +89,16 @@ struct Solver<'a, F: FnMut(&Segment)> {
     base_width_m: f64,
 }
 
-/// The base acceleration as straight lines: the record's intervals, the way back to zero, and the quiet after it.
+/// The base acceleration as straight lines: the intervals of the motion, the return to zero, and
+/// the quiet that follows.
 struct Intervals<'a> {
     horizontal: &'a [f64],
     vertical: &'a [f64],
-    /// Samples of the record: the interval that begins at the last one leads back to zero.
+    /// Number of samples; the interval that begins at the last one returns to zero.
     samples: usize,
     dt_s: f64,
     per_g: f64,
-    /// Where the last interval ends.
+    /// Time at which the last interval ends \[s\].
     end_s: f64,
 }
 
@@ -111,10 +115,10 @@ impl Intervals<'_> {
         i as f64 * self.dt_s
     }
 
-    /// Length of interval `i` and the acceleration at its start; `None` behind the end.
+    /// Length of interval `i` and the acceleration at its start; `None` after the end.
     fn get(&self, i: usize) -> Option<(f64, Ground)> {
         let start_s = self.start_s(i);
-        // Behind the record there is one quiet interval, to the end.
+        // After the motion there is one quiet interval, up to the end.
         if start_s >= self.end_s || i > self.samples {
             return None;
         }
@@ -124,7 +128,7 @@ impl Intervals<'_> {
         let (u, v) = (self.u(i), self.v(i));
         let ground =
             Ground { u, u_slope: (self.u(i + 1) - u) / self.dt_s, v, v_slope: (self.v(i + 1) - v) / self.dt_s };
-        // The end may cut an interval; a last interval that is whole must not be cut by rounding.
+        // The end may cut an interval; rounding must not cut a last interval that is whole.
         let length_s = if self.start_s(i + 1) <= self.end_s { self.dt_s } else { self.end_s - start_s };
         Some((length_s, ground))
     }
@@ -215,7 +219,8 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                     self.result.stop = StopReason::Settled;
                     break;
                 }
-                // Straight lines cannot pass the threshold between two samples that do not.
+                // A straight line cannot pass the threshold between two points that are both below
+                // it.
                 if self.edges.iter().all(|e| e.margin(ground.u, ground.v) >= 0.0 && e.margin(at_end.u, at_end.v) >= 0.0)
                 {
                     self.result.end_s = start_s + length_s;
@@ -238,7 +243,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         Ok(self.finish())
     }
 
-    /// Goes through one interval, event by event.
+    /// Calculates one interval, event by event.
     fn pass(&mut self, start_s: f64, length_s: f64, ground: Ground) -> Result<(), RockingError> {
         let mut tau = 0.0;
         while tau < length_s {
@@ -280,7 +285,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         Ok(())
     }
 
-    /// The edge that the block starts to turn about, and when, within what is left of an interval.
+    /// The edge about which the block starts to rotate within the rest of an interval, and when.
     fn uplift(&self, ground: Ground, tau: f64, length_s: f64) -> Option<(usize, f64)> {
         let (now, end) = (ground.after(tau), ground.after(length_s));
         let mut first: Option<(usize, f64)> = None;
@@ -300,15 +305,16 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         first
     }
 
-    /// Takes one step up to its first event and changes the phase; the time that it used.
+    /// Takes one step, up to its first event, and changes the phase; returns the time used.
     fn advance(&mut self, edge: usize, mut segment: Segment) -> Result<f64, RockingError> {
         let effort = &mut self.result.effort;
         effort.steps += 1;
         effort.evaluations += segment.series().len() - 2;
         let c = segment.series();
-        // The first coefficient that is not zero: a block that starts from the base leaves it like τ, τ² or τ³.
+        // The first coefficient that is not zero: a block that starts from rest rises like τ, τ² or
+        // τ³.
         let Some(lead) = c.iter().position(|&c| c != 0.0).filter(|&k| c[k] > 0.0) else {
-            // Nothing lifts it after all.
+            // Nothing lifts it in the end.
             self.phase = Phase::Rest;
             self.result.rest_time_s = Some(segment.start_s);
             return Ok(segment.step_s);
@@ -320,7 +326,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         let end = impact.unwrap_or(1.0).min(overturn.unwrap_or(1.0));
         let (mut y, w) = segment.state(end);
         let overturned = overturn.is_some_and(|x| x <= end);
-        // Rounding may take y below zero where the root lies just behind the end of the step.
+        // Rounding may take y below zero where the root lies just past the end of the step.
         let landed = !overturned && (impact.is_some_and(|x| x <= end) || y <= 0.0);
         if landed {
             y = 0.0;
@@ -344,7 +350,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         Ok(used_s)
     }
 
-    /// An impact at velocity `w` ≤ 0 off `edge`.
+    /// An impact at velocity `w` ≤ 0 that ends the rotation about `edge`.
     fn land(&mut self, edge: usize, w: f64, time_s: f64, ground: Ground) -> Result<(), RockingError> {
         let other = 1 - edge;
         let after = -w * self.restitution[other];
@@ -372,7 +378,8 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         Ok(())
     }
 
-    /// Keeps the largest |θ| and the first passage of α of a step up to its `end`, where the rotation is `y_end`.
+    /// Updates the largest |θ| and the first passage of α from a step up to its `end`, where the
+    /// rotation is `y_end`.
     fn track_peak(&mut self, edge: usize, segment: &Segment, end: f64, y_end: f64, highest: f64) {
         let alpha = segment.edge.pivot.slenderness_angle_rad;
         let c = segment.series();
@@ -385,7 +392,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             return;
         }
         let mut peak = (y_end, end);
-        // A maximum inside the step, unless the rotation grows all the way through.
+        // A maximum inside the step, unless the rotation grows throughout.
         let slope_reach: f64 = c.iter().enumerate().skip(2).map(|(k, c)| k as f64 * c.abs()).sum();
         if c[1] <= slope_reach {
             let mut slope = [0.0; crate::polynomial::MAX_DEGREE + 1];

@@ -4,16 +4,17 @@ use toml::de::DeValue;
 
 use super::point_source::{PointSourceOptions, point_source};
 use super::processing::{ProcessingOptions, processing};
-use super::target::{TargetOptions, target};
+use super::target::target;
 use super::{Reader, Section, Written, bare_number};
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
 /// `[ground]`, as written. A `None` is a key that is missing or that was refused.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct GroundOptions {
     pub(crate) line: Option<usize>,
-    /// The words on the spectrum of synthetic motions.
-    pub(crate) target: TargetOptions,
+    /// The values of [`crate::target::TARGET_KEYS`].
+    pub(crate) target: Words,
     pub(crate) count: Option<Written<u64>>,
     pub(crate) seed: Option<Written<u64>>,
     pub(crate) point_source: Option<PointSourceOptions>,

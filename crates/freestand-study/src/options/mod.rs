@@ -19,7 +19,8 @@ use toml::de::DeTable;
 
 use assessment::assessment;
 use building::building;
-use freestand_input::problem::Problem;
+use freestand_input::keys::Words;
+use freestand_input::problem::Problems;
 use freestand_input::toml_reader::{Reader, Section, Written, bare_number, example};
 use ground::ground;
 use objects::objects;
@@ -27,7 +28,6 @@ use outputs::outputs;
 
 pub(crate) use assessment::AssessmentOptions;
 pub(crate) use building::{AxisOptions, BuildingOptions, LevelOptions};
-pub(crate) use cushion::CushionOptions;
 pub(crate) use ground::{ComponentsOption, GroundOptions};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};
 pub(crate) use outputs::{HistoryOptions, OutputsOptions};
@@ -52,7 +52,7 @@ pub(crate) fn has_table_of_ours(text: &str) -> bool {
 }
 
 /// Reads a study; what is wrong goes into the problems, what could be read into the options.
-pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>) {
+pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     let mut reader = Reader::new(text, source);
     let mut options = Options::default();
     let Some(document) = reader.document(text) else { return (options, reader.problems) };
@@ -82,10 +82,21 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
     (options, reader.problems)
 }
 
+/// Texts by key, with their lines; a key that is missing or that was refused has none.
+fn words(entries: impl Iterator<Item = (&'static str, Option<Written<String>>)>) -> Words {
+    let mut words = Words::default();
+    for (key, written) in entries {
+        if let Some(Written { value, line }) = written {
+            words.add(key, value, Some(line));
+        }
+    }
+    words
+}
+
 /// Reads a cushion file, in which the keys stand at the top.
-pub(crate) fn parse_cushion(text: &str, source: &Path) -> (CushionOptions, Vec<Problem>) {
+pub(crate) fn parse_cushion(text: &str, source: &Path) -> (Words, Problems) {
     let mut reader = Reader::new(text, Some(source));
-    let Some(document) = reader.document(text) else { return (CushionOptions::new(), reader.problems) };
+    let Some(document) = reader.document(text) else { return (Words::default(), reader.problems) };
     let mut top = Section::new("", document.get_ref(), 1);
     let options = cushion::cushion(&mut reader, &mut top);
     top.finish(&mut reader);
@@ -98,7 +109,7 @@ mod tests {
 
     fn problems(text: &str) -> Vec<String> {
         let (_, problems) = parse(text, Some(Path::new("s.toml")));
-        problems.iter().map(|p| format!("{p} | {}", p.hint.as_deref().unwrap_or("-"))).collect()
+        problems.problems.iter().map(|p| format!("{p} | {}", p.hint.as_deref().unwrap_or("-"))).collect()
     }
 
     #[test]
@@ -107,16 +118,13 @@ mod tests {
             "[building]\nstorey_height_mm = 3200\nperiod = \"1.92 s\"\ndamping = \"5 %\"\n[objects]\nheights = [\"0.5 m\", \"700 mm\"]\nthicknesses_mm = [200, 300.5]\nstiffness_n_mm = 4380\n",
             None,
         );
-        assert_eq!(problems, []);
+        assert!(problems.is_empty(), "{problems}");
         assert_eq!(options.building.storey_height_m, Some(Written { value: 3.2, line: 2 }));
         assert_eq!(options.building.along.period_s, Some(Written { value: 1.92, line: 3 }));
         assert_eq!(options.building.along.damping, Some(Written { value: 0.05, line: 4 }));
         assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
         assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
-        assert_eq!(
-            (options.objects.cushion[0].0, options.objects.cushion[0].1.value.as_str()),
-            ("stiffness", "4380 N/mm")
-        );
+        assert_eq!(options.objects.cushion.entries().next(), Some(("stiffness", "4380 N/mm")));
     }
 
     #[test]
@@ -130,7 +138,7 @@ mod tests {
             ("\"500:1000:3\"", &[0.5, 0.75, 1.0]),
         ] {
             let (options, problems) = parse(&format!("[objects]\nheights_mm = {value}\n"), None);
-            assert_eq!(problems, []);
+            assert!(problems.is_empty(), "{problems}");
             assert_eq!(options.objects.heights_m.unwrap().value, expected, "{value}");
         }
         assert_eq!(

@@ -4,7 +4,10 @@ use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 
 use super::{MAX_STOREYS, Resolver, or};
-use crate::building::{Axis, AxisModel, AxisRequest, MOST_MODES, axis};
+use crate::building::{
+    Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
+    DEFAULT_STOREYS, MOST_MODES, axis,
+};
 use crate::options::{AxisOptions, BuildingOptions};
 use crate::study::BuildingInput;
 use freestand_input::problem::Problem;
@@ -33,8 +36,8 @@ impl Resolver<'_> {
             self.exclusive((key, table), ("storey_height", &written.storey_height_m));
         }
         let mut stated = Stated {
-            storeys: usize::try_from(or(&written.storeys, 30)).unwrap_or(usize::MAX),
-            storey_height_m: or(&written.storey_height_m, 3.2),
+            storeys: usize::try_from(or(&written.storeys, DEFAULT_STOREYS.into())).unwrap_or(usize::MAX),
+            storey_height_m: or(&written.storey_height_m, DEFAULT_STOREY_HEIGHT_M),
         };
         let first = self.axis(along, stated, before);
         if let Some((Axis { height_m: Some(height_m), building, .. }, _)) = &first {
@@ -129,7 +132,6 @@ impl Resolver<'_> {
 
     /// One axis, and where its period is from. `before`: how many problems there were before the building.
     fn axis(&mut self, written: &AxisOptions, stated: Stated, before: usize) -> Option<(Axis, String)> {
-        let table = written.storey_table.as_ref().or(written.mode_table.as_ref());
         let (model, note) = match (&written.storey_table, &written.mode_table) {
             (Some(name), _) => {
                 (AxisModel::StoreyTable(self.base_dir.join(&name.value)), "from the storeys of the table".to_owned())
@@ -137,10 +139,16 @@ impl Resolver<'_> {
             (None, Some(name)) => (AxisModel::ModeTable(self.base_dir.join(&name.value)), "from the table".to_owned()),
             (None, None) => {
                 let (period_s, note) = self.period(written, stated.storeys as f64 * stated.storey_height_m)?;
-                (AxisModel::Beam { period_s, shear_flexure_ratio: or(&written.shear_flexure, 5.0) }, note)
+                (
+                    AxisModel::Beam {
+                        period_s,
+                        shear_flexure_ratio: or(&written.shear_flexure, DEFAULT_SHEAR_FLEXURE_RATIO),
+                    },
+                    note,
+                )
             }
         };
-        let damping_ratio = or(&written.damping, 0.05);
+        let damping_ratio = or(&written.damping, DEFAULT_DAMPING_RATIO);
         let damping = match &written.rayleigh_modes {
             None => Damping::Uniform(damping_ratio),
             Some(modes) => {
@@ -156,30 +164,23 @@ impl Resolver<'_> {
         match axis(&AxisRequest { model, damping, modes }) {
             Ok(axis) => Some((axis, note)),
             Err(problem) => {
-                self.axis_problem(problem, table, written);
+                self.axis_fault(written, problem);
                 None
             }
         }
     }
 
-    /// A fault with a line of the table stands there; any other is the fault of the study's line.
-    fn axis_problem(&mut self, problem: Problem, table: Option<&Written<String>>, written: &AxisOptions) {
-        if problem.line.is_some() {
-            self.problems.push(problem);
-            return;
-        }
-        let hint = problem.hint.clone().unwrap_or_default();
-        match table {
-            Some(table) => {
-                let message = format!("\"{}\": {}", shorten(&table.value), problem.message);
-                self.note(Some(table.line), message, hint);
+    fn axis_fault(&mut self, written: &AxisOptions, problem: Problem) {
+        let line_of = |name: &Option<Written<String>>| name.as_ref().map(|name| name.line);
+        let (key, line) = match (line_of(&written.storey_table), line_of(&written.mode_table)) {
+            (None, None) => {
+                let line = written.rayleigh_modes.as_ref().map(|modes| modes.line);
+                ("building", line.or(written.period_s.as_ref().map(|period| period.line)))
             }
-            None => {
-                let line = written.rayleigh_modes.as_ref().map(|w| w.line);
-                let line = line.or(written.period_s.as_ref().map(|w| w.line));
-                self.note(line, problem.message, format!("check the table [building]: {hint}"));
-            }
-        }
+            (Some(line), _) => ("storey_table", Some(line)),
+            (None, line) => ("mode_table", line),
+        };
+        self.fault(line, key, problem);
     }
 
     /// The fundamental period, and where it is from.

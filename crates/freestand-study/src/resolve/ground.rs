@@ -7,8 +7,10 @@ use super::recorded::reading_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::GroundOptions;
-use crate::study::{Ground, RecordedMotion, SyntheticGround};
-use crate::target::{Target, TargetProblem, TargetWords};
+use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, Ground, RecordedMotion, SyntheticGround};
+use crate::target::Target;
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::ProblemKind;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
@@ -81,7 +83,7 @@ impl Resolver<'_> {
                     record.motion = motion;
                     record.matched = Some(matched);
                 }
-                Err(problem) => self.problems.push(problem.in_file(&record.path)),
+                Err(problem) => self.problems.push(problem.in_file(&record.path).shown(KeyStyle::File)),
             }
         }
         (self.problems.len() == before).then_some(records)
@@ -125,55 +127,42 @@ impl Resolver<'_> {
         let target = self.target(written)?;
         self.warnings.extend(target.warnings.iter().cloned());
         // Beyond, the count was refused above; its names are still listed.
-        let count = usize::try_from(or(&written.count, 10).min(MAX_MOTIONS)).unwrap_or_default();
-        Some(Ground::Synthetic(SyntheticGround { target, count, seed: overrides.seed.unwrap_or(or(&written.seed, 1)) }))
+        let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS)).unwrap_or_default();
+        Some(Ground::Synthetic(SyntheticGround {
+            target,
+            count,
+            seed: overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED)),
+        }))
     }
 
     pub(super) fn target(&mut self, written: &GroundOptions) -> Option<Target> {
-        let mut words = TargetWords::default();
-        for (key, text) in &written.target {
-            words.set(key, text.value.clone());
-        }
-        let resolved = Target::resolve(&words, self.base_dir).and_then(|target| {
-            let hold = words.example("beyond", "hold");
-            let short = |problem| vec![TargetProblem { keys: vec!["spectrum"], problem, is_missing: false }];
-            target.check_matched_band(&hold).map_err(short).map(|()| target)
+        let resolved = Target::resolve(&written.target, self.base_dir).and_then(|target| {
+            target.check_matched_band().map_err(|problem| problem.of(&["spectrum"]))?;
+            Ok(target)
         });
         match resolved {
             Ok(target) => Some(target),
             Err(problems) => {
-                // A key that was refused when it was read is missing here, and was noted there.
-                let mut problems = problems;
-                problems.retain(|problem| !(written.is_incomplete && problem.is_missing));
-                problems.into_iter().for_each(|problem| self.target_problem(written, problem));
+                for problem in problems {
+                    // A key that was refused when it was read is missing here, and was noted there.
+                    if written.is_incomplete && problem.kind == ProblemKind::Missing {
+                        continue;
+                    }
+                    let line = written.target.line_of(&problem.keys).or(written.line);
+                    self.fault(line, "spectrum", problem);
+                }
                 None
             }
         }
-    }
-
-    /// A fault in the file of a table has its own line there; all else is the fault of a line of the study.
-    fn target_problem(&mut self, written: &GroundOptions, TargetProblem { keys, problem, .. }: TargetProblem) {
-        if problem.line.is_some() {
-            self.problems.push(problem);
-            return;
-        }
-        let lines = written.target.iter().filter(|(key, _)| keys.contains(key)).map(|(_, text)| text.line);
-        let message = match &problem.path {
-            Some(_) => format!("spectrum: {problem}"),
-            None => problem.message.clone(),
-        };
-        let line = lines.max().or(written.line);
-        self.note(line, message, problem.hint.unwrap_or_default());
     }
 }
 
 /// The keys of `[ground]` that describe motions without a record, with their lines.
 pub(super) fn synthetic_keys(written: &GroundOptions) -> Vec<(&'static str, Option<usize>)> {
-    let target = written.target.iter().map(|(key, text)| (*key, Some(text.line)));
     let others = [
         ("count", written.count.as_ref().map(|w| w.line)),
         ("seed", written.seed.as_ref().map(|w| w.line)),
         ("point_source", written.point_source.as_ref().map(|w| w.line)),
     ];
-    target.chain(others).collect()
+    written.target.lines().chain(others).collect()
 }

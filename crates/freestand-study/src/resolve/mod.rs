@@ -11,13 +11,13 @@ mod processing;
 mod recorded;
 mod simulated;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::options::{self, Options};
 use crate::recorded::MotionFiles;
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
+use freestand_input::file::load_up_to;
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::toml_reader::Written;
@@ -71,27 +71,12 @@ pub fn is_study_file(path: &Path) -> bool {
         && read_text(path).is_ok_and(|text| options::has_table_of_ours(&text))
 }
 
-fn read_text(path: &Path) -> Result<String, Problems> {
-    const LARGEST: u64 = 16 << 20;
-    let unreadable =
-        |message: String, hint: &str| Problems::from(Problem::new(ProblemKind::Io, message).in_file(path).hint(hint));
-    let failed = |error: std::io::Error| {
-        unreadable(format!("cannot read the study: {error}"), "check the path and its permissions")
-    };
-    let file = File::open(path).map_err(failed)?;
-    if file.metadata().is_ok_and(|facts| facts.is_dir()) {
-        return Err(unreadable("is a folder, not a study".to_owned(), "name the TOML file in it"));
-    }
-    // A pipe or a device does not say how long it is: count what comes.
-    let mut bytes = Vec::new();
-    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(unreadable("is too large for a study".to_owned(), "a study is a TOML text of some lines"));
-    }
-    String::from_utf8(bytes).map_err(|_| {
-        let problem = Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path);
-        Problems::from(problem.hint("a study is a TOML text; freestand run --dump-study prints one to start from"))
-    })
+fn read_text(path: &Path) -> Result<String, Problem> {
+    const MAX_BYTES: u64 = 16 << 20;
+    const HINT: &str = "name a study, a TOML text of some lines";
+    let bytes = load_up_to(path, MAX_BYTES, "is too large for a study", HINT)?;
+    String::from_utf8(bytes)
+        .map_err(|_| Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path).hint(HINT))
 }
 
 /// The study of a TOML text; `source` names it in messages, paths in it are relative to `base_dir`.
@@ -159,8 +144,8 @@ pub fn resolve_with(
             warnings: resolver.warnings,
         }),
         _ => {
-            resolver.problems.sort_by_key(|problem| problem.line);
-            Err(Problems { problems: resolver.problems })
+            resolver.problems.problems.sort_by_key(|problem| problem.line);
+            Err(resolver.problems)
         }
     }
 }
@@ -168,7 +153,7 @@ pub fn resolve_with(
 struct Resolver<'a> {
     source: Option<&'a Path>,
     base_dir: &'a Path,
-    problems: Vec<Problem>,
+    problems: Problems,
     warnings: Vec<String>,
     /// No key was refused when the text was read.
     is_complete: bool,
@@ -182,9 +167,20 @@ fn or<T: Clone>(written: &Option<Written<T>>, default: T) -> T {
 
 impl Resolver<'_> {
     fn note(&mut self, line: Option<usize>, message: impl Into<String>, hint: impl Into<String>) {
-        let mut problem = Problem::new(ProblemKind::Value, message).hint(hint);
-        problem.line = line;
-        problem.path = self.source.map(Path::to_path_buf);
+        self.fault(line, "", Problem::value(message, hint));
+    }
+
+    /// Notes a problem that was found elsewhere. One with a line belongs to a file of its own; any other belongs to a line
+    /// of the study, on which `key` names the file that the problem is tied to.
+    fn fault(&mut self, line: Option<usize>, key: &str, problem: Problem) {
+        let mut problem = problem.shown(KeyStyle::File);
+        if problem.line.is_none() {
+            if problem.path.is_some() {
+                problem.message = format!("{key}: {problem}");
+            }
+            problem.line = line;
+            problem.path = self.source.map(Path::to_path_buf);
+        }
         self.problems.push(problem);
     }
 

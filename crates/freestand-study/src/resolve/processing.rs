@@ -14,7 +14,7 @@ impl Resolver<'_> {
         if let Some(scale) = &ground.scale
             && let Err(problem) = check_scale(scale.value)
         {
-            self.note(Some(scale.line), problem.message, problem.hint.unwrap_or_default());
+            self.fault(Some(scale.line), "scale", problem);
         }
         let Some(written) = &ground.processing else {
             return Processing { scale: factor, ..Processing::default() };
@@ -51,27 +51,15 @@ impl Resolver<'_> {
             self.note(Some(order.line), "filter_order goes with low_cut or high_cut", "give a cut, such as \"0.1 Hz\"");
         }
         for (key, problem) in processing.problems().into_iter().filter(|(key, _)| *key != "scale") {
-            let message = format!("{key}: {}", problem.message);
-            self.note(Some(line_of(written, key)), message, problem.hint.unwrap_or_default());
+            self.fault(Some(line_of(written, key)), key, problem.named(key));
         }
         processing
     }
 
-    /// Reads a target; a file that is missing is a fault of the study's line, one that is broken of the file's.
     fn target_spectrum(&mut self, written: &Written<TargetSource>) -> Option<TargetSpectrum> {
         let source = TargetSource { path: self.base_dir.join(&written.value.path), ..written.value.clone() };
-        match read_target(&source) {
-            Ok(target) => Some(target),
-            Err(problem) if problem.line.is_some() => {
-                self.problems.push(problem);
-                None
-            }
-            Err(problem) => {
-                let message = format!("scale_to_spectrum: {problem}");
-                self.note(Some(written.line), message, problem.hint.unwrap_or_default());
-                None
-            }
-        }
+        let read = read_target(&source);
+        read.map_err(|problem| self.fault(Some(written.line), "scale_to_spectrum", problem)).ok()
     }
 }
 

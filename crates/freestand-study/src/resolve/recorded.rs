@@ -53,7 +53,7 @@ impl Resolver<'_> {
         let lines = [written.unit.as_ref().map(|w| w.line), written.dt_s.as_ref().map(|w| w.line)];
         for ((key, line), options) in ["unit", "dt"].into_iter().zip(lines).zip([&unit_only, &dt_only]) {
             if let Err(problem) = options.check() {
-                self.note(line, format!("{key}: {}", problem.message), problem.hint.unwrap_or_default());
+                self.fault(line, key, problem.named(key));
             }
         }
         let processing = self.processing(written);
@@ -100,19 +100,15 @@ impl Resolver<'_> {
         self.read(&files, Some(&lines))
     }
 
-    /// Reads files; a file that is missing is a fault of the study's line, one that is broken of the file's.
+    /// Reads files: those that the study names on these lines, or those in their place.
     pub(super) fn read(&mut self, files: &MotionFiles, lines: Option<&[usize]>) -> Option<Vec<RecordedMotion>> {
         let (motions, failures) = read_recorded(files);
         let all_read = failures.is_empty();
-        for (index, mut problem) in failures {
-            if let (Some(line), Some(source), None) =
-                (lines.and_then(|lines| lines.get(index)), self.source, problem.line)
-            {
-                problem.message = format!("motions: {problem}");
-                problem.path = Some(source.to_path_buf());
-                problem.line = Some(*line);
+        for (index, problem) in failures {
+            match lines {
+                Some(lines) => self.fault(lines.get(index).copied(), "motions", problem),
+                None => self.problems.push(problem),
             }
-            self.problems.push(problem);
         }
         for motion in &motions {
             self.warnings.extend(motion.notes.iter().map(|note| format!("{}: {note}", motion.motion.name)));

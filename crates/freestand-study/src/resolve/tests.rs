@@ -82,7 +82,7 @@ fn contradictions_and_products_are_refused() {
         ["s.toml:3: restitution and restitution_factor exclude each other"]
     );
     assert!(problems("[objects]\nrestitution_factor = 1.1\n")[0].contains("would gain energy"));
-    assert!(problems("[objects]\nrestitution = 0\n")[0].contains("(0, 1]"));
+    assert!(problems("[objects]\nrestitution = 0\n")[0].contains("above 0 and at most 1"));
     assert!(
         problems("[objects]\nheights = \"1 m:2 m:1001\"\nthicknesses = \"1 m:2 m:1001\"\n")[0]
             .contains("1000000 objects")

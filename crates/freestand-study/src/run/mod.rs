@@ -16,7 +16,7 @@ use crate::cushion::BOTTOMED;
 use crate::result::{ExampleHistory, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
 use crate::study::{Level, Study};
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 use motions::{floor_profile, floors, spectrum_of};
 pub use motions::{floors_under, ground_motions};
@@ -26,7 +26,7 @@ use warnings::result_warnings;
 pub const LONGEST_TAIL_S: f64 = 120.0;
 
 /// Damping of every spectrum that is shown.
-pub const SPECTRUM_DAMPING_RATIO: f64 = 0.05;
+pub use freestand::oscillator::DAMPING_RATIO as SPECTRUM_DAMPING_RATIO;
 
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,10 +39,10 @@ pub struct Step {
     pub total: usize,
 }
 
-/// Hears of every step; `Break` stops the run.
+/// Called after each step; `Break` stops the run.
 pub type Progress<'a> = &'a (dyn Fn(Step) -> ControlFlow<()> + Sync);
 
-/// A [`Progress`] that listens to nothing.
+/// A [`Progress`] that does nothing.
 pub fn no_progress(_: Step) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
@@ -66,7 +66,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
         progress(Step { stage, done, total })
             .is_continue()
             .then_some(())
-            .ok_or_else(|| Problems::from(Problem::new(ProblemKind::Computation, "the run was stopped before its end")))
+            .ok_or_else(|| Problems::from(Problem::stopped()))
     };
     let ground = ground_motions(&study.ground, || tell("ground motions", 0))?;
     let floors = floors(study, &ground, || tell("floor motions", 0))?;

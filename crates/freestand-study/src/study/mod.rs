@@ -8,13 +8,20 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
 
-use crate::cushion::{CushionWords, EdgeCushion};
+use crate::cushion::EdgeCushion;
 use crate::matched::Matched;
 use crate::simulated::{FoundEarthquake, SimulatedRequest};
 use crate::target::Target;
 use freestand_input::file::InputFile;
+use freestand_input::keys::Words;
 use freestand_input::words::number;
 use freestand_records::horizontal::HorizontalMotion;
+
+/// Seed of the random numbers, where nobody says it.
+pub const DEFAULT_SEED: u64 = 1;
+
+/// How many motions are made, where nobody says it.
+pub const DEFAULT_MOTIONS: u64 = 10;
 
 /// Everything that `run` needs, and nothing that it does not.
 #[derive(Debug, Clone, PartialEq)]
@@ -263,7 +270,7 @@ pub struct Objects {
     /// What stands under one edge.
     pub cushion: EdgeCushion,
     /// The cushion file that it was read from, and its words.
-    pub cushion_file: Option<(InputFile, CushionWords)>,
+    pub cushion_file: Option<(InputFile, Words)>,
     /// Restitution of the motion.
     pub restitution: Restitution,
     /// Accuracy of the rocking solver.

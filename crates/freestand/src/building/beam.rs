@@ -1,7 +1,8 @@
 //! A uniform shear beam coupled with a flexural beam.
 //!
-//! `α = H √(GA/EI)` goes from 0 (a flexural cantilever: walls) over 1–5 (dual systems) and 5–20 (frames with walls) to 30
-//! and more (nearly a shear beam: frames). These ranges are usual ones, from memory, and of no code.
+//! `α = H √(GA/EI)` is 0 for a flexural cantilever (walls), 1–5 for dual systems, 5–20 for frames
+//! with walls, and 30 or more for nearly a shear beam (frames). These ranges are customary, quoted
+//! from memory, and not from a code.
 
 use super::{Building, BuildingError, MAX_MODES, Mode, ModeShape, Model, check_period};
 use std::f64::consts::PI;
@@ -9,27 +10,30 @@ use std::f64::consts::PI;
 impl Building {
     /// A uniform shear-flexure beam of fundamental period `period_s` with `modes` modes.
     ///
-    /// `shear_flexure_ratio` is `α = H √(GA/EI)`. Periods of the modes: `T_i/T₁ = γ₁β₁/(γ_iβ_i)`, `β² = γ² + α²`,
-    /// with γ the roots of `2 + (2 + α⁴/(γ²β²)) cos γ cosh β + α²/(γβ) sin γ sinh β = 0`.
+    /// `shear_flexure_ratio` is `α = H √(GA/EI)`. Periods of the modes: `T_i/T₁ = γ₁β₁/(γ_iβ_i)`,
+    /// `β² = γ² + α²`, with γ the roots of
+    /// `2 + (2 + α⁴/(γ²β²)) cos γ cosh β + α²/(γβ) sin γ sinh β = 0`.
     ///
     /// # Reference
-    /// Miranda and Taghavi (2005), "Approximate floor acceleration demands in multistory buildings. I: Formulation",
-    /// J. Struct. Eng. 131(2).
+    /// Miranda and Taghavi (2005), "Approximate floor acceleration demands in multistory buildings.
+    /// I: Formulation", J. Struct. Eng. 131(2).
     ///
     /// # Accuracy
-    /// Eigenvalues to the last digits for every α from 0 to beyond 10⁶, participation by closed integrals. No root can
-    /// be missed: each interval ((i−1)π, iπ) holds exactly one.
+    /// Eigenvalues to the last digits for every α from 0 to beyond 10⁶; participation by closed
+    /// integrals. No root can be missed: each interval ((i−1)π, iπ) contains exactly one.
     ///
     /// # Limitation
-    /// Linear; uniform over the height (a building much softer at its top has longer higher periods); no torsion, no
-    /// soil-structure interaction; one damping ratio for all modes (others: [`Building::with_damping`]).
+    /// Linear; uniform over the height (the higher periods of a building that is much softer at its
+    /// top are longer); no torsion, no soil-structure interaction; one damping ratio for all modes
+    /// (for others see [`Building::with_damping`]).
     ///
     /// # Errors
-    /// A period that is not positive and finite, damping outside 0 ≤ ζ < 1, a negative or non-finite α, no mode or
-    /// more than [`MAX_MODES`].
+    /// A period that is not positive and finite, damping outside 0 ≤ ζ < 1, a negative or
+    /// non-finite α, no modes or more than [`MAX_MODES`].
     ///
     /// # Example
-    /// A shear beam's periods go as 1, 1/3, 1/5, and its roof participates with 4/π; α = 10⁶ is nearly one:
+    /// The periods of a shear beam are as 1, 1/3, 1/5, and its roof participates with 4/π; α = 10⁶
+    /// is nearly one:
     /// ```
     /// let building = freestand::building::Building::beam(2.0, 0.05, 1e6, 3)?;
     /// let [first, second, third] = building.modes() else { unreachable!() };
@@ -76,9 +80,10 @@ fn mode(period_s: f64, damping_ratio: f64, alpha: f64, first: f64, gamma: f64) -
 
 /// The `number`-th eigenvalue (from 1), by bisection of ((number − 1)π, number·π).
 ///
-/// Why exactly one root lies there, whatever α: divided by cosh β, the characteristic function at γ = iπ is
-/// `2/cosh β + (−1)^i (2 + q²)`, which has the sign (−1)^i, so there is at least one. For α = 0 there is exactly one
-/// (cos γ = −1/cosh γ), the eigenvalues move continuously with α, and none can pass through iπ.
+/// There is exactly one root in the interval, for any α: divided by cosh β, the characteristic
+/// function at γ = iπ is `2/cosh β + (−1)^i (2 + q²)`, which has the sign (−1)^i, so there is at
+/// least one. For α = 0 there is exactly one (cos γ = −1/cosh γ), the eigenvalues change
+/// continuously with α, and none can pass through iπ.
 fn eigenvalue(alpha: f64, number: usize) -> f64 {
     let (mut low, mut high) = ((number - 1) as f64 * PI, number as f64 * PI);
     let positive_below = number % 2 == 1;
@@ -100,8 +105,9 @@ fn characteristic(alpha: f64, gamma: f64) -> f64 {
 
 /// Shape of a mode of a uniform shear-flexure beam.
 ///
-/// `sin γx − η cos γx + P e^(β(x−1)) + Q e^(−βx)`: the textbook's sinh and cosh put together so that the growing parts,
-/// which cancel, never arise (as printed they leave 1 % of error in Γ at α = 30).
+/// `sin γx − η cos γx + P e^(β(x−1)) + Q e^(−βx)`: the sinh and cosh of the textbook form, combined
+/// so that the growing parts, which cancel, never arise (in the textbook form they cause an error
+/// of 1 % in Γ at α = 30).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BeamShape {
     gamma: f64,
@@ -181,7 +187,7 @@ mod tests {
     }
 
     #[rustfmt::skip]
-    // Computed with a Hermite finite-element model of 200–400 elements and the stable form of the shape.
+    // From a Hermite finite-element model of 200–400 elements and the stable form of the shape.
     const TABLE: [Row; 10] = [
         Row { alpha: 0.0, eigenvalues: [1.87510, 4.69409, 7.85476, 10.99554, 14.13717],
             period_ratios: [0.15957, 0.05699, 0.02908, 0.01759], participations: [1.5660, -0.8679, 0.5089, -0.3638, 0.2829],
@@ -241,7 +247,8 @@ mod tests {
         for alpha in [0.0, 0.3, 5.0, 30.0, 650.0] {
             let building = Building::beam(1.0, 0.05, alpha, MAX_MODES).unwrap();
             for mode in building.modes() {
-                // Simpson with 40 000 points: step h = 2.5e-5, error ≈ (βh)⁴/180 = 4e-10 at β = 650.
+                // Simpson with 40 000 points: step h = 2.5e-5, error ≈ (βh)⁴/180 = 4e-10 at β =
+                // 650.
                 let n = 40_000;
                 let (mut area, mut square) = (0.0, 0.0);
                 for k in 0..=n {
@@ -265,7 +272,8 @@ mod tests {
                 let ModeShape::Beam(shape) = mode.shape() else { unreachable!() };
                 assert!(mode.period_s() > 0.0 && mode.period_s() < shorter_than, "alpha {alpha}");
                 shorter_than = mode.period_s();
-                // φ(0) as the formula gives it: four terms of order 1 to 2, and φ(1) is at least 0.7 of that.
+                // φ(0) from the formula: four terms of order 1 to 2, and φ(1) is at least 0.7 of
+                // that.
                 assert!(shape.value(0.0).abs() < 1e-14, "alpha {alpha}");
                 assert_eq!(mode.shape_ratio(1.0), 1.0);
                 // Fixed at the ground: φ'(0) = γ − βQ + βP e^(−β) = 0, each term up to γ or ηβ ≈ γ.
@@ -274,8 +282,9 @@ mod tests {
                 assert!(slope.abs() < 1e-14 * gamma, "alpha {alpha}: {slope}");
             }
             let mass: f64 = building.modes().iter().filter_map(Mode::effective_mass_ratio).sum();
-            // Missing are the modes beyond the fiftieth: Σ 2/((i − ½)π)² ≈ 2/(50π²) = 0.0041 for a shear beam, twice
-            // that, 0.0081, for a flexural one; 50 closed integrals are good to 1e-12 together.
+            // The modes beyond the fiftieth are missing: Σ 2/((i − ½)π)² ≈ 2/(50π²) = 0.0041 for a
+            // shear beam, twice that, 0.0081, for a flexural one; 50 closed integrals are accurate
+            // to 1e-12 together.
             assert!(mass < 1.0 + 1e-12 && mass > 1.0 - 0.0082, "alpha {alpha}: {mass}");
         }
     }

@@ -3,32 +3,34 @@
 use super::BuildingError;
 use std::f64::consts::TAU;
 
-/// How the modes of a building are damped.
+/// The damping of the modes of a building.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Damping {
     /// One ratio for every mode.
     Uniform(f64),
-    /// One ratio for each mode, by falling period.
+    /// One ratio for each mode, in the order of falling periods.
     PerMode(Vec<f64>),
-    /// Proportional to mass and stiffness, with one ratio at two modes.
+    /// Proportional to mass and stiffness, with the same ratio at two modes.
     Rayleigh {
-        /// The ratio at both.
+        /// The ratio at both modes.
         damping_ratio: f64,
-        /// The two modes, from 1.
+        /// The two modes, counted from 1.
         modes: [usize; 2],
     },
 }
 
 impl Damping {
-    /// The ratio of each mode, given the periods in falling order.
+    /// The ratio of each mode, for periods in falling order.
     ///
     /// # Errors
-    /// A ratio outside 0 ≤ ζ < 1, also where Rayleigh damping makes a short mode overdamped; not one ratio a mode; two
-    /// modes that are not there or have the same period.
+    /// A ratio outside 0 ≤ ζ < 1, also where Rayleigh damping overdamps a short mode; a number of
+    /// ratios that differs from that of the modes; two modes that do not exist or have the same
+    /// period.
     ///
     /// # Example
-    /// Rayleigh damping of 5 % at modes 1 and 3, whose frequencies are as 1 to 4: a₁ = 0.1/5 and a₀ = 4 a₁ in units of
-    /// the first, so at twice the first `ζ = (0.08/2 + 0.02·2)/2 = 0.04`.
+    /// Rayleigh damping of 5 % at modes 1 and 3, whose frequencies are as 1 to 4: a₁ = 0.1/5 and
+    /// a₀ = 4 a₁ in units of the first frequency, so at twice the first frequency
+    /// `ζ = (0.08/2 + 0.02·2)/2 = 0.04`.
     /// ```
     /// use freestand::building::Damping;
     /// let ratios = Damping::Rayleigh { damping_ratio: 0.05, modes: [1, 3] }.ratios(&[4.0, 2.0, 1.0])?;
@@ -78,7 +80,8 @@ pub struct Rayleigh {
 }
 
 impl Rayleigh {
-    /// The same `damping_ratio` at two different periods: `a₀ = 2ζω₁ω₂/(ω₁ + ω₂)`, `a₁ = 2ζ/(ω₁ + ω₂)`.
+    /// The same `damping_ratio` at two different periods: `a₀ = 2ζω₁ω₂/(ω₁ + ω₂)`,
+    /// `a₁ = 2ζ/(ω₁ + ω₂)`.
     ///
     /// # Example
     /// At 1 and 3 rad/s, 10 %: a₀ = 0.15 1/s, a₁ = 0.05 s.
@@ -108,7 +111,7 @@ mod tests {
 
     #[test]
     fn rayleigh_damping_is_least_between_its_two_modes() {
-        // The least is at √(ω₁ω₂): ζ·2√(ω₁ω₂)/(ω₁ + ω₂) = 0.05·2·3/10 for ω as 1 to 9.
+        // The smallest ratio is at √(ω₁ω₂): ζ·2√(ω₁ω₂)/(ω₁ + ω₂) = 0.05·2·3/10 for ω as 1 to 9.
         let rayleigh = Rayleigh::through(9.0, 1.0, 0.05);
         assert!((rayleigh.damping_ratio(3.0) - 0.03).abs() < 1e-16);
         assert!(rayleigh.damping_ratio(2.9) > 0.03 && rayleigh.damping_ratio(3.1) > 0.03);

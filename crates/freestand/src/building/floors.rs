@@ -1,4 +1,4 @@
-//! How the floors of a building move.
+//! The motion of the floors of a building.
 
 use super::{Building, BuildingError};
 use crate::motion::Motion;
@@ -7,10 +7,10 @@ use crate::oscillator::{OscillatorState, OscillatorStep, step_of_period};
 /// Motion of one floor; see [`floor_motions`].
 ///
 /// # Errors
-/// A level outside 0 to 1; samples that overflow.
+/// A level outside 0 to 1, or samples that overflow.
 ///
 /// # Example
-/// The ground floor moves as the ground:
+/// The ground floor has the motion of the ground:
 /// ```
 /// use freestand::{building::{Building, floor_motion}, motion::Motion};
 /// let ground = Motion::new(0.02, vec![0.3, -1.0, 0.7])?;
@@ -24,24 +24,28 @@ pub fn floor_motion(ground: &Motion, building: &Building, level_ratio: f64) -> R
     Ok(Motion::new(ground.dt_s(), accel_m_s2)?)
 }
 
-/// Absolute acceleration of several floors of a building at rest at t = 0, in the order of `levels_ratio`.
+/// Absolute accelerations of several floors of a building that is at rest at t = 0, in the order of
+/// `levels_ratio`.
 ///
-/// `a(x, t) = Σ Γ_iφ_i(x) A_i(t) + [1 − Σ Γ_iφ_i(x)] a_g(t)`, A_i the absolute acceleration of a modal oscillator. The
-/// bracket is the quasi-static share of the modes left out: without it the floors near the ground would not move.
-/// At x = 0 the ground motion itself comes back, bit for bit.
+/// `a(x, t) = Σ Γ_iφ_i(x) A_i(t) + [1 − Σ Γ_iφ_i(x)] a_g(t)`, with A_i the absolute acceleration of
+/// a modal oscillator. The bracket is the quasi-static share of the modes left out: without it the
+/// floors near the ground would not move. At x = 0 the result is the ground motion itself, bit for
+/// bit.
 ///
 /// # Reference
-/// Chopra, Dynamics of Structures, modal analysis with static correction; oscillators by Nigam and Jennings (1969).
+/// Chopra, Dynamics of Structures, modal analysis with static correction; oscillators by Nigam and
+/// Jennings (1969).
 ///
 /// # Accuracy
-/// Exact in time for the modes kept. With 6 modes of a building of T₁ = 2 s the peaks of the 1940 El Centro record are
-/// within 0.4 % of those of many modes from mid-height up.
+/// Exact in time for the modes kept. With 6 modes of a building of T₁ = 2 s the peaks of the 1940
+/// El Centro record are within 0.4 % of those of many modes from mid-height up.
 ///
 /// # Limitation
-/// As long as the ground motion: append [`Building::tail_s`] of zeros first so that the floors ring down.
+/// The result is as long as the ground motion: append [`Building::tail_s`] of zeros first, so that
+/// the vibration of the floors decays.
 ///
 /// # Errors
-/// A level outside 0 to 1; samples that overflow.
+/// A level outside 0 to 1, or samples that overflow.
 pub fn floor_motions(ground: &Motion, building: &Building, levels_ratio: &[f64]) -> Result<Vec<Motion>, BuildingError> {
     levels_ratio.iter().try_for_each(|&level_ratio| check_level(level_ratio))?;
     let floors = floor_accelerations(ground, building, levels_ratio)?;
@@ -72,28 +76,30 @@ fn floor_accelerations(
     Ok(floors)
 }
 
-/// Peaks of one level, at the samples.
+/// Peak responses of one level, at the samples.
 ///
 /// **Units**: m/s², m. Displacement and drift are relative to the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloorPeaks {
-    /// The level as a share of the height.
+    /// The level as a share of the height of the building.
     pub level_ratio: f64,
     /// Largest absolute acceleration \[m/s²\].
     pub accel_m_s2: f64,
     /// Largest displacement relative to the ground \[m\].
     pub displacement_m: f64,
-    /// Largest displacement relative to the level before it in the list, of the first relative to the ground \[m\].
+    /// Largest displacement relative to the previous level in the list, or to the ground for the
+    /// first one \[m\].
     pub drift_m: f64,
 }
 
-/// Peaks of many levels in one pass, without keeping their histories.
+/// Peak responses of many levels in one pass, without storing their histories.
 ///
-/// Accelerations as of [`floor_motions`], to the bit; displacement `u(x, t) = Σ Γ_iφ_i(x) u_i(t)`. The modes left out have
-/// no part in it: they follow the ground at once.
+/// The accelerations are those of [`floor_motions`], to the bit; the displacement is
+/// `u(x, t) = Σ Γ_iφ_i(x) u_i(t)`. The modes left out do not contribute to it: they follow the
+/// ground at once.
 ///
 /// # Errors
-/// A level outside 0 to 1; peaks that overflow.
+/// A level outside 0 to 1, or peaks that overflow.
 ///
 /// # Example
 /// A rigid block on a spring under a sudden 1 m/s² moves 2a/ω² = 2·0.0253 m in half a period:
@@ -137,10 +143,10 @@ pub fn floor_peaks(
     }
 }
 
-/// What the modes, and the ground itself, move a level by.
+/// The factors by which the modes and the ground itself move a level.
 struct Shares {
     residual: f64,
-    /// Empty at the ground, which moves as it is.
+    /// Empty at the ground, which moves as given.
     modes: Vec<f64>,
 }
 
@@ -152,7 +158,7 @@ impl Shares {
     }
 }
 
-/// One level in one block of time.
+/// One level during one block of time.
 #[derive(Default)]
 struct Floor {
     absolute: Vec<f64>,
@@ -175,7 +181,7 @@ impl Floor {
     }
 }
 
-/// NaN stays, so that an overflow is seen.
+/// Keeps NaN, so that an overflow is noticed.
 fn raise(peak: &mut f64, values: impl Iterator<Item = f64>) {
     for value in values {
         let size = value.abs();
@@ -191,7 +197,7 @@ fn add(samples: &mut [f64], share: f64, history: &[f64]) {
     }
 }
 
-/// One mode's oscillator in one block of time.
+/// The oscillator of one mode during one block of time.
 struct History {
     step: OscillatorStep,
     state: OscillatorState,
@@ -199,16 +205,19 @@ struct History {
     displacement_m: Vec<f64>,
 }
 
-/// Samples of a block: ten modes of it, two histories each, stay in the fastest memory while every floor adds them up.
+/// Samples per block: ten modes with two histories each stay in the fastest memory while every
+/// floor sums them.
 const BLOCK: usize = 256;
 
-/// Follows every mode's oscillator once, block by block; `each` is told the first sample of the block.
+/// Calculates the oscillators of all modes once, block by block; `each` receives the index of the
+/// block's first sample.
 fn follow(ground: &Motion, building: &Building, mut each: impl FnMut(usize, &[History])) -> Result<(), BuildingError> {
     let mut histories = building
         .modes
         .iter()
         .map(|mode| {
-            // The building and the motion were validated, so only a period too short for its ω² is left.
+            // The building and the motion are valid, so the only error left is a period too short
+            // for its ω².
             let step = step_of_period(mode.period_s, mode.damping_ratio, ground.dt_s())
                 .map_err(|_| BuildingError::Period { period_s: mode.period_s })?;
             let new = || Vec::with_capacity(BLOCK);
@@ -228,7 +237,8 @@ fn follow(ground: &Motion, building: &Building, mut each: impl FnMut(usize, &[Hi
 }
 
 impl History {
-    /// The block whose samples are `accel_m_s2`, behind the last of the block before; the very first sample is at rest.
+    /// Calculates the block with the samples `accel_m_s2`, which follows the previous block; the
+    /// very first sample is at rest.
     fn advance(&mut self, accel_m_s2: &[f64], at_rest: bool) {
         self.absolute_m_s2.clear();
         self.displacement_m.clear();
@@ -277,9 +287,10 @@ mod tests {
 
     #[test]
     fn a_floor_of_a_rigid_building_moves_as_the_ground() {
-        // T₁ = dt/1000: a mode lags the ground by 2ζT/(2π dt) ≤ 9.6e-5 of the change between samples, which is at most
-        // 0.87 + 0.14 m/s² here; its own vibration is gone within a step. The shares of the modes add to below 1.2. The
-        // first sample is apart: there the oscillators stand at rest.
+        // T₁ = dt/1000: a mode lags the ground by 2ζT/(2π dt) ≤ 9.6e-5 of the change between
+        // samples, which is at most 0.87 + 0.14 m/s² here; its own vibration decays within a step.
+        // The shares of the modes add up to less than 1.2. The first sample is an exception: there
+        // the oscillators are at rest.
         let building = Building::beam(1e-5, 0.3, 5.0, 5).unwrap();
         let floor = floor_motion(&shaking(), &building, 0.7).unwrap();
         for (a, b) in floor.accel_m_s2().iter().zip(shaking().accel_m_s2()).skip(1) {
@@ -287,7 +298,8 @@ mod tests {
         }
     }
 
-    /// The formula as it stands, level by level over whole histories; more samples than a block and not a multiple.
+    /// The formula as written, level by level over whole histories; more samples than a block, and
+    /// not a multiple.
     #[test]
     fn blocks_change_no_bit() {
         let samples = 2 * BLOCK + 77;
@@ -318,14 +330,15 @@ mod tests {
         let still = peaks[0];
         assert_eq!([still.displacement_m, still.drift_m], [0.0; 2]);
         assert_eq!(peaks[1].drift_m, peaks[1].displacement_m);
-        // A drift is at most the displacements of both ends together, and at least their difference.
+        // A drift is at most the sum of the displacements of both ends, and at least their
+        // difference.
         for pair in peaks.windows(2) {
             let (low, high) = (pair[0].displacement_m, pair[1].displacement_m);
             assert!(pair[1].drift_m <= low + high && pair[1].drift_m >= (high - low) * (1.0 - 1e-12));
         }
     }
 
-    /// One mode alone: the displacement is the share of its oscillator's spectrum.
+    /// One mode alone: the displacement is its share of the oscillator's spectrum.
     #[test]
     fn one_mode_moves_as_its_oscillator() {
         let building = Building::beam(0.8, 0.03, 5.0, 1).unwrap();

@@ -1,8 +1,9 @@
-//! Linear buildings on their modes, and the motion of their floors.
+//! Linear buildings, described by their modes, and the motion of their floors.
 //!
-//! A [`Building`] holds modes of any origin: a uniform beam in closed form ([`Building::beam`]), a shear building from
-//! storey masses and stiffnesses ([`Building::shear`]), or the modes of the user's own model ([`Building::from_modes`]).
-//! Heights are fractions of the total, x = 0 the ground and 1 the roof.
+//! A [`Building`] holds modes from any source: a uniform beam in closed form ([`Building::beam`]),
+//! a shear building from storey masses and stiffnesses ([`Building::shear`]), or the modes of the
+//! user's own model ([`Building::from_modes`]). Heights are fractions of the total: x = 0 is the
+//! ground and x = 1 the roof.
 
 mod beam;
 mod damping;
@@ -19,17 +20,19 @@ pub use table::{ModalDoubt, TableMode};
 use crate::motion::MotionError;
 use thiserror::Error;
 
-/// Free vibration to leave after a motion, in fundamental periods: 5 % damping has decayed by e^(−π) ≈ 1/23 after ten.
+/// Free vibration to keep after a motion, in fundamental periods: 5 % damping decays by e^(−π) ≈
+/// 1/23 in ten periods.
 pub const TAIL_PERIODS: f64 = 10.0;
 
-/// Most modes of a beam or of a table: the fiftieth of a beam is 1/99 of the fundamental period or less, far below a
-/// record's step. A shear building may keep all its modes.
+/// The largest number of modes of a beam or of a table: the fiftieth mode of a beam has 1/99 of the
+/// fundamental period or less, far below the time step of a record. A shear building may keep all
+/// its modes.
 pub const MAX_MODES: usize = 50;
 
 /// Longest fundamental period of a [`Building`] \[s\]: ten times that of the tallest tower.
 pub const MAX_PERIOD_S: f64 = 100.0;
 
-/// What is wrong with a storey.
+/// The quantities of a storey that may be invalid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StoreyQuantity {
     /// Its mass.
@@ -50,10 +53,10 @@ impl std::fmt::Display for StoreyQuantity {
     }
 }
 
-/// Why a building or its floor motion cannot be made.
+/// Why a building or its floor motion cannot be calculated.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BuildingError {
-    /// The fundamental period is not usable.
+    /// The fundamental period is out of range.
     #[error("the fundamental period must be positive and at most {MAX_PERIOD_S} s, not {period_s} s")]
     Period {
         /// The period that was given, or that of the mode that is too short.
@@ -65,30 +68,30 @@ pub enum BuildingError {
         /// The damping ratio that was given.
         damping_ratio: f64,
     },
-    /// A mode's own damping is not below critical.
+    /// The damping of one mode is not below critical.
     #[error("the damping ratio of mode {mode} must be at least 0 and below 1, not {damping_ratio}")]
     ModeDamping {
         /// The mode, from 1.
         mode: usize,
-        /// Its damping ratio, as given or as Rayleigh damping makes it.
+        /// Its damping ratio, as given or as it follows from Rayleigh damping.
         damping_ratio: f64,
     },
-    /// Not one damping ratio for each mode.
-    #[error("{ratios} damping ratios for {modes} modes")]
+    /// The number of damping ratios differs from the number of modes.
+    #[error("the number of damping ratios is {ratios}, but the building has {modes} modes")]
     DampingCount {
-        /// Ratios that were given.
+        /// Number of ratios that were given.
         ratios: usize,
-        /// Modes that there are.
+        /// Number of modes.
         modes: usize,
     },
-    /// The modes that carry Rayleigh damping are not two of the modes, or have one period.
+    /// The modes of Rayleigh damping are not two existing modes with different periods.
     #[error("Rayleigh damping needs two modes of different periods among the first {modes}, not {first} and {second}")]
     RayleighModes {
         /// The first, from 1.
         first: usize,
         /// The second.
         second: usize,
-        /// Modes that there are.
+        /// Number of modes.
         modes: usize,
     },
     /// The shear-flexure ratio is negative or not finite.
@@ -97,12 +100,12 @@ pub enum BuildingError {
         /// The ratio that was given.
         shear_flexure_ratio: f64,
     },
-    /// No modes, or more than there may be.
+    /// No modes, or too many.
     #[error("the number of modes must be 1 to {at_most}, not {modes}")]
     Modes {
         /// The number that was given.
         modes: usize,
-        /// The most that this building may have.
+        /// The largest number of modes of this building.
         at_most: usize,
     },
     /// No storeys, or more than [`MAX_STOREYS`].
@@ -116,53 +119,55 @@ pub enum BuildingError {
     Storey {
         /// The storey, from 1 at the ground.
         storey: usize,
-        /// Which of its values.
+        /// The invalid quantity.
         quantity: StoreyQuantity,
         /// The value that was given \[kg, N/m or m\].
         value: f64,
     },
-    /// The floors of a modal table do not rise from above the ground to the roof.
-    #[error("floor {floor} is at {level_ratio} of the height: floors must rise from above 0 to 1 at the last")]
+    /// The levels of a modal table do not rise from above the ground to the roof.
+    #[error(
+        "floor {floor} is at {level_ratio} of the height: the levels must rise from above 0 to 1 at the last floor"
+    )]
     Floor {
         /// The floor, from 1.
         floor: usize,
         /// Its level.
         level_ratio: f64,
     },
-    /// A mode of a modal table has not one value for each floor.
-    #[error("mode {mode} has {values} values for {floors} floors")]
+    /// A mode of a modal table does not have one value for each floor.
+    #[error("the number of values of mode {mode} is {values}, but the table has {floors} floors")]
     ShapeLength {
         /// The mode, from 1.
         mode: usize,
-        /// Values that it has.
+        /// Number of its values.
         values: usize,
-        /// Floors that there are.
+        /// Number of floors.
         floors: usize,
     },
-    /// A value of a modal table is not usable.
+    /// A value of a modal table is out of range.
     #[error("the {what} of mode {mode} must be {expected}, not {value}")]
     ModeValue {
         /// The mode, from 1 in the order of the table.
         mode: usize,
-        /// Which of its values.
+        /// The name of the value.
         what: &'static str,
-        /// What it must be.
+        /// The requirement that it does not meet.
         expected: &'static str,
         /// The value that was given.
         value: f64,
     },
     /// A level below the ground or above the roof.
-    #[error("a level is a fraction of the height, 0 to 1, not {level_ratio}")]
+    #[error("a level must be a fraction of the height from 0 to 1, not {level_ratio}")]
     Level {
         /// The level that was given.
         level_ratio: f64,
     },
-    /// The floor motion is not a motion (its samples overflow).
+    /// The floor motion is invalid, because its samples overflow.
     #[error("the floor motion is not finite: {0}")]
     Motion(#[from] MotionError),
 }
 
-/// Where a building's modes come from.
+/// The source of a building's modes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Model {
     /// A uniform shear-flexure beam.
@@ -185,7 +190,7 @@ pub enum Model {
 /// Shape of a mode over the height; 0 at the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ModeShape {
-    /// That of a uniform beam, in closed form.
+    /// The shape of a uniform beam, in closed form.
     Beam(BeamShape),
     /// Values at floors, linear between them.
     Floors(FloorShape),
@@ -194,7 +199,7 @@ pub enum ModeShape {
 /// A mode shape by its values at floors, linear between them and 0 at the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorShape {
-    /// Rising, above 0, the last is 1.
+    /// Rising, above 0; the last is 1.
     levels_ratio: Vec<f64>,
     values_ratio: Vec<f64>,
 }
@@ -241,13 +246,14 @@ impl Mode {
         }
     }
 
-    /// Participation factor `Γ = ∫φ dx / ∫φ² dx` (floors: `Σ m φ / Σ m φ²`) for the shape as it is normalised.
+    /// Participation factor `Γ = ∫φ dx / ∫φ² dx` (floors: `Σ m φ / Σ m φ²`) for the normalisation
+    /// of the shape.
     pub fn participation_ratio(&self) -> f64 {
         self.participation_ratio
     }
 
-    /// Share of the building's mass that acts in the mode, `(∫φ dx)² / ∫φ² dx`; all modes add up to 1. `None` where a
-    /// table does not say.
+    /// Share of the building's mass that acts in the mode, `(∫φ dx)² / ∫φ² dx`; the shares of all
+    /// modes add up to 1. `None` where a table does not give it.
     pub fn effective_mass_ratio(&self) -> Option<f64> {
         self.effective_mass_ratio
     }
@@ -259,8 +265,9 @@ impl Mode {
 
     /// Mode shape φ at `level_ratio` of the height: exactly 0 at the ground.
     ///
-    /// Of a beam it is 1 at the roof; of a shear building too, or, where the roof stands nearly still (below 1/1000 of
-    /// the largest value), 1 at the floor that moves most; of a table it is as given.
+    /// For a beam it is 1 at the roof. For a shear building it is also 1 at the roof or, where the
+    /// roof hardly moves (below 1/1000 of the largest value), 1 at the floor that moves most. For a
+    /// table it is as given.
     pub fn shape_ratio(&self, level_ratio: f64) -> f64 {
         if level_ratio == 0.0 {
             return 0.0;
@@ -271,13 +278,14 @@ impl Mode {
         }
     }
 
-    /// `Γφ(x)`: what the mode's oscillator moves the level by. It does not depend on how the shape is normalised.
+    /// `Γφ(x)`: the factor by which the mode's oscillator moves the level. It does not depend on
+    /// the normalisation of the shape.
     pub fn share_ratio(&self, level_ratio: f64) -> f64 {
         self.participation_ratio * self.shape_ratio(level_ratio)
     }
 }
 
-/// A linear building on its modes.
+/// A linear building, described by its modes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Building {
     model: Model,
@@ -286,12 +294,12 @@ pub struct Building {
 }
 
 impl Building {
-    /// Where the modes come from.
+    /// The source of the modes.
     pub fn model(&self) -> Model {
         self.model
     }
 
-    /// The modes by falling period; at least one.
+    /// The modes in the order of falling periods; at least one.
     pub fn modes(&self) -> &[Mode] {
         &self.modes
     }
@@ -315,19 +323,20 @@ impl Building {
         }
     }
 
-    /// Levels of the floors that the shapes are known at, from the lowest above the ground to the roof; empty for a beam,
-    /// whose shapes are known everywhere.
+    /// Levels of the floors at which the shapes are given, from the lowest above the ground to the
+    /// roof; empty for a beam, whose shapes are known everywhere.
     pub fn floors_ratio(&self) -> &[f64] {
         &self.floors_ratio
     }
 
-    /// Zeros to append to a ground motion so that the floors ring down, [`TAIL_PERIODS`]·T₁ \[s\]; for
+    /// Duration of the zeros to append to a ground motion, so that the vibration of the floors
+    /// decays, [`TAIL_PERIODS`]·T₁ \[s\]; for
     /// [`Motion::with_zero_tail`](crate::motion::Motion::with_zero_tail).
     pub fn tail_s(&self) -> f64 {
         TAIL_PERIODS * self.period_s()
     }
 
-    /// The same building with other damping.
+    /// The building with other damping.
     ///
     /// # Errors
     /// See [`Damping::ratios`].

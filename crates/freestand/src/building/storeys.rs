@@ -1,9 +1,9 @@
-//! A shear building: rigid floors on storey springs, one degree of freedom a storey.
+//! A shear building: rigid floors on storey springs, one degree of freedom per storey.
 
 use super::{Building, BuildingError, Damping, FloorShape, Mode, ModeShape, Model, StoreyQuantity, check_period};
 use std::f64::consts::TAU;
 
-/// Most storeys of a shear building.
+/// The largest number of storeys of a shear building.
 pub const MAX_STOREYS: usize = 200;
 
 /// One storey of a shear building.
@@ -13,7 +13,7 @@ pub const MAX_STOREYS: usize = 200;
 pub struct Storey {
     /// Mass of the floor above the storey \[kg\].
     pub mass_kg: f64,
-    /// Lateral stiffness of the storey: its shear for 1 m of drift \[N/m\].
+    /// Lateral stiffness of the storey: its shear force for a drift of 1 m \[N/m\].
     pub stiffness_n_m: f64,
     /// Height of the storey \[m\].
     pub height_m: f64,
@@ -22,29 +22,32 @@ pub struct Storey {
 impl Building {
     /// A shear building of `storeys` from the ground up, with its `modes` longest modes.
     ///
-    /// `K φ = ω² M φ` with floor masses and the tridiagonal stiffness of springs one above the other. Written as
-    /// `ω = σ(K_s^½ L M^−½)`, K_s the storey stiffnesses and L the drifts, the frequencies are singular values, and never
-    /// the roots of rounded squares.
+    /// `K φ = ω² M φ` with floor masses and the tridiagonal stiffness of springs in series. Written
+    /// as `ω = σ(K_s^½ L M^−½)`, with K_s the storey stiffnesses and L the drifts, the frequencies
+    /// are singular values rather than square roots of rounded eigenvalues.
     ///
     /// # Reference
-    /// Chopra, Dynamics of Structures, shear buildings; Demmel and Veselić (1992), "Jacobi's method is more accurate than
-    /// QR", SIAM J. Matrix Anal. Appl. 13: singular values by rotations of columns are good to their own last digits,
-    /// however far the columns (the stiffnesses) differ.
+    /// Chopra, Dynamics of Structures, shear buildings; Demmel and Veselić (1992), "Jacobi's method
+    /// is more accurate than QR", SIAM J. Matrix Anal. Appl. 13: singular values from rotations of
+    /// columns are accurate to their last digits, however much the columns (the stiffnesses)
+    /// differ.
     ///
     /// # Accuracy
-    /// Frequencies of 200 equal storeys to 1e-12 of the closed form, with stiffnesses of 1 to 10⁶ too; shapes are
-    /// orthogonal to 1e-12 also where two frequencies are nearly equal.
+    /// Frequencies of 200 equal storeys agree with the closed form to 1e-12, also with stiffnesses
+    /// of 1 to 10⁶; shapes are orthogonal to 1e-12 even where two frequencies are nearly equal.
     ///
     /// # Limitation
-    /// Floors move only sideways: no bending of the building as a whole, no torsion. A slender tower belongs into
-    /// [`Building::beam`] or [`Building::from_modes`].
+    /// Floors move only sideways: no bending of the building as a whole, no torsion. For a slender
+    /// tower use [`Building::beam`] or [`Building::from_modes`].
     ///
     /// # Errors
-    /// No storeys or more than [`MAX_STOREYS`]; a mass, stiffness or height that is not positive and finite; no modes or
-    /// more than storeys; a fundamental period above [`MAX_PERIOD_S`](super::MAX_PERIOD_S); damping, see [`Damping::ratios`].
+    /// No storeys or more than [`MAX_STOREYS`]; a mass, stiffness or height that is not positive
+    /// and finite; no modes or more than storeys; a fundamental period above
+    /// [`MAX_PERIOD_S`](super::MAX_PERIOD_S); damping, see [`Damping::ratios`].
     ///
     /// # Example
-    /// Two equal storeys: ω₁ = 2√(k/m) sin 18° = 0.618 √(k/m), and the roof moves 1.618 times as far as the first floor.
+    /// Two equal storeys: ω₁ = 2√(k/m) sin 18° = 0.618 √(k/m), and the roof moves 1.618 times as
+    /// far as the first floor.
     /// ```
     /// use freestand::building::{Building, Damping, Storey};
     /// let storey = Storey { mass_kg: 1000.0, stiffness_n_m: 1e6, height_m: 3.0 };
@@ -92,7 +95,8 @@ fn check(storeys: &[Storey]) -> Result<(), BuildingError> {
             }
         }
     }
-    // A building of one mode or another that no number can hold: stiffness over mass must not overflow or vanish.
+    // Guards against modes outside the range of floating-point numbers: stiffness over mass must
+    // not overflow or vanish.
     let omega2 = |below: &Storey, above: &Storey| above.stiffness_n_m / below.mass_kg;
     let pairs = storeys.windows(2).map(|pair| omega2(&pair[0], &pair[1]));
     let own = storeys.iter().map(|storey| omega2(storey, storey));
@@ -102,7 +106,7 @@ fn check(storeys: &[Storey]) -> Result<(), BuildingError> {
     }
 }
 
-/// Heights of the floors as shares of the whole; the roof exactly 1.
+/// Heights of the floors as shares of the total; exactly 1 at the roof.
 fn levels(storeys: &[Storey]) -> Vec<f64> {
     let total_m: f64 = storeys.iter().map(|storey| storey.height_m).sum();
     let mut height_m = 0.0;
@@ -131,21 +135,21 @@ fn mode(storeys: &[Storey], mass_kg: f64, levels_ratio: &[f64], omega_rad_s: f64
     }
 }
 
-/// A roof that moves less than this share of the largest value of the mode is no measure of it.
+/// A roof that moves less than this share of the mode's largest value is not used to normalise it.
 const STILL_ROOF: f64 = 1e-3;
 
-/// More than any matrix takes (about ten); the rotations converge quadratically at the end.
+/// More than any matrix needs (about ten); the rotations converge quadratically at the end.
 const MAX_SWEEPS: usize = 60;
 
-/// Columns of `n` values whose cosine is below this are orthogonal: rounding leaves about √n ε.
+/// Columns of `n` values with a cosine below this are orthogonal: rounding leaves about √n ε.
 fn orthogonal(n: usize) -> f64 {
     (8.0 + (n as f64).sqrt()) * f64::EPSILON
 }
 
 /// Circular frequencies, rising, and the unit vectors v = M^½ φ.
 ///
-/// One-sided Jacobi rotations: column j of `M^−½ Lᵀ K_s^½` belongs to storey j, pairs of columns are turned until all
-/// are orthogonal; then each is ω v.
+/// One-sided Jacobi rotations: column j of `M^−½ Lᵀ K_s^½` belongs to storey j. Pairs of columns
+/// are rotated until all columns are orthogonal; then each column is ω v.
 fn natural_modes(storeys: &[Storey]) -> Vec<(f64, Vec<f64>)> {
     let n = storeys.len();
     let mut columns: Vec<Vec<f64>> = (0..n)
@@ -161,7 +165,7 @@ fn natural_modes(storeys: &[Storey]) -> Vec<(f64, Vec<f64>)> {
     // What rounding leaves of the product of two orthogonal columns.
     let orthogonal = orthogonal(n);
     for _ in 0..MAX_SWEEPS {
-        // Longest columns first: it halves the number of sweeps.
+        // Longest columns first, which halves the number of sweeps.
         columns.sort_by(|a, b| dot(b, b).total_cmp(&dot(a, a)));
         let mut turned = false;
         for q in 1..n {
@@ -187,7 +191,7 @@ fn natural_modes(storeys: &[Storey]) -> Vec<(f64, Vec<f64>)> {
     modes
 }
 
-/// Turns two columns so that they are orthogonal; whether they were not yet.
+/// Rotates two columns so that they are orthogonal; `true` if they were not yet.
 fn turn(one: &mut [f64], other: &mut [f64], orthogonal: f64) -> bool {
     let (a, b, product) = (dot(one, one), dot(other, other), dot(one, other));
     if product.abs() <= orthogonal * a.sqrt() * b.sqrt() {
@@ -228,7 +232,7 @@ mod tests {
     fn thirty_equal_storeys_are_the_printed_table() {
         let building = Building::shear(&equal(30), &UNIFORM, 5).unwrap();
         let modes = building.modes();
-        // Half a unit of the last digit printed.
+        // Half a unit of the last printed digit.
         for (mode, ratio) in modes.iter().skip(1).zip([0.33363, 0.20053, 0.14362, 0.11210]) {
             assert!((mode.period_s() / building.period_s() - ratio).abs() < 5.1e-6);
         }
@@ -248,13 +252,16 @@ mod tests {
             let unit = (storeys[0].stiffness_n_m / storeys[0].mass_kg).sqrt();
             for (i, mode) in building.modes().iter().enumerate() {
                 let angle = (2 * i + 1) as f64 * PI / (2 * n + 1) as f64;
-                // n rotations of each column in ten sweeps, ε each: 200·10·1.1e-16 = 2e-13, and some room.
+                // n rotations of each column in ten sweeps, ε each: 200·10·1.1e-16 = 2e-13, with a
+                // margin.
                 assert!((omega(mode) / (2.0 * unit * (0.5 * angle).sin()) - 1.0).abs() < 1e-12, "{n} {i}");
                 let roof = (angle * n as f64).sin();
-                // Two vectors whose product is no smaller than `orthogonal` are mixed by that over the gap between their
-                // frequencies, from both neighbours, a few of them; a unit vector has 1/√(n/2) for φ = 1.
+                // Two vectors whose product is not below `orthogonal` are mixed by that over the
+                // gap between their frequencies, from both neighbours, by a few times that; a unit
+                // vector has 1/√(n/2) for φ = 1.
                 let gap = (PI / (2 * n + 1) as f64) / (0.5 * angle).tan();
-                // And each value is turned n times in each of some ten sweeps, with ε of rounding.
+                // And each value is rotated n times in each of about ten sweeps, with rounding of
+                // ε.
                 let mixed = 4.0 * orthogonal(n) / gap + (10 * n) as f64 * f64::EPSILON;
                 for (j, &level) in building.floors_ratio().iter().enumerate() {
                     let expected = (angle * (j + 1) as f64).sin() / roof;
@@ -278,7 +285,7 @@ mod tests {
         count
     }
 
-    /// Random numbers enough for a test: splitmix64 in [0, 1).
+    /// Random numbers that are good enough for a test: splitmix64 in [0, 1).
     fn random(state: &mut u64) -> f64 {
         *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = *state;
@@ -287,7 +294,8 @@ mod tests {
         (z ^ (z >> 31)) as f64 / 2f64.powi(64)
     }
 
-    /// A tower of any kind, biased to trouble: stiffnesses and masses over six decades, soft storeys, light tops.
+    /// A tower of any kind, biased towards difficult cases: stiffnesses and masses over six
+    /// decades, soft storeys, light tops.
     fn trouble(n: usize, decades: f64, seed: u64) -> Vec<Storey> {
         let mut state = seed;
         (0..n)
@@ -306,10 +314,11 @@ mod tests {
             let building = Building::shear(&storeys, &UNIFORM, n).unwrap_or_else(|error| panic!("{n}: {error}"));
             let modes = building.modes();
             let mass: f64 = modes.iter().filter_map(Mode::effective_mass_ratio).sum();
-            // Orthogonal to (n + 8) ε at most each pair; a sum over n of them.
+            // Each pair is orthogonal to (n + 8) ε at most; a sum over n of them.
             assert!((mass - 1.0).abs() < 1e-12, "{n}: {mass}");
             for (j, &level) in building.floors_ratio().iter().enumerate() {
-                // Σ Γφ = 1 at each floor; a light floor's φ is √(M/m) larger than its v, at most 10³ here and √n more.
+                // Σ Γφ = 1 at each floor; φ of a light floor is √(M/m) times its v, here up to 10³
+                // times √n.
                 let sum: f64 = modes.iter().map(|mode| mode.share_ratio(level)).sum();
                 assert!((sum - 1.0).abs() < 1e-9, "{n} floor {j}: {sum}");
             }
@@ -336,14 +345,16 @@ mod tests {
             let n = 3 + 2 * seed as usize;
             let storeys = trouble(n, 3.0, seed);
             for (i, mode) in Building::shear(&storeys, &UNIFORM, n).unwrap().modes().iter().enumerate() {
-                // The count itself is good to ε·ω_max²/ω² of ω², and the stiffnesses differ by 10³, the masses too.
+                // The count itself is accurate to ε·ω_max²/ω² of ω², and the stiffnesses and the
+                // masses differ by 10³.
                 assert_eq!(below(&storeys, omega(mode) * (1.0 - 1e-7)), i, "{n} mode {i}");
                 assert_eq!(below(&storeys, omega(mode) * (1.0 + 1e-7)), i + 1, "{n} mode {i}");
             }
         }
     }
 
-    /// Two masses, the upper light and tuned to the lower: ω² = (k/m)(1 + μ/2 ± √(μ + μ²/4)), μ the ratio of the masses.
+    /// Two masses, the upper one light and tuned to the lower one: ω² = (k/m)(1 + μ/2 ± √(μ +
+    /// μ²/4)), with μ the ratio of the masses.
     #[test]
     fn nearly_equal_frequencies_are_told_apart() {
         for mu in [1e-2, 1e-6, 1e-12] {
@@ -355,7 +366,8 @@ mod tests {
                 let omega2 = 100.0 * (1.0 + 0.5 * mu + sign * spread);
                 assert!((omega(mode) / omega2.sqrt() - 1.0).abs() < 1e-14, "{mu}");
                 assert_eq!(mode.shape_ratio(1.0), 1.0);
-                // φ(floor)/φ(roof) = 1 − ω² m/k = −(μ/2 ± spread); of two nearly equal vectors each has ε/spread of the other.
+                // φ(floor)/φ(roof) = 1 − ω² m/k = −(μ/2 ± spread); of two nearly equal vectors,
+                // each contains ε/spread of the other.
                 let expected = -(0.5 * mu + sign * spread);
                 assert!((mode.shape_ratio(0.5) / expected - 1.0).abs() < 1e-14 / spread, "{mu}");
             }
@@ -367,7 +379,8 @@ mod tests {
         Motion::new(0.01, (0..600).map(wave).collect()).unwrap()
     }
 
-    /// Absolute floor accelerations and relative displacements by fourth-order Runge–Kutta steps of the matrices.
+    /// Absolute floor accelerations and relative displacements by fourth-order Runge–Kutta steps of
+    /// the matrices.
     fn integrated(storeys: &[Storey], mass_factor: f64, stiffness_factor: f64, ground: &Motion) -> Vec<[Vec<f64>; 2]> {
         let n = storeys.len();
         let springs = |x: &[f64]| -> Vec<f64> {
@@ -428,7 +441,8 @@ mod tests {
         let floors = floor_motions(&shaking(), &building, building.floors_ratio()).unwrap();
         let peaks = floor_peaks(&shaking(), &building, building.floors_ratio()).unwrap();
         for ((floor, [accel, displacement]), peaks) in floors.iter().zip(&reference).zip(peaks) {
-            // ω h = 90 · 0.00025: a step's error (ωh)⁵/120 = 5e-11 of the state, 24 000 steps with some damping.
+            // ω h = 90 · 0.00025: an error per step of (ωh)⁵/120 = 5e-11 of the state, over 24 000
+            // steps with some damping.
             for (a, b) in floor.accel_m_s2().iter().zip(accel) {
                 assert!((a - b).abs() < 1e-6, "{a} {b}");
             }

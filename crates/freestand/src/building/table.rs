@@ -1,62 +1,71 @@
-//! A building by the modes of the user's own model.
+//! A building described by the modes of the user's own model.
 
 use super::{Building, BuildingError, Damping, FloorShape, MAX_MODES, Mode, ModeShape, Model, check_period};
 
 /// One mode of a modal table.
 ///
-/// **Units**: s; the rest are ratios. Only the product of the participation factor and the shape counts, so any
-/// normalisation will do (mass, roof, largest) as long as both come from the same.
+/// **Units**: s; the other values are ratios. Only the product of participation factor and shape
+/// matters, so any normalisation is valid (mass, roof, largest value) as long as both use the same
+/// one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableMode {
     /// Period \[s\].
     pub period_s: f64,
-    /// Its own damping ratio; `None`: that of the building.
+    /// The damping ratio of this mode; `None`: that of the building.
     pub damping_ratio: Option<f64>,
     /// Participation factor Γ in the direction of the motion.
     pub participation_ratio: f64,
-    /// Share of the mass that acts in the mode, where it is known.
+    /// Share of the mass that acts in the mode, if it is known.
     pub effective_mass_ratio: Option<f64>,
     /// Shape φ at each floor.
     pub shape_ratio: Vec<f64>,
 }
 
-/// Why the modes of a table may not be what they should.
+/// Why the modes of a table may be wrong.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ModalDoubt {
-    /// The modes carry little of the mass, or more than all of it: modes are missing, or those of another direction.
+    /// The modes carry too little of the mass, or more than all of it: modes are missing, or they
+    /// belong to another direction.
     EffectiveMass {
         /// Σ of the effective mass ratios.
         sum_ratio: f64,
     },
-    /// `Σ Γφ` at the roof, which goes to 1 with the number of modes, is far from 1: factors and shapes that are not
-    /// normalised alike, in other units, or of another direction.
+    /// `Σ Γφ` at the roof, which approaches 1 as modes are added, is far from 1: factors and shapes
+    /// with different normalisations, in other units, or for another direction.
     RoofShare {
         /// The sum.
         sum_ratio: f64,
     },
 }
 
-/// Codes are used to ask for modes with 90 % of the mass (from memory, not checked); more than all of it is rounding at most.
+/// Codes usually require modes with 90 % of the mass (from memory, not checked); rounding may take
+/// the sum slightly above 1.
 const ENOUGH_MASS: std::ops::RangeInclusive<f64> = 0.9..=1.01;
 
-/// From the second mode of a cantilever wall (1.57 − 0.87 = 0.70) to its first (1.57), with some room.
+/// From the second mode of a cantilever wall (1.57 − 0.87 = 0.70) to its first (1.57), with a
+/// margin.
 const LIKELY_ROOF_SHARE: std::ops::RangeInclusive<f64> = 0.5..=1.75;
 
 impl Building {
-    /// A building of the user's own `modes`, whose shapes are known at floors `levels_ratio` of the height.
+    /// A building with the user's own `modes`, whose shapes are given at floors at `levels_ratio`
+    /// of the height.
     ///
-    /// The modes are put in the order of falling periods; `damping` holds where a mode has no ratio of its own.
+    /// The modes are sorted by falling period; `damping` applies where a mode has no ratio of its
+    /// own.
     ///
     /// # Limitation
-    /// What the table leaves out (modes, directions, torsion) stays out; see [`Building::doubts`].
+    /// Whatever the table leaves out (modes, directions, torsion) is missing from the results; see
+    /// [`Building::doubts`].
     ///
     /// # Errors
-    /// Floors that do not rise from above 0 to exactly 1; no modes or more than [`MAX_MODES`]; a mode with another number
-    /// of values than floors, or a value that is not finite; an effective mass outside 0 to 1; periods above
-    /// [`MAX_PERIOD_S`](super::MAX_PERIOD_S); damping, see [`Damping::ratios`].
+    /// Levels that do not rise from above 0 to exactly 1; no modes or more than [`MAX_MODES`]; a
+    /// mode whose number of values differs from that of the floors, or a value that is not finite;
+    /// an effective mass outside 0 to 1; periods above [`MAX_PERIOD_S`](super::MAX_PERIOD_S);
+    /// damping, see [`Damping::ratios`].
     ///
     /// # Example
-    /// A single mass at the roof, by its one mode of factor 1 and shape 1; half-way up, linear between, it moves the half:
+    /// A single mass at the roof, as its one mode with a product of 1; half-way up, by
+    /// interpolation, it moves half as far:
     /// ```
     /// use freestand::building::{Building, Damping, TableMode};
     /// let mode = TableMode {
@@ -83,7 +92,7 @@ impl Building {
         sorted.sort_by(|a, b| b.period_s.total_cmp(&a.period_s));
         let periods_s: Vec<f64> = sorted.iter().map(|mode| mode.period_s).collect();
         check_period(periods_s[0])?;
-        // Where every mode has its own, the building's is not asked.
+        // Where every mode has its own ratio, that of the building is not used.
         let common = if sorted.iter().all(|mode| mode.damping_ratio.is_some()) {
             vec![0.0; sorted.len()]
         } else {
@@ -107,7 +116,7 @@ impl Building {
         })
     }
 
-    /// What seems wrong with the modes of a table; a beam and a shear building have no doubts.
+    /// What may be wrong with the modes of a table; empty for a beam and for a shear building.
     pub fn doubts(&self) -> Vec<ModalDoubt> {
         let mut doubts = Vec::new();
         if !matches!(self.model, Model::Table { .. }) {

@@ -1,14 +1,15 @@
-//! Where the energy of a history went.
+//! The energy balance of a history.
 
 use super::equation::{Body, DASHPOT, DRAG, Grip, SLIP, State, WORK};
 
-/// The energy of a body relative to its base, at the end of a history.
+/// The energy of a block relative to its base, at the end of a history.
 ///
-/// Kinetic + potential + stored + dissipated + lost − work of the base is what it was at the start, up to the error of the
-/// integration: `residual_ratio`. The dissipated parts are integrated beside the motion, none is the rest of a sum.
+/// Kinetic + potential + stored + dissipated + lost − work of the base equals the initial energy up
+/// to the error of the integration: `residual_ratio`. The dissipated parts are integrated together
+/// with the motion; none is calculated as the remainder of a sum.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct EnergyAudit {
-    /// At the start, above unloaded cushions \[J\].
+    /// At the start, relative to unloaded cushions \[J\].
     pub initial_j: f64,
     /// ½m v² + ½I ω², relative to the base \[J\].
     pub kinetic_j: f64,
@@ -16,29 +17,30 @@ pub struct EnergyAudit {
     pub potential_j: f64,
     /// In cushions and tangential springs \[J\].
     pub stored_j: f64,
-    /// By the dashpots of the cushions \[J\].
+    /// Dissipated by the dashpots of the cushions \[J\].
     pub cushion_dissipation_j: f64,
-    /// By tangential dashpots \[J\].
+    /// Dissipated by tangential dashpots \[J\].
     pub tangential_dissipation_j: f64,
-    /// By slip \[J\].
+    /// Dissipated by slip \[J\].
     pub friction_j: f64,
-    /// Left in cushions and tangential springs where a contact ended: they come back on their own \[J\].
+    /// Left in cushions and tangential springs where a contact ended; they recover without the
+    /// block \[J\].
     pub lost_at_separation_j: f64,
-    /// By the base: −m ∫(ü_h ẋ + ü_v ż) dt \[J\].
+    /// Done by the base: −m ∫(ü_h ẋ + ü_v ż) dt \[J\].
     pub base_work_j: f64,
-    /// Largest kinetic energy, with all that was dissipated and lost and what the weight does to the cushions: what the error is
-    /// held against \[J\].
+    /// The reference for the error: largest kinetic energy, plus all that was dissipated and lost
+    /// and the work of the weight on the cushions \[J\].
     pub turnover_j: f64,
-    /// The largest error of the balance at any time, over the turnover.
+    /// The largest error of the balance at any time, divided by the turnover.
     pub residual_ratio: f64,
 }
 
-/// The balance as the history goes on.
+/// The running balance of a history.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ledger {
     pub(super) audit: EnergyAudit,
     worst_j: f64,
-    most_kinetic_j: f64,
+    max_kinetic_j: f64,
     rest_j: f64,
 }
 
@@ -53,21 +55,21 @@ impl Ledger {
         ledger
     }
 
-    /// All that there is less what was there at the start.
+    /// Everything accounted for, less the initial energy.
     fn balance_j(&self) -> f64 {
         let a = &self.audit;
         let dissipated_j = a.cushion_dissipation_j + a.tangential_dissipation_j + a.friction_j + a.lost_at_separation_j;
         a.kinetic_j + a.potential_j + a.stored_j + dissipated_j - a.base_work_j - a.initial_j
     }
 
-    /// Reads the state at the end of a step.
+    /// Enters the state at the end of a step.
     pub(super) fn enter(&mut self, body: &Body, grips: &[Grip], y: &State) {
         let a = &mut self.audit;
         (a.kinetic_j, a.potential_j) = body.mechanical_j(y);
         a.stored_j = body.stored_j(grips, y);
         a.base_work_j = y[WORK];
         (a.cushion_dissipation_j, a.tangential_dissipation_j, a.friction_j) = (y[DASHPOT], y[DRAG], y[SLIP]);
-        self.most_kinetic_j = self.most_kinetic_j.max(a.kinetic_j);
+        self.max_kinetic_j = self.max_kinetic_j.max(a.kinetic_j);
         self.worst_j = self.worst_j.max(self.balance_j().abs());
     }
 
@@ -78,7 +80,7 @@ impl Ledger {
     pub(super) fn close(mut self) -> EnergyAudit {
         let a = &mut self.audit;
         let dissipated_j = a.cushion_dissipation_j + a.tangential_dissipation_j + a.friction_j + a.lost_at_separation_j;
-        a.turnover_j = self.most_kinetic_j + dissipated_j + self.rest_j;
+        a.turnover_j = self.max_kinetic_j + dissipated_j + self.rest_j;
         a.residual_ratio = self.worst_j / a.turnover_j;
         self.audit
     }

@@ -1,11 +1,12 @@
-//! The equation of motion of a rigid body on contact elements.
+//! The equation of motion of a rigid block on contact elements.
 
 use crate::cushion::{ContactLaw, Cushion};
 
-/// Most contact elements under a body.
-pub(super) const MOST_CONTACTS: usize = 16;
+/// The largest number of contact elements under a block.
+pub(super) const MAX_CONTACTS: usize = 16;
 
-// Places in the state. Displacements of the centre of gravity from where it is above unloaded pads, relative to the base.
+// Indices into the state. Displacements of the centre of gravity are relative to the base and to
+// its position above unloaded pads.
 pub(super) const X: usize = 0;
 pub(super) const Z: usize = 1;
 pub(super) const THETA: usize = 2;
@@ -18,19 +19,19 @@ pub(super) const WORK: usize = 6;
 pub(super) const DASHPOT: usize = 7;
 pub(super) const DRAG: usize = 8;
 pub(super) const SLIP: usize = 9;
-/// Stretch of the tangential spring of contact i: at `STRETCH + i`.
+/// Stretch of the tangential spring of contact i, at `STRETCH + i`.
 pub(super) const STRETCH: usize = 10;
 
-pub(super) type State = [f64; STRETCH + MOST_CONTACTS];
+pub(super) type State = [f64; STRETCH + MAX_CONTACTS];
 
-/// Accelerations of the base at an instant \[m/s²\].
+/// Accelerations of the base at one instant \[m/s²\].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Shaking {
     pub(super) horizontal: f64,
     pub(super) vertical: f64,
 }
 
-/// A straight piece of the motion of the base.
+/// A straight segment of the motion of the base.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Line {
     pub(super) start: Shaking,
@@ -49,14 +50,15 @@ impl Line {
     }
 }
 
-/// What a contact element does.
+/// The state of a contact element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Grip {
-    /// Nothing; its surface comes back from `compression_m`, where a damped cushion was left at `since_s`.
+    /// No contact; its surface recovers from `compression_m`, at which a damped cushion was left at
+    /// `since_s`.
     Open { since_s: f64, compression_m: f64 },
-    /// It carries, and its foot does not move.
+    /// In contact; its foot does not move.
     Stick,
-    /// It carries, and its foot slides this way (±1).
+    /// In contact; its foot slides in this direction (±1).
     Slip(f64),
 }
 
@@ -68,7 +70,7 @@ impl Grip {
     }
 }
 
-/// The body and what it stands on.
+/// The block and its supports.
 #[derive(Debug, Clone)]
 pub(super) struct Body<'a> {
     pub(super) mass: f64,
@@ -76,9 +78,9 @@ pub(super) struct Body<'a> {
     pub(super) inertia: f64,
     pub(super) gravity: f64,
     pub(super) cg_height: f64,
-    /// Contact elements from left to right, from the centre of gravity.
+    /// Contact elements from left to right, relative to the centre of gravity.
     pub(super) contacts: Vec<f64>,
-    /// Cushions of one edge in each element.
+    /// The share of the cushion of one edge in each element.
     pub(super) share: f64,
     pub(super) cushion: &'a Cushion,
     /// Of one element.
@@ -88,7 +90,7 @@ pub(super) struct Body<'a> {
     pub(super) friction: Option<f64>,
 }
 
-/// One contact point in a state.
+/// The kinematics of one contact point.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Foot {
     /// From the centre of gravity to the point.
@@ -99,17 +101,17 @@ pub(super) struct Foot {
     pub(super) sliding: f64,
 }
 
-/// Forces of one contact on the body, upward and to the right.
+/// Forces of one contact on the block, upward and to the right.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Load {
     pub(super) normal: f64,
     pub(super) tangential: f64,
-    /// Rate of the tangential spring's stretch.
+    /// Rate of stretch of the tangential spring.
     pub(super) stretching: f64,
 }
 
 impl Body<'_> {
-    /// Numbers of the state that are used.
+    /// Number of entries of the state in use.
     pub(super) fn len(&self) -> usize {
         STRETCH + self.contacts.len()
     }
@@ -117,7 +119,7 @@ impl Body<'_> {
     pub(super) fn foot(&self, index: usize, y: &State) -> Foot {
         let xi = self.contacts[index];
         let (sin, cos) = y[THETA].sin_cos();
-        // 1 − cos θ with its digits.
+        // 1 − cos θ without cancellation.
         let versine = 2.0 * (0.5 * y[THETA]).sin().powi(2);
         let arm_x = xi * cos - self.cg_height * sin;
         let arm_z = -xi * sin - self.cg_height * cos;
@@ -130,7 +132,8 @@ impl Body<'_> {
         }
     }
 
-    /// The law of an element, without its end at tension: so the step that finds the end of a contact sees no kink.
+    /// The law of an element, continued into tension, so that the step that finds the end of a
+    /// contact sees no kink.
     pub(super) fn push(&self, d: f64, rate: f64) -> f64 {
         let elastic = if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) };
         let force = match self.cushion.law() {
@@ -141,7 +144,8 @@ impl Body<'_> {
         self.share * force
     }
 
-    /// Whether a damped law has no force without compression, so that a contact can end there as well.
+    /// Whether a damped law has no force without compression, so that a contact can end there as
+    /// well.
     pub(super) fn loses_force_at_touch(&self) -> bool {
         matches!(self.cushion.law(), ContactLaw::HuntCrossley { .. })
     }
@@ -151,7 +155,7 @@ impl Body<'_> {
         self.share * if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) }
     }
 
-    /// Rate of the normal force of a contact, from the rates of its compression.
+    /// Rate of the normal force of a contact, from the derivatives of its compression.
     pub(super) fn push_rate(&self, d: f64, rate: f64, acceleration: f64) -> f64 {
         let slope = self.share * self.cushion.tangent_stiffness_n_m(d.abs());
         match self.cushion.law() {
@@ -168,7 +172,8 @@ impl Body<'_> {
         self.share * self.cushion.stored_energy_j(d.abs())
     }
 
-    /// Where the surface of an element that nothing touches is: a cushion without mass comes back as its dashpot lets it.
+    /// Position of the surface of an element without contact: a massless cushion recovers as its
+    /// dashpot allows.
     pub(super) fn surface(&self, since_s: f64, compression_m: f64, time_s: f64) -> f64 {
         if compression_m <= 0.0 {
             return 0.0;
@@ -192,7 +197,8 @@ impl Body<'_> {
         let (tangential, stretching) = match grip {
             Grip::Slip(way) => {
                 let tangential = -way * self.friction.unwrap_or(0.0) * normal;
-                // Without a dashpot the stretch follows from the force, and nothing depends on its rate.
+                // Without a dashpot the stretch follows from the force, and nothing depends on its
+                // rate.
                 (tangential, if c > 0.0 { (-tangential - k * stretch) / c } else { foot.sliding })
             }
             _ => (-k * stretch - c * foot.sliding, foot.sliding),
@@ -200,9 +206,9 @@ impl Body<'_> {
         Load { normal, tangential, stretching }
     }
 
-    /// The rates of the state.
+    /// The time derivative of the state.
     pub(super) fn rates(&self, grips: &[Grip], line: &Line, time_s: f64, y: &State) -> State {
-        let mut rates = [0.0; STRETCH + MOST_CONTACTS];
+        let mut rates = [0.0; STRETCH + MAX_CONTACTS];
         let shaking = line.at(time_s);
         let (mut right, mut up, mut turning) = (0.0, 0.0, 0.0);
         for (index, &grip) in grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {
@@ -226,14 +232,15 @@ impl Body<'_> {
         rates
     }
 
-    /// The speed that the work of slip is counted with: of the foot's sliding part, or, where the stretch follows from the
-    /// force, of the whole foot; what the spring takes or gives is then settled when the slip begins and ends.
+    /// The velocity for the work of slip: that of the sliding part of the foot or, where the
+    /// stretch follows from the force, of the whole foot. What the spring stores or releases is
+    /// then accounted for when the slip begins and ends.
     fn slipping(&self, foot: &Foot, load: &Load) -> f64 {
         if self.tangential_damping > 0.0 { foot.sliding - load.stretching } else { foot.sliding }
     }
 
-    /// Vertical and horizontal acceleration of a point of the body that lies `(right, up)` of the centre of gravity when the
-    /// body is upright, relative to the base: (horizontal, vertical).
+    /// Vertical and horizontal acceleration, relative to the base, of the point of the block that
+    /// is `(right, up)` of the centre of gravity when the block is upright: (horizontal, vertical).
     pub(super) fn acceleration_of(&self, right: f64, up: f64, y: &State, rates: &State) -> (f64, f64) {
         let (sin, cos) = y[THETA].sin_cos();
         let (arm_x, arm_z) = (right * cos + up * sin, up * cos - right * sin);
@@ -247,7 +254,8 @@ impl Body<'_> {
         (0.5 * self.mass * speed + 0.5 * self.inertia * y[OMEGA] * y[OMEGA], self.mass * self.gravity * y[Z])
     }
 
-    /// Energy in cushions and tangential springs; a spring that slips without a dashpot has given its own to the slip.
+    /// Energy in cushions and tangential springs; without a dashpot, the energy of a slipping
+    /// spring is counted with the slip.
     pub(super) fn stored_j(&self, grips: &[Grip], y: &State) -> f64 {
         let of = |(index, &grip): (usize, &Grip)| {
             let pressed = self.pressed_j(self.foot(index, y).compression);

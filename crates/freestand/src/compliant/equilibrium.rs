@@ -1,28 +1,29 @@
-//! The body at rest on its cushions, and what a history begins with.
+//! The block at rest on its cushions, and the initial state of a history.
 
-use super::equation::{Body, MOST_CONTACTS, OMEGA, STRETCH, State, THETA, V_X, V_Z, Z};
+use super::equation::{Body, MAX_CONTACTS, OMEGA, STRETCH, State, THETA, V_X, V_Z, Z};
 use super::{CompliantBase, CompliantError, Start, not_negative, positive};
 use crate::block::Block;
-use crate::quadrature::halved;
+use crate::search::bisect;
 
-/// A body at rest on its cushions.
+/// A block at rest on its cushions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Equilibrium {
     /// Compression under the left and the right edge \[m\].
     pub compressions_m: [f64; 2],
-    /// Rotation by unequal compressions; no uplift \[rad\].
+    /// Rotation from unequal compressions; not an uplift \[rad\].
     pub rotation_rad: f64,
-    /// How far the centre of gravity is below where unloaded cushions would hold it \[m\].
+    /// How far the centre of gravity is below its position above unloaded cushions \[m\].
     pub settlement_m: f64,
 }
 
-/// The balance of a body on its cushions: exact for any law and any place of the centre of gravity.
+/// The equilibrium of a block on its cushions: exact for any law and any position of the centre of
+/// gravity.
 ///
 /// # Accuracy
 /// Rounding: Newton's method on forces and moments.
 ///
 /// # Errors
-/// Numbers that make no body, or cushions too soft to keep it upright.
+/// Numbers out of range, or cushions too soft to keep the block upright.
 ///
 /// # Example
 /// 140 kg on 4380 N/mm under each edge: 140 · 9.80665/(2 · 4.38e6) = 0.15673 mm.
@@ -37,7 +38,7 @@ pub fn equilibrium(block: &Block, base: &CompliantBase, gravity_m_s2: f64) -> Re
     positive("mass", base.mass_kg)?;
     positive("gravity", gravity_m_s2)?;
     not_negative("tangential damping", base.tangential_damping_n_s_m)?;
-    if !(2..=super::MOST_CONTACTS).contains(&base.contacts) {
+    if !(2..=super::MAX_CONTACTS).contains(&base.contacts) {
         return Err(CompliantError::Contacts { contacts: base.contacts });
     }
     let body = body(block, base, gravity_m_s2);
@@ -45,7 +46,7 @@ pub fn equilibrium(block: &Block, base: &CompliantBase, gravity_m_s2: f64) -> Re
     Ok(body.equilibrium_of(&y))
 }
 
-/// The body of a block on its base.
+/// The block and its supports.
 pub(super) fn body<'a>(block: &Block, base: &'a CompliantBase, gravity: f64) -> Body<'a> {
     let (left, width) = (block.cg_from_left_m(), block.base_width_m());
     let last = base.contacts - 1;
@@ -68,9 +69,9 @@ pub(super) fn body<'a>(block: &Block, base: &'a CompliantBase, gravity: f64) -> 
     }
 }
 
-/// Forces, moments and their slopes in a position of rest.
+/// Forces, moments and their derivatives in a position of rest.
 struct Statics {
-    /// Up beyond the weight, and Σ r_x N.
+    /// Upward force in excess of the weight, and Σ r_x N.
     force: f64,
     moment: f64,
     /// −∂force/∂z, ∂force/∂θ = −∂moment/∂z, ∂moment/∂θ.
@@ -101,12 +102,13 @@ impl Body<'_> {
         statics
     }
 
-    /// The position in which the weight is in balance.
+    /// The position in which the weight is in equilibrium.
     pub(super) fn balanced(&self) -> Result<State, CompliantError> {
-        let mut y = [0.0; STRETCH + MOST_CONTACTS];
+        let mut y = [0.0; STRETCH + MAX_CONTACTS];
         let (left, right) = (-self.contacts[0], self.contacts[self.contacts.len() - 1]);
         let width = left + right;
-        // From the forces of a body that does not turn, each half of the cushions under its edge.
+        // From the forces on a block that does not rotate: each half of the cushions carries the
+        // load under its edge.
         let [d_left, d_right] = [right, left].map(|arm| self.cushion.static_compression_m(self.weight() * arm / width));
         y[THETA] = (d_right - d_left) / width;
         y[Z] = -d_left - left * y[THETA];
@@ -153,9 +155,9 @@ impl Body<'_> {
         }
     }
 
-    /// The state that a history begins with.
+    /// The initial state of a history.
     pub(super) fn beginning(&self, start: Start) -> Result<State, CompliantError> {
-        let mut y = [0.0; STRETCH + MOST_CONTACTS];
+        let mut y = [0.0; STRETCH + MAX_CONTACTS];
         match start {
             Start::Rest => return self.balanced(),
             Start::Dropped { height_m } => y[Z] = height_m,
@@ -170,7 +172,7 @@ impl Body<'_> {
                     y[Z] += upright - d;
                     y
                 };
-                let d = halved(0.0, alone, |d| self.statics(&lowered(d)).force >= 0.0);
+                let d = bisect(0.0, alone, |d| self.statics(&lowered(d)).force >= 0.0);
                 y = lowered(d);
                 let foot = self.foot(pivot, &y);
                 y[OMEGA] = omega_rad_s;
@@ -181,5 +183,6 @@ impl Body<'_> {
     }
 }
 
-/// Newton's method doubles the digits each time; laws that start steeply take a few steps more.
+/// Newton's method doubles the number of digits in each step; laws that start steeply take a few
+/// more.
 const NEWTON_STEPS: usize = 200;

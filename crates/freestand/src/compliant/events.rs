@@ -1,4 +1,4 @@
-//! What happens to contacts: when it does, and how they go on.
+//! Events of contacts: when they occur, and how the contact continues.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -6,11 +6,11 @@ use super::CompliantRocking;
 use super::equation::{Grip, Line, Load, OMEGA, SLIP, STRETCH, State, THETA, V_Z, X};
 use super::solve::{Piece, Solver};
 
-/// A contact that begins with less than this share of the weight begins with no force.
+/// A contact that begins with less than this share of the weight counts as beginning without force.
 const TOUCHING: f64 = 1e-9;
 
 impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
-    /// How far each contact is from its next event, of the order of 1; below zero it is past it.
+    /// How far each contact is from its next event, of the order of 1; negative past it.
     pub(super) fn margin(&self, index: usize, line: &Line, time_s: f64, y: &State) -> f64 {
         let (body, foot) = (self.body, self.body.foot(index, y));
         let d = foot.compression / self.unit_m;
@@ -19,7 +19,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         }
         let load = body.load(self.grips[index], &foot, y[STRETCH + index]);
         let weight = body.mass * body.gravity;
-        // An undamped cushion pushes as long as it is pressed, a damped one as long as its force does.
+        // An undamped cushion pushes while it is compressed, a damped one while its force is
+        // positive.
         let pushes = if body.cushion.law().is_damped() { load.normal / weight } else { d };
         let pushes = if body.loses_force_at_touch() { pushes.min(d) } else { pushes };
         let (low, high) = self.lines[index];
@@ -42,13 +43,13 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         }
     }
 
-    /// The least of all margins; the fall of the body counts among them.
+    /// The smallest of all margins; overturning counts as one of them.
     pub(super) fn least_margin(&self, line: &Line, time_s: f64, y: &State) -> f64 {
         let contacts = (0..self.grips.len()).map(|index| self.margin(index, line, time_s, y));
         contacts.fold(FRAC_PI_2 - y[THETA].abs(), f64::min)
     }
 
-    /// A spring whose foot slides is stretched by its force.
+    /// Sets the stretch of sliding springs from their force.
     pub(super) fn settle_stretches(&mut self) {
         for index in 0..self.grips.len() {
             if let Grip::Slip(_) = self.grips[index] {
@@ -63,7 +64,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         self.body.load(self.grips[index], &foot, self.y[STRETCH + index])
     }
 
-    /// What happens to a contact that is past its event.
+    /// Changes a contact that is past its event.
     pub(super) fn change(&mut self, index: usize, result: &mut CompliantRocking) {
         self.effort.events += 1;
         let foot = self.body.foot(index, &self.y);
@@ -86,7 +87,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         }
     }
 
-    /// A contact begins: what its cushion holds comes back from what was lost.
+    /// Begins a contact; the energy that its cushion holds is taken back from the losses.
     fn touch(&mut self, index: usize, result: &mut CompliantRocking) {
         let foot = self.body.foot(index, &self.y);
         self.ledger.lose(-self.body.pressed_j(foot.compression));
@@ -99,7 +100,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
             let slips = if load.normal > TOUCHING * weight {
                 load.tangential.abs() > friction * load.normal
             } else {
-                // At the first touch without dashpots both forces are zero, and their rates decide.
+                // At the first contact without dashpots both forces are zero, and their rates
+                // decide.
                 let rate = self.body.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
                 let k = self.body.tangential_stiffness;
                 load.tangential != 0.0 || k * foot.sliding.abs() > friction * rate
@@ -112,7 +114,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         self.track.touch(self.body, index, self.time_s, &self.y, result);
     }
 
-    /// A contact ends: what is in its springs is lost to the body.
+    /// Ends a contact; the energy in its springs is lost to the block.
     fn leave(&mut self, index: usize, result: &mut CompliantRocking) {
         let foot = self.body.foot(index, &self.y);
         self.end_slip(index, result);
@@ -124,7 +126,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         self.track.leave(self.body, (index, none_left), self.time_s, &self.y, result);
     }
 
-    /// A slip begins or ends. Without a dashpot the spring's energy goes to the slip meanwhile.
+    /// Begins or ends a slip. Without a dashpot the energy of the spring is counted with the slip
+    /// in between.
     fn turn(&mut self, index: usize, grip: Grip, result: &mut CompliantRocking) {
         if let Grip::Slip(_) = grip {
             self.end_slip(index, result);
@@ -148,7 +151,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         }
     }
 
-    /// Where the foot of a contact's spring is.
+    /// Position of the foot of a contact's spring.
     pub(super) fn place(&self, index: usize) -> f64 {
         self.y[X] + self.body.foot(index, &self.y).arm_x - self.y[STRETCH + index]
     }

@@ -1,8 +1,8 @@
-//! The history of a body on its cushions, sampled for people to look at.
+//! The history of a block on its cushions, sampled for plots and tables.
 
 use super::{CompliantRocking, Piece};
 
-/// The body at one instant.
+/// The block at one instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompliantPoint {
     /// Time \[s\].
@@ -13,17 +13,19 @@ pub struct CompliantPoint {
     pub omega_rad_s: f64,
     /// Displacement of the centre of gravity relative to the base, to the right \[m\].
     pub x_m: f64,
-    /// And upward, from where it is above unloaded cushions \[m\].
+    /// The same, upward, from its position above unloaded cushions \[m\].
     pub z_m: f64,
-    /// Upward acceleration of the left and the right edge in the ground's frame \[m/s²\].
+    /// Upward acceleration of the left and the right edge in the inertial frame \[m/s²\].
     pub edge_accelerations_m_s2: [f64; 2],
-    /// (Horizontal, vertical) accelerations of the points that were asked for, in the ground's frame \[m/s²\].
+    /// (Horizontal, vertical) accelerations of the requested points in the inertial frame \[m/s²\].
     pub point_accelerations_m_s2: Vec<(f64, f64)>,
-    /// (To the right, upward) forces of the contact elements on the body, from left to right \[N\].
+    /// (To the right, upward) forces of the contact elements on the block, from left to
+    /// right \[N\].
     pub contact_forces_n: Vec<(f64, f64)>,
 }
 
-/// Collects a history at a fixed step from the pieces that [`super::rock_compliant_observed`] shows.
+/// Collects a history at a fixed time step from the pieces that [`super::rock_compliant_observed`]
+/// passes on.
 #[derive(Debug, Clone)]
 pub struct CompliantRecorder {
     dt_s: f64,
@@ -35,19 +37,19 @@ pub struct CompliantRecorder {
 }
 
 impl CompliantRecorder {
-    /// A recorder that samples every `dt_s` > 0, with the accelerations of the points `points_m` (from the left edge, above the
-    /// base).
+    /// A recorder that samples at intervals of `dt_s` > 0, with the accelerations of the points
+    /// `points_m` (from the left edge, above the base).
     pub fn new(dt_s: f64, base_width_m: f64, points_m: &[(f64, f64)], contacts: usize) -> Self {
         Self { dt_s, base_width_m, points_m: points_m.to_vec(), contacts, points: Vec::new(), sampled: 0 }
     }
 
-    /// Takes the next piece.
+    /// Adds the next piece.
     pub fn observe(&mut self, piece: &Piece<'_, '_>) {
         let end_s = piece.start_s() + piece.length_s();
         while self.sampled as f64 * self.dt_s <= end_s {
             let time_s = self.sampled as f64 * self.dt_s;
             let share = ((time_s - piece.start_s()) / piece.length_s()).clamp(0.0, 1.0);
-            // A body at rest before its first piece is as it is at its start.
+            // Before its first piece a block at rest is in its initial state.
             self.points.push(self.point(piece, time_s, share));
             self.sampled += 1;
         }
@@ -75,7 +77,7 @@ impl CompliantRecorder {
         }
     }
 
-    /// The samples; a body that rested to the end has its last ones filled with its rest.
+    /// The samples; for a block that rests to the end, the last ones repeat its state of rest.
     pub fn finish(mut self, rocking: &CompliantRocking) -> Vec<CompliantPoint> {
         while let Some(last) = self.points.last().cloned()
             && self.sampled as f64 * self.dt_s < rocking.end_s

@@ -1,22 +1,26 @@
-//! The block on a compliant base: a rigid body on compression-only cushions, in the plane, followed in time.
+//! The block on a compliant base: a rigid block on cushions that only push, in the plane,
+//! integrated in time.
 //!
-//! m ẍ = ΣT − m ü_h, m z̈ = ΣN − m(g + ü_v), I θ̈ = Σ(r_z T − r_x N), with N by the law of a
-//! [`Cushion`] at each contact element and T by a spring that may slip. Sine and cosine are exact: rotations may be large. It is a
-//! second opinion on Eq. (5) of [`impact`](crate::impact), which knows neither how the old pivot unloads nor how the landing edge
-//! gives way sideways.
+//! m ẍ = ΣT − m ü_h, m z̈ = ΣN − m(g + ü_v), I θ̈ = Σ(r_z T − r_x N), with N from the law of a
+//! [`Cushion`] at each contact element and T from a spring that may slip. Sine and cosine are
+//! exact, so rotations may be large. It is a second opinion on Eq. (5) of
+//! [`impact`](crate::impact), which models neither how the old pivot unloads nor how the landing
+//! edge moves sideways.
 //!
 //! Rules:
-//! * **Zero** is the surface of the unloaded pads. At rest the pads are pressed ([`Equilibrium`]); a rotation on pressed pads is
-//!   not uplift: **uplift** is the height of an edge above its unloaded pad.
-//! * **Contact** begins when a point meets the surface of its cushion and ends when the cushion would have to pull. A damped
-//!   cushion is left while it is still pressed; its surface comes back on its own as its dashpot lets it, and what it had stored
-//!   is lost to the body.
-//! * **Friction**: T is a spring from where the point touched, with an optional dashpot; where |T| passes μN the foot of the spring slides at μN and
-//!   sticks again when its sliding would turn round. The spring starts anew with each contact.
-//! * **Overturned** when |θ| reaches π/2. A body that leaves all its cushions flies.
+//! * **Zero** is the surface of the unloaded pads. At rest the pads are compressed
+//!   ([`Equilibrium`]); a rotation on compressed pads is not uplift: **uplift** is the height of an
+//!   edge above its unloaded pad.
+//! * **Contact** begins when a point meets the surface of its cushion and ends when the cushion
+//!   would have to pull. The contact with a damped cushion ends while it is still compressed; its
+//!   surface then recovers as its dashpot allows, and the energy stored in it is lost to the block.
+//! * **Friction**: T is a spring from the point of first contact, with an optional dashpot. Where
+//!   |T| exceeds μN the foot of the spring slides at μN; it sticks again when its sliding would
+//!   reverse. The spring starts unstretched with each contact.
+//! * **Overturned** when |θ| reaches π/2. A block that leaves all its cushions is in free flight.
 //!
-//! Between samples the base acceleration is linear, and no step crosses a sample, the beginning or end of a contact or of a
-//! slip, or a kink of a tabulated law.
+//! Between samples the base acceleration is linear, and no step crosses a sample, the beginning or
+//! end of a contact or of a slip, or a kink of a tabulated law.
 
 mod audit;
 mod equation;
@@ -40,37 +44,38 @@ pub use equilibrium::{Equilibrium, equilibrium};
 pub use history::{CompliantPoint, CompliantRecorder};
 pub use solve::{Piece, rock_compliant, rock_compliant_observed};
 
-/// Steps after which a history is given up.
-pub const MOST_STEPS: usize = 20_000_000;
+/// Steps after which a history is abandoned.
+pub const MAX_STEPS: usize = 20_000_000;
 
-/// Most contact elements under a body.
-pub const MOST_CONTACTS: usize = equation::MOST_CONTACTS;
+/// The largest number of contact elements under a block.
+pub const MAX_CONTACTS: usize = equation::MAX_CONTACTS;
 
-/// Stiffness of the tangential spring over that of the cushion where nobody says: an assumption. Between 0.5 and 100 the shock of the
-/// cabinet of Al Abadi et al. changes by a tenth.
+/// Stiffness of the tangential spring divided by that of the cushion where none is given: an
+/// assumption. Between 0.5 and 100 the shock of the cabinet of Al Abadi et al. changes by a tenth.
 pub const ASSUMED_TANGENTIAL_RATIO: f64 = 1.0;
 
-/// What a body stands on.
+/// The supports of a block.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompliantBase {
-    /// Mass of the body \[kg\].
+    /// Mass of the block \[kg\].
     pub mass_kg: f64,
-    /// All the cushion under one edge.
+    /// Everything under one edge.
     pub cushion: Cushion,
-    /// Contact elements, evenly from edge to edge: 2 are the two edges, N > 2 share the cushions of both, 2/N of the
-    /// `cushion` each.
+    /// Contact elements, evenly spaced from edge to edge: 2 are the two edges; N > 2 share the
+    /// cushions of both, 2/N of the `cushion` each.
     pub contacts: usize,
-    /// Tangential stiffness over the tangent stiffness of the cushion at half the weight.
+    /// Tangential stiffness divided by the tangent stiffness of the cushion under half the weight.
     pub tangential_stiffness_ratio: f64,
-    /// Tangential dashpot of one edge \[N s/m\]. Where feet slip, a small one makes the equations stiff: k_t/c steps a second. Without
-    /// slip it pulls on a foot that hardly presses, and the contact may chatter: give friction then.
+    /// Tangential dashpot of one edge \[N s/m\]. Where the contacts slip, a small value makes the
+    /// equations stiff: k_t/c steps per second. Without slip it pulls on contacts that carry almost
+    /// no load, and they may chatter; use friction then.
     pub tangential_damping_n_s_m: f64,
-    /// μ, or `None`: no slip while there is contact.
+    /// μ, or `None`: no slip during contact.
     pub friction_ratio: Option<f64>,
 }
 
 impl CompliantBase {
-    /// A body of `mass_kg` with this cushion under each of its two edges, without slip.
+    /// A block of `mass_kg` with this cushion under each of its two edges, without slip.
     pub fn new(mass_kg: f64, cushion: Cushion) -> Self {
         Self {
             mass_kg,
@@ -82,39 +87,42 @@ impl CompliantBase {
         }
     }
 
-    /// Tangent stiffness of the cushion under one edge with half the weight on it \[N/m\]: what the tangential one is a ratio of.
+    /// Tangent stiffness of the cushion under one edge with half the weight on it \[N/m\]; the
+    /// tangential stiffness is a ratio of it.
     pub fn normal_stiffness_n_m(&self, gravity_m_s2: f64) -> f64 {
         let rest_m = self.cushion.static_compression_m(0.5 * self.mass_kg * gravity_m_s2);
         self.cushion.tangent_stiffness_n_m(rest_m)
     }
 }
 
-/// How a history begins.
+/// The initial state of a history.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Start {
-    /// At rest on the pressed cushions.
+    /// At rest on the compressed cushions.
     #[default]
     Rest,
-    /// Held at a rotation and let go: the weight is in balance on the cushion of the lower edge, the tilt is held by a
-    /// couple that ends at t = 0; then it turns about that edge at `omega_rad_s`.
+    /// Held at a rotation and released: the weight rests on the cushion of the lower edge, and the
+    /// tilt is held by a couple that ends at t = 0; then the block rotates about that edge at
+    /// `omega_rad_s`.
     Tilted {
-        /// θ \[rad\], measured from the upright body.
+        /// θ \[rad\], from the upright position.
         rotation_rad: f64,
         /// ω \[rad/s\].
         omega_rad_s: f64,
     },
-    /// Upright and at rest, this far above the unloaded cushions.
+    /// Upright and at rest, above the unloaded cushions.
     Dropped {
-        /// Fall to the first touch \[m\].
+        /// Height of fall to the first contact \[m\].
         height_m: f64,
     },
 }
 
-/// How accurately a history is followed: an error of each step, relative to what the weight alone does to the cushions.
+/// The accuracy of a history: an error of each step, relative to the effect of the weight alone on
+/// the cushions.
 ///
 /// # Accuracy
-/// Runge–Kutta 5(4): the error of a history falls in proportion to the tolerance. Releases of a cabinet on 4380 N/mm, worst over
-/// the first second:
+/// Runge–Kutta 5(4): the error of a history decreases in proportion to the tolerance. The worst
+/// over the first second, for a cabinet released on 4380 N/mm:
 ///
 /// | level | tolerance | peak shock | energy |
 /// |---|---|---|---|
@@ -122,7 +130,8 @@ pub enum Start {
 /// | standard | 1e-8 | 2e-7 | 1e-8 |
 /// | tight | 1e-11 | 2e-10 | 1e-11 |
 ///
-/// Laws with a root at the first touch (Hertz) close the energy to 1e-5 by `standard`, a bottoming one near its end to 1e-3.
+/// Laws with a root at first contact (Hertz) close the energy balance to 1e-5 at `standard`, a
+/// bottoming law near its limit to 1e-3.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum CompliantAccuracy {
     /// 1e-5: for surveys.
@@ -148,18 +157,19 @@ impl CompliantAccuracy {
     }
 }
 
-/// What a history depends on beside the body, what it stands on and the motion.
+/// Everything else that a history depends on: gravity, accuracy, start, end and points of interest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompliantOptions {
     /// g \[m/s²\].
     pub gravity_m_s2: f64,
     /// Accuracy.
     pub accuracy: CompliantAccuracy,
-    /// How it begins.
+    /// Initial state.
     pub start: Start,
-    /// When it ends; `None`: with the last sample. Past the last sample the base comes to rest within one more step \[s\].
+    /// End time; `None`: the last sample. After the last sample the base comes to rest within one
+    /// time step \[s\].
     pub duration_s: Option<f64>,
-    /// Points whose peak accelerations are wanted: from the left edge, and above the base \[m\].
+    /// Points whose peak accelerations are requested: from the left edge, and above the base \[m\].
     pub points_m: Vec<(f64, f64)>,
 }
 
@@ -194,179 +204,186 @@ impl EdgeSide {
     }
 }
 
-/// A touch of an edge with its cushion, until it leaves it.
+/// One contact of an edge with its cushion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     /// The edge.
     pub edge: EdgeSide,
-    /// When it touched \[s\].
+    /// Time at which it began \[s\].
     pub time_s: f64,
-    /// Downward speed of the edge then \[m/s\].
+    /// Downward velocity of the edge at that time \[m/s\].
     pub speed_m_s: f64,
-    /// ω then \[rad/s\].
+    /// ω at that time \[rad/s\].
     pub omega_before_rad_s: f64,
-    /// When it left, if it did \[s\].
+    /// Time at which it ended, if it did \[s\].
     pub end_s: Option<f64>,
-    /// Upward speed of the edge on leaving \[m/s\].
+    /// Upward velocity of the edge at its end \[m/s\].
     pub rebound_m_s: Option<f64>,
-    /// ω on leaving \[rad/s\].
+    /// ω at its end \[rad/s\].
     pub omega_after_rad_s: Option<f64>,
-    /// Largest upward acceleration of the edge meanwhile, in the ground's frame \[m/s²\].
+    /// Largest upward acceleration of the edge during the contact, in the inertial frame \[m/s²\].
     pub peak_acceleration_m_s2: f64,
-    /// Largest force of its cushion meanwhile \[N\].
+    /// Largest force of its cushion during the contact \[N\].
     pub peak_force_n: f64,
 }
 
-/// The largest rotation between two passages of the upright position, with an edge off its cushion.
+/// The largest rotation between two passages of the upright position during which an edge was off
+/// its cushion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swing {
-    /// When \[s\].
+    /// Time \[s\].
     pub time_s: f64,
     /// θ \[rad\].
     pub rotation_rad: f64,
-    /// √(Δh/Δh of the swing before), with the rises of the centre of gravity about a rigid edge: what Housner's r is to a
-    /// rigid block. `None` for the first swing, and where the base moves and takes part in it.
+    /// √(Δh/Δh of the previous swing), with the rises of the centre of gravity about a rigid edge:
+    /// the counterpart of Housner's r. `None` for the first swing, and where the base moves during
+    /// it.
     pub effective_restitution_ratio: Option<f64>,
 }
 
-/// Peak accelerations of a point of the body in the ground's frame.
+/// Peak accelerations of a point of the block in the inertial frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointPeaks {
-    /// Of its horizontal acceleration, absolute \[m/s²\].
+    /// Largest absolute horizontal acceleration \[m/s²\].
     pub horizontal_m_s2: f64,
-    /// Of its vertical acceleration, absolute \[m/s²\].
+    /// Largest absolute vertical acceleration \[m/s²\].
     pub vertical_m_s2: f64,
 }
 
-/// Work that a history took.
+/// Work done to calculate a history.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CompliantEffort {
-    /// Steps that were kept.
+    /// Accepted steps.
     pub steps: usize,
-    /// Steps that were too long.
+    /// Rejected steps.
     pub rejected: usize,
-    /// Contacts and slips that began or ended, kinks that were passed.
+    /// Contacts and slips that began or ended, and kinks that were passed.
     pub events: usize,
-    /// Evaluations of the equation of motion in steps, those that look for an event included.
+    /// Evaluations of the equation of motion in steps, including those that locate an event.
     pub evaluations: usize,
 }
 
-/// What a body did on its cushions.
+/// The response of a block on its cushions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompliantRocking {
-    /// What happened; `NoUplift` if no edge rose above its unloaded pad.
+    /// How the history ended; `NoUplift` if no edge rose above its unloaded pad.
     pub outcome: Outcome,
-    /// When the history ended \[s\].
+    /// Time at which the history ended \[s\].
     pub end_s: f64,
-    /// Balance on the cushions at rest; `None` if there is none that holds (the start was another one).
+    /// Equilibrium on the cushions at rest; `None` if there is no stable one (and the history did
+    /// not start from it).
     pub equilibrium: Option<Equilibrium>,
     /// Largest |θ| \[rad\]; π/2 when overturned.
     pub peak_rotation_rad: f64,
-    /// When \[s\].
+    /// Its time \[s\].
     pub peak_rotation_time_s: f64,
     /// Largest |θ| with an edge above its unloaded pad \[rad\].
     pub peak_uplifted_rotation_rad: f64,
     /// Largest height of an edge above its unloaded pad \[m\].
     pub uplift_m: f64,
-    /// Rise of the centre of gravity of a rigid rocking block at that rotation \[m\]: what Eq. (7) takes; R(1 − cos α) beyond α.
+    /// Rise of the centre of gravity of a rigid rocking block at that rotation \[m\], as used in
+    /// Eq. (7); R(1 − cos α) beyond α.
     pub cg_rise_m: f64,
-    /// First time that an edge was above its unloaded pad \[s\].
+    /// Time at which an edge was first above its unloaded pad \[s\].
     pub first_uplift_time_s: Option<f64>,
-    /// When |θ| first passed α of the edge that it turned about \[s\].
+    /// Time at which |θ| first passed α of the edge about which the block rotated \[s\].
     pub passed_alpha_time_s: Option<f64>,
-    /// When |θ| reached π/2 \[s\].
+    /// Time at which |θ| reached π/2 \[s\].
     pub overturn_time_s: Option<f64>,
-    /// Touches of the two edges, those at the start left out.
+    /// Contacts of the two edges, except those at the start.
     pub touches: Vec<Touch>,
-    /// Touches of an edge that had left its cushion with no touch of the other edge in between.
+    /// Contacts of an edge that had left its cushion without a contact of the other edge in
+    /// between.
     pub bounce_count: usize,
-    /// Times that the body left all its cushions.
+    /// Number of times that the block left all its cushions.
     pub flight_count: usize,
-    /// Time off all cushions \[s\].
+    /// Time without contact with any cushion \[s\].
     pub flight_time_s: f64,
     /// Swings with an edge off its cushion.
     pub swings: Vec<Swing>,
-    /// Largest upward acceleration of each edge while it carried, left and right, in the ground's frame \[m/s²\].
+    /// Largest upward acceleration of each edge during contact, left and right, in the inertial
+    /// frame \[m/s²\].
     pub peak_edge_accelerations_m_s2: [f64; 2],
     /// Largest force of the cushion under each edge \[N\].
     pub peak_edge_forces_n: [f64; 2],
     /// Largest compression of a cushion under an edge \[m\].
     pub peak_compression_m: f64,
-    /// For each of [`CompliantOptions::points_m`].
+    /// The peaks for each of [`CompliantOptions::points_m`].
     pub points: Vec<PointPeaks>,
     /// Largest |T|/N of a contact that carries at least a tenth of the weight.
     pub friction_used_ratio: f64,
-    /// Distance that the feet slid, all together \[m\].
+    /// Total sliding distance of all contacts \[m\].
     pub slid_m: f64,
     /// θ at the end \[rad\].
     pub final_rotation_rad: f64,
     /// ω at the end \[rad/s\].
     pub final_omega_rad_s: f64,
-    /// Where the energy went.
+    /// The energy balance.
     pub energy: EnergyAudit,
-    /// Work that it took.
+    /// Work done.
     pub effort: CompliantEffort,
 }
 
 impl CompliantRocking {
-    /// The harder edge's [`CompliantRocking::peak_edge_accelerations_m_s2`]: a_edge.
+    /// The larger of [`CompliantRocking::peak_edge_accelerations_m_s2`]: a_edge.
     pub fn peak_edge_acceleration_m_s2(&self) -> f64 {
         self.peak_edge_accelerations_m_s2[0].max(self.peak_edge_accelerations_m_s2[1])
     }
 }
 
-/// Why a history cannot be followed.
+/// Why a history cannot be calculated.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CompliantError {
-    /// A number that is not what it must be.
+    /// A number that is out of range.
     #[error("the {name} must be {requirement}, not {value}")]
     Value {
-        /// Which.
+        /// The name of the number.
         name: &'static str,
-        /// What it must be.
+        /// The requirement that it does not meet.
         requirement: &'static str,
-        /// What it is.
+        /// The value that was given.
         value: f64,
     },
     /// Too few or too many contact elements.
-    #[error("a body stands on 2 to {MOST_CONTACTS} contact elements, not {contacts}")]
+    #[error("an object must have 2 to {MAX_CONTACTS} contact elements, not {contacts}")]
     Contacts {
         /// How many were given.
         contacts: usize,
     },
-    /// The cushions are too soft to keep the body upright.
+    /// The cushions are too soft to keep the object upright.
     #[error(
-        "the cushions are too soft for this body: it has no upright position at rest that holds (turning stiffness {stiffness_n_m:.4} N m/rad against m g z = {needed_n_m:.4} N m/rad)"
+        "the cushions are too soft for this object: it has no stable upright position at rest (rotational stiffness \
+         {stiffness_n_m:.4} N m/rad; m g z = {needed_n_m:.4} N m/rad)"
     )]
     Unstable {
-        /// Of the cushions under the weight.
+        /// Rotational stiffness of the cushions under the weight.
         stiffness_n_m: f64,
-        /// Weight times height of the centre of gravity.
+        /// Weight times the height of the centre of gravity.
         needed_n_m: f64,
     },
-    /// No end, or one that is not positive.
+    /// An end that is not positive and finite, or none at all.
     #[error("a history needs a motion or a positive finite duration, not {duration_s} s")]
     Duration {
-        /// What was given.
+        /// The duration that was given \[s\].
         duration_s: f64,
     },
-    /// Horizontal and vertical motions of different sampling.
-    #[error("the horizontal and the vertical motion differ in their steps or lengths")]
+    /// Horizontal and vertical motions with different time steps or lengths.
+    #[error("the horizontal and the vertical motion differ in time step or length")]
     VerticalMismatch,
     /// The step that would be accurate enough is lost in rounding.
-    #[error("the motion cannot be followed at {time_s} s: the step shrank to {step_s} s")]
+    #[error("the motion of the object cannot be calculated at {time_s} s: the time step shrank to {step_s} s")]
     StepTooSmall {
-        /// When.
+        /// Time \[s\].
         time_s: f64,
-        /// The step.
+        /// The step \[s\].
         step_s: f64,
     },
-    /// [`MOST_STEPS`].
-    #[error("{limit} steps by {time_s} s: the cushions are too stiff for so long a history")]
+    /// More than [`MAX_STEPS`] steps.
+    #[error("{limit} steps by {time_s} s: the cushions are too stiff for a history of this length")]
     TooManySteps {
-        /// When it was given up.
+        /// Time at which the calculation was abandoned \[s\].
         time_s: f64,
-        /// How many.
+        /// The largest number of steps.
         limit: usize,
     },
 }
@@ -385,7 +402,7 @@ fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
     Err(CompliantError::Value { name, requirement: "zero or positive", value })
 }
 
-/// Refuses what no history can be made of.
+/// Refuses input from which no history can be calculated.
 fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> Result<(), CompliantError> {
     positive("mass", base.mass_kg)?;
     positive("gravity", options.gravity_m_s2)?;
@@ -394,7 +411,7 @@ fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> 
     if let Some(friction) = base.friction_ratio {
         not_negative("friction", friction)?;
     }
-    if !(2..=MOST_CONTACTS).contains(&base.contacts) {
+    if !(2..=MAX_CONTACTS).contains(&base.contacts) {
         return Err(CompliantError::Contacts { contacts: base.contacts });
     }
     let tolerance = options.accuracy.tolerance();

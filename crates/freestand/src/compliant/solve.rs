@@ -1,33 +1,34 @@
-//! From step to step and from event to event.
+//! The solver: it follows a block from step to step and from event to event.
 
 use std::f64::consts::FRAC_PI_2;
 
 use super::audit::Ledger;
 use super::equation::{
-    Body, DASHPOT, DRAG, Grip, Line, MOST_CONTACTS, OMEGA, SLIP, STRETCH, Shaking, State, THETA, V_X, V_Z, WORK, X, Z,
+    Body, DASHPOT, DRAG, Grip, Line, MAX_CONTACTS, OMEGA, SLIP, STRETCH, Shaking, State, THETA, V_X, V_Z, WORK, X, Z,
 };
 use super::equilibrium::body;
 use super::step::Step;
 use super::track::{Seen, Track};
 use super::{
-    CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MOST_STEPS, PointPeaks, Start,
+    CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MAX_STEPS, PointPeaks, Start,
     check,
 };
 use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::{Base, Outcome};
 
-/// Longest step, as an angle of the vibration of the body on the cushions: so that no contact comes and goes within one.
+/// Longest step, as an angle of the vibration of the block on the cushions: no contact can begin
+/// and end within one.
 const LONGEST_RAD: f64 = 0.5;
-/// An event ends a step no later than this much after it, as an angle of that vibration; nor does a step end earlier.
+/// A step ends at most this long after an event, as an angle of that vibration; no step is shorter.
 const EVENT_RAD: f64 = 1e-12;
 const SHORTEST_RAD: f64 = 1e-10;
-/// A step shorter than this angle is not for accuracy, but lost.
+/// A step shorter than this angle does not gain accuracy; it is lost in rounding.
 const LOST_RAD: f64 = 1e-13;
-/// Trial steps for one event: by false position, mostly five.
+/// Trial steps to locate one event; false position usually takes five.
 const EVENT_TRIALS: usize = 80;
 
-/// A step of a history, to be looked at.
+/// A step of a history, as passed to an observer.
 #[derive(Debug, Clone, Copy)]
 pub struct Piece<'a, 'b> {
     seen: Seen<'a, 'b>,
@@ -35,12 +36,12 @@ pub struct Piece<'a, 'b> {
 }
 
 impl Piece<'_, '_> {
-    /// When it begins \[s\].
+    /// Start time \[s\].
     pub fn start_s(&self) -> f64 {
         self.seen.step.start_s
     }
 
-    /// How long it is \[s\].
+    /// Length \[s\].
     pub fn length_s(&self) -> f64 {
         self.seen.step.length_s
     }
@@ -51,21 +52,21 @@ impl Piece<'_, '_> {
         (y[THETA], y[OMEGA])
     }
 
-    /// Displacement of the centre of gravity relative to the base, from where it is upright above unloaded cushions:
-    /// (to the right, upward) \[m\].
+    /// Displacement of the centre of gravity relative to the base, from its position upright above
+    /// unloaded cushions: (to the right, upward) \[m\].
     pub fn displacement_m(&self, share_ratio: f64) -> (f64, f64) {
         let y = self.seen.step.state(share_ratio);
         (y[X], y[Z])
     }
 
-    /// Acceleration in the ground's frame of the point that lies `x_m` from the left edge and `z_m` above the base:
-    /// (horizontal, vertical) \[m/s²\].
+    /// Acceleration in the inertial frame of the point `x_m` from the left edge and `z_m` above the
+    /// base: (horizontal, vertical) \[m/s²\].
     pub fn acceleration_m_s2(&self, x_m: f64, z_m: f64, share_ratio: f64) -> (f64, f64) {
         self.seen.acceleration(x_m - self.cg_from_left_m, z_m - self.seen.body.cg_height, share_ratio)
     }
 
-    /// Force on the body and compression of a contact element, counted from the left:
-    /// (to the right \[N\], upward \[N\], m).
+    /// Force on the block and compression of a contact element, counted from the left: (to the
+    /// right \[N\], upward \[N\], m).
     pub fn contact(&self, index: usize, share_ratio: f64) -> Option<(f64, f64, f64)> {
         let grip = *self.seen.grips.get(index)?;
         let y = self.seen.step.state(share_ratio);
@@ -75,19 +76,22 @@ impl Piece<'_, '_> {
     }
 }
 
-/// Follows a body on its cushions.
+/// The response of a block on its cushions.
 ///
 /// # Accuracy
-/// See [`CompliantAccuracy`](super::CompliantAccuracy); [`EnergyAudit`](super::EnergyAudit) says what was reached.
+/// See [`CompliantAccuracy`](super::CompliantAccuracy); [`EnergyAudit`](super::EnergyAudit) shows
+/// the accuracy reached.
 ///
 /// # Limitation
-/// Plane motion of a rigid body; cushions without mass and without damage.
+/// Plane motion of a rigid block; cushions without mass and without damage.
 ///
 /// # Errors
-/// Numbers out of range, cushions that do not keep the body upright, a history too long for its stiffness.
+/// Numbers out of range, cushions that do not keep the block upright, or a history too long for its
+/// stiffness.
 ///
 /// # Example
-/// The cabinet of Al Abadi et al. let go from 16 mm: 3.6 g, where Eq. (5) says 4.53 g and 4.0–4.1 g was measured.
+/// The cabinet of Al Abadi et al. released from 16 mm: 3.6 g, where Eq. (5) gives 4.53 g and
+/// 4.0–4.1 g was measured.
 /// ```
 /// use freestand::block::Block;
 /// use freestand::compliant::{CompliantBase, CompliantOptions, Start, rock_compliant};
@@ -117,7 +121,7 @@ pub fn rock_compliant(
     rock_compliant_observed(block, base, motion, options, |_| {})
 }
 
-/// [`rock_compliant`] that shows every step.
+/// [`rock_compliant`], which also passes every step to `observe` in order.
 ///
 /// # Errors
 /// Those of [`rock_compliant`].
@@ -186,8 +190,8 @@ fn nothing_yet(options: &CompliantOptions, equilibrium: Option<super::Equilibriu
     }
 }
 
-/// The straight piece of the base's motion from sample `index`, and when it ends; past the last sample the base comes to
-/// rest within one step.
+/// The straight segment of the base's motion that begins at sample `index`, and its end; after the
+/// last sample the base comes to rest within one time step.
 fn interval(motion: Base<'_>, index: usize, end_s: f64) -> (Line, f64) {
     let Some(given) = motion.horizontal.or(motion.vertical) else { return (Line::default(), end_s) };
     let (dt_s, samples) = (given.dt_s(), given.accel_m_s2().len());
@@ -210,14 +214,15 @@ pub(super) struct Solver<'a, 'b, F> {
     pub(super) body: &'a Body<'b>,
     pub(super) cg_from_left_m: f64,
     pub(super) grips: Vec<Grip>,
-    /// Between which kinks of its law each cushion is pressed.
+    /// The kinks of its law between which each cushion is compressed.
     pub(super) lines: Vec<(f64, f64)>,
     pub(super) kinks_m: Vec<f64>,
     pub(super) y: State,
     pub(super) rates: State,
     pub(super) time_s: f64,
     pub(super) try_s: f64,
-    /// 1/ω of the vibration on the cushions, and what compressions, forces and speeds are there.
+    /// 1/ω of the vibration on the cushions, and the corresponding units of compression, force and
+    /// velocity.
     pub(super) unit_s: f64,
     pub(super) unit_m: f64,
     pub(super) sizes: State,
@@ -242,7 +247,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         let unit_m = body.cushion.static_compression_m(0.5 * weight_n);
         let unit_s = (unit_m / body.gravity).sqrt();
         let width_m = block.base_width_m();
-        let mut sizes = [unit_m; STRETCH + MOST_CONTACTS];
+        let mut sizes = [unit_m; STRETCH + MAX_CONTACTS];
         (sizes[THETA], sizes[OMEGA]) = (unit_m / width_m, unit_m / width_m / unit_s);
         (sizes[V_X], sizes[V_Z]) = (unit_m / unit_s, unit_m / unit_s);
         for place in [WORK, DASHPOT, DRAG, SLIP] {
@@ -271,7 +276,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         }
     }
 
-    /// What touches at the start carries without stretch.
+    /// Contacts at the start carry load without stretch.
     fn begin(&mut self, result: &mut CompliantRocking) {
         for index in 0..self.grips.len() {
             if self.body.foot(index, &self.y).compression > 0.0 {
@@ -285,7 +290,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         self.ledger = Ledger::open(self.body, &self.grips, &self.y);
     }
 
-    /// Goes through one straight piece of the motion.
+    /// Calculates one straight segment of the motion.
     fn pass(&mut self, line: Line, until_s: f64, result: &mut CompliantRocking) -> Result<(), CompliantError> {
         self.rates = self.body.rates(&self.grips, &line, self.time_s, &self.y);
         while self.time_s < until_s && result.overturn_time_s.is_none() {
@@ -303,8 +308,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             if is_last {
                 self.time_s = until_s;
             }
-            if self.effort.steps > MOST_STEPS {
-                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MOST_STEPS });
+            if self.effort.steps > MAX_STEPS {
+                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MAX_STEPS });
             }
         }
         self.time_s = self.time_s.max(if result.overturn_time_s.is_some() { 0.0 } else { until_s });
@@ -332,7 +337,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
                 return Ok((step, growth * length_s));
             }
             self.effort.rejected += 1;
-            // Not a number where a trial went through the end of a bottoming cushion.
+            // NaN where a trial went past the end of a bottoming cushion.
             let shrink = if step.error_ratio.is_finite() { 0.9 * step.error_ratio.powf(-0.2) } else { 0.1 };
             length_s *= shrink.clamp(0.1, 0.9);
             if length_s < LOST_RAD * self.unit_s {
@@ -341,7 +346,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         }
     }
 
-    /// A share of the step by which an event has passed, if one has.
+    /// A share of the step by which an event has passed, if there is one.
     fn first_event(&self, line: &Line, step: &Step) -> Option<f64> {
         [0.5, 1.0].into_iter().find(|&share| {
             let y = if share == 1.0 { step.end } else { step.state(share) };
@@ -350,8 +355,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         })
     }
 
-    /// The step that ends just past the first event within `length_s`: by false position on steps of their own, so that
-    /// nothing of what lies beyond the event is in it.
+    /// The step that ends just past the first event within `length_s`, located by false position
+    /// with new steps, so that nothing after the event affects it.
     fn shortened(&mut self, line: &Line, length_s: f64) -> Step {
         let shortest_s = SHORTEST_RAD * self.unit_s;
         let mut beyond = self.take(line, length_s);

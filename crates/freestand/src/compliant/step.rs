@@ -1,4 +1,4 @@
-//! One step of Runge–Kutta 5(4) with a polynomial through it.
+//! One Runge–Kutta 5(4) step with an interpolating polynomial.
 
 use super::equation::{Body, Grip, Line, State};
 
@@ -14,7 +14,8 @@ const STAGES: [[f64; 6]; 6] = [
 ];
 const ERROR: [f64; 7] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
-/// Of the fourth-order polynomial through the step, Hairer, Nørsett and Wanner, Solving ODEs I, II.6.
+/// Coefficients of the fourth-order interpolating polynomial: Hairer, Nørsett and Wanner, Solving
+/// ODEs I, II.6.
 const DENSE: [f64; 7] = [
     -12715105075.0 / 11282082432.0,
     0.0,
@@ -25,10 +26,11 @@ const DENSE: [f64; 7] = [
     69997945.0 / 29380423.0,
 ];
 
-/// Share of a number that counts as part of its size, so that rounding of large rotations is no error.
+/// Share of a value that counts towards its scale, so that the rounding of large rotations is not
+/// taken for an error.
 const RELATIVE: f64 = 1e-3;
 
-/// A step that was taken.
+/// An accepted step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step {
     pub(super) start_s: f64,
@@ -38,13 +40,14 @@ pub(super) struct Step {
     /// Rates at the start and at the end.
     pub(super) start_rates: State,
     pub(super) end_rates: State,
-    /// Of the error estimate, by the scales of the state; above 1 the step was too long.
+    /// Error estimate relative to the scales of the state; above 1 the step was too long.
     pub(super) error_ratio: f64,
     last: State,
 }
 
 impl Step {
-    /// From a state and its rates over `length_s`; an error of 1 is `tolerance` of the sizes.
+    /// A step from a state and its rates over `length_s`; an error ratio of 1 is `tolerance` of the
+    /// scales.
     pub(super) fn take(
         body: &Body,
         grips: &[Grip],
@@ -66,7 +69,7 @@ impl Step {
         }
         let weighted =
             |weights: &[f64; 7], i: usize| weights.iter().zip(&slopes).map(|(w, slope)| w * slope[i]).sum::<f64>();
-        let mut last = [0.0; super::equation::STRETCH + super::equation::MOST_CONTACTS];
+        let mut last = [0.0; super::equation::STRETCH + super::equation::MAX_CONTACTS];
         let mut sum = 0.0;
         for i in 0..len {
             last[i] = length_s * weighted(&DENSE, i);

@@ -48,7 +48,7 @@ fn released(block: &Block, base: &CompliantBase, rise_m: f64, duration_s: f64) -
     rock_compliant(block, base, Base::default(), &tilted(block, rise_m, duration_s)).unwrap()
 }
 
-/// The largest acceleration of the edge that lands first, over Eq. (5).
+/// The largest acceleration of the edge that lands first, divided by Eq. (5).
 fn first_over_eq5(base: &CompliantBase, stiffness_n_m: f64, rise_m: f64) -> f64 {
     let got = released(&cabinet(), base, rise_m, 0.45);
     let paper = Landing::rocking(&cabinet(), ImpactModel::Paper).impact(
@@ -60,8 +60,8 @@ fn first_over_eq5(base: &CompliantBase, stiffness_n_m: f64, rise_m: f64) -> f64 
     got.touches[0].peak_acceleration_m_s2 / paper.edge_acceleration_m_s2
 }
 
-/// First peak over Eq. (5) for a release from 16 mm, as a program of other hands has it, to its two digits
-/// (0.6 %, half a unit of the last digit and what 9.81 for 9.80665 does).
+/// First peak divided by Eq. (5) for a release from 16 mm, from an independent program, to its two
+/// digits (0.6 %: half a unit of the last digit, and the effect of 9.81 for 9.80665).
 #[test]
 fn shock_of_the_cabinet_over_equation_5() {
     for (scale, expected) in
@@ -76,9 +76,10 @@ fn shock_of_the_cabinet_over_equation_5() {
     }
 }
 
-/// Eq. (5) is the limit of a stiff base whose landing edge does not move sideways. A dashpot of a tenth of the critical one
-/// calms the tangential vibration, which would ring on top. What is left is the time that the edge takes to stop sideways,
-/// √(k/k_t) of the pulse: about 1 % at 1000.
+/// Eq. (5) is the limit of a stiff base whose landing edge does not move sideways. A dashpot of a
+/// tenth of the critical one damps the tangential vibration, which would otherwise be superimposed.
+/// What remains is the time that the edge takes to stop sideways, √(k/k_t) of the pulse: about 1 %
+/// at 1000.
 #[test]
 fn equation_5_is_the_limit_of_a_stiff_base_that_grips() {
     let off = |scale: f64, ratio: f64| {
@@ -93,8 +94,9 @@ fn equation_5_is_the_limit_of_a_stiff_base_that_grips() {
     assert!(off(4096.0, 1000.0) < 0.006, "{}", off(4096.0, 1000.0));
 }
 
-/// On the way to its first landing a block on a stiff base follows Housner: the quarter period p·T/4 (α = 0.2, θ₀ = α/2:
-/// 1.31850440) and ω² = 2p²[cos(α−θ₀) − cos(α−θ)] of the energy. The pads give by m g/k = 1e-8 m, which is 3e-7 of the uplift.
+/// On the way to its first landing a block on a stiff base follows Housner: the quarter period
+/// p·T/4 (α = 0.2, θ₀ = α/2: 1.31850440) and ω² = 2p²[cos(α−θ₀) − cos(α−θ)] of the energy. The pads
+/// compress by m g/k = 1e-8 m, which is 3e-7 of the uplift.
 #[test]
 fn a_stiff_base_lets_the_block_rock_as_housners() {
     let block = Block::uniform(0.6 / 0.2f64.tan(), 0.6).unwrap();
@@ -114,13 +116,15 @@ fn a_stiff_base_lets_the_block_rock_as_housners() {
         }
     })
     .unwrap();
-    // The weight that the release takes off the pad at once leaves it ringing at √(k/m) = 3e4 rad/s with 1e-8 m.
+    // The release takes weight off the pad suddenly, which leaves it ringing at √(k/m) = 3e4 rad/s
+    // with 1e-8 m.
     assert!(worst < 1e-3 * p * 0.1, "{worst}");
     assert!((p * history.touches[0].time_s - 1.318_504_40).abs() < 2e-6, "{}", p * history.touches[0].time_s);
 }
 
-/// Energy for every law with and without friction, damping and elements along the base: 1e-6 of what is turned over. The
-/// largest come from laws with a root at the first touch; springs reach 1e-8.
+/// Energy balance for every law with and without friction, damping and elements along the base:
+/// 1e-6 of the turnover. The largest errors come from laws with a root at first contact; springs
+/// reach 1e-8.
 #[test]
 fn the_energy_balance_closes() {
     for law in laws() {
@@ -140,8 +144,8 @@ fn the_energy_balance_closes() {
     }
 }
 
-/// The error of peak and end falls with the tolerance, which is what a fifth-order method with its error held by steps does;
-/// held against 1e-13.
+/// The errors of the peak and of the end decrease with the tolerance, as they do in a fifth-order
+/// method with a controlled error per step; the reference is 1e-13.
 #[test]
 fn the_error_follows_the_tolerance() {
     let at = |tolerance| {
@@ -160,13 +164,14 @@ fn the_error_follows_the_tolerance() {
     }
     let order = (error(1e-6) / error(1e-11)).log10() / 5.0;
     assert!((0.8..1.2).contains(&order), "{order}");
-    // Fifth order: ten times the accuracy for 10^(1/5) times the steps.
+    // Fifth order: ten times the accuracy takes 10^(1/5) times the steps.
     let growth = (at(1e-12).2.steps as f64 / at(1e-9).2.steps as f64).powf(1.0 / 3.0);
     assert!((1.45..1.7).contains(&growth), "{growth}");
 }
 
-/// A flat fall on two cushions is the fall of one mass: F/m = g√(1+2h/δ) + g on springs (δ = mg/2k), the root of
-/// 2K dⁿ⁺¹/(n+1) = m g(h+d) on power laws, and the one-mass history of the cushion for damped ones (1e-8 of the force).
+/// A flat fall on two cushions is the fall of one mass: F/m = g√(1+2h/δ) + g on springs (δ =
+/// mg/2k), the root of 2K dⁿ⁺¹/(n+1) = m g(h+d) on power laws, and the history of the cushion under
+/// one mass for damped ones (1e-8 of the force).
 #[test]
 fn a_flat_fall_is_the_landing_of_one_mass() {
     let height_m = 0.02;
@@ -189,7 +194,7 @@ fn a_flat_fall_is_the_landing_of_one_mass() {
             }
             ContactLaw::Power { coefficient_n_mn, exponent: n } => {
                 let work = |d: f64| 2.0 * coefficient_n_mn * d.powf(n + 1.0) / (n + 1.0) - weight_n * (height_m + d);
-                let d = crate::quadrature::halved(1e-6, 1.0, |d| work(d) >= 0.0);
+                let d = crate::search::bisect(1e-6, 1.0, |d| work(d) >= 0.0);
                 2.0 * coefficient_n_mn * d.powf(n)
             }
             _ => history.iter().map(|point| point.force_n).fold(0.0, f64::max),
@@ -208,14 +213,14 @@ fn a_flat_fall_is_the_landing_of_one_mass() {
         assert!(got.peak_rotation_rad < 1e-12, "{name}: {}", got.peak_rotation_rad);
         assert_eq!(got.outcome, crate::rocking::Outcome::Rocked);
     }
-    // Five elements that share the cushions fall as two do.
+    // Five elements that share the cushions behave as two do.
     let two = rock_compliant(&cabinet(), &springs(EDGE_N_M), Base::default(), &options).unwrap();
     let five = CompliantBase { contacts: 5, ..springs(EDGE_N_M) };
     let five = rock_compliant(&cabinet(), &five, Base::default(), &options).unwrap();
     assert!((five.peak_edge_acceleration_m_s2() / two.peak_edge_acceleration_m_s2() - 1.0).abs() < 1e-9);
 }
 
-/// A shaking that is a few half-sines, not symmetric.
+/// A motion of a few half-sines, not symmetric.
 fn shaking(factor: f64) -> Motion {
     let a = |i: i32| {
         let t = f64::from(i) * 0.01;
@@ -224,7 +229,7 @@ fn shaking(factor: f64) -> Motion {
     Motion::new(0.01, (0..=300).map(a).collect()).unwrap()
 }
 
-/// Without motion a body stays as it rests, to the last bit; with a motion that is zero as well.
+/// Without a motion, or with a motion of zeros, a block at rest stays exactly at rest.
 #[test]
 fn nothing_moves_a_body_at_rest() {
     let zero = Motion::new(0.01, vec![0.0; 101]).unwrap();
@@ -238,15 +243,16 @@ fn nothing_moves_a_body_at_rest() {
         assert_eq!((got.final_omega_rad_s, got.uplift_m, got.peak_edge_accelerations_m_s2), (0.0, 0.0, [0.0; 2]));
         assert_eq!(got.outcome, crate::rocking::Outcome::NoUplift);
     }
-    // And where the equation is integrated, because the base moves a little later.
+    // The same where the equation is integrated, because the base moves a little later.
     let later = Motion::new(0.5, vec![0.0, 0.0, 1e-12]).unwrap();
     let motion = Base { horizontal: Some(&later), vertical: None };
     let got = rock_compliant(&cabinet(), &springs(EDGE_N_M), motion, &CompliantOptions::default()).unwrap();
     assert!(got.peak_rotation_rad < 1e-12 && got.outcome == crate::rocking::Outcome::NoUplift);
 }
 
-/// Statics by hand: the forces of the edges are m g times the other edge's arm over B, up to the rotation's share of the arms
-/// (h θ of 0.3 m), and their moment about the centre of gravity is zero with the exact arms.
+/// Statics by hand: the forces of the edges are m g times the arm of the other edge divided by B,
+/// up to the effect of the rotation on the arms (h θ of 0.3 m), and their moment about the centre
+/// of gravity is zero with the exact arms.
 #[test]
 fn a_body_rests_where_forces_and_moments_balance() {
     for law in laws() {
@@ -274,7 +280,7 @@ fn the_mirror_image_does_the_mirrored() {
     };
     let (one, other) = (run(&block, 1.0), run(&block.mirrored(), -1.0));
     assert_eq!(one.outcome, crate::rocking::Outcome::Rocked);
-    // Sums are taken from left to right in both: a rounding that the impacts amplify.
+    // Both sum from left to right: a rounding difference that the impacts amplify.
     assert!((one.final_rotation_rad + other.final_rotation_rad).abs() < 1e-6 * one.peak_rotation_rad);
     let [a, b] = one.peak_edge_accelerations_m_s2;
     let [c, d] = other.peak_edge_accelerations_m_s2;
@@ -283,8 +289,8 @@ fn the_mirror_image_does_the_mirrored() {
     assert_eq!(one.touches.len(), other.touches.len());
 }
 
-/// All lengths four times, times twice, the same accelerations: the stiffness for which the weight presses the pads four times
-/// as deep. Powers of two, so that every bit is the same.
+/// All lengths four times, times twice, the same accelerations: the stiffness for which the weight
+/// compresses the pads four times as much. Powers of two keep every bit the same.
 #[test]
 fn similar_bodies_do_similar_things() {
     let run = |scale: f64| {
@@ -302,7 +308,8 @@ fn similar_bodies_do_similar_things() {
     assert!(one.uplift_m > 0.01 && one.energy.friction_j > 0.0);
 }
 
-/// With k_t = k, friction of 0.5 and more changes the first peak by little more than 1 %; of 0.3 on a soft base by 2 %.
+/// With k_t = k, friction of 0.5 and more changes the first peak by little more than 1 %; friction
+/// of 0.3 on a soft base changes it by 2 %.
 #[test]
 fn friction_hardly_changes_the_shock() {
     for scale in [0.25, 1.0, 16.0] {
@@ -316,7 +323,8 @@ fn friction_hardly_changes_the_shock() {
     }
 }
 
-/// Without friction nothing holds the body sideways: its centre of gravity stays where it is and the base slides under it.
+/// Without friction nothing holds the block sideways: its centre of gravity stays where it is and
+/// the base slides under it.
 #[test]
 fn a_base_without_friction_slides_away() {
     let base = CompliantBase { friction_ratio: Some(0.0), ..springs(EDGE_N_M) };
@@ -327,12 +335,13 @@ fn a_base_without_friction_slides_away() {
         last = piece.displacement_m(1.0);
     })
     .unwrap();
-    // −½ a t² after 1 s, and the feet with it.
+    // −½ a t² after 1 s, which the contacts slide as well.
     assert!((last.0 + 1.0).abs() < 1e-9 && (got.slid_m - 2.0).abs() < 1e-6, "{last:?} {}", got.slid_m);
     assert!(got.peak_rotation_rad < 1e-9 && got.energy.friction_j.abs() < 1e-12, "{got:?}");
 }
 
-/// Let go beyond the balance point it falls, on any cushion; just within it does not.
+/// Released beyond the balance point it overturns, on any cushion; released just within it, it does
+/// not.
 #[test]
 fn a_body_falls_beyond_the_balance_point() {
     let alpha = cabinet().pivot().slenderness_angle_rad;
@@ -348,7 +357,7 @@ fn a_body_falls_beyond_the_balance_point() {
     }
 }
 
-/// On soft pads a body sways: it turns, and neither edge leaves its pad. That is no uplift.
+/// On soft pads a block sways: it rotates, and neither edge leaves its pad. That is not uplift.
 #[test]
 fn swaying_is_not_uplift() {
     let motion = shaking(0.2);
@@ -359,22 +368,25 @@ fn swaying_is_not_uplift() {
     assert!(got.touches.is_empty() && got.first_uplift_time_s.is_none());
 }
 
-/// Vertical motion alone: the body on its pads is an oscillator of √(2k/m) = 250 rad/s; under a constant −½ g it settles about
-/// half its rest, and a step overshoots by as much again: N per edge between 0 and the weight's half.
+/// Vertical motion alone: the block on its pads is an oscillator of √(2k/m) = 250 rad/s. Under a
+/// constant −½ g it settles at half its compression at rest, and a step overshoots by as much
+/// again, so N per edge is between 0 and half the weight.
 #[test]
 fn the_base_may_move_up_and_down() {
     let motion = Motion::new(0.001, [vec![0.0], vec![-0.5 * G0_M_S2; 200]].concat()).unwrap();
     let base_motion = Base { horizontal: None, vertical: Some(&motion) };
     let got = rock_compliant(&cabinet(), &springs(EDGE_N_M), base_motion, &CompliantOptions::default()).unwrap();
     assert_eq!(got.outcome, crate::rocking::Outcome::NoUplift);
-    // The ramp of 1 ms takes (ωt)²/24 = 0.3 % off the overshoot, so the acceleration swings between −g and 0.
+    // The ramp of 1 ms reduces the overshoot by (ωt)²/24 = 0.3 %, so the acceleration swings
+    // between −g and 0.
     assert!(got.peak_edge_acceleration_m_s2() < 0.01 * G0_M_S2);
     let half_n = 0.5 * MASS_KG * G0_M_S2;
     assert!((got.peak_edge_forces_n[0] / half_n - 1.0).abs() < 1e-6, "{}", got.peak_edge_forces_n[0] / half_n);
     assert!(got.energy.residual_ratio < 1e-7);
 }
 
-/// Points of a rigid body: the edges' accelerations come back as those of points, and the middle of the base has their mean.
+/// Points of a rigid block: points at the edges have the accelerations of the edges, and the middle
+/// of the base has their mean.
 #[test]
 fn points_of_the_body_follow_its_edges() {
     let options = tilted(&cabinet(), 0.016, 0.5);
@@ -395,7 +407,8 @@ fn points_of_the_body_follow_its_edges() {
     for (index, point) in points.iter().enumerate() {
         assert!((point.time_s - 0.001 * index as f64).abs() < 1e-12);
         assert_eq!(point.point_accelerations_m_s2[0].1, point.edge_accelerations_m_s2[0]);
-        // Newton: the forces are what accelerates the centre of gravity, half-way between opposite corners.
+        // Newton: the forces accelerate the centre of gravity, which is half-way between opposite
+        // corners.
         let up: f64 = point.contact_forces_n.iter().map(|f| f.1).sum();
         let mean = 0.5 * (point.point_accelerations_m_s2[0].1 + point.point_accelerations_m_s2[1].1);
         assert!((up / MASS_KG - G0_M_S2 - mean).abs() < 1e-9 * (1.0 + mean.abs()), "{point:?}");
@@ -420,7 +433,7 @@ fn what_makes_no_history_is_refused() {
     let flat = Start::Tilted { rotation_rad: PI, omega_rad_s: 0.0 };
     let flat = CompliantOptions { start: flat, ..good.clone() };
     assert!(matches!(run(&springs(1e6), &flat), Err(CompliantError::Value { .. })));
-    // k B²/2 = m g z at 8770 N/m: below it the body does not stand.
+    // k B²/2 = m g z at 8770 N/m: below it the block has no stable upright position.
     let rest = CompliantOptions { start: Start::Rest, ..good.clone() };
     assert!(matches!(run(&springs(8_000.0), &rest), Err(CompliantError::Unstable { .. })));
     assert!(run(&springs(9_500.0), &rest).is_ok());
@@ -429,7 +442,7 @@ fn what_makes_no_history_is_refused() {
     assert_eq!(rock_compliant(&block, &springs(1e6), both, &rest), Err(CompliantError::VerticalMismatch));
 }
 
-/// Any law, stiff and soft, few and many elements, feet that grip, slip and slide.
+/// Any law, stiff and soft, few and many elements, contacts that stick, slip and slide.
 fn any_base() -> impl Strategy<Value = CompliantBase> {
     let law = prop::sample::select(laws());
     let factor = (-1.0..2.5f64).prop_map(|x| 10f64.powf(x));
@@ -458,7 +471,8 @@ fn any_start() -> impl Strategy<Value = Start> {
 }
 
 proptest! {
-    // The same cases in every run: what the bounds below were looked at for is what is tested. Others: change the seed.
+    // The same cases in every run, so that the bounds below apply to exactly what is tested. For
+    // other cases change the seed.
     #![proptest_config(ProptestConfig {
         cases: 48,
         failure_persistence: None,
@@ -466,10 +480,12 @@ proptest! {
         ..ProptestConfig::default()
     })]
 
-    /// Whatever the body, its cushions, its start and the motion, upward as well: it is followed to its end or to its fall,
-    /// the energy closes to 1e-4 (1e-5 for a hardly rocking body on five elements with the steepest root at their touch; five
-    /// hundred histories had less), the feet never pull, and friction holds its limit. Refused are
-    /// only cushions too soft to stand on, and given up those that bottom.
+    /// For any block, cushions, start and motion, including vertical motion, the history reaches
+    /// its end or the block overturns; the energy balance closes to 1e-4 (1e-5 for a barely rocking
+    /// block on five elements with the steepest root at first contact; five hundred histories had
+    /// less); the contacts never pull; and friction stays within its limit. Only cushions too soft
+    /// to keep the block upright are refused, and only histories on cushions that bottom are
+    /// abandoned.
     #[test]
     fn any_history_is_followed_and_closes(
         base in any_base(),
@@ -480,12 +496,13 @@ proptest! {
         let block = Block::uniform(h, t).unwrap().with_cg_offset(0.5 * offset * t).unwrap();
         let (horizontal, vertical) = (shaking(across), shaking(up));
         let motion = Base { horizontal: Some(&horizontal), vertical: Some(&vertical) };
-        // Near its end a bottoming cushion stiffens by hundreds within a step: at `standard` 1.4e-4 was seen there.
+        // Near its limit a bottoming cushion stiffens several hundredfold within a step: at
+        // `standard` 1.4e-4 has been observed there.
         let is_tangent = base.cushion.law().name() == "tangent";
         let accuracy = if is_tangent { CompliantAccuracy::Tight } else { CompliantAccuracy::Standard };
         let options = CompliantOptions { start, accuracy, duration_s: Some(0.5), ..CompliantOptions::default() };
         let mut pulls = false;
-        // How much of the weight a foot holds on beyond its friction.
+        // The excess of a contact over its friction, relative to the weight.
         let mut beyond_ratio = 0.0f64;
         let done = rock_compliant_observed(&block, &base, motion, &options, |piece| {
             for index in 0..base.contacts {
@@ -499,14 +516,15 @@ proptest! {
         let got = match done {
             Ok(got) => got,
             Err(CompliantError::Unstable { .. }) => return Ok(()),
-            // Driven against its end a bottoming cushion is as hard as one likes.
+            // Near its limit a bottoming cushion is arbitrarily stiff.
             Err(CompliantError::StepTooSmall { .. }) if is_tangent => return Ok(()),
             Err(error) => return Err(TestCaseError::fail(format!("{error}: {base:?} {start:?} {block:?}"))),
         };
         prop_assert!(got.energy.residual_ratio < 1e-4, "{:?}", got.energy);
         prop_assert!(!pulls);
-        // A slip is looked for in units of the weight. Over a light foot (1 % of the weight and less) that is some 1e-4 of its own friction,
-        // most where a dashpot pulls at it.
+        // The search for a slip works in units of the weight. For a lightly loaded contact (1 % of
+        // the weight or less) that is some 1e-4 of its own friction, most where a dashpot pulls at
+        // it.
         prop_assert!(beyond_ratio <= 1e-4, "{beyond_ratio}");
         prop_assert!(got.energy.friction_j >= -1e-6 * got.energy.turnover_j, "{:?}", got.energy);
         prop_assert!(got.peak_edge_acceleration_m_s2().is_finite() && got.uplift_m >= 0.0);

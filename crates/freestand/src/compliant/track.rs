@@ -1,17 +1,18 @@
-//! What a history is asked for, picked up step by step.
+//! The quantities that a history reports, collected step by step.
 
 use super::equation::{Body, Grip, Line, OMEGA, STRETCH, State, THETA};
 use super::step::Step;
 use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
 use crate::block::{Block, Pivot};
-use crate::quadrature::halved;
+use crate::search::bisect;
 
-/// A maximum inside a step is at most this much higher than its ends: steps are short against the vibration on the cushions.
+/// A maximum inside a step exceeds its ends by at most this much: steps are short compared with the
+/// vibration on the cushions.
 const HEADROOM: f64 = 0.8;
-/// Contacts that carry less than this share of the weight say nothing about friction.
+/// Contacts that carry less than this share of the weight are ignored for friction.
 const CARRYING_RATIO: f64 = 0.1;
 
-/// A step with all that it takes to evaluate it.
+/// A step with everything needed to evaluate it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen<'a, 'b> {
     pub(super) body: &'a Body<'b>,
@@ -37,7 +38,7 @@ impl Seen<'_, '_> {
         (y, self.body.rates(self.grips, self.line, self.time_s(share), &y))
     }
 
-    /// Acceleration of a point of the body in the ground's frame: (horizontal, vertical).
+    /// Acceleration of a point of the block in the inertial frame: (horizontal, vertical).
     pub(super) fn acceleration(&self, right: f64, up: f64, share: f64) -> (f64, f64) {
         let (y, rates) = self.at(share);
         let shaking = self.line.at(self.time_s(share));
@@ -45,7 +46,7 @@ impl Seen<'_, '_> {
         (horizontal + shaking.horizontal, vertical + shaking.vertical)
     }
 
-    /// The largest value over the step, if it may be above `best`.
+    /// Raises `best` to the largest value over the step, if that may be larger.
     fn raise(&self, best: &mut f64, value: impl Fn(f64) -> f64) {
         let ends = value(0.0).max(value(1.0));
         if ends < HEADROOM * *best {
@@ -56,7 +57,8 @@ impl Seen<'_, '_> {
         let highest = (1..4).max_by(|&a, &b| inner[a].total_cmp(&inner[b])).unwrap_or(2);
         let (mut place, mut reach) = (0.25 * highest as f64, 0.25);
         let (mut before, mut middle, mut after) = (inner[highest - 1], inner[highest], inner[highest + 1]);
-        // Two parabolas: the second one is a tenth as wide, so its top is good to 1e-4 of the first one's error.
+        // Two parabolas: the second one is a tenth as wide, so its top is accurate to 1e-4 of the
+        // error of the first one.
         for _ in 0..2 {
             let bend = before - 2.0 * middle + after;
             if bend < 0.0 {
@@ -68,19 +70,19 @@ impl Seen<'_, '_> {
         }
     }
 
-    /// The share of the step at which a value that is above zero at its start falls through it.
+    /// The share of the step at which a value that is positive at its start falls through zero.
     fn falls(&self, value: impl Fn(&State) -> f64) -> Option<f64> {
         let falling = value(&self.step.start) > 0.0 && value(&self.step.end) <= 0.0;
-        falling.then(|| halved(0.0, 1.0, |share| value(&self.step.state(share)) <= 0.0))
+        falling.then(|| bisect(0.0, 1.0, |share| value(&self.step.state(share)) <= 0.0))
     }
 }
 
-/// An edge of the base, as it is followed.
+/// The tracking data of one edge.
 #[derive(Debug, Clone, Copy)]
 struct EdgeTrack {
     contact: usize,
     side: EdgeSide,
-    /// Index among the touches of the one that lasts.
+    /// Index of the contact in progress.
     open: Option<usize>,
     pivot: Pivot,
 }
@@ -95,12 +97,12 @@ pub(super) struct Track {
     swing: (f64, f64, bool),
     last_touch: Option<usize>,
     flight_s: Option<f64>,
-    /// Where the slipping foot of a contact began to slip, and its stretch.
+    /// Where the foot of a slipping contact began to slip, and its stretch.
     slips: Vec<f64>,
 }
 
 impl Track {
-    /// `is_free`: no base motion.
+    /// `is_free`: the base does not move.
     pub(super) fn new(block: &Block, body: &Body, points_m: &[(f64, f64)], is_free: bool, start: &State) -> Self {
         let edge = |contact, side, pivot| EdgeTrack { contact, side, open: None, pivot };
         let pivots = [block.pivot(), block.right_pivot()];
@@ -116,7 +118,7 @@ impl Track {
         }
     }
 
-    /// Reads a step.
+    /// Evaluates a step.
     pub(super) fn read(&mut self, seen: &Seen, result: &mut CompliantRocking) {
         self.accelerations(seen, result);
         self.rotations(seen, result);
@@ -170,7 +172,7 @@ impl Track {
         }
         let alpha = self.alpha[usize::from(side > 0.0)];
         if result.passed_alpha_time_s.is_none() && side * to > alpha {
-            let share = halved(0.0, 1.0, |share| side * seen.step.state(share)[THETA] > alpha);
+            let share = bisect(0.0, 1.0, |share| side * seen.step.state(share)[THETA] > alpha);
             result.passed_alpha_time_s = Some(seen.time_s(share));
         }
         if from != 0.0 && from.signum() != to.signum() {
@@ -179,7 +181,7 @@ impl Track {
         }
     }
 
-    /// Writes the swing down that is over, if an edge was off its cushion in it.
+    /// Records the swing that has ended, if an edge was off its cushion during it.
     pub(super) fn end_swing(&self, result: &mut CompliantRocking) {
         let (time_s, rotation_rad, lifted) = self.swing;
         if !lifted {
@@ -202,7 +204,7 @@ impl Track {
                 self.swing.2 = true;
                 if result.first_uplift_time_s.is_none() {
                     let is_up = |share: f64| height(&seen.step.state(share)) > 0.0;
-                    let share = if is_up(0.0) { 0.0 } else { halved(0.0, 1.0, is_up) };
+                    let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
                     result.first_uplift_time_s = Some(seen.time_s(share));
                 }
                 let theta = seen.step.start[THETA].abs().max(seen.step.end[THETA].abs());
@@ -268,7 +270,8 @@ impl Track {
         }
     }
 
-    /// The foot of a contact begins to slide, or ends: `place` is where it is, from the centre of the base.
+    /// The foot of a contact begins or ends its slide; `place` is its position relative to the
+    /// centre of the base.
     pub(super) fn slide(&mut self, contact: usize, place: f64, begins: bool, result: &mut CompliantRocking) {
         let Some(from) = self.slips.get_mut(contact) else { return };
         if !begins {
@@ -277,7 +280,7 @@ impl Track {
         *from = place;
     }
 
-    /// A flight from the start, or to the end.
+    /// Starts a flight.
     pub(super) fn flies_from(&mut self, time_s: f64, result: &mut CompliantRocking) {
         self.flight_s = Some(time_s);
         result.flight_count += 1;
@@ -290,7 +293,8 @@ impl Track {
         }
         let theta = result.peak_uplifted_rotation_rad;
         let rises = [block.pivot(), block.right_pivot()].map(|pivot| pivot.largest_rise_m(theta));
-        // The edge that it turned about at the largest swing; of a block without offset both rises are alike.
+        // The edge about which the block rotated in the largest swing; for a block without offset
+        // both rises are equal.
         let to = |side: f64| result.swings.iter().map(|swing| side * swing.rotation_rad).fold(0.0, f64::max);
         result.cg_rise_m = if to(1.0) >= to(-1.0) { rises[1] } else { rises[0] };
     }

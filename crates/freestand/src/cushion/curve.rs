@@ -1,8 +1,10 @@
-//! Cushion curves of packaging: peak acceleration against static stress, reduced to one stress–energy curve.
+//! Cushion curves for packaging: peak acceleration against static stress, reduced to one
+//! stress–energy curve.
 //!
-//! For drops of a mass m from h on an area A of a cushion of thickness t, the dynamic stress σ = G s (G the peak
-//! acceleration in g, s = mg/A the static stress) is a function of the energy per volume E = s h/t alone. With
-//! σ = a exp(bE): G = (a/s) exp(b s h/t), least at s* = t/(b h), where G = a b e h/t.
+//! For drops of a mass m from a height h on an area A of a cushion of thickness t, the dynamic
+//! stress σ = G s (G the peak acceleration in g, s = mg/A the static stress) depends only on the
+//! energy per volume E = s h/t. With σ = a exp(bE): G = (a/s) exp(b s h/t), smallest at s* = t/(b
+//! h), where G = a b e h/t.
 
 use thiserror::Error;
 
@@ -22,29 +24,30 @@ pub struct StressEnergyFit {
     pub curve: StressEnergy,
     /// R² of ln σ against E.
     pub r_squared_ratio: f64,
-    /// Least and largest energy per volume among the tests \[J/m³\]: outside of them the curve is a guess.
+    /// Smallest and largest energy per volume among the tests \[J/m³\]; outside this range the
+    /// curve is an extrapolation.
     pub energies_j_m3: (f64, f64),
     /// Number of tests.
     pub tests: usize,
 }
 
-/// Why tests give no curve.
+/// Why tests do not give a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum CurveError {
-    /// Two numbers need more than two tests.
-    #[error("{tests} tests of a cushion are too few for its stress-energy curve: at least 3")]
+    /// Too few tests: two parameters need more than two tests.
+    #[error("a stress-energy curve needs at least 3 tests of the cushion, not {tests}")]
     TooFew {
-        /// How many there are.
+        /// Number of tests.
         tests: usize,
     },
-    /// A test without size.
+    /// A test with a value that is not positive.
     #[error("test {number}: static stress, drop height, thickness and peak acceleration must be positive")]
     NotPositive {
         /// The test, from 1.
         number: usize,
     },
     /// All tests have the same energy.
-    #[error("all tests have the same energy per volume: they give no curve")]
+    #[error("all tests have the same energy per volume, so they do not define a curve")]
     OneEnergy,
     /// The stress does not grow with the energy.
     #[error("the dynamic stress does not grow with the energy (b = {exponent_m3_j} m³/J)")]
@@ -55,14 +58,16 @@ pub enum CurveError {
 }
 
 impl StressEnergy {
-    /// Least squares on ln σ = ln a + b E over tests of (static stress \[Pa\], drop height \[m\], thickness \[m\], peak
-    /// acceleration \[g\]).
+    /// Least squares on ln σ = ln a + b E over tests given as (static stress \[Pa\], drop
+    /// height \[m\], thickness \[m\], peak acceleration \[g\]).
     ///
     /// # Reference
-    /// ASTM D1596 for the tests; the reduction is Burgess (1990), Consolidation of cushion curves.
+    /// ASTM D1596 for the tests; Burgess (1990), Consolidation of cushion curves, for the
+    /// reduction.
     ///
     /// # Errors
-    /// Fewer than 3 tests, one without size, no spread of energies, a stress that falls with the energy.
+    /// Fewer than 3 tests, a test with a value that is not positive, tests of equal energy, or a
+    /// stress that does not grow with the energy.
     pub fn fitted(tests: &[(f64, f64, f64, f64)]) -> Result<StressEnergyFit, CurveError> {
         if tests.len() < 3 {
             return Err(CurveError::TooFew { tests: tests.len() });
@@ -98,7 +103,8 @@ impl StressEnergy {
     /// G = (a/s) exp(b s h/t): peak acceleration of a drop \[g\].
     ///
     /// # Example
-    /// a = 100 kPa, b = 2e-5 m³/J, from 100 mm on 20 mm, at the best static stress of 10 kPa: 27.18 g.
+    /// a = 100 kPa, b = 2e-5 m³/J, from 100 mm on 20 mm, at the best static stress of 10 kPa:
+    /// 27.18 g.
     /// ```
     /// use freestand::cushion::StressEnergy;
     /// let foam = StressEnergy { stress_pa: 1e5, exponent_m3_j: 2e-5 };
@@ -111,20 +117,21 @@ impl StressEnergy {
         self.stress_pa / static_stress_pa * (self.exponent_m3_j * energy_j_m3).exp()
     }
 
-    /// s* = t/(b h): the static stress at which the peak is least \[Pa\].
+    /// s* = t/(b h): the static stress at which the peak acceleration is smallest \[Pa\].
     pub fn best_static_stress_pa(&self, drop_height_m: f64, thickness_m: f64) -> f64 {
         thickness_m / (self.exponent_m3_j * drop_height_m)
     }
 
-    /// The least thickness that keeps the peak at or below `limit_g` at a given static stress: t = b s h/ln(G s/a)
-    /// \[m\]. `None` where G s ≤ a: no thickness is enough, the load is too light for this cushion (spread it less).
+    /// The smallest thickness that keeps the peak at or below `limit_g` at a given static stress:
+    /// t = b s h/ln(G s/a) \[m\]. `None` where G s ≤ a: no thickness is enough, because the load is
+    /// too light for this cushion (use a smaller area).
     pub fn thickness_m(&self, static_stress_pa: f64, drop_height_m: f64, limit_g: f64) -> Option<f64> {
         let growth = (limit_g * static_stress_pa / self.stress_pa).ln();
         (growth > 0.0).then(|| self.exponent_m3_j * static_stress_pa * drop_height_m / growth)
     }
 
-    /// The optimum thickness, the least one that any static stress allows: t = a b e h/G \[m\], at s = t/(b h) = a e/G
-    /// (compare [`StressEnergy::best_static_stress_pa`]).
+    /// The optimum thickness, the smallest that any static stress allows: t = a b e h/G \[m\], at
+    /// s = t/(b h) = a e/G (compare [`StressEnergy::best_static_stress_pa`]).
     pub fn optimum_thickness_m(&self, drop_height_m: f64, limit_g: f64) -> f64 {
         self.stress_pa * self.exponent_m3_j * std::f64::consts::E * drop_height_m / limit_g
     }
@@ -146,7 +153,7 @@ mod tests {
         tests
     }
 
-    /// Tests without noise lie on one line: rounding only.
+    /// Tests without noise lie on one line; only rounding remains.
     #[test]
     fn the_curve_comes_back_from_its_own_tests() {
         let fit = StressEnergy::fitted(&tests_of(FOAM)).unwrap();

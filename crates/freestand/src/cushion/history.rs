@@ -1,43 +1,46 @@
-//! A landing followed in time, for virtual tests and for plots.
+//! The history of a landing in time, for virtual tests and for plots.
 
 use super::Cushion;
 
 /// One instant of a landing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactPoint {
-    /// Since the first touch \[s\].
+    /// Time since first contact \[s\].
     pub time_s: f64,
     /// d \[m\].
     pub compression_m: f64,
-    /// ḋ, positive on the way in \[m/s\].
+    /// ḋ, positive while the compression grows \[m/s\].
     pub speed_m_s: f64,
     /// Force of the cushion \[N\].
     pub force_n: f64,
 }
 
-/// Steps of the integration per contact without gravity: 1e-12 of the compression for smooth laws, 1e-9 for the root of
-/// a Hertz law at the first touch.
+/// Integration steps per contact without gravity: 1e-12 of the compression for smooth laws, 1e-9
+/// for the root of a Hertz law at first contact.
 const STEPS: f64 = 4000.0;
-/// Largest step in radians of the frequency √(F′/m) at the compression that the step reaches: a cushion that is driven into
-/// its end is many times stiffer there than on average.
-const MOST_ANGLE: f64 = 2e-3;
-/// Least step over the common one.
-const LEAST_SHARE: f64 = 1e-4;
-/// Most steps: a bound for cushions that no step is small enough for.
-const MOST_STEPS: u32 = 1_000_000;
-/// A mass that has not left the cushion after so many contact times stays on it.
+/// Largest step in radians of the frequency √(F′/m) at the compression that the step reaches: a
+/// cushion that bottoms is many times stiffer there than on average.
+const MAX_ANGLE: f64 = 2e-3;
+/// Smallest step over the common one.
+const MIN_SHARE: f64 = 1e-4;
+/// Largest number of steps: a limit for cushions for which no step is small enough.
+const MAX_STEPS: u32 = 1_000_000;
+/// A mass that has not left the cushion after this many contact times stays on it.
 const LONGEST: f64 = 8.0;
 
 impl Cushion {
-    /// m d̈ = m g − F(d, ḋ) from the first touch until the force is back at zero, or for 8 contact times where the weight
-    /// keeps the mass down; one point for each step, the last one where the force ends.
+    /// m d̈ = m g − F(d, ḋ) from first contact until the force is zero again, or for 8 contact
+    /// times where the weight keeps the mass down. One point for each step; the last point is where
+    /// the force ends.
     ///
     /// **Units**: kg, m/s, m/s²; `gravity_m_s2` = 0 gives the closed forms of [`Cushion::land`].
     ///
     /// # Accuracy
-    /// Classical Runge–Kutta with 4000 steps to the contact time, and smaller ones where the cushion stiffens. The largest
-    /// force among the points is that of [`Cushion::land`] to 2e-6, also of a tangent law at a thousand times its first
-    /// stiffness; a kink of a table costs as much. Driven into its end further than that, a cushion has no reliable history.
+    /// Classical Runge–Kutta with 4000 steps per contact time, and smaller steps where the cushion
+    /// stiffens. The largest force among the points is that of [`Cushion::land`] to 2e-6, even for
+    /// a tangent law at a thousand times its initial stiffness; a kink of a table causes an error
+    /// of the same size. For a cushion that bottoms more strongly than that, no history is
+    /// reliable.
     pub fn landing_history(&self, mass_kg: f64, speed_m_s: f64, gravity_m_s2: f64) -> Vec<ContactPoint> {
         let contact_s = self.land(mass_kg, speed_m_s).duration_s;
         let common_s = contact_s / STEPS;
@@ -54,12 +57,12 @@ impl Cushion {
             return points;
         }
         let (mut time_s, mut d, mut v) = (0.0, 0.0, speed_m_s);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let (d0, v0) = (d, v);
             let ahead_m = (d0 + 2.0 * v0.abs() * common_s).min(deepest_m.max(d0));
             let omega = (self.tangent_stiffness_n_m(ahead_m) / mass_kg).sqrt();
-            // The smaller of two, also where the stiffness is infinite or no number.
-            let step_s = common_s.min((MOST_ANGLE / omega).max(LEAST_SHARE * common_s));
+            // The smaller of the two, also where the stiffness is infinite or NaN.
+            let step_s = common_s.min((MAX_ANGLE / omega).max(MIN_SHARE * common_s));
             time_s += step_s;
             let (k1, a1) = (v0, acceleration(d0, v0));
             let (k2, a2) = (v0 + 0.5 * step_s * a1, acceleration(d0 + 0.5 * step_s * k1, v0 + 0.5 * step_s * a1));
@@ -80,7 +83,7 @@ impl Cushion {
         points
     }
 
-    /// The largest compression, or nearly, with what the weight adds on the way.
+    /// An estimate of the largest compression, including the work of the weight on the way.
     fn deepest_m(&self, mass_kg: f64, speed_m_s: f64, gravity_m_s2: f64) -> f64 {
         let mut deepest_m = self.land(mass_kg, speed_m_s).compression_m;
         if gravity_m_s2 > 0.0 {
@@ -92,7 +95,8 @@ impl Cushion {
         deepest_m
     }
 
-    /// Where the force ends between two steps: along the line of the last two forces.
+    /// The point between two steps at which the force ends, on the line through the last two
+    /// forces.
     fn last(points: &[ContactPoint], beyond: ContactPoint) -> ContactPoint {
         let [.., before, last] = points else { return beyond };
         let fall = before.force_n - last.force_n;

@@ -1,7 +1,7 @@
-//! What an object stands on: the force of a cushion against its compression, and what it does to a mass that lands on it.
+//! The cushions under an object: force against compression, and the landing of a mass on them.
 //!
-//! A [`ContactLaw`] is the formula, a [`Cushion`] a law whose numbers were checked. The cushion pushes and never pulls:
-//! where a law would give a tension, the force is zero and the contact is over.
+//! A [`ContactLaw`] is the formula; a [`Cushion`] is a law with checked numbers. A cushion pushes
+//! and never pulls: where a law would give tension, the force is zero and the contact has ended.
 
 mod curve;
 mod history;
@@ -13,9 +13,9 @@ pub use landing::Contact;
 
 use thiserror::Error;
 
-use crate::quadrature::halved;
+use crate::search::bisect;
 
-/// Force against compression d and its speed ḋ (positive while the cushion is being pressed).
+/// Force against compression d and its rate ḋ (positive while the compression grows).
 #[derive(Debug, Clone, PartialEq)]
 pub enum ContactLaw {
     /// F = k d.
@@ -37,7 +37,8 @@ pub enum ContactLaw {
         /// c = 2ζ√(k m) \[N s/m\].
         damping_n_s_m: f64,
     },
-    /// F = K dⁿ (1 + Λ ḋ), Hunt and Crossley (1975): no force at the first touch, none left at the last.
+    /// F = K dⁿ (1 + Λ ḋ), Hunt and Crossley (1975): the force is zero at the first and at the last
+    /// moment of contact.
     HuntCrossley {
         /// K \[N/mⁿ\].
         coefficient_n_mn: f64,
@@ -48,65 +49,66 @@ pub enum ContactLaw {
     },
     /// F = (2 k₀ d_b/π) tan(π d/2d_b), Mindlin (1945): a cushion that bottoms at d_b.
     Tangent {
-        /// k₀, the stiffness at first touch \[N/m\].
+        /// k₀, the initial stiffness \[N/m\].
         stiffness_n_m: f64,
         /// d_b \[m\].
         bottoming_m: f64,
     },
-    /// Straight lines between measured points, from (0, 0); beyond the last one its line goes on.
+    /// Straight lines between measured points, from (0, 0); the last line continues past the last
+    /// point.
     Tabulated {
         /// Rising compressions \[m\].
         compressions_m: Vec<f64>,
         /// Forces that never fall \[N\].
         forces_n: Vec<f64>,
     },
-    /// Undamped laws one on top of the other: pad, leg, floor covering carry the same force.
+    /// Undamped laws on top of each other: pad, leg and floor covering carry the same force.
     Series {
         /// The laws.
         parts: Vec<ContactLaw>,
     },
 }
 
-/// A [`ContactLaw`] whose numbers make a cushion.
+/// A [`ContactLaw`] whose numbers are valid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cushion {
     law: ContactLaw,
 }
 
-/// Why numbers make no cushion.
+/// Why numbers do not make a cushion.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CushionError {
-    /// A number of the law is not what it must be.
+    /// A number of the law is out of range.
     #[error("the {name} of the {law} law must be {requirement}, not {value}")]
     Value {
-        /// The law.
+        /// The name of the law.
         law: &'static str,
-        /// The number.
+        /// The name of the number.
         name: &'static str,
-        /// What it must be.
+        /// The requirement that it does not meet.
         requirement: &'static str,
-        /// What it is.
+        /// The value that was given.
         value: f64,
     },
-    /// A table that is too short, or whose columns differ.
+    /// A table that is too short, or whose columns differ in length.
     #[error("a force-compression table needs at least one point beyond (0, 0) and as many forces as compressions")]
     ShortTable,
-    /// A table that goes back, or whose force falls.
+    /// A table whose compressions do not rise or whose force falls.
     #[error("point {number} of the force-compression table: {requirement}")]
     Table {
-        /// The point, from 1.
+        /// The point, counted from 1.
         number: usize,
         /// What is wrong.
         requirement: &'static str,
     },
-    /// A damped law in series has an inner state that is left out.
-    #[error("a damped cushion ({law}) in series with another has an inner state, which is left out")]
+    /// A damped law in series, which has an inner state that the model does not cover.
+    #[error("a damped cushion ({law}) in series with another has an inner state, which the model does not cover")]
     DampedSeries {
         /// The law.
         law: &'static str,
     },
-    /// Nothing in series.
-    #[error("a cushion in series needs parts")]
+    /// No layers in series.
+    #[error("a cushion in series needs at least one layer")]
     NoParts,
 }
 
@@ -124,7 +126,7 @@ fn not_negative(law: &'static str, name: &'static str, value: f64) -> Result<(),
     Err(CushionError::Value { law, name, requirement: "zero or positive", value })
 }
 
-/// Exponents of foams and rubbers lie between ½ and 5; beyond 20 the numbers no longer hold.
+/// Foams and rubbers have exponents between ½ and 5; beyond 20 the calculation loses its accuracy.
 fn exponent(law: &'static str, value: f64) -> Result<(), CushionError> {
     if (0.1..=20.0).contains(&value) {
         return Ok(());
@@ -200,13 +202,14 @@ impl ContactLaw {
         }
     }
 
-    /// The force at which the parts are compressed by `d` together.
+    /// The force at which the total compression of the parts is `d`.
     fn force_in_series_n(parts: &[Self], d: f64) -> f64 {
         let together = |force_n: f64| parts.iter().map(|part| part.compression_m(force_n)).sum::<f64>();
         if d <= 0.0 || !d.is_finite() {
             return 0.0;
         }
-        // Parts that all bottom hold no more than the sum of their bottoming compressions: then no force is enough.
+        // Parts that all bottom cannot be compressed by more than the sum of their bottoming
+        // compressions; beyond it no force is enough.
         let mut most = 1.0;
         while together(most) < d {
             most *= 2.0;
@@ -214,7 +217,7 @@ impl ContactLaw {
                 return most;
             }
         }
-        halved(0.0, most, |force_n| together(force_n) >= d)
+        bisect(0.0, most, |force_n| together(force_n) >= d)
     }
 
     /// The compression of an undamped law under a force \[m\].
@@ -260,7 +263,7 @@ impl ContactLaw {
         }
     }
 
-    /// The same law `factor` times as strong at every compression: pads side by side.
+    /// The same law with `factor` times the force at every compression, as of pads side by side.
     fn times(&self, factor: f64) -> Self {
         let mut law = self.clone();
         match &mut law {
@@ -279,7 +282,7 @@ impl ContactLaw {
     }
 }
 
-/// A straight piece of a table, from its first point on.
+/// A straight line of a table, given by its first point.
 struct Line {
     compression_m: f64,
     force_n: f64,
@@ -296,7 +299,7 @@ impl Line {
         Self::piece(compressions_m, forces_n, forces_n.partition_point(|&f| f <= force_n))
     }
 
-    /// The piece that ends at point `end`; the last one beyond the table.
+    /// The line that ends at point `end`; the last line also applies beyond the table.
     fn piece(compressions_m: &[f64], forces_n: &[f64], end: usize) -> Self {
         let end = end.clamp(1, compressions_m.len() - 1);
         let (x, f) = (&compressions_m[..=end], &forces_n[..=end]);
@@ -322,12 +325,12 @@ fn check_table(compressions_m: &[f64], forces_n: &[f64]) -> Result<(), CushionEr
             return refuse(i + 1, "the compression must rise from point to point");
         }
         if forces_n[i] < forces_n[i - 1] {
-            return refuse(i + 1, "the force falls: take the loading branch, smoothed if it is noisy");
+            return refuse(i + 1, "the force falls: use the loading branch only, smoothed if it is noisy");
         }
     }
     let last = forces_n.len() - 1;
     if forces_n[last] <= forces_n[last - 1] {
-        return refuse(last + 1, "the last line must rise: it goes on beyond the table");
+        return refuse(last + 1, "the last line must rise, because it continues beyond the table");
     }
     Ok(())
 }
@@ -344,17 +347,17 @@ fn check_series(parts: &[ContactLaw]) -> Result<(), CushionError> {
         if let ContactLaw::Tabulated { forces_n, .. } = part
             && let Some(i) = (1..forces_n.len()).find(|&i| forces_n[i] <= forces_n[i - 1])
         {
-            return Err(CushionError::Table { number: i + 1, requirement: "in series every line must rise" });
+            return Err(CushionError::Table { number: i + 1, requirement: "in a series every line must rise" });
         }
     }
     Ok(())
 }
 
 impl Cushion {
-    /// A cushion of this law.
+    /// A cushion with this law.
     ///
     /// # Errors
-    /// Numbers that make no cushion.
+    /// Numbers that are out of range for the law.
     pub fn new(law: ContactLaw) -> Result<Self, CushionError> {
         law.check()?;
         Ok(Self { law })
@@ -363,15 +366,15 @@ impl Cushion {
     /// F = k d \[N/m\].
     ///
     /// # Errors
-    /// A stiffness that is not positive.
+    /// A stiffness that is not positive and finite.
     pub fn linear(stiffness_n_m: f64) -> Result<Self, CushionError> {
         Self::new(ContactLaw::Linear { stiffness_n_m })
     }
 
-    /// Layers that carry the same force, one on top of the other: 1/k = Σ 1/kᵢ for springs.
+    /// Layers on top of each other, which carry the same force: 1/k = Σ 1/kᵢ for springs.
     ///
     /// # Errors
-    /// No layers, or a damped one among several.
+    /// No layers, or several with a damped one among them.
     ///
     /// # Example
     /// ```
@@ -399,7 +402,7 @@ impl Cushion {
         Self::new(ContactLaw::Series { parts })
     }
 
-    /// `count` such cushions side by side, each with its share of the load: the pads under one edge.
+    /// `count` cushions like this one side by side, which share the load: the pads under one edge.
     pub fn side_by_side(&self, count: u32) -> Self {
         Self { law: self.law.times(f64::from(count.max(1))) }
     }
@@ -409,7 +412,7 @@ impl Cushion {
         &self.law
     }
 
-    /// k, if the law is F = k d.
+    /// k if the law is F = k d, otherwise `None`.
     pub fn linear_stiffness_n_m(&self) -> Option<f64> {
         match self.law {
             ContactLaw::Linear { stiffness_n_m } => Some(stiffness_n_m),
@@ -426,19 +429,20 @@ impl Cushion {
         }
     }
 
-    /// The same cushion, `factor` times as stiff at every compression and as strongly damped.
+    /// The cushion with `factor` times the stiffness and damping at every compression.
     ///
     /// # Errors
-    /// A factor that is not positive, or that takes the numbers out of range.
+    /// A factor that is not positive, or with which the numbers go out of range.
     pub fn times(&self, factor: f64) -> Result<Self, CushionError> {
         Self::new(self.law.times(factor))
     }
 
-    /// The force on what presses the cushion by `compression_m` at the speed `speed_m_s` (positive: further in); never
-    /// below zero, and zero without compression \[N\].
+    /// The force of the cushion at the compression `compression_m`, which changes at the rate
+    /// `speed_m_s` (positive while it grows); never below zero, and zero without compression \[N\].
     ///
     /// # Example
-    /// A Kelvin–Voigt pad of 2190 N/mm and 300 N s/m, 1 mm deep, on the way in and on the way out:
+    /// A Kelvin–Voigt pad of 2190 N/mm and 300 N s/m, at 1 mm of growing and 0.1 mm of falling
+    /// compression:
     /// ```
     /// use freestand::cushion::{ContactLaw, Cushion};
     /// let pad = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m: 2.19e6, damping_n_s_m: 300.0 })?;
@@ -459,17 +463,19 @@ impl Cushion {
         force_n.max(0.0)
     }
 
-    /// The energy that the compressed cushion gives back to whoever lets it go slowly, ∫F dd without damping \[J\].
+    /// The energy that the compressed cushion releases if it is unloaded slowly, ∫F dd without
+    /// damping \[J\].
     pub fn stored_energy_j(&self, compression_m: f64) -> f64 {
         if compression_m > 0.0 { self.law.elastic_energy_j(compression_m) } else { 0.0 }
     }
 
-    /// The compression under a force that acts for long, such as a weight \[m\].
+    /// The compression under a constant force such as a weight \[m\].
     pub fn static_compression_m(&self, force_n: f64) -> f64 {
         self.law.compression_m(force_n)
     }
 
-    /// The laws that carry the load and the compression of each, one on top of the other; of most cushions there is one.
+    /// The laws that carry the load on top of each other, with the compression of each; most
+    /// cushions have one.
     pub fn layers_at(&self, compression_m: f64) -> Vec<(&ContactLaw, f64)> {
         match &self.law {
             ContactLaw::Series { parts } => {

@@ -7,7 +7,7 @@ fn of(law: ContactLaw) -> Cushion {
     Cushion::new(law).unwrap()
 }
 
-/// Plates of 0.365 kg at the speed of a fall by 100 mm.
+/// Plates of 0.365 kg, with the speed after a fall of 100 mm.
 const MASS_KG: f64 = 0.365;
 
 fn fall_m_s() -> f64 {
@@ -44,8 +44,9 @@ fn laws() -> Vec<Cushion> {
     ]
 }
 
-/// The closed forms against the equation of motion, which knows none of them. Runge–Kutta in 4000 steps is good to
-/// 1e-8 for smooth laws; a kink of a table costs a step's square, 1e-6; the force ends between two steps.
+/// The closed forms agree with an integration of the equation of motion, which uses none of them.
+/// Runge–Kutta with 4000 steps is accurate to 1e-8 for smooth laws; a kink of a table costs the
+/// square of a step, 1e-6; the force ends between two steps.
 #[test]
 fn closed_forms_are_what_the_motion_does() {
     for cushion in laws() {
@@ -56,7 +57,7 @@ fn closed_forms_are_what_the_motion_does() {
             let last = history.last().unwrap();
             let peak_n = history.iter().map(|p| p.force_n).fold(0.0, f64::max);
             let deepest_m = history.iter().map(|p| p.compression_m).fold(0.0, f64::max);
-            // Between the samples a peak may be higher by (π/4000)²/8 = 8e-8 of it.
+            // Between the samples a peak may be higher by (π/4000)²/8 = 8e-8 of itself.
             assert!((peak_n / contact.peak_force_n - 1.0).abs() < 2e-6, "{name} {cushion:?} {contact:?} {peak_n}");
             assert!((deepest_m / contact.compression_m - 1.0).abs() < 2e-6, "{name} {contact:?} {deepest_m}");
             assert!((last.time_s / contact.duration_s - 1.0).abs() < 2e-4, "{name} {contact:?} {last:?}");
@@ -66,14 +67,16 @@ fn closed_forms_are_what_the_motion_does() {
     }
 }
 
-/// A tangent law from its soft part to a thousand times its first stiffness, by its energy: the force that the motion
-/// reaches is the closed form's. Steps of 2e-3 radians miss the peak by (1e-3)²/2 = 5e-7 of it at most; four of those.
+/// A tangent law from its soft part to a thousand times its initial stiffness: the motion reaches
+/// the force of the closed form. Steps of 2e-3 radians miss the peak by at most (1e-3)²/2 = 5e-7 of
+/// it; the tolerance is four times that.
 #[test]
 fn the_motion_follows_a_cushion_to_its_end() {
     let (k0, db) = (1e6, 1e-3);
     let cushion = of(ContactLaw::Tangent { stiffness_n_m: k0, bottoming_m: db });
     for stiffer in [1.1_f64, 3.0, 30.0, 1000.0] {
-        // k/k₀ = 1/cos² of the angle πd/2d_b, F = (2k₀d_b/π) tan and E = −(4k₀d_b²/π²) ln cos of it.
+        // k/k₀ = 1/cos² of the angle πd/2d_b, F = (2k₀d_b/π) tan and E = −(4k₀d_b²/π²) ln cos of
+        // it.
         let energy_j = 2.0 * k0 * db * db / (PI * PI) * stiffer.ln();
         let speed_m_s = (2.0 * energy_j / MASS_KG).sqrt();
         let force_n = 2.0 * k0 * db / PI * (stiffer - 1.0).sqrt();
@@ -82,7 +85,7 @@ fn the_motion_follows_a_cushion_to_its_end() {
         assert!((peak_n / force_n - 1.0).abs() < 2e-6, "{stiffer} {peak_n} {force_n}");
         let last = history.last().unwrap();
         assert!((-last.speed_m_s / speed_m_s - 1.0).abs() < 2e-4, "{stiffer} {last:?}");
-        // With the weight the energy of the fall through the compression comes on top.
+        // With the weight, the energy of the fall through the compression is added.
         let heavy = cushion.landing_history(MASS_KG, speed_m_s, G0_M_S2);
         let deepest_m = heavy.iter().map(|p| p.compression_m).fold(0.0, f64::max);
         let stored_j = cushion.stored_energy_j(deepest_m);
@@ -90,7 +93,8 @@ fn the_motion_follows_a_cushion_to_its_end() {
     }
 }
 
-/// d_max, a_max and contact time of the pads in the literature's own example, and Cₙ, to the digits that are given.
+/// d_max, a_max and contact time of the pads in the example of the literature, and Cₙ, to the
+/// printed digits.
 #[test]
 fn worked_numbers() {
     let contact = of(ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 }).land(MASS_KG, fall_m_s());
@@ -105,7 +109,8 @@ fn worked_numbers() {
     }
 }
 
-/// The tangent law by its energy: F = (2k₀d_b/π)√(exp(π²Wh/(2k₀d_b²)) − 1), and it never passes d_b.
+/// The tangent law from its energy: F = (2k₀d_b/π)√(exp(π²Wh/(2k₀d_b²)) − 1), and it never passes
+/// d_b.
 #[test]
 fn a_bottoming_cushion_follows_its_closed_form() {
     let (k0, db) = (1e6, 1e-3);
@@ -148,7 +153,7 @@ fn layers_in_series() {
     let hertz = of(ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 });
     let on_rock = Cushion::in_series(&[hertz.clone(), Cushion::linear(1e15).unwrap()]).unwrap();
     let (a, b) = (hertz.land(MASS_KG, 1.0), on_rock.land(MASS_KG, 1.0));
-    // The spring gives by F/k = 1e-12 m, 2e-9 of the compression.
+    // The spring compresses by F/k = 1e-12 m, 2e-9 of the compression.
     assert!((a.peak_force_n / b.peak_force_n - 1.0).abs() < 1e-8);
     assert!((a.duration_s / b.duration_s - 1.0).abs() < 1e-8);
     assert!((on_rock.tangent_stiffness_n_m(1e-3) / hertz.tangent_stiffness_n_m(1e-3) - 1.0).abs() < 1e-8);
@@ -170,8 +175,8 @@ fn pads_side_by_side_share_the_mass() {
     }
 }
 
-/// Force, energy, slope and inverse of each law belong together: differences over 1e-5 of the compression are good to
-/// 1e-9, except at a kink, which the chosen depth avoids.
+/// Force, energy, slope and inverse of each law are consistent: differences over 1e-5 of the
+/// compression are accurate to 1e-9, except at a kink, which the chosen depth avoids.
 #[test]
 fn force_energy_slope_and_inverse_agree() {
     for cushion in laws() {
@@ -184,7 +189,7 @@ fn force_energy_slope_and_inverse_agree() {
     }
 }
 
-/// Damping that hardly acts leaves the undamped law; Kelvin–Voigt is smooth through its critical damping.
+/// Very small damping approaches the undamped law; Kelvin–Voigt is smooth at its critical damping.
 #[test]
 fn damped_laws_meet_their_limits() {
     let hertz = ContactLaw::Power { coefficient_n_mn: 2e7, exponent: 1.5 };

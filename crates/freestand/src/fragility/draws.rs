@@ -1,4 +1,4 @@
-//! Random numbers keyed by what they are for.
+//! Random numbers keyed by their use.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -7,11 +7,11 @@ use rand_distr::{Distribution, StandardNormal};
 use statrs::function::erf::{erf, erf_inv};
 use std::f64::consts::SQRT_2;
 
-/// The random numbers of one draw for one object under one record: ChaCha8 whose 256-bit key is the four numbers, each as 8
-/// bytes, little endian.
+/// The random numbers of one draw for one object under one motion: ChaCha8 with a 256-bit key that
+/// holds the four numbers, each as 8 bytes, little endian.
 ///
-/// Nothing else goes into them: not the thread, nor the order or the shard in which objects are taken. Two keys that differ
-/// in any bit have streams that no test tells from independent ones.
+/// Nothing else affects them: neither the thread nor the order or the shard in which objects are
+/// calculated. The streams of two keys that differ in any bit are statistically independent.
 ///
 /// # Reference
 /// Bernstein (2008), ChaCha; Salmon et al. (2011), counter-based random numbers.
@@ -31,18 +31,19 @@ pub fn draw_stream(seed: u64, object: u64, record: u64, draw: u64) -> ChaCha8Rng
     ChaCha8Rng::from_seed(key)
 }
 
-/// A lognormal number, median·exp(log_sd·N): positive, half of them below the median. `log_sd` is the standard deviation of
-/// the logarithm.
+/// A lognormal number, median·exp(log_sd·N): positive, half of them below the median. `log_sd` is
+/// the standard deviation of the logarithm.
 pub fn lognormal_draw(random: &mut ChaCha8Rng, median: f64, log_sd: f64) -> f64 {
     let normal: f64 = StandardNormal.sample(random);
     median * (log_sd * normal).exp()
 }
 
-/// A normal number cut off at `cut_sd` standard deviations on either side, for a length that must not go wild:
-/// mean + sd·√2 erf⁻¹((2u − 1) erf(c/√2)), u uniform. It takes one uniform number, whatever comes out.
+/// A normal number truncated at `cut_sd` standard deviations on either side, for a length that must
+/// not vary without limit: mean + sd·√2 erf⁻¹((2u − 1) erf(c/√2)), u uniform. It always uses
+/// exactly one uniform number.
 ///
 /// # Accuracy
-/// Rounding; a cut-off beyond 6 standard deviations is one at 6.
+/// Rounding; a truncation beyond 6 standard deviations is one at 6.
 ///
 /// # Example
 /// ```

@@ -1,33 +1,36 @@
-//! How well a few motions know a probability.
+//! Confidence intervals of probabilities that come from a few motions.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 use statrs::function::beta::checked_beta_reg;
 
-/// Number of 0/1 trials that one motion may at most be worth. Few motions that happen to agree prove little about those that
-/// were not run: without it the interval covers as rarely as 73 times in 100 where probabilities are small and uneven.
+/// The largest number of 0/1 trials that one motion may count for. A few motions that happen to
+/// agree prove little about other motions: without this limit the interval covers as rarely as 73
+/// times in 100 where probabilities are small and uneven.
 const WORTH_OF_A_MOTION: f64 = 1.5;
 
-/// Interval of a probability that is the mean of one probability per motion, each from 0 to 1; motions are the sample, not
-/// the draws under each of them.
+/// Confidence interval of a probability that is the mean of one probability per motion, each from 0
+/// to 1. The motions are the sample, not the draws under each of them.
 ///
 /// Korn and Graubard: the interval of Clopper and Pearson at the effective number of trials
 ///
 /// n_e = p(1−p)/(s²/n) · \[t(n_e′ − 1)/t(n − 1)\]²,
 ///
-/// p the mean, s² the variance between motions, n their number, t(ν) the quantile of Student's t of ν degrees of freedom that
-/// the confidence asks for and n_e′ the effective number before that factor; n where all are 0 or all are 1. It is at most
-/// 1.5 n before the factor, a limit of ours. The ends are quantiles of beta distributions: B(α/2; x, n_e − x + 1) and
-/// B(1 − α/2; x + 1, n_e − x) with x = p n_e; an end is 0 or 1 where the mean is.
+/// with p the mean, s² the variance between motions, n their number, t(ν) the quantile of Student's
+/// t with ν degrees of freedom at the given confidence, and n_e′ the effective number without that
+/// factor; n where all are 0 or all are 1. Before the factor it is limited to 1.5 n, a limit of
+/// this program. The ends are quantiles of beta distributions: B(α/2; x, n_e − x + 1) and B(1 −
+/// α/2; x + 1, n_e − x) with x = p n_e; an end is 0 or 1 where the mean is.
 ///
-/// (0, 1) without motions, or with a value that is no probability.
+/// (0, 1) without motions, or with a value that is not a probability.
 ///
 /// # Reference
-/// Korn, E. L. and Graubard, B. I. (1998). Confidence intervals for proportions with small expected number of positive counts
-/// estimated from survey data. Survey Methodology 24, 193–201.
+/// Korn, E. L. and Graubard, B. I. (1998). Confidence intervals for proportions with small expected
+/// number of positive counts estimated from survey data. Survey Methodology 24, 193–201.
 ///
 /// # Accuracy
-/// Coverage of 95 % intervals by simulation, means 0.01 to 0.5, probabilities beta-distributed between motions (correlation
-/// 0.02 to 1) and n = 10, 20, 50: 96 % at least; up to 100 % where motions agree. The ends are within 1e-15.
+/// Coverage of 95 % intervals by simulation, means 0.01 to 0.5, probabilities beta-distributed
+/// between motions (correlation 0.02 to 1) and n = 10, 20, 50: 96 % at least; up to 100 % where
+/// motions agree. The ends are within 1e-15.
 ///
 /// # Example
 /// None of 20 motions: the upper end is 1 − 0.025^(1/20).
@@ -53,18 +56,18 @@ fn effective_trials(values: &[f64], mean: f64, tail: f64) -> f64 {
         return count;
     }
     let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
-    // p(1−p)/(s²/n), without dividing by a variance of 0.
+    // p(1−p)/(s²/n), without division by a variance of 0.
     let most = WORTH_OF_A_MOTION * count;
     let effective = if binomial * count < most * variance { binomial * count / variance } else { most };
     effective * (student(effective - 1.0, tail) / student(count - 1.0, tail)).powi(2)
 }
 
-/// t of ν degrees of freedom, at least 1.
+/// t with ν degrees of freedom, at least 1.
 fn student(freedom: f64, tail: f64) -> f64 {
     StudentsT::new(0.0, 1.0, freedom.max(1.0)).map_or(1.0, |t| t.inverse_cdf(1.0 - tail))
 }
 
-/// The interval of a share of trials that need not be whole numbers.
+/// The interval of a proportion when the number of trials need not be a whole number.
 fn clopper_pearson(share: f64, trials: f64, tail: f64) -> (f64, f64) {
     let hits = share * trials;
     let low = if share > 0.0 { beta_quantile(hits, trials - hits + 1.0, tail) } else { 0.0 };
@@ -72,7 +75,8 @@ fn clopper_pearson(share: f64, trials: f64, tail: f64) -> (f64, f64) {
     (low, high)
 }
 
-/// Quantile of the beta distribution by halving: safe for every a and b, and quick enough beside a motion.
+/// Quantile of the beta distribution by bisection: safe for every a and b, and fast compared with
+/// the calculation of a motion.
 fn beta_quantile(a: f64, b: f64, probability: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..52 {

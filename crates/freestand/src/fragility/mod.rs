@@ -1,4 +1,5 @@
-//! Lognormal fragilities, probabilities over motions with their intervals, and random numbers that know whose they are.
+//! Lognormal fragilities, probabilities over motions with confidence intervals, and reproducible
+//! random numbers.
 
 mod draws;
 mod interval;
@@ -18,7 +19,8 @@ fn normal_ratio(z: f64) -> f64 {
     0.5 * erfc(-z / SQRT_2)
 }
 
-/// Probability that a demand exceeds a lognormal capacity: Φ(ln(demand/median)/β); 0 for no demand.
+/// Probability that a demand exceeds a lognormal capacity: Φ(ln(demand/median)/β); 0 if there is no
+/// demand.
 ///
 /// `demand` and `median` are in the same unit, `beta` is the standard deviation of the logarithm.
 ///
@@ -26,10 +28,11 @@ fn normal_ratio(z: f64) -> f64 {
 /// FEMA P-58-1, 2nd edition (2018), 3.8: fragilities.
 ///
 /// # Accuracy
-/// Rounding. With β = 0 it is a step, ½ at the median.
+/// Rounding. With β = 0 it is a step, with ½ at the median.
 ///
 /// # Example
-/// A bookcase of five shelves, median peak floor velocity 0.29 m/s with β = 0.5, on a floor of 0.4 m/s; and at its median:
+/// A bookcase of five shelves, median peak floor velocity 0.29 m/s with β = 0.5, on a floor with
+/// 0.4 m/s, and on one with its median:
 /// ```
 /// use freestand::fragility::lognormal_probability;
 /// assert!((lognormal_probability(0.4, 0.29, 0.5) - 0.73994).abs() < 5e-6);
@@ -46,7 +49,7 @@ pub fn lognormal_probability(demand: f64, median: f64, beta: f64) -> f64 {
 /// A lognormal fragility fitted to failures counted at levels of intensity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LognormalFragility {
-    /// Intensity at which half fail, in the unit of the levels.
+    /// Intensity at which half of the objects fail, in the unit of the levels.
     pub median: f64,
     /// β, the standard deviation of the logarithm.
     pub beta: f64,
@@ -63,38 +66,41 @@ impl LognormalFragility {
     }
 }
 
-/// Why there is no such fragility.
+/// Why counts do not give a fragility.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum FragilityError {
-    /// A level that counts nothing, or more failures than trials, or has no logarithm.
+    /// A level without trials, with more failures than trials, or with an intensity that has no
+    /// logarithm.
     #[error(
-        "level {level} (intensity {intensity}, {failures} of {trials}): the intensity must be positive and finite, with trials, and no more failures than those"
+        "level {level} (intensity {intensity}, {failures} of {trials}): the intensity must be positive and finite, \
+         there must be at least one trial, and no more failures than trials"
     )]
     Level {
         /// The level, counted from 1.
         level: usize,
-        /// Its intensity.
+        /// The intensity.
         intensity: f64,
-        /// Its failures.
+        /// Number of failures.
         failures: u32,
-        /// Its trials.
+        /// Number of trials.
         trials: u32,
     },
-    /// Nothing failed at any level.
-    #[error("none of the {trials} trials failed: the median lies above all levels")]
+    /// No failure at any level.
+    #[error("none of the {trials} trials failed: the median is above all levels")]
     NoneFailed {
-        /// Trials of all levels.
+        /// Number of trials over all levels.
         trials: u64,
     },
-    /// Everything failed at every level.
-    #[error("all of the {trials} trials failed: the median lies below all levels")]
+    /// No survivor at any level.
+    #[error("all of the {trials} trials failed: the median is below all levels")]
     AllFailed {
-        /// Trials of all levels.
+        /// Number of trials over all levels.
         trials: u64,
     },
     /// A step from survival to failure: the likelihood grows without bound as β goes to 0.
     #[error(
-        "nothing fails below {fails_from} and nothing survives above {survives_to}: the levels are too few to show a spread"
+        "nothing fails below {fails_from} and nothing survives above {survives_to}: the levels are too few to show a \
+         spread"
     )]
     NoSpread {
         /// Lowest intensity with a failure.
@@ -102,27 +108,33 @@ pub enum FragilityError {
         /// Highest intensity with a survivor.
         survives_to: f64,
     },
-    /// Failures do not grow with intensity, or there is one intensity only.
-    #[error("the failures do not grow with intensity: no lognormal fragility describes them")]
+    /// Failures do not grow with intensity, or all levels have the same intensity.
+    #[error("the failures do not grow with intensity, so no lognormal fragility fits them")]
     NotIncreasing,
 }
 
-/// The lognormal fragility of the largest likelihood: P(failure | x) = Φ(ln(x/θ)/β), the failures of each level binomial.
+/// The lognormal fragility with the largest likelihood: P(failure | x) = Φ(ln(x/θ)/β), with
+/// binomial failures at each level.
 ///
-/// Each level is (intensity, failures, trials). Survival need not be monotone in intensity: a level may count fewer failures
-/// than the one below it. Newton's method (Fisher scoring) on z = b₀ + b₁ ln x, whose likelihood is concave; β = 1/b₁ and
-/// ln θ = −b₀/b₁, with the errors of both from the information matrix. They take trials as independent: motions that were
-/// scaled to every level are not, and errors are then too small.
+/// Each level is (intensity, failures, trials). Survival need not be monotone in intensity: a level
+/// may have fewer failures than the one below it. Newton's method (Fisher scoring) on z = b₀ + b₁
+/// ln x, whose likelihood is concave; β = 1/b₁ and ln θ = −b₀/b₁, with the errors of both from the
+/// information matrix.
 ///
 /// # Reference
-/// Baker, J. W. (2015). Efficient analytical fragility function fitting using dynamic structural analysis. Earthquake Spectra
-/// 31(1), 579–599, Eq. (11).
+/// Baker, J. W. (2015). Efficient analytical fragility function fitting using dynamic structural
+/// analysis. Earthquake Spectra 31(1), 579–599, Eq. (11).
 ///
 /// # Accuracy
 /// The score of the solution is 1e-10 of the number of trials.
 ///
+/// # Limitation
+/// The errors assume independent trials. Motions that were scaled to every level are not
+/// independent, and the errors are then too small.
+///
 /// # Errors
-/// A level that counts nothing; no failure or no survivor at all; no overlap, so that β would be 0; failures that do not grow.
+/// A level without trials; no failure or no survivor at all; no overlap, so that β would be 0;
+/// failures that do not grow.
 ///
 /// # Example
 /// Two levels are met exactly. Φ(∓1) = 0.158655 and 0.841345 at e^∓½: median 1, β = 0.5:
@@ -135,7 +147,7 @@ pub enum FragilityError {
 pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, FragilityError> {
     checked(levels)?;
     let trials: f64 = levels.iter().map(|&(_, _, trials)| f64::from(trials)).sum();
-    // About the middle of the levels the two parameters are nearly independent.
+    // With the origin at the middle of the levels the two parameters are nearly independent.
     let middle = levels.iter().map(|&(x, _, trials)| x.ln() * f64::from(trials)).sum::<f64>() / trials;
     let points: Vec<_> = levels.iter().map(|&(x, f, n)| (x.ln() - middle, f64::from(f), f64::from(n))).collect();
     let mut b = [0.0, 1.0];
@@ -146,7 +158,8 @@ pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, F
         if score[0].abs().max(score[1].abs()) <= 1e-10 * trials {
             break;
         }
-        // The likelihood is concave: halving always finds a better point until rounding is all that is left.
+        // The likelihood is concave: halving the step always finds a better point until only
+        // rounding is left.
         let better = (0..40).map(|i| 0.5_f64.powi(i)).find_map(|part| {
             let there = [b[0] + part * step[0], b[1] + part * step[1]];
             Some((there, likelihood(&points, there))).filter(|(_, value)| *value > here)
@@ -158,7 +171,7 @@ pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, F
     fitted(b, information, middle).ok_or(FragilityError::NotIncreasing)
 }
 
-/// Refuses what has no largest likelihood at a finite, positive slope.
+/// Refuses counts whose likelihood has no maximum at a finite, positive slope.
 fn checked(levels: &[(f64, u32, u32)]) -> Result<(), FragilityError> {
     for (i, &(intensity, failures, trials)) in levels.iter().enumerate() {
         if !(intensity > 0.0 && intensity.is_finite() && trials > 0 && failures <= trials) {
@@ -209,13 +222,13 @@ fn derivatives(points: &[(f64, f64, f64)], b: [f64; 2]) -> ([f64; 2], [f64; 3]) 
     (score, information)
 }
 
-/// Solves the symmetric two by two; `None` where it is singular.
+/// Solves the symmetric 2 × 2 system; `None` where it is singular.
 fn solved([a, b, c]: [f64; 3], [u, v]: [f64; 2]) -> Option<[f64; 2]> {
     let determinant = a * c - b * b;
     (determinant > 0.0).then(|| [(c * u - b * v) / determinant, (a * v - b * u) / determinant])
 }
 
-/// Back to median and β, with their errors by the delta method.
+/// Converts back to median and β, with their errors by the delta method.
 fn fitted(b: [f64; 2], information: [f64; 3], middle: f64) -> Option<LognormalFragility> {
     let [intercept, slope] = b;
     if slope <= 0.0 {
@@ -232,18 +245,21 @@ fn fitted(b: [f64; 2], information: [f64; 3], middle: f64) -> Option<LognormalFr
     })
 }
 
-/// Peak floor velocity at which half of such blocks overturn, by an empirical formula \[m/s\]: V = A/(2πF) with
-/// A = (B/H)(1 + B/H) g and F = 15.6/√H (1 + B/H)^(−1.5), H in cm and F in Hz; B is the base, H the height.
+/// Peak floor velocity at which half of the blocks of this size overturn, by an empirical
+/// formula \[m/s\]: V = A/(2πF) with A = (B/H)(1 + B/H) g and F = 15.6/√H (1 + B/H)^(−1.5), H in cm
+/// and F in Hz; B is the base, H the height.
 ///
 /// # Reference
-/// Kaneko and Hayashi (2000), V_R50; recalled, not read again. The nine medians of peak floor velocity that FEMA P-58 gives
-/// bookcases and filing cabinets are 0.75 to 0.81 of it: 0.8 V_R50 carries them over to other sizes.
+/// Kaneko and Hayashi (2000), V_R50; quoted from memory. The nine medians of peak floor velocity
+/// that FEMA P-58 gives for bookcases and filing cabinets are 0.75 to 0.81 of it: 0.8 V_R50 extends
+/// them to other sizes.
 ///
 /// # Accuracy
-/// It is a fit to other people's simulations of blocks on floors; a factor of 1.5 either way is no surprise.
+/// It is a fit to published simulations of blocks on floors; expect an error of up to a factor of
+/// 1.5 either way.
 ///
 /// # Example
-/// A bookcase 71 in high and 12 5/8 in deep: 0.360 m/s; P-58 has 0.29 m/s for it.
+/// A bookcase 71 in high and 12 5/8 in deep: 0.360 m/s; P-58 gives 0.29 m/s for it.
 /// ```
 /// use freestand::{block::Block, fragility::kaneko_hayashi_velocity_m_s};
 /// let bookcase = Block::uniform(71.0 * 0.0254, 12.625 * 0.0254)?;

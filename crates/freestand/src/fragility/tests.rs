@@ -15,7 +15,8 @@ fn three_probabilities_of_fema_p_58() {
     assert_eq!((lognormal_probability(0.9, 1.0, 0.0), lognormal_probability(1.1, 1.0, 0.0)), (0.0, 1.0));
 }
 
-/// Height and depth in inches, median peak floor velocity in m/s: five bookcases, two vertical and two lateral files.
+/// Height and depth in inches, median peak floor velocity in m/s: five bookcases, two vertical and
+/// two lateral files.
 const P_58: [(f64, f64, f64); 9] = [
     (29.0, 12.625, 0.724),
     (41.0, 12.625, 0.493),
@@ -38,8 +39,9 @@ fn the_nine_medians_of_fema_p_58_follow_kaneko_and_hayashi() {
     }
 }
 
-/// Minimised by a simplex search over ln θ and ln β, errors from a numerical information matrix, in another language. The
-/// search stops at a flat top: 1e-8 in the parameters; differences of 1e-5 are good to 1e-6 of an error.
+/// Minimised by a simplex search over ln θ and ln β, with errors from a numerical information
+/// matrix, in another language. The search stops at a flat top: 1e-8 in the parameters; differences
+/// of 1e-5 give the errors to 1e-6.
 #[test]
 fn a_fit_is_the_one_of_another_search() {
     let counts = [0, 1, 4, 6, 13, 12, 20, 27];
@@ -51,14 +53,14 @@ fn a_fit_is_the_one_of_another_search() {
     );
     let errors = (fitted.median_log_error / 0.050_010_117 - 1.0, fitted.beta_error / 0.065_207_433 - 1.0);
     assert!(errors.0.abs() < 1e-5 && errors.1.abs() < 1e-5, "{errors:?}");
-    // Any order, and a level split in two, are the same counts.
+    // Another order, and a level split in two, are the same counts.
     let mut other: Vec<_> = levels.iter().rev().copied().collect();
     other[0] = (0.9, 20, 30);
     other.push((0.9, 7, 10));
     assert!((fit_lognormal(&other).unwrap().median / fitted.median - 1.0).abs() < 1e-9);
 }
 
-/// In other units the median is in those, and β is what it was.
+/// In other units the median is in those units, and β does not change.
 #[test]
 fn a_fit_does_not_know_its_unit() {
     let levels = [(0.1, 1, 20), (0.2, 9, 20), (0.4, 8, 20), (0.8, 19, 20)];
@@ -75,7 +77,8 @@ fn what_has_no_spread_is_said() {
     assert_eq!(fit_lognormal(&[(1.0, 0, 5), (2.0, 0, 5)]), Err(E::NoneFailed { trials: 10 }));
     assert_eq!(fit_lognormal(&[(1.0, 5, 5), (2.0, 5, 5)]), Err(E::AllFailed { trials: 10 }));
     assert_eq!(fit_lognormal(&[(1.0, 0, 5), (2.0, 5, 5)]), Err(E::NoSpread { fails_from: 2.0, survives_to: 1.0 }));
-    // One mixed level between none and all: any steep enough curve through it, the steeper the better.
+    // One mixed level between none and all: any curve through it fits that is steep enough, and a
+    // steeper one fits better.
     let step = [(1.0, 0, 5), (2.0, 2, 5), (3.0, 5, 5)];
     assert_eq!(fit_lognormal(&step), Err(E::NoSpread { fails_from: 2.0, survives_to: 2.0 }));
     assert_eq!(fit_lognormal(&[(1.0, 5, 5), (2.0, 0, 5)]), Err(E::NotIncreasing));
@@ -86,7 +89,7 @@ fn what_has_no_spread_is_said() {
     }
 }
 
-/// Far levels, one count of overlap: the likelihood is flat, and the search ends all the same.
+/// Levels far apart with a single overlap: the likelihood is flat, and the search still ends.
 #[test]
 fn a_fit_of_nearly_a_step_ends() {
     let levels = [(1e-6, 0, 1000), (1.0, 1, 1000), (1.0001, 999, 1000), (1e6, 1000, 1000)];
@@ -95,7 +98,7 @@ fn a_fit_of_nearly_a_step_ends() {
     assert!((fitted.beta / (1.0001_f64.ln() / 6.18046) - 1.0).abs() < 1e-4, "{fitted:?}");
 }
 
-/// The formula of the interval in another language, whose quantiles are good to 1e-10.
+/// The formula of the interval in another language, with quantiles accurate to 1e-10.
 #[test]
 fn an_interval_is_the_one_of_another_program() {
     let values = [0.1, 0.5, 0.9, 0.3, 0.2, 0.0, 0.6, 0.7, 1.0, 0.2];
@@ -112,7 +115,8 @@ fn an_interval_is_the_one_of_another_program() {
 
 #[test]
 fn intervals_at_the_ends_and_of_nothing() {
-    // All overturn: 0.025^(1/n); motions that agree exactly and one alone have an interval too.
+    // All overturn: 0.025^(1/n); motions that agree exactly and a single motion also have an
+    // interval.
     let (low, high) = probability_interval(&[1.0; 5], 0.95);
     assert!((low - 0.025_f64.powf(0.2)).abs() < 1e-14 && high == 1.0);
     let (low, high) = probability_interval(&[0.5; 7], 0.95);
@@ -123,7 +127,7 @@ fn intervals_at_the_ends_and_of_nothing() {
     }
 }
 
-/// Share of simulated surveys whose interval holds the true probability.
+/// Share of simulated surveys whose interval contains the true probability.
 fn coverage(truth: f64, count: usize, correlation: f64, surveys: u64) -> f64 {
     let sum = 1.0 / correlation - 1.0;
     let probabilities = (correlation < 1.0).then(|| Beta::new(truth * sum, (1.0 - truth) * sum).unwrap());
@@ -142,8 +146,9 @@ fn coverage(truth: f64, count: usize, correlation: f64, surveys: u64) -> f64 {
     holds.count() as f64 / surveys as f64
 }
 
-/// 95 %, less three standard deviations of a count of 1000 at 95 %, 0.021. Without the limit on the effective number the
-/// least of these is about 0.75, and without the factor of Student's t 0.94.
+/// 95 %, less three standard deviations of a count of 1000 at 95 %, 0.021. Without the limit on the
+/// effective number the smallest of these is about 0.75, and without the factor of Student's t
+/// 0.94.
 #[test]
 fn intervals_cover_what_they_claim() {
     for count in [10, 20, 50] {
@@ -156,13 +161,14 @@ fn intervals_cover_what_they_claim() {
     }
 }
 
-/// Recorded from rand_chacha 0.10.0, rand_distr 0.6.0 and rand 0.10: another value changes every assessment.
+/// Recorded from rand_chacha 0.10.0, rand_distr 0.6.0 and rand 0.10: any other value changes every
+/// assessment.
 #[test]
 fn the_random_numbers_are_those_of_the_key() {
     let mut random = draw_stream(1, 2, 3, 4);
     let numbers = [lognormal_draw(&mut random, 1.0, 1.0), normal_draw(&mut random, 0.0, 1.0, 2.0)];
     assert_eq!(numbers, [0.7222769085093962, -0.3791245453440034]);
-    // Every place of the key counts.
+    // Every number of the key matters.
     let first = |key: [u64; 4]| draw_stream(key[0], key[1], key[2], key[3]).random::<u64>();
     let keys = [[0, 0, 0, 0], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, 1 << 63]];
     let mut numbers = keys.map(first).to_vec();
@@ -171,8 +177,8 @@ fn the_random_numbers_are_those_of_the_key() {
     assert_eq!(numbers.len(), keys.len());
 }
 
-/// Mean and standard deviation of 20,000 draws, each within four of its standard errors (1/√n and 1/√2n). Cut at 2 the
-/// standard deviation is √(1 − 4φ(2)/(2Φ(2) − 1)) = 0.8796.
+/// Mean and standard deviation of 20,000 draws, each within four standard errors (1/√n and 1/√2n).
+/// Truncated at 2, the standard deviation is √(1 − 4φ(2)/(2Φ(2) − 1)) = 0.8796.
 #[test]
 fn draws_have_their_moments() {
     let moments = |of: &dyn Fn(&mut rand_chacha::ChaCha8Rng) -> f64| {

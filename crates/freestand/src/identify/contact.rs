@@ -1,26 +1,31 @@
-//! Where the pulse of a drop test begins and ends, its zero line, and what is wrong with the record.
+//! The beginning and end of the pulse of a drop test, its zero line, and the faults of the record.
 
 use super::Flag;
 
-/// A pulse is looked for above this share of the largest excursion; smaller ones are noise or later bounces.
+/// The search finds pulses above this share of the largest excursion; smaller ones are noise or
+/// later bounces.
 const PULSE_SHARE: f64 = 0.2;
-/// Standard deviations of the noise that a sample must stand above the zero line to belong to the contact.
+/// A sample belongs to the contact if it is above the zero line by this many standard deviations of
+/// the noise.
 const THRESHOLD_SIGMA: f64 = 5.0;
-/// Least threshold as a share of the peak: a record without noise has ringing of filters and rounding instead.
+/// Smallest threshold as a share of the peak: a record without noise still shows the ringing of
+/// filters and rounding.
 const THRESHOLD_SHARE: f64 = 0.02;
-/// The zero line is the mean over so many contact times before the contact: earlier, the mass may have been held.
+/// The zero line is the mean over this many contact times before the contact; earlier, the mass may
+/// have been held.
 const BEFORE: usize = 20;
-/// Flanks are sought in the moving mean over this part of the pulse: single samples of a noisy flank cross a level often.
+/// Flanks are located in the moving mean over this part of the pulse: single samples of a noisy
+/// flank cross a level many times.
 const SMOOTH_PART: usize = 60;
-/// A zero line that another one follows is a plateau of at least so many samples.
-const LEAST_PLATEAU: usize = 20;
-/// Least number of samples before the contact: a mean and its scatter.
-const LEAST_PRE: usize = 10;
-/// A shift or a drift below this share of the peak is let pass.
+/// A zero line that is followed by another is a plateau of at least this many samples.
+const MIN_PLATEAU: usize = 20;
+/// Smallest number of samples before the contact, for a mean and its scatter.
+const MIN_PRE: usize = 10;
+/// A shift or a drift below this share of the peak is accepted.
 pub(super) const ZERO_SHIFT_GATE: f64 = 0.005;
 /// The window after the contact, in contact times.
 const AFTER: f64 = 5.0;
-/// Standard errors by which a shift must stand out of the noise.
+/// A shift is significant above this many standard errors.
 const SIGNIFICANT: f64 = 5.0;
 
 /// The first pulse of a record, in samples and in the record's unit (m/s²).
@@ -28,17 +33,17 @@ const SIGNIFICANT: f64 = 5.0;
 pub(super) struct Pulse {
     /// Last sample below the threshold before the pulse.
     pub(super) before: usize,
-    /// First sample below it after the pulse.
+    /// First sample below the threshold after the pulse.
     pub(super) after: usize,
     /// Zero line.
     pub(super) zero_m_s2: f64,
     /// Standard deviation before the contact.
     pub(super) noise_m_s2: f64,
-    /// Samples of the zero line.
+    /// Number of samples of the zero line.
     pub(super) pre_count: usize,
     /// Largest sample above the zero line.
     pub(super) peak_m_s2: f64,
-    /// (zero after − zero before)/peak; `None` where too little follows.
+    /// (zero after − zero before)/peak; `None` where too few samples follow.
     pub(super) zero_shift_ratio: Option<f64>,
     /// From the end of this pulse to the next one, in samples.
     pub(super) flight: Option<usize>,
@@ -61,13 +66,13 @@ fn median(values: &[f64]) -> f64 {
     sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// Finds the first pulse. What makes it useless is among the flags; `Err` where there is no pulse at all.
+/// Finds the first pulse and flags what makes it unusable; `Err` where there is no pulse at all.
 pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     let rough_zero = median(samples);
     let highest = samples.iter().fold(0.0, |most: f64, a| most.max(a - rough_zero));
     let lowest = samples.iter().fold(0.0, |most: f64, a| most.max(rough_zero - a));
     if lowest > 2.0 * highest {
-        // Where the record is nothing but the pulse, its middle is no zero line.
+        // Where the record is nothing but the pulse, its middle is not a zero line.
         let quiet = samples.iter().filter(|a| (*a - rough_zero).abs() < PULSE_SHARE * lowest).count();
         return Err(if 5 * quiet > 2 * samples.len() { Flag::UpsideDown } else { Flag::NoPreTrigger });
     }
@@ -79,9 +84,10 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     let level = rough_zero + PULSE_SHARE * highest;
     let Some(rise) = smooth.iter().position(|&a| a > level) else { return Err(Flag::NoPulse) };
     let width = fall(&smooth, rise, level, reach) - rise;
-    // A soft cushion rises slowly: what may be contact already is not part of the zero line.
+    // A soft cushion rises slowly: samples that may already belong to the contact are not part of
+    // the zero line.
     let guard = (width / 4).max(1);
-    if rise < LEAST_PRE + guard {
+    if rise < MIN_PRE + guard {
         return Err(Flag::NoPreTrigger);
     }
     let (zero, noise) = (mean(&samples[..rise - guard]), deviation(&samples[..rise - guard]));
@@ -99,9 +105,10 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     {
         after = fall(&smooth, rise, plateau + threshold - zero, reach);
     }
-    // Again with the guard in terms of the whole contact, which a root at its beginning (Hertz) needs.
+    // Again with the guard as a share of the whole contact, as a root at its beginning (Hertz)
+    // requires.
     let guard = (after - before).div_ceil(10);
-    if before < LEAST_PRE + guard {
+    if before < MIN_PRE + guard {
         return Err(Flag::NoPreTrigger);
     }
     let all = &samples[..before - guard];
@@ -123,7 +130,8 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     }
     judge_zero(pre, &samples[post], &mut pulse);
     let (rise, error) = trend(all);
-    // Where a line leaves more than the noise, it was no drift: the mass was held and let go.
+    // Where more than the noise remains about a line, it was not drift: the mass was held and
+    // released.
     let left = error * (all.len() as f64 / 12.0).sqrt();
     let is_drift = rise.abs() > ZERO_SHIFT_GATE * peak && rise.abs() > SIGNIFICANT * error;
     if is_drift && left < 2.0 * pulse.noise_m_s2.max(1e-3 * peak) && !pulse.flags.contains(&Flag::Drift) {
@@ -135,8 +143,9 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     Ok(pulse)
 }
 
-/// The moving mean over a small part of the first high pulse, and how many samples it reaches to both sides. The pulse lasts
-/// from half of the largest sample down to a fifth: between the two is more than noise.
+/// The moving mean over a small part of the first high pulse, and how many samples it reaches to
+/// each side. The pulse lasts from half of the largest sample down to a fifth, a difference that
+/// exceeds the noise.
 fn smoothed(samples: &[f64], zero: f64, highest: f64) -> (Vec<f64>, usize) {
     let rise = samples.iter().position(|&a| a > zero + 0.5 * highest).unwrap_or(0);
     let width = samples[rise..].iter().take_while(|&&a| a > zero + PULSE_SHARE * highest).count();
@@ -145,15 +154,17 @@ fn smoothed(samples: &[f64], zero: f64, highest: f64) -> (Vec<f64>, usize) {
     ((0..samples.len()).map(of).collect(), reach)
 }
 
-/// The first sample from `from` on that is not above `level`, and is not followed soon by one that is.
+/// The first sample from `from` on that is not above `level` and is not soon followed by one that
+/// is.
 fn fall(samples: &[f64], from: usize, level: f64, reach: usize) -> usize {
     let is_down = |i: usize| samples[i..samples.len().min(i + 2 + 2 * reach)].iter().all(|&a| a <= level);
     (from..samples.len()).find(|&i| is_down(i)).unwrap_or(samples.len())
 }
 
-/// The level at which a record stays from `from` on, where it stays: a zero line that was shifted by the impact.
+/// The level at which a record stays from `from` on, if it stays: a zero line that the impact
+/// shifted.
 fn plateau(smooth: &[f64], from: usize, quiet: f64, peak: f64) -> Option<f64> {
-    let tail = smooth.get(from..).filter(|tail| tail.len() >= LEAST_PLATEAU)?;
+    let tail = smooth.get(from..).filter(|tail| tail.len() >= MIN_PLATEAU)?;
     let level = median(tail);
     let apart: Vec<f64> = tail.iter().map(|a| (a - level).abs()).collect();
     let (first, last) = tail.split_at(tail.len() / 2);
@@ -161,7 +172,7 @@ fn plateau(smooth: &[f64], from: usize, quiet: f64, peak: f64) -> Option<f64> {
     (is_level && median(&apart) <= ZERO_SHIFT_GATE * peak + 2.0 * quiet).then_some(level)
 }
 
-/// The quiet after the pulse, up to the next bounce.
+/// The quiet part after the pulse, up to the next bounce.
 fn post_window(samples: &[f64], pulse: &mut Pulse, threshold: f64) -> std::ops::Range<usize> {
     let contact = pulse.after - pulse.before;
     let from = (pulse.after + contact.div_ceil(4).max(2)).min(samples.len());
@@ -193,10 +204,11 @@ fn judge_zero(pre: &[f64], post: &[f64], pulse: &mut Pulse) {
     pulse.flags.extend(flags);
 }
 
-/// What the line through a window rises by from its first to its last sample, and the standard error of that.
+/// The rise of the regression line of a window from its first to its last sample, and the standard
+/// error of that rise.
 fn trend(window: &[f64]) -> (f64, f64) {
     let count = window.len() as f64;
-    if window.len() < LEAST_PRE {
+    if window.len() < MIN_PRE {
         return (0.0, 0.0);
     }
     let centre = 0.5 * (count - 1.0);
@@ -207,7 +219,8 @@ fn trend(window: &[f64]) -> (f64, f64) {
     (slope * (count - 1.0), (left / (count - 2.0) / xx).sqrt() * (count - 1.0))
 }
 
-/// Whether the top of a pulse is flat: a run of equal largest samples that is longer than rounding makes it.
+/// Whether the top of a pulse is flat: a run of equal largest samples that is longer than rounding
+/// explains.
 fn is_clipped(pulse: &[f64], noise: f64) -> bool {
     let top = pulse.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let bottom = pulse.iter().copied().fold(f64::INFINITY, f64::min);
@@ -218,7 +231,7 @@ fn is_clipped(pulse: &[f64], noise: f64) -> bool {
         all += usize::from(is_top(a));
         longest = longest.max(run);
     }
-    // The step between neighbouring printed values tells rounding.
+    // The step between neighbouring printed values shows the rounding.
     let mut sorted = pulse.to_vec();
     sorted.sort_by(f64::total_cmp);
     let rounding = sorted
@@ -226,17 +239,17 @@ fn is_clipped(pulse: &[f64], noise: f64) -> bool {
         .map(|pair| pair[1] - pair[0])
         .filter(|step| *step > 1e-9 * (top - bottom))
         .fold(f64::INFINITY, f64::min);
-    // The top of a half-sine falls by this much within so many samples.
+    // The top of a half-sine falls by this much within that many samples.
     let half_angle = 0.5 * std::f64::consts::PI * longest as f64 / pulse.len().max(1) as f64;
     let falls = (top - bottom) * (1.0 - half_angle.cos());
     let is_flat = longest >= 3 && falls > 2.5 * rounding;
-    // With noise, equal largest values are no chance, even where they are not next to each other.
+    // With noise, equal largest values are not a coincidence, even where they are not adjacent.
     let noisy = all >= 3 && noise > 3.0 * rounding;
     is_flat || noisy
 }
 
-/// The peak of a pulse between its samples: least squares of a parabola over the samples around the largest one of
-/// their moving mean. Noise averages out, which it does not in the largest sample.
+/// The peak of a pulse between its samples: least squares of a parabola over the samples around the
+/// largest one of their moving mean. This averages the noise, which the largest sample does not.
 pub(super) fn smooth_peak(values: &[f64]) -> f64 {
     let reach = (values.len() / 9).max(2);
     let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -258,7 +271,7 @@ pub(super) fn smooth_peak(values: &[f64]) -> f64 {
     let curvature = (t(2) * s0 - t(0) * s2) / (s4 * s0 - s2 * s2);
     let level = (t(0) - curvature * s2) / s0;
     let slope = t(1) / s2;
-    // A pulse that jumps at its beginning has no round top.
+    // A pulse that jumps at its beginning does not have a rounded top.
     if curvature >= 0.0 || (0.5 * slope / curvature).abs() > 1.0 {
         return largest;
     }

@@ -1,4 +1,4 @@
-//! One drop test, from samples to a law.
+//! The evaluation of one drop test, from samples to a law.
 
 use super::contact::{self, Pulse, smooth_peak};
 use super::fit::{Data, Fit};
@@ -8,65 +8,68 @@ use super::{
 };
 use crate::cushion::ContactLaw;
 
-/// Samples per contact below which a record gives no stiffness. The contact time is good to a hundredth or two.
-const LEAST_SAMPLES: f64 = 24.5;
-/// The flanks alone give a contact that is up to a fifth too short where the law has a root at its beginning (Hertz).
+/// Samples per contact below which a record gives no stiffness. The contact time is accurate to one
+/// or two hundredths.
+const MIN_SAMPLES: f64 = 24.5;
+/// The flanks alone give a contact that is up to a fifth too short where the law has a root at its
+/// beginning (Hertz).
 const ROUGH_SHARE: f64 = 0.8;
 /// Low-pass corner times contact time.
-const LEAST_CORNER: f64 = 3.0;
-/// What one more number of a law must take from the sum of squares: one in two thousand does by chance.
+const MIN_CORNER: f64 = 3.0;
+/// The reduction in the sum of squares that one more parameter must bring; one law in two thousand
+/// reaches it by chance.
 const WORTH: f64 = 12.0;
-/// What must be gained to take the pulse for one without weight. From a stated speed, pulses with weight have −3 and less at
-/// 75 g and below, pulses without it +3 and more; above, neither is told from the other, and the weight acts.
+/// The gain required to treat the pulse as one without weight. With a stated velocity, pulses with
+/// weight gain −3 or less at 75 g and below, and pulses without it +3 or more; above 75 g the two
+/// cannot be told apart, and the weight is assumed to act.
 const LIKELY: f64 = 3.0;
-/// What a cut top must take from the sum of squares: five standard deviations.
+/// The reduction in the sum of squares that a clipped top must bring: five standard deviations.
 const CLEARLY_CUT: f64 = 25.0;
-/// What must be gained for no doubt to be left: four standard deviations.
+/// The gain that removes all doubt: four standard deviations.
 const DECISIVE: f64 = 16.0;
-/// A zero line that is off by more than this share of the peak gives no stiffness.
+/// A zero line that is wrong by more than this share of the peak gives no stiffness.
 const HOPELESS_SHIFT: f64 = 0.05;
-/// Beyond this share of the peak what a law leaves is no noise.
+/// Above this share of the peak the residual of a law is not noise.
 const POOR_RESIDUAL: f64 = 0.01;
-/// Prior of a speed that is not known.
+/// Standard deviation of ln v in the prior of an unknown velocity.
 const UNKNOWN_SPEED: f64 = 0.5;
-/// Laws whose scores are closer than this cannot be told apart.
+/// Laws whose scores differ by less than this cannot be told apart.
 const ALIKE: f64 = 4.0;
-/// Numerical accuracy, rounding of printed samples, the clock of the recorder.
+/// Numerical accuracy, rounding of printed samples, and the clock of the recorder.
 const FLOOR: f64 = 1e-3;
 
 /// Identifies the cushion under a mass that fell on it.
 ///
-/// **Method**: the contact is found above 5 standard deviations of the noise before it; zero line = mean before the
-/// contact. The pulses of F = kd, Kdⁿ, kd + cḋ and Kdⁿ(1 + Λḋ) are fitted to the samples by least squares over first
-/// touch, impact velocity, zero line and the law's own numbers; the simplest law that none betters clearly is chosen.
-/// The impact velocity and the zero line carry what is known of them as priors, so a wrong height gives way to the pulse.
-/// The compression comes from integrating twice over the contact alone.
+/// **Method**: the contact is found above 5 standard deviations of the noise before it; the zero
+/// line is the mean before the contact. The pulses of F = kd, Kdⁿ, kd + cḋ and Kdⁿ(1 + Λḋ) are
+/// fitted to the samples by least squares over first contact, impact velocity, zero line and the
+/// parameters of the law. The simplest law that no other improves on clearly is chosen. Known
+/// values of impact velocity and zero line are priors, so a wrong height yields to the pulse. The
+/// compression is the double integral over the contact alone.
 ///
 /// **Units**: samples in m/s², upward positive.
 ///
 /// # Accuracy
-/// From a noise-free record of 50 samples per contact, of each of the four laws with its weight, the secant comes back to
-/// 1e-3.
+/// From a noise-free record of 50 samples per contact, for each of the four laws with its weight,
+/// the secant is recovered to 1e-3.
 ///
 /// # Errors
-/// A mass, time step or speed that is not positive, fewer than 20 samples, or one that is no number. A record that gives
-/// no stiffness is no error: it has flags and no law.
+/// A mass, time step or velocity that is not positive, fewer than 20 samples, or a sample that is
+/// not a number. A record that gives no stiffness is not an error: it has flags and no law.
 ///
 /// # Example
 /// A half-sine of 349.8 g and 1.2826 ms: m(π/t_c)² = 2190 N/mm.
-/// ```
 /// use freestand::identify::{DropSetup, ImpactVelocity, drop_test};
 /// let (mass_kg, speed_m_s, omega) = (0.365, 1.400475, (2.19e6_f64 / 0.365).sqrt());
 /// let pulse = |i: i32| {
 ///     let t = f64::from(i - 40) * 20e-6;
 ///     if t > 0.0 && omega * t < std::f64::consts::PI { speed_m_s * omega * (omega * t).sin() } else { 0.0 }
-/// };
-/// let samples: Vec<f64> = (0..200).map(pulse).collect();
-/// let impact_velocity = ImpactVelocity::Known { speed_m_s, error_ratio: 0.01 };
-/// let setup = DropSetup { mass_kg, impact_velocity, gravity_m_s2: 9.80665, filter_corner_hz: None, law: None };
-/// let test = drop_test(&samples, 20e-6, &setup)?;
-/// let stiffness_n_m = test.identified.map(|found| found.stiffness.fit_n_m).unwrap_or_default();
-/// assert!((stiffness_n_m / 2.19e6 - 1.0).abs() < 0.005 && test.flags.is_empty());
+/// }; let samples: Vec<f64> = (0..200).map(pulse).collect(); let impact_velocity =
+/// ImpactVelocity::Known { speed_m_s, error_ratio: 0.01 }; let setup = DropSetup { mass_kg,
+/// impact_velocity, gravity_m_s2: 9.80665, filter_corner_hz: None, law: None }; let test =
+/// drop_test(&samples, 20e-6, &setup)?; let stiffness_n_m = test.identified.map(|found|
+/// found.stiffness.fit_n_m).unwrap_or_default(); assert!((stiffness_n_m / 2.19e6 - 1.0).abs() <
+/// 0.005 && test.flags.is_empty());
 /// # Ok::<(), freestand::identify::DropError>(())
 /// ```
 pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<DropTest, DropError> {
@@ -89,7 +92,7 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
         && let Some(choice) = contact.choose()
     {
         contact.report(choice, &mut test);
-        if test.contact_time_s.is_some_and(|time_s| time_s < LEAST_SAMPLES * dt_s) {
+        if test.contact_time_s.is_some_and(|time_s| time_s < MIN_SAMPLES * dt_s) {
             test.flags.push(Flag::FewSamples);
             test.identified = None;
         }
@@ -99,7 +102,7 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
     }
     test.samples_per_contact = test.contact_time_s.map(|time_s| time_s / dt_s);
     if let (Some(corner_hz), Some(time_s)) = (setup.filter_corner_hz, test.contact_time_s)
-        && corner_hz * time_s < LEAST_CORNER
+        && corner_hz * time_s < MIN_CORNER
     {
         test.flags.push(Flag::Filter);
     }
@@ -125,7 +128,7 @@ fn check(samples: &[f64], dt_s: f64, setup: &DropSetup) -> Result<(), DropError>
     }
 }
 
-/// Whether the flags so far forbid a stiffness.
+/// Whether the flags so far rule out a stiffness.
 fn is_hopeless(test: &DropTest) -> bool {
     let shift = test.zero_shift_ratio.unwrap_or(0.0).abs();
     let fatal = [Flag::CutOff, Flag::Clipped, Flag::FewSamples, Flag::Impulse];
@@ -152,25 +155,25 @@ impl DropTest {
     }
 }
 
-/// A contact that was found.
+/// A contact in a record.
 struct Contact<'a> {
     accel: &'a [f64],
     dt_s: f64,
     setup: &'a DropSetup,
     pulse: &'a Pulse,
     peak_m_s2: f64,
-    /// Between the threshold crossings, carried on to zero along the flanks.
+    /// Duration between the threshold crossings, extrapolated to zero along the flanks.
     rough_s: f64,
     /// ∫a dt over the contact \[m/s\].
     impulse_m_s: f64,
 }
 
-/// The law that was chosen, and those that were not.
+/// The law that was chosen, and the others.
 struct Choice {
     best: Fit,
     others: Vec<Fit>,
     has_gravity: bool,
-    /// ln k with gravity over without, where the record cannot tell.
+    /// ln k with gravity less ln k without it, where the record cannot decide.
     gravity_error: f64,
 }
 
@@ -196,13 +199,14 @@ impl<'a> Contact<'a> {
         }
     }
 
-    /// Gates that need no law.
+    /// Checks that need no law.
     fn judge(&self, test: &mut DropTest) {
-        if self.rough_s < ROUGH_SHARE * LEAST_SAMPLES * self.dt_s {
+        if self.rough_s < ROUGH_SHARE * MIN_SAMPLES * self.dt_s {
             test.flags.push(Flag::FewSamples);
         }
         if let Some(speed) = self.known_speed() {
-            // (1 + e) v₀, with what gravity may add and a tenth for noise and a wrong height.
+            // (1 + e) v₀, plus the possible effect of gravity and a tenth for noise and a wrong
+            // height.
             let given_m_s = self.impulse_m_s;
             let weight_m_s = self.setup.gravity_m_s2 * self.rough_s;
             if given_m_s < 0.9 * speed || given_m_s > 2.2 * speed + weight_m_s {
@@ -238,7 +242,8 @@ impl<'a> Contact<'a> {
         }
     }
 
-    /// Every law with and without gravity; the simplest that none betters clearly.
+    /// Fits every law with and without gravity, and chooses the simplest that no other improves on
+    /// clearly.
     fn choose(&self) -> Option<Choice> {
         let gravity = self.setup.gravity_m_s2;
         let with = self.fits(gravity);
@@ -332,14 +337,15 @@ impl<'a> Contact<'a> {
         test.points = points;
     }
 
-    /// Whether a law with its top cut is clearly better than the best without: a range that ended before the noise came to it.
+    /// Whether a law with a clipped top is clearly better than the best law without one: a range
+    /// that ended before the noise was added.
     fn is_cut(&self, data: &Data, best: &Fit, others: &[Fit]) -> bool {
         let price = |fit: &Fit| WORTH * f64::from(numbers(fit.law));
         let limit = best.chi_squared + price(best) - CLEARLY_CUT;
         std::iter::once(best).chain(others).any(|fit| data.cut(fit).is_some_and(|cost| cost + price(fit) < limit))
     }
 
-    /// The fit that says what the exponent is, where the chosen law has it fixed.
+    /// The fit that determines the exponent where the chosen law has it fixed.
     fn with_free_exponent(&self, best: &Fit, others: &[Fit], gravity: f64) -> Option<Fit> {
         match best.law {
             FittedLaw::Linear => others
@@ -352,8 +358,9 @@ impl<'a> Contact<'a> {
         }
     }
 
-    /// ḋ = v₀ + gt − ∫a dt and d, from the first touch to the end of the contact: the trapezoidal rule with the ends
-    /// between two samples, where the acceleration is zero (or, of a jump, that of the first sample).
+    /// ḋ = v₀ + gt − ∫a dt and d, from the first contact to its end: the trapezoidal rule with ends
+    /// between two samples, where the acceleration is zero (or, if it jumps, that of the first
+    /// sample).
     fn integrate(&self, touch_s: f64, contact_s: f64, speed: f64, gravity: f64, jump: f64) -> Vec<LoopPoint> {
         let point = |time_s: f64, accel: f64, d: f64, v: f64| LoopPoint {
             time_s,
@@ -368,7 +375,7 @@ impl<'a> Contact<'a> {
         let mut step = |next_s: f64, next_a: f64, t: &mut f64, a: &mut f64| {
             let h = next_s - *t;
             let change = gravity * h - 0.5 * (*a + next_a) * h;
-            // Acceleration linear in between: exact for d as well.
+            // The acceleration is linear in between: exact for d as well.
             d += v * h + h * h * (0.5 * gravity - *a / 3.0 - next_a / 6.0);
             v += change;
             (*t, *a) = (next_s, next_a);
@@ -388,7 +395,7 @@ impl<'a> Contact<'a> {
     }
 }
 
-/// How many numbers a law has beyond its stiffness.
+/// Number of parameters of a law besides its stiffness.
 fn numbers(law: FittedLaw) -> u8 {
     match law {
         FittedLaw::Linear => 0,
@@ -397,8 +404,9 @@ fn numbers(law: FittedLaw) -> u8 {
     }
 }
 
-/// The best by sum of squares and a price for every number; negative damping is no law. Where another is as good, the
-/// difference of their stiffnesses is part of the error.
+/// The best by sum of squares and a penalty for every parameter; a law with negative damping is
+/// excluded. Where another law is equally good, the difference between their stiffnesses is part of
+/// the error.
 fn simplest(fits: Vec<Fit>) -> Option<(Fit, Vec<Fit>)> {
     let least = fits.iter().map(|fit| fit.chi_squared / fit.degrees).fold(f64::INFINITY, f64::min).max(1.0);
     let is_law = |fit: &Fit| fit.damping_ratio >= 0.0 && fit.model.dissipation_s_m >= 0.0;
@@ -447,21 +455,22 @@ fn law_of(fit: &Fit) -> ContactLaw {
     }
 }
 
-/// ζ, or for Hunt–Crossley that of the Kelvin–Voigt pad with the same restitution: e = exp(−2ζ acos ζ/√(1−ζ²)).
+/// ζ, or for Hunt–Crossley that of the Kelvin–Voigt pad with the same restitution: e = exp(−2ζ acos
+/// ζ/√(1−ζ²)).
 fn damping_ratio(fit: &Fit) -> f64 {
     match fit.law {
-        // A law has no negative damping, and its number must be that of the law.
+        // A law has no negative damping, and this number must agree with the law.
         FittedLaw::KelvinVoigt => fit.damping_ratio.max(0.0),
         FittedLaw::HuntCrossley => {
             let e = fit.predicted.rebound_m_s / fit.model.speed_m_s;
             let of = |zeta: f64| (-2.0 * zeta * zeta.acos() / (1.0 - zeta * zeta).sqrt()).exp();
-            if e >= 1.0 { 0.0 } else { crate::quadrature::halved(0.0, 0.999, |zeta| of(zeta) <= e) }
+            if e >= 1.0 { 0.0 } else { crate::search::bisect(0.0, 0.999, |zeta| of(zeta) <= e) }
         }
         _ => 0.0,
     }
 }
 
-/// Contact time in samples: the flanks between 8 and 35 % of the peak, carried on to zero.
+/// Contact time in samples: the flanks between 8 and 35 % of the peak, extrapolated to zero.
 fn rough_contact(accel: &[f64], pulse: &Pulse) -> f64 {
     let end = pulse.after.min(accel.len().saturating_sub(1));
     let crossing = |share: f64, up: bool| -> f64 {
@@ -484,7 +493,7 @@ fn rough_contact(accel: &[f64], pulse: &Pulse) -> f64 {
     zero(false) - zero(true)
 }
 
-/// The deepest point, between the samples, and ∫F dd up to it.
+/// The point of largest compression, between the samples, and ∫F dd up to it.
 struct Deepest {
     compression_m: f64,
     energy_j: f64,
@@ -495,7 +504,7 @@ fn deepest(points: &[LoopPoint]) -> Option<Deepest> {
     for pair in points.windows(2) {
         let [a, b] = pair else { continue };
         if b.speed_m_s <= 0.0 {
-            // The speed is nearly straight between two samples.
+            // The velocity is nearly linear between two samples.
             let h = b.time_s - a.time_s;
             let fall = a.speed_m_s - b.speed_m_s;
             let share = if fall > 0.0 { a.speed_m_s / fall } else { 0.0 };

@@ -1,17 +1,20 @@
-//! A law's pulse is laid through the samples: least squares on the acceleration, with what is known before as priors.
+//! The least-squares fit of a law's pulse to the samples of an acceleration, with known values as
+//! priors.
 
 use super::FittedLaw;
 use super::model::{Model, Predicted};
 
-/// Share of the peak to which the predicted pulse and printed samples are good.
+/// Accuracy of the predicted pulse and of printed samples, as a share of the peak.
 const FLOOR_SHARE: f64 = 2e-4;
-/// Rounds of Levenberg–Marquardt.
+/// Iterations of Levenberg–Marquardt.
 const ROUNDS: usize = 60;
 /// Number of parameters.
 const P: usize = 8;
-/// Largest change of the first touch in one round, in contacts: a toe below the noise is a good part of a contact.
+/// Largest change of the first contact in one iteration, in contact times: a toe below the noise
+/// can be a large part of a contact.
 const TOUCH_SHARE: f64 = 0.1;
-/// First touch in samples; ln v; ln k; n; ζ; Λv; zero line over peak; level of a cut top over peak.
+/// First contact in samples; ln v; ln k; n; ζ; Λv; zero line over peak; level of a clipped top over
+/// peak.
 type Parameters = [f64; P];
 const TOUCH: usize = 0;
 const SPEED: usize = 1;
@@ -30,16 +33,17 @@ pub(super) struct Data<'a> {
     pub(super) mass_kg: f64,
     pub(super) gravity_m_s2: f64,
     pub(super) dt_s: f64,
-    /// Above the zero line.
+    /// Samples above the zero line.
     pub(super) accel_m_s2: &'a [f64],
     pub(super) peak_m_s2: f64,
     pub(super) noise_m_s2: f64,
     /// Standard deviation of the zero line.
     pub(super) zero_error_m_s2: f64,
-    /// The speed and the standard deviation of its logarithm; wide where it is not known.
+    /// The velocity and the standard deviation of its logarithm, which is large where the velocity
+    /// is not known.
     pub(super) speed_m_s: f64,
     pub(super) speed_error_ratio: f64,
-    /// About where the contact begins and how long it is, in samples.
+    /// Approximate beginning and length of the contact, in samples.
     pub(super) touch: f64,
     pub(super) contact: f64,
 }
@@ -51,7 +55,7 @@ pub(super) struct Fit {
     parameters: Parameters,
     pub(super) model: Model,
     pub(super) predicted: Predicted,
-    /// Since the first sample of the data.
+    /// First contact, from the first sample of the data.
     pub(super) touch_s: f64,
     /// F/d at the largest compression, without damping.
     pub(super) secant_n_m: f64,
@@ -65,9 +69,9 @@ pub(super) struct Fit {
     /// Sum of squares in units of the noise.
     pub(super) chi_squared: f64,
     pub(super) degrees: f64,
-    /// Whether the search came to rest.
+    /// Whether the search converged.
     pub(super) converged: bool,
-    /// Root mean square of what is left, over the peak.
+    /// Root mean square of the residuals divided by the peak.
     pub(super) residual_ratio: f64,
 }
 
@@ -83,7 +87,8 @@ fn free_of(law: FittedLaw) -> Vec<usize> {
 }
 
 impl Data<'_> {
-    /// The compression at which `k` is the secant: constant, so that k and n are nearly independent.
+    /// The compression at which `k` is the secant: constant, so that k and n are nearly
+    /// independent.
     fn reference_m(&self) -> f64 {
         self.speed_m_s * self.contact * self.dt_s / std::f64::consts::PI
     }
@@ -106,7 +111,7 @@ impl Data<'_> {
         self.noise_m_s2.max(FLOOR_SHARE * self.peak_m_s2)
     }
 
-    /// Samples, then the priors of the speed and of the zero line.
+    /// Residuals of the samples, then those of the priors of velocity and zero line.
     fn residuals(&self, p: &Parameters) -> Vec<f64> {
         let predicted = self.model(p).predict();
         let offset = p[OFFSET] * self.peak_m_s2;
@@ -127,7 +132,7 @@ impl Data<'_> {
         [touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln(), exponent, 0.0, 0.0, 0.0, f64::INFINITY]
     }
 
-    /// The best fit of a law over a few starts; `None` where none converges to a cushion.
+    /// The best fit of a law from a few starting points; `None` where none converges to a cushion.
     pub(super) fn fit(&self, law: FittedLaw) -> Option<Fit> {
         let free = free_of(law);
         let exponents: &[f64] = if free.contains(&EXPONENT) { &[1.0, 1.6] } else { &[1.0] };
@@ -150,15 +155,15 @@ impl Data<'_> {
         self.finished(law, &self.between_samples(best?, &free))
     }
 
-    /// A law with more numbers, from where one with fewer arrived.
+    /// The fit of a law with more parameters, started from the fit of one with fewer.
     pub(super) fn extend(&self, law: FittedLaw, from: &Fit) -> Option<Fit> {
         let free = free_of(law);
         let found = self.descend(from.parameters, &free, None);
         self.finished(law, &self.between_samples(found, &free))
     }
 
-    /// The sum of squares where the top of the same law is cut at a level of its own; `None` where that is no better than the
-    /// noise lets it be.
+    /// The sum of squares with the top of the same law clipped at a fitted level; `None` where the
+    /// noise explains the improvement.
     pub(super) fn cut(&self, from: &Fit) -> Option<f64> {
         let mut free = free_of(from.law);
         free.push(TOP);
@@ -168,8 +173,9 @@ impl Data<'_> {
         (found.cost < 2.0 * from.degrees).then_some(found.cost)
     }
 
-    /// Where the force jumps at the first touch, the sum of squares jumps whenever the touch passes a sample, and a search
-    /// stops at the first such wall. Between two samples it is smooth: each gap around the touch is searched on its own.
+    /// Where the force jumps at first contact, the sum of squares jumps whenever the first contact
+    /// passes a sample, and a search stops at the first such jump. Between two samples it is
+    /// smooth, so each interval around the first contact is searched on its own.
     fn between_samples(&self, found: Descent, free: &[usize]) -> Descent {
         if !free.contains(&DAMPING) {
             return found;
@@ -194,7 +200,7 @@ impl Data<'_> {
         best
     }
 
-    /// Levenberg–Marquardt, with the first touch between bounds where they are given.
+    /// Levenberg–Marquardt, with the first contact between bounds if they are given.
     fn descend(&self, start: Parameters, free: &[usize], bounds: Option<(f64, f64)>) -> Descent {
         let mut p = start;
         let mut r = self.residuals(&p);
@@ -241,7 +247,7 @@ impl Data<'_> {
         let columns: Vec<Vec<f64>> = free
             .iter()
             .map(|&i| {
-                let (q, h) = beside(p, i);
+                let (q, h) = perturbed(p, i);
                 self.residuals(&q).iter().zip(r).map(|(a, b)| (a - b) / h).collect()
             })
             .collect();
@@ -256,7 +262,7 @@ impl Data<'_> {
         let free = free_of(law);
         let r = self.residuals(p);
         let degrees = (self.accel_m_s2.len() + 2 - free.len()) as f64;
-        // What the law leaves beyond the noise makes every number less certain.
+        // Residuals in excess of the noise make every parameter less certain.
         let scale = (cost / degrees).max(1.0);
         let (normal, _) = self.normal(p, &r, &free);
         let covariance = inverse(&normal)?;
@@ -268,7 +274,7 @@ impl Data<'_> {
         let slopes: Vec<f64> = free
             .iter()
             .map(|&i| {
-                let (q, h) = beside(p, i);
+                let (q, h) = perturbed(p, i);
                 (secant(&q) - secant(p)) / h
             })
             .collect();
@@ -303,12 +309,13 @@ impl Data<'_> {
     }
 }
 
-/// A damping below zero by so many standard deviations is no chance, and by less than this much no matter.
+/// Damping that is negative by this many standard deviations is not a coincidence; damping that is
+/// negative by less than the following limit does not matter.
 const NEGATIVE_ERRORS: f64 = 3.0;
 const NEGATIVE_DAMPING: f64 = 0.005;
 
 impl Fit {
-    /// Whether the law lies on the samples only with a damping that is clearly negative.
+    /// Whether the law fits the samples only with clearly negative damping.
     pub(super) fn gives_energy(&self) -> bool {
         let [damping, dissipation] = [DAMPING, DISSIPATION].map(|which| self.parameters[which]);
         self.damping_error
@@ -316,7 +323,7 @@ impl Fit {
     }
 }
 
-/// Where a search ended.
+/// The end of a search.
 #[derive(Debug, Clone)]
 struct Descent {
     p: Parameters,
@@ -330,9 +337,9 @@ fn keep_better(best: &mut Option<Descent>, found: Descent) {
     }
 }
 
-/// A point beside p for the derivative by one parameter, and its distance. The first touch does not pass a sample, where the
-/// force of a damped pad jumps.
-fn beside(p: &Parameters, i: usize) -> (Parameters, f64) {
+/// A point next to p for the derivative by one parameter, and its distance. The first contact does
+/// not pass a sample, where the force of a damped pad jumps.
+fn perturbed(p: &Parameters, i: usize) -> (Parameters, f64) {
     let mut q = *p;
     let passes = i == TOUCH && (p[i] + STEPS[i]).ceil() != p[i].ceil();
     let h = if passes { -STEPS[i] } else { STEPS[i] };
@@ -340,7 +347,8 @@ fn beside(p: &Parameters, i: usize) -> (Parameters, f64) {
     (q, h)
 }
 
-/// Takes the first touch (the first of the free parameters) out where it is at a bound and would leave it.
+/// Removes the first contact (the first of the free parameters) where it is at a bound and the step
+/// would leave the range.
 fn hold_at_bound(normal: &mut [Vec<f64>], gradient: &mut [f64], touch: f64, bounds: Option<(f64, f64)>) {
     let Some((low, high)) = bounds else { return };
     let Some(down_hill) = gradient.first_mut() else { return };
@@ -356,7 +364,7 @@ fn hold_at_bound(normal: &mut [Vec<f64>], gradient: &mut [f64], touch: f64, boun
     }
 }
 
-/// Keeps the parameters where the laws mean something.
+/// Moves the parameters, within the range in which the laws are valid.
 fn moved(p: &Parameters, free: &[usize], step: &[f64], touch: f64) -> Parameters {
     let mut next = *p;
     for (&i, s) in free.iter().zip(step) {

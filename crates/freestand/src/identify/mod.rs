@@ -1,30 +1,33 @@
-//! From a test of a cushion to its law: drop tests, repeats, static tests, and virtual tests to practise on.
+//! The identification of a cushion from tests: drop tests, repeated drops, static tests, and
+//! virtual tests for practice.
 //!
-//! In a drop test a rigid mass falls on a pad and carries an accelerometer. [`drop_test`] finds the contact, its zero line
-//! and what is wrong with the record, and lays the pulse of each law through the samples; four textbook estimates and
-//! the exponent identity stand beside the fit. What cannot be trusted has flags and no stiffness.
+//! In a drop test a rigid mass with an accelerometer falls on a pad. [`drop_test`] finds the
+//! contact, its zero line and the faults of the record, and fits the pulse of each law to the
+//! samples. Four textbook estimates and the exponent identity are reported with the fit. A record
+//! that cannot be trusted gets flags and no stiffness.
 //!
-//! **Signs**: accelerations are positive upward. The zero line is the mean before the contact, where the mass falls
-//! freely: above it the reading is force over mass, whatever the coupling of the sensor.
+//! **Signs**: accelerations are positive upward. The zero line is the mean before the contact, when
+//! the mass falls freely: relative to it the reading is force over mass, whatever the coupling of
+//! the sensor.
 
 mod contact;
 mod drop;
 mod fit;
 mod model;
 mod pool;
-mod static_test;
-mod virtual_test;
+mod static_curve;
+mod virtual_laboratory;
 
 pub use drop::drop_test;
 pub use pool::{NORMAL_975, Pooled, PooledDrop, pool_drops};
-pub use static_test::{StaticError, StaticOptions, StaticTest, static_test};
-pub use virtual_test::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};
+pub use static_curve::{StaticError, StaticOptions, StaticTest, static_test};
+pub use virtual_laboratory::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};
 
 use thiserror::Error;
 
 use crate::cushion::ContactLaw;
 
-/// Which law is laid through a drop test.
+/// The laws that are fitted to a drop test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FittedLaw {
     /// F = k d.
@@ -35,7 +38,7 @@ pub enum FittedLaw {
     KelvinVoigt,
     /// F = K dⁿ (1 + Λḋ).
     HuntCrossley,
-    /// F = K dⁿ + c ḋ: for the exponent of a damped pad, never chosen.
+    /// F = K dⁿ + c ḋ: used to find the exponent of a damped pad, never chosen.
     DampedPower,
 }
 
@@ -52,34 +55,35 @@ impl FittedLaw {
     }
 }
 
-/// What is wrong with a drop test.
+/// A fault of a drop test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Flag {
-    /// Nothing stands out of the noise.
+    /// No pulse exceeds the noise.
     NoPulse,
     /// The largest excursion is downward.
     UpsideDown,
     /// Too few samples before the contact for a zero line.
     NoPreTrigger,
-    /// The record ends within the contact.
+    /// The record ends during the contact.
     CutOff,
     /// The top of the pulse is flat.
     Clipped,
     /// Fewer than 25 samples per contact.
     FewSamples,
-    /// The zero line after the contact is another one, by more than 0.5 % of the peak.
+    /// The zero line after the contact differs from the one before it by more than 0.5 % of the
+    /// peak.
     ZeroShift,
     /// The zero line drifts by more than 0.5 % of the peak.
     Drift,
     /// The low-pass corner times the contact time is below 3.
     Filter,
-    /// The pulse takes less than m v₀, or gives back more than it took.
+    /// The impulse of the pulse is less than m v₀, or the pulse returns more than it took.
     Impulse,
-    /// The impact velocity that fits differs from the stated one.
+    /// The impact velocity of the best fit differs from the stated one.
     Velocity,
-    /// The damped law that was asked for fits with negative damping alone; it is reported with none.
+    /// The requested damped law fits only with negative damping; it is reported without damping.
     Damping,
-    /// No law lies on the samples.
+    /// No law fits the samples.
     PoorFit,
 }
 
@@ -103,88 +107,95 @@ impl Flag {
         }
     }
 
-    /// What it means, and what to do about it.
+    /// What the flag means and how to remove its cause.
     pub fn remedy(self) -> &'static str {
         match self {
-            Self::NoPulse => "no pulse stands out of the noise: check the column, the unit and the trigger",
-            Self::UpsideDown => "the pulse points down: turn the sign if the sensor is mounted upside down",
-            Self::NoPreTrigger => "too few samples before the contact for a zero line: set a longer pre-trigger",
-            Self::CutOff => "the record ends before the contact does: record longer",
-            Self::Clipped => "the top of the pulse is flat: use a larger range of the sensor or a lower drop",
-            Self::FewSamples => "fewer than 25 samples per contact: sample faster",
+            Self::NoPulse => "no pulse exceeds the noise: check the column, the unit and the trigger",
+            Self::UpsideDown => "the pulse points down: change its sign if the sensor is mounted upside down",
+            Self::NoPreTrigger => "too few samples before the contact for a zero line: use a longer pre-trigger",
+            Self::CutOff => "the record ends before the contact does: record for longer",
+            Self::Clipped => "the top of the pulse is flat: use a larger sensor range or a lower drop",
+            Self::FewSamples => "fewer than 25 samples per contact: sample at a higher rate",
             Self::ZeroShift => {
-                "the zero line after the contact is another one: check the cable and the sensor's mounting"
+                "the zero line shifts during the contact: check the cable and the mounting of the sensor"
             }
             Self::Drift => "the zero line drifts: let the sensor settle, or check its coupling and temperature",
-            Self::Filter => "the low-pass corner is below 3 over the contact time: raise it, it takes from the peak",
-            Self::Impulse => {
-                "the impulse of the pulse does not fit the mass at this speed: check unit, mass and drop height"
+            Self::Filter => {
+                "the low-pass corner is below 3 divided by the contact time, which lowers the peak: raise it"
             }
-            Self::Velocity => "the pulse fits another impact velocity than the stated one: check height and guides",
+            Self::Impulse => {
+                "the impulse of the pulse does not agree with the mass and its velocity: check the unit, the mass \
+                 and the drop height"
+            }
+            Self::Velocity => {
+                "the pulse fits an impact velocity that differs from the stated one: check the height and the guides"
+            }
             Self::Damping => {
-                "the pulse gives back more than it took, so the damping is reported as none: check the zero line and the \
+                "the pulse returns more energy than it took, so no damping is reported: check the zero line and the \
                  velocity, or leave the law open"
             }
-            Self::PoorFit => "no law lies on the samples: look at the loop; is the pad bottoming, the plate tilting?",
+            Self::PoorFit => "no law fits the samples: look at the loop; does the pad bottom, or the plate tilt?",
         }
     }
 }
 
-/// Where the impact velocity comes from.
+/// The source of the impact velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ImpactVelocity {
-    /// From a height or a light gate, with a standard deviation of its own \[–\].
+    /// From a height or a light gate, with its standard deviation.
     Known {
         /// v₀ \[m/s\].
         speed_m_s: f64,
         /// Relative standard deviation.
         error_ratio: f64,
     },
-    /// From the pulse alone: the halves of the impulse before and after the deepest point, as the law divides them.
+    /// From the pulse alone: the law divides the impulse into the parts before and after the
+    /// largest compression.
     FromImpulse,
 }
 
-/// What is known about a drop test beside its record.
+/// What is known about a drop test apart from its record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DropSetup {
     /// Mass that falls \[kg\].
     pub mass_kg: f64,
-    /// Its speed at the first touch.
+    /// Its velocity at first contact.
     pub impact_velocity: ImpactVelocity,
     /// Gravity during the contact \[m/s²\].
     pub gravity_m_s2: f64,
     /// Corner of the low-pass filter before the converter \[Hz\].
     pub filter_corner_hz: Option<f64>,
-    /// This law and no other.
+    /// Fits this law only.
     pub law: Option<FittedLaw>,
 }
 
-/// Why a record is no drop test.
+/// Why a record cannot be evaluated as a drop test.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum DropError {
-    /// A number is not what it must be.
+    /// A number that is not positive.
     #[error("the {name} must be positive, not {value}")]
     NotPositive {
-        /// The number.
+        /// The name of the number.
         name: &'static str,
-        /// What it is.
+        /// The value that was given.
         value: f64,
     },
-    /// Too short for anything.
-    #[error("{samples} samples are no drop test")]
+    /// Too few samples.
+    #[error("{samples} samples are too few for a drop test")]
     TooShort {
-        /// How many there are.
+        /// Number of samples.
         samples: usize,
     },
-    /// A sample is no number.
+    /// A sample that is not a number.
     #[error("sample {number} is not a number")]
     NotFinite {
-        /// The sample, from 1.
+        /// The sample, counted from 1.
         number: usize,
     },
 }
 
-/// Stiffness by six ways \[N/m\]; for F = kd all agree, and their spread is the measure of the test.
+/// Stiffness from six estimates \[N/m\]; for F = kd they all agree, and their spread is a measure
+/// of the quality of the test.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StiffnessEstimates {
     /// F/d at the largest compression of the fitted law, without its damping.
@@ -197,7 +208,7 @@ pub struct StiffnessEstimates {
     pub velocity_over_compression_n_m: f64,
     /// m a/d.
     pub acceleration_over_compression_n_m: f64,
-    /// 2E/d², E = ∫F dd on the way in.
+    /// 2E/d², E = ∫F dd during compression.
     pub energy_n_m: f64,
 }
 
@@ -216,7 +227,7 @@ impl StiffnessEstimates {
     }
 }
 
-/// One law as it was fitted, for comparison.
+/// One fitted law, for comparison.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
     /// The law.
@@ -227,64 +238,67 @@ pub struct Candidate {
     pub exponent: f64,
     /// ζ of Kelvin–Voigt, otherwise 0.
     pub damping_ratio: f64,
-    /// What is left, root mean square over the peak.
+    /// Root mean square of the residuals divided by the peak.
     pub residual_ratio: f64,
-    /// Sum of squares over the noise; a law with one more number must gain 12 to be chosen.
+    /// Sum of squares in units of the noise; a law with one more parameter must reduce it by 12 to
+    /// be chosen.
     pub chi_squared: f64,
 }
 
-/// The law that was found.
+/// The identified law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Identified {
-    /// Which.
+    /// Its kind.
     pub chosen: FittedLaw,
-    /// With its numbers, ready for a [`crate::cushion::Cushion`].
+    /// The law with its numbers, ready for a [`crate::cushion::Cushion`].
     pub law: ContactLaw,
     /// Six stiffnesses.
     pub stiffness: StiffnessEstimates,
-    /// Standard deviation of ln k: noise, zero line, impact velocity and, where the record cannot tell, gravity.
+    /// Standard deviation of ln k: noise, zero line, impact velocity and, where the record cannot
+    /// decide, gravity.
     pub error_ratio: f64,
-    /// n of the power law that fits best, also where the chosen one is linear.
+    /// n of the power law that fits best, even where the chosen law is linear.
     pub exponent: f64,
     /// Its standard deviation.
     pub exponent_error: Option<f64>,
-    /// n by a d/v₀² = (n+1)/2.
+    /// n from a d/v₀² = (n+1)/2.
     pub exponent_by_identity: f64,
-    /// ζ; of laws other than Kelvin–Voigt that of the linear pad with the same restitution.
+    /// ζ; for laws other than Kelvin–Voigt that of the linear pad with the same restitution.
     pub damping_ratio: f64,
-    /// The impact velocity that fits best \[m/s\].
+    /// The impact velocity of the best fit \[m/s\].
     pub fitted_velocity_m_s: f64,
-    /// All laws.
+    /// All fitted laws.
     pub candidates: Vec<Candidate>,
-    /// Whether the weight acts during the contact; `false` where the record says clearly that it does not.
+    /// Whether the weight acts during the contact; `false` where the record clearly shows that it
+    /// does not.
     pub has_gravity: bool,
-    /// Root mean square of what is left, over the peak.
+    /// Root mean square of the residuals divided by the peak.
     pub residual_ratio: f64,
 }
 
 /// One sample of the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoopPoint {
-    /// Since the first touch \[s\].
+    /// Time since first contact \[s\].
     pub time_s: f64,
-    /// Above the zero line \[m/s²\].
+    /// Acceleration above the zero line \[m/s²\].
     pub acceleration_m_s2: f64,
     /// F = m a \[N\].
     pub force_n: f64,
-    /// d, by integrating twice over the contact \[m\].
+    /// d, from the double integral over the contact alone \[m\].
     pub compression_m: f64,
     /// ḋ \[m/s\].
     pub speed_m_s: f64,
 }
 
-/// A drop test as far as its record goes; what is missing is `None`.
+/// The results of a drop test, as far as its record allows; missing ones are `None`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropTest {
     /// v₀ \[m/s\].
     pub impact_velocity_m_s: Option<f64>,
     /// Peak above the zero line \[m/s²\].
     pub peak_acceleration_m_s2: Option<f64>,
-    /// From the first touch until the force is back at zero \[s\].
+    /// Time from first contact until the force is zero again \[s\].
     pub contact_time_s: Option<f64>,
     /// Largest compression \[m\].
     pub max_compression_m: Option<f64>,
@@ -292,19 +306,19 @@ pub struct DropTest {
     pub restitution_ratio: Option<f64>,
     /// e, from the flight to the next bounce: g t/(2v₀).
     pub restitution_bounce_ratio: Option<f64>,
-    /// Energy lost in the loop over ½mv₀².
+    /// Energy lost in the loop divided by ½mv₀².
     pub energy_lost_ratio: Option<f64>,
-    /// The law; `None` where a flag forbids it.
+    /// The law; `None` where a flag rules it out.
     pub identified: Option<Identified>,
-    /// Contact time over the sampling interval.
+    /// Contact time divided by the sampling interval.
     pub samples_per_contact: Option<f64>,
     /// (zero line after − before)/peak.
     pub zero_shift_ratio: Option<f64>,
-    /// Standard deviation before the contact over the peak.
+    /// Standard deviation before the contact divided by the peak.
     pub noise_ratio: Option<f64>,
-    /// What is wrong.
+    /// The faults of the record.
     pub flags: Vec<Flag>,
-    /// The loop.
+    /// The loop, point by point.
     pub points: Vec<LoopPoint>,
 }
 

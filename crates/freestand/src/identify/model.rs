@@ -1,6 +1,6 @@
-//! The pulse that a law predicts, fast enough to be fitted.
+//! The pulse that a law predicts, calculated fast enough for a fit.
 
-/// A landing on F = K dⁿ (1 + Λḋ) + c ḋ, not below zero.
+/// A landing on F = K dⁿ (1 + Λḋ) + c ḋ, never below zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Model {
     pub(super) mass_kg: f64,
@@ -12,21 +12,21 @@ pub(super) struct Model {
     pub(super) dissipation_s_m: f64,
 }
 
-/// Force over mass at equal steps from the first touch.
+/// Force over mass at equal steps from first contact.
 #[derive(Debug, Clone)]
 pub(super) struct Predicted {
     step_s: f64,
     accel_m_s2: Vec<f64>,
-    /// From the first touch to the end of the force.
+    /// From first contact to the end of the force.
     pub(super) contact_s: f64,
     pub(super) compression_m: f64,
-    /// Speed on leaving, positive upwards.
+    /// Velocity on leaving, positive upward.
     pub(super) rebound_m_s: f64,
 }
 
-/// Steps to a contact: straight lines between them are off by (π/STEPS)²/8 = 8e-6 of the peak.
+/// Steps per contact: straight lines between them are wrong by (π/STEPS)²/8 = 8e-6 of the peak.
 const STEPS: f64 = 400.0;
-/// A mass that has not left by then stays.
+/// A mass that has not left after this many steps stays.
 const LONGEST: usize = 4000;
 
 impl Model {
@@ -38,7 +38,7 @@ impl Model {
         (elastic * (1.0 + self.dissipation_s_m * v) + self.damping_n_s_m * v).max(0.0)
     }
 
-    /// About the contact time: that of the undamped power law, Cₙ ≈ 3.
+    /// Approximate contact time: that of the undamped power law, Cₙ ≈ 3.
     fn scale_s(&self) -> f64 {
         let n = self.exponent;
         let energy = 0.5 * (n + 1.0) * self.mass_kg * self.speed_m_s.powi(2) / self.coefficient_n_mn;
@@ -79,7 +79,7 @@ impl Model {
             last = accel;
             out.accel_m_s2.push(accel);
         }
-        // The last force goes on falling as it did.
+        // The last force continues to fall at the same rate.
         let share = if fall > 0.0 { (last / fall).min(1.0) } else { 1.0 };
         out.contact_s = ((out.accel_m_s2.len() - 1) as f64 + share) * h;
         out.rebound_m_s = -v;
@@ -92,7 +92,7 @@ impl Predicted {
         self.accel_m_s2.iter().copied().fold(0.0, f64::max)
     }
 
-    /// Force over mass at a time since the first touch; zero outside of the contact.
+    /// Force over mass at a time since first contact; zero outside the contact.
     pub(super) fn at(&self, time_s: f64) -> f64 {
         if time_s < 0.0 || time_s >= self.contact_s {
             return 0.0;

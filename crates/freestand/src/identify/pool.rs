@@ -1,11 +1,11 @@
-//! Repeated drops of one pad: one stiffness and its interval.
+//! Repeated drops on one pad: one stiffness and its confidence interval.
 
 use rand::RngExt;
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// What one drop brings.
+/// The result of one drop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PooledDrop {
     /// k \[N/m\].
@@ -19,29 +19,29 @@ pub struct PooledDrop {
 /// One stiffness from several drops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pooled {
-    /// Weighted mean, of ln k \[N/m\].
+    /// Weighted mean of ln k, as a stiffness \[N/m\].
     pub stiffness_n_m: f64,
-    /// The interval that covers the stiffness with 95 % \[N/m\].
+    /// The 95 % confidence interval of the stiffness \[N/m\].
     pub ci95_n_m: (f64, f64),
-    /// Weighted mean.
+    /// Weighted mean of n.
     pub exponent: f64,
     /// Standard deviation of ln k among the drops; `None` for one drop.
     pub scatter_ratio: Option<f64>,
-    /// How many drops.
+    /// Number of drops.
     pub count: usize,
 }
 
-/// Resamples of the bootstrap: its standard deviation is then good to 2 %.
+/// Resamples of the bootstrap, which determine its standard deviation to 2 %.
 const RESAMPLES: u32 = 2000;
-/// 97.5 % of the normal distribution: half of a 95 % interval in standard errors.
+/// 97.5 % quantile of the normal distribution: half of a 95 % interval in standard errors.
 pub const NORMAL_975: f64 = 1.959_963_984_540_054;
 
-/// Pools drops of one pad: the mean of ln k with the weights 1/(sᵢ² + τ²), τ the scatter that the drops' own errors sᵢ do
-/// not explain. The interval is the wider of two: Student's t times the bootstrap's standard deviation over the drops,
-/// and the drops' own errors, which repeats do not lessen because height and mass are the same in all. `None` without
-/// drops.
+/// Pools drops on one pad: the mean of ln k with the weights 1/(sᵢ² + τ²), where τ is the scatter
+/// that the errors sᵢ of the drops do not explain. The interval is the wider of two: Student's t
+/// times the bootstrap's standard deviation over the drops, and the drops' own errors, which
+/// repeats do not reduce because height and mass are the same in all of them. `None` without drops.
 ///
-/// The random numbers are those of `seed` alone.
+/// The random numbers depend on `seed` alone.
 ///
 /// # Reference
 /// DerSimonian and Laird (1986) for τ; Efron and Tibshirani (1993) for the bootstrap.
@@ -93,7 +93,8 @@ fn weights(logs: &[f64], own: &[f64]) -> Vec<f64> {
     own.iter().map(|s| 1.0 / (s * s + tau2)).collect()
 }
 
-/// The standard deviation of the weighted mean over resampled drops, with n/(n−1) for drawing from so few.
+/// The standard deviation of the weighted mean over resampled drops, with n/(n−1) for the small
+/// sample.
 fn bootstrap_error(logs: &[f64], weights: &[f64], seed: u64) -> f64 {
     let count = logs.len();
     let mut random = ChaCha12Rng::seed_from_u64(seed);
@@ -113,7 +114,7 @@ fn bootstrap_error(logs: &[f64], weights: &[f64], seed: u64) -> f64 {
     (variance * count as f64 / (count - 1) as f64).sqrt()
 }
 
-/// 97.5 % of Student's t.
+/// 97.5 % quantile of Student's t.
 fn student(count: usize) -> f64 {
     StudentsT::new(0.0, 1.0, (count - 1) as f64).map_or(NORMAL_975, |t| t.inverse_cdf(0.975))
 }

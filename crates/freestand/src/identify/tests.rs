@@ -26,8 +26,8 @@ fn setup(known: bool) -> DropSetup {
     }
 }
 
-/// The pad of the worked example as a text book has it: half a sine, no gravity in the contact, a zero line of 1 g and
-/// noise of a share of the peak.
+/// The pad of the worked example in the textbook form: a half-sine, no gravity during the contact,
+/// a zero line of 1 g and noise as a share of the peak.
 fn half_sine(per_contact: f64, noise: f64, phase: f64, seed: u64, stiffness_n_m: f64) -> (Vec<f64>, f64) {
     let omega = (stiffness_n_m / MASS_KG).sqrt();
     let peak = fall_m_s() * omega;
@@ -48,9 +48,10 @@ fn interval(found: &Identified) -> (f64, f64) {
     (found.stiffness.fit_n_m * (-half).exp(), found.stiffness.fit_n_m * half.exp())
 }
 
-/// Half-sines of other seeds, rates and stiffnesses, with a zero line of 1 g: within 2 %, and covered by the interval. That
-/// takes in gravity, which these contacts do not have and the record of a stiff pad cannot tell: 0.3 % at 350 g. The noise
-/// of 0.5 % alone makes 0.2 %; five times both stay within 2 %.
+/// Half-sines of other seeds, rates and stiffnesses, with a zero line of 1 g: within 2 %, and
+/// inside the interval. The interval includes gravity, which these contacts lack and which the
+/// record of a stiff pad cannot show: 0.3 % at 350 g. The noise of 0.5 % alone causes 0.2 %; five
+/// times both stay within 2 %.
 #[test]
 fn half_sines_give_their_stiffness() {
     for (per_contact, known, phase) in [(50.0, true, 0.0), (50.0, false, 0.37), (30.0, true, 0.8), (200.0, false, 0.5)]
@@ -66,14 +67,16 @@ fn half_sines_give_their_stiffness() {
             assert!(low < STIFFNESS_N_M && STIFFNESS_N_M < high, "{per_contact} {known} {seed}: {low} {high}");
             assert!((found.exponent - 1.0).abs() < 0.03, "{}", found.exponent);
             assert_eq!(found.chosen, FittedLaw::Linear);
-            // A sample is a fiftieth of the contact, and the flanks are found to a small part of it.
+            // A sample is a fiftieth of the contact, and the flanks are located to a small part of
+            // a sample.
             assert!((test.samples_per_contact.unwrap() / per_contact - 1.0).abs() < 0.01);
         }
     }
 }
 
-/// The weight in the contact is told from the record where it matters: a pad of 100 N/mm (75 g) with a stated speed gives
-/// its stiffness within 2 % whether it acts or not, where the wrong guess costs 1.6 %.
+/// The record shows whether the weight acts where it matters: a pad of 100 N/mm (75 g) with a
+/// stated velocity gives its stiffness within 2 % with and without the weight, where the wrong
+/// assumption costs 1.6 %.
 #[test]
 fn weight_is_told_from_the_record() {
     let stiffness_n_m = 1e5;
@@ -99,8 +102,9 @@ fn weight_is_told_from_the_record() {
     }
 }
 
-/// Without noise the four estimates are what the closed forms say: peak 349.808 g, 1.28255 ms, 0.571741 mm. The
-/// trapezoidal rule of 50 samples takes (π/50)²/12 = 3e-4 from the compression. That no weight acts shows without noise.
+/// Without noise the four estimates agree with the closed forms: peak 349.808 g, 1.28255 ms,
+/// 0.571741 mm. The trapezoidal rule over 50 samples reduces the compression by (π/50)²/12 = 3e-4.
+/// Without noise the record also shows that no weight acts.
 #[test]
 fn four_estimates_agree_where_the_pad_is_linear() {
     let (samples, dt_s) = half_sine(50.0, 0.0, 0.0, 1, STIFFNESS_N_M);
@@ -117,7 +121,8 @@ fn four_estimates_agree_where_the_pad_is_linear() {
     assert!(!falling.identified.unwrap().has_gravity);
 }
 
-/// A pulse of a law in the time domain, by nothing but small steps of the equation of motion: semi-implicit Euler, 1e-4.
+/// A pulse of a law in the time domain, from small steps of the equation of motion: semi-implicit
+/// Euler, 1e-4.
 fn stepped(force_n: impl Fn(f64, f64) -> f64, per_contact: f64, contact_s: f64) -> (Vec<f64>, f64) {
     let dt_s = contact_s / per_contact;
     let fine = 400;
@@ -137,7 +142,8 @@ fn stepped(force_n: impl Fn(f64, f64) -> f64, per_contact: f64, contact_s: f64) 
     (samples, dt_s)
 }
 
-/// K and n of a Hertz pad, ζ of a Kelvin–Voigt pad, Λ of Hunt and Crossley: the steps of the recipe are good to 1e-3.
+/// K and n of a Hertz pad, ζ of a Kelvin–Voigt pad, Λ of Hunt and Crossley: the time steps are
+/// accurate to 1e-3.
 #[test]
 fn other_laws_are_recognised() {
     let (samples, dt_s) = stepped(|d, _| 2e7 * d.max(0.0).powf(1.5), 60.0, 2.4146e-3);
@@ -161,8 +167,9 @@ fn other_laws_are_recognised() {
     assert!((exponent - 1.5).abs() < 0.01 && (dissipation_s_m / 0.3 - 1.0).abs() < 0.03, "{found:?}");
 }
 
-/// Noise-free records of 50 samples per contact, of each law: the secant comes back to 1e-3, wherever the first touch
-/// falls between two samples. That is what the claim says, and the floor of every interval.
+/// Noise-free records of 50 samples per contact, for each law: the secant is recovered to 1e-3,
+/// wherever the first contact falls between two samples. This is the documented accuracy, and the
+/// lower limit of every interval.
 #[test]
 fn clean_records_give_their_stiffness() {
     let laws = [
@@ -194,8 +201,9 @@ fn noisy(samples: &[f64], noise_ratio: f64, seed: u64) -> Vec<f64> {
     samples.iter().map(|a| a + noise_ratio * peak * normal()).collect()
 }
 
-/// The force of a damped pad jumps at the first touch, and a sample may lie on the jump, just before it or just after. By the
-/// closed form, without weight: d = v₀/ω_d e^(−ζωt) sin ω_d t. Noise of 0.5 % makes 0.3 % of k here; 1.5 % is five of those.
+/// The force of a damped pad jumps at first contact, and a sample may be on the jump, just before
+/// it or just after it. Closed form, without weight: d = v₀/ω_d e^(−ζωt) sin ω_d t. Noise of 0.5 %
+/// causes 0.3 % of k here; 1.5 % is five times that.
 #[test]
 fn a_sample_may_lie_on_the_jump() {
     let (zeta, omega) = (0.1, (STIFFNESS_N_M / MASS_KG).sqrt());
@@ -228,8 +236,9 @@ impl Cushion {
     }
 }
 
-/// A pulse that comes back faster than it came, fitted with a damped law: the damping is none in both of its numbers, and
-/// the record has a flag. The second half of the half-sine is 10 % higher: e = 1.1, ζ of some −0.03.
+/// A pulse that rebounds faster than it arrived, fitted with a damped law: both damping values are
+/// zero, and the record has a flag. The second half of the half-sine is 10 % higher: e = 1.1, ζ of
+/// about −0.03.
 #[test]
 fn negative_damping_is_none_and_flagged() {
     let omega = (STIFFNESS_N_M / MASS_KG).sqrt();
@@ -251,8 +260,9 @@ fn negative_damping_is_none_and_flagged() {
     }
 }
 
-/// A pad with F = Kd² rises below the noise for a good part of the contact, which is hundreds of samples of a fast recorder.
-/// d = (3mv₀²/(2K))^⅓ = 1.0240 mm, so F/d = 1.0240e6 (gravity adds 0.06 %); four times the error of the fit itself is 2 %.
+/// A pad with F = Kd² rises below the noise for a large part of the contact, which is hundreds of
+/// samples of a fast recorder. d = (3mv₀²/(2K))^⅓ = 1.0240 mm, so F/d = 1.0240e6 (gravity adds 0.06
+/// %); four times the error of the fit itself is 2 %.
 #[test]
 fn a_long_toe_is_followed() {
     let (clean, dt_s) = stepped(|d, _| 1e9 * d.max(0.0).powi(2), 1000.0, 2.0505e-3);
@@ -270,7 +280,7 @@ fn flags_of(samples: &[f64], dt_s: f64) -> Vec<Flag> {
     test.flags
 }
 
-/// A record that cannot give a stiffness says so.
+/// A record that cannot give a stiffness is flagged.
 #[test]
 fn faults_are_flagged() {
     for noise in [0.0, 0.005] {
@@ -291,7 +301,7 @@ fn faults_are_flagged() {
         assert_eq!(flags_of(&clean[120..], dt_s), [Flag::NoPreTrigger]);
         assert_eq!(flags_of(&clean[101..149], dt_s), [Flag::NoPreTrigger]);
         assert!(flags_of(&clean[..130], dt_s).contains(&Flag::CutOff));
-        // In cm/s² taken for m/s².
+        // Values in cm/s² read as m/s².
         let other: Vec<f64> = clean.iter().map(|a| 100.0 * a).collect();
         assert!(flags_of(&other, dt_s).contains(&Flag::Impulse));
         let (coarse, dt_s) = half_sine(8.0, noise, 0.3, 7, STIFFNESS_N_M);
@@ -301,8 +311,9 @@ fn faults_are_flagged() {
     assert_eq!(flags_of(&[0.0; 100], 1e-5), [Flag::NoPulse]);
 }
 
-/// Noise of 5 % on a fast record crosses every threshold many times on a flank. The peak alone is good to no more than its
-/// noise; the 1000 samples make 5 %/√1000 = 0.2 %, and the correlation of k with touch and zero line no more than five times that.
+/// Noise of 5 % on a fast record crosses every threshold many times on a flank. The peak alone is
+/// only as accurate as its noise; the 1000 samples give 5 %/√1000 = 0.2 %, and the correlation of k
+/// with first contact and zero line no more than five times that.
 #[test]
 fn noisy_flanks_are_one_pulse() {
     for (per_contact, seed) in [(200.0, 1), (200.0, 2), (1000.0, 1), (1000.0, 2)] {
@@ -314,7 +325,8 @@ fn noisy_flanks_are_one_pulse() {
     }
 }
 
-/// A zero line that is higher after the impact ends the pulse all the same, and a record that ends on the flank is cut off.
+/// A zero line that is higher after the impact still ends the pulse, and a record that ends on the
+/// flank is flagged as cut off.
 #[test]
 fn a_shifted_zero_line_is_no_missing_end() {
     for (per_contact, shift) in [(50.0, 0.03), (50.0, 0.06), (200.0, 0.03), (200.0, 0.08)] {
@@ -331,7 +343,8 @@ fn a_shifted_zero_line_is_no_missing_end() {
     }
 }
 
-/// A top that was cut before the noise came to it has no equal samples, but no law lies on it either.
+/// A top that was clipped before the noise was added has no equal samples, but no law fits it
+/// either.
 #[test]
 fn a_clipped_top_under_noise_is_no_law() {
     for per_contact in [50.0, 200.0] {
@@ -348,14 +361,15 @@ fn a_clipped_top_under_noise_is_no_law() {
     }
 }
 
-/// A sensor that shows gravity reads 1 g while the mass is held, and nothing in the fall: the zero line is that of the fall.
+/// A sensor that measures gravity reads 1 g while the mass is held and nothing while it falls: the
+/// zero line is that of the fall.
 #[test]
 fn the_mass_may_have_been_held_before() {
     let (samples, dt_s) = half_sine(50.0, 0.002, 0.3, 1, STIFFNESS_N_M);
     let fall = std::iter::repeat_n(0.0, 1500);
     let held: Vec<f64> =
         std::iter::repeat_n(G0_M_S2, 4000).chain(fall).chain(samples.iter().map(|a| a - G0_M_S2)).collect();
-    // Noise all over, so that the record is one of a sensor.
+    // Noise everywhere, as in the record of a sensor.
     let mut random = ChaCha12Rng::seed_from_u64(5);
     let noisy = held.iter().map(|a| {
         let normal: f64 = StandardNormal.sample(&mut random);
@@ -366,7 +380,8 @@ fn the_mass_may_have_been_held_before() {
     assert!((test.identified.unwrap().stiffness.fit_n_m / STIFFNESS_N_M - 1.0).abs() < 0.02);
 }
 
-/// A slow drift over a long record, 5 % of the peak in 100 contacts, is a drift although the contact hardly notices.
+/// A slow drift over a long record, 5 % of the peak in 100 contacts, is flagged although the
+/// contact is hardly affected.
 #[test]
 fn a_slow_drift_is_flagged() {
     let (samples, dt_s) = half_sine(50.0, 0.002, 0.3, 1, STIFFNESS_N_M);
@@ -378,7 +393,7 @@ fn a_slow_drift_is_flagged() {
     assert!(flags.contains(&Flag::Drift), "{flags:?}");
 }
 
-/// Rounding to whole g makes a flat top of a few samples, and no clipping.
+/// Rounding to whole g makes the top flat over a few samples, which is not clipping.
 #[test]
 fn rounded_samples_are_not_clipped() {
     for digit in [0.01, 0.1, 1.0] {
@@ -388,7 +403,8 @@ fn rounded_samples_are_not_clipped() {
     }
 }
 
-/// 95 % of the intervals hold the stiffness. Of 40 virtual drops 34 is three standard deviations below 38.
+/// 95 % of the intervals contain the stiffness. Of 40 virtual drops, 34 is three standard
+/// deviations below 38.
 #[test]
 fn intervals_cover() {
     let laws = [
@@ -431,7 +447,7 @@ fn virtual_options(index: u64) -> VirtualDropOptions {
     }
 }
 
-/// A record beyond all integers is none.
+/// A record longer than any integer is refused.
 #[test]
 fn endless_records_are_refused() {
     let pad = Cushion::linear(STIFFNESS_N_M).unwrap();
@@ -441,7 +457,7 @@ fn endless_records_are_refused() {
     assert_eq!(virtual_drop(&pad, &VirtualDropOptions { after_s: f64::NAN, ..plain }), None);
 }
 
-/// A virtual drop is its seed and number; a bounce is found by its flight.
+/// A virtual drop depends only on its seed and number; a bounce is found from its flight.
 #[test]
 fn virtual_drops_bounce() {
     let c = 0.2 * (STIFFNESS_N_M * MASS_KG).sqrt();
@@ -452,12 +468,14 @@ fn virtual_drops_bounce() {
     assert_ne!(Some(&drop), virtual_drop(&pad, &virtual_options(5)).as_ref());
     let test = drop_test(&drop.samples_m_s2, drop.dt_s, &setup(true)).unwrap();
     assert_eq!(test.flags, []);
-    // Flight counts from where the force ends, some 0.1 mm below the surface; e itself is good to the noise.
+    // The flight begins where the force ends, some 0.1 mm below the surface; e itself is accurate
+    // to the noise.
     assert!((test.restitution_bounce_ratio.unwrap() / drop.restitution_ratio - 1.0).abs() < 0.01);
     assert!((test.restitution_ratio.unwrap() / drop.restitution_ratio - 1.0).abs() < 0.01);
 }
 
-/// Student's t of 3 drops is 4.303, and √(n/(n−1)) of the bootstrap makes the usual standard error s/√n of it.
+/// Student's t of 3 drops is 4.303, and the factor √(n/(n−1)) of the bootstrap turns it into the
+/// usual standard error s/√n.
 #[test]
 fn pooled_drops_have_the_interval_of_student() {
     let drops = [2.0e6, 2.2e6, 2.1e6].map(|k| PooledDrop { stiffness_n_m: k, error_ratio: 1e-4, exponent: 1.0 });
@@ -466,7 +484,7 @@ fn pooled_drops_have_the_interval_of_student() {
     let mean = logs.iter().sum::<f64>() / 3.0;
     let error = (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 2.0 / 3.0).sqrt();
     assert!((pooled.stiffness_n_m.ln() - mean).abs() < 1e-6);
-    // 2000 resamples: 1.6 % of the deviation; five of those.
+    // 2000 resamples: 1.6 % of the standard deviation; five times that.
     let half = pooled.ci95_n_m.1.ln() - mean;
     assert!((half / (4.302_653 * error) - 1.0).abs() < 0.08, "{half} {error}");
     assert_eq!(pool_drops(&[], 1), None);
@@ -474,8 +492,8 @@ fn pooled_drops_have_the_interval_of_student() {
 }
 
 proptest::proptest! {
-    /// Whatever a record holds, there is an answer: numbers that are numbers, or a flag that says why not. Pulses of any
-    /// width and place, several of them, plateaus, steps, huge and tiny values.
+    /// Every record has a result: finite numbers, or a flag that says why there are none. Pulses of
+    /// any width and position, several of them, plateaus, steps, huge and tiny values.
     #[test]
     fn every_record_has_an_answer(
         length in 20..300usize,

@@ -1,20 +1,20 @@
-//! When a motion, linear between its samples, is beyond a level.
+//! The times at which a motion, linear between its samples, exceeds a level.
 
 use crate::motion::Motion;
 
-/// A time during which the acceleration stays beyond a level, on one side.
+/// A time during which the acceleration exceeds a level on one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Excursion {
-    /// When it goes beyond the level; 0 where the motion begins there \[s\].
+    /// Start; 0 where the motion begins above the level \[s\].
     pub from_s: f64,
-    /// When it comes back; the end of the motion where it does not \[s\].
+    /// End; the end of the motion where it does not return \[s\].
     pub to_s: f64,
     /// Whether the acceleration is positive.
     pub positive: bool,
 }
 
-/// Every time during which |a| > `level_m_s2` ≥ 0, in order; the crossings are exact for a motion that is linear between
-/// samples. An acceleration that only touches the level does not exceed it.
+/// Every time during which |a| > `level_m_s2` ≥ 0, in order; the crossings are exact for a motion
+/// that is linear between samples. An acceleration that only reaches the level does not exceed it.
 ///
 /// # Example
 /// ```
@@ -60,7 +60,8 @@ mod tests {
     fn touching_is_not_exceeding_and_ends_are_kept() {
         let motion = Motion::new(0.5, vec![3.0, 1.0, 0.0, 1.0, 0.0, -1.5, -1.5]).unwrap();
         let found = excursions(&motion, 1.0);
-        // From the start to the sample that is on the level; not at the touch in the middle; the end is open.
+        // From the start to the sample on the level; nothing where it only reaches the level in the
+        // middle; the end is open.
         assert_eq!(found[0], Excursion { from_s: 0.0, to_s: 0.5, positive: true });
         assert_eq!(found.len(), 2);
         // From 0 to −1.5 in 0.5 s: −1 after 1/3 s. Two roundings.

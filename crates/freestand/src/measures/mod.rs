@@ -1,4 +1,5 @@
-//! Intensity measures of a motion: peaks, energy, duration, spectral content, and what it is to a rocking block.
+//! Intensity measures of a motion: peaks, energy, duration, spectral content, and measures for a
+//! rocking block.
 
 mod excursions;
 mod rocking;
@@ -12,14 +13,15 @@ use crate::G0_M_S2;
 use crate::motion::Motion;
 use std::f64::consts::PI;
 
-/// How strong and how long a motion is.
+/// Strength and duration of a motion.
 ///
-/// **Units** in the names. Velocity and displacement are integrals from rest with no baseline correction.
+/// **Units** are in the names. Velocity and displacement are integrals from rest without baseline
+/// correction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measures {
     /// Peak ground acceleration, max|a| \[m/s²\].
     pub pga_m_s2: f64,
-    /// The sample of that size with its sign \[m/s²\].
+    /// The sample with the peak ground acceleration, including its sign \[m/s²\].
     pub pga_signed_m_s2: f64,
     /// Index of the first sample that reaches the PGA, from 0.
     pub pga_index: usize,
@@ -31,42 +33,47 @@ pub struct Measures {
     pub arias_m_s: f64,
     /// Cumulative absolute velocity, ∫|a| dt \[m/s\].
     pub cav_m_s: f64,
-    /// Standardised CAV: ∫|a| dt over those windows of 1 s in which |a| exceeds [`CAV_STD_M_S2`] \[m/s\]. Windows are
-    /// counted from the first sample and hold the sample intervals that begin in them; the last one counts like the
-    /// others, however short it is.
+    /// Standardised CAV: ∫|a| dt over the windows of 1 s in which |a| exceeds
+    /// [`CAV_STD_M_S2`] \[m/s\]. The windows are counted from the first sample and contain the
+    /// sample intervals that begin in them; the last one counts like the others, however short it
+    /// is.
     pub cav_std_m_s: f64,
-    /// Root mean square acceleration over the whole record, √(∫a² dt / duration) \[m/s²\].
+    /// Root mean square acceleration over the whole motion, √(∫a² dt / duration) \[m/s²\].
     pub rms_m_s2: f64,
     /// Specific energy density, ∫v² dt \[m²/s\].
     pub specific_energy_density_m2_s: f64,
-    /// Bracketed duration: time from the first to the last crossing of [`BRACKET_M_S2`] by |a| \[s\]; 0 where it is not
-    /// exceeded.
+    /// Bracketed duration: time from the first to the last crossing of [`BRACKET_M_S2`] by
+    /// |a| \[s\]; 0 where |a| does not exceed it.
     pub bracketed_duration_s: f64,
     /// Uniform duration: total time for which |a| exceeds [`BRACKET_M_S2`] \[s\].
     pub uniform_duration_s: f64,
-    /// Significant duration: time between 5 % and 75 % of the Arias intensity \[s\]; 0 for a motion of zeros.
+    /// Significant duration: time between 5 % and 75 % of the Arias intensity \[s\]; 0 for a motion
+    /// of zeros.
     pub d5_75_s: f64,
-    /// Significant duration: time between 5 % and 95 % of the Arias intensity \[s\]; 0 for a motion of zeros.
+    /// Significant duration: time between 5 % and 95 % of the Arias intensity \[s\]; 0 for a motion
+    /// of zeros.
     pub d5_95_s: f64,
 }
 
-/// Level of |a| that makes a window count in the standardised CAV, 0.025 g \[m/s²\].
+/// Level of |a| above which a window counts in the standardised CAV, 0.025 g \[m/s²\].
 pub const CAV_STD_M_S2: f64 = 0.025 * G0_M_S2;
 
-/// Level of the bracketed and the uniform duration, 0.05 g \[m/s²\]; [`excursions`] takes any other.
+/// Level of the bracketed and the uniform duration, 0.05 g \[m/s²\]; for other levels use
+/// [`excursions`].
 pub const BRACKET_M_S2: f64 = 0.05 * G0_M_S2;
 
-/// The [`Measures`] of a motion, every integral by the trapezoid rule on its samples.
+/// The [`Measures`] of a motion, with every integral by the trapezoid rule on its samples.
 ///
-/// The significant durations interpolate the normalised integral of a² ([`husid`]) linearly between samples; the
-/// bracketed and uniform ones take the motion itself as linear there.
+/// The significant durations interpolate the normalised integral of a² ([`husid`]) linearly between
+/// samples; the bracketed and uniform durations interpolate the motion itself.
 ///
 /// # Reference
-/// Arias (1970); Husid (1969); Trifunac and Brady (1975) for the 5–95 % duration; EPRI (1988) for the CAV, Reed and
-/// Kennedy (EPRI TR-100082, 1991) for the standardised one; Bolt (1973) for the bracketed and the uniform duration.
+/// Arias (1970); Husid (1969); Trifunac and Brady (1975) for the 5–95 % duration; EPRI (1988) for
+/// the CAV, Reed and Kennedy (EPRI TR-100082, 1991) for the standardised one; Bolt (1973) for the
+/// bracketed and the uniform duration.
 ///
 /// # Limitation
-/// A record with an offset gives a velocity and displacement that drift; correct the baseline first.
+/// The velocity and displacement of a motion with an offset drift; correct the baseline first.
 ///
 /// # Example
 /// ```
@@ -99,14 +106,15 @@ pub fn measures(motion: &Motion) -> Measures {
         rms_m_s2: (total / motion.duration_s()).sqrt(),
         specific_energy_density_m2_s: cumulative_trapezoid(dt_s, &squares(&velocity)).last().copied().unwrap_or(0.0),
         bracketed_duration_s: bracket.map_or(0.0, |(first, last)| last.to_s - first.from_s),
-        // Adding to 0: an empty sum is -0.
+        // Added to 0, because an empty sum is -0.
         uniform_duration_s: above.iter().fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
         d5_75_s: crossing_time_s(dt_s, &energy, 0.75 * total) - start_s,
         d5_95_s: crossing_time_s(dt_s, &energy, 0.95 * total) - start_s,
     }
 }
 
-/// The Husid curve: ∫a² dt up to each sample as a share of the whole, from 0 to 1; zeros for a motion of zeros.
+/// The Husid curve: ∫a² dt up to each sample as a share of the total, from 0 to 1; zeros for a
+/// motion of zeros.
 ///
 /// # Reference
 /// Husid (1969).
@@ -126,7 +134,8 @@ pub fn husid(motion: &Motion) -> Vec<f64> {
     curve
 }
 
-/// Times at which the Husid curve reaches 5 % and 95 % \[s\]: their difference is the 5–95 % duration.
+/// Times at which the Husid curve reaches 5 % and 95 % \[s\]; their difference is the 5–95 %
+/// duration.
 pub fn significant_span_s(motion: &Motion) -> (f64, f64) {
     let curve = husid(motion);
     (crossing_time_s(motion.dt_s(), &curve, 0.05), crossing_time_s(motion.dt_s(), &curve, 0.95))
@@ -135,7 +144,7 @@ pub fn significant_span_s(motion: &Motion) -> (f64, f64) {
 fn cav_std_m_s(dt_s: f64, accel: &[f64]) -> f64 {
     let (mut sum, mut window, mut integral, mut peak) = (0.0, 0.0, 0.0, 0.0_f64);
     for (i, pair) in accel.windows(2).enumerate() {
-        // Ten steps of 0.1 s must not stop short of a second by their rounding.
+        // Rounding must not make ten steps of 0.1 s end short of a second.
         let now = (i as f64 * dt_s * (1.0 + 1e-12)).floor();
         if now != window {
             sum += if peak > CAV_STD_M_S2 { integral } else { 0.0 };
@@ -155,7 +164,8 @@ fn squares(values: &[f64]) -> Vec<f64> {
     values.iter().map(|a| a * a).collect()
 }
 
-/// Running integral of `values` by the trapezoid rule; starts at 0 and has as many values.
+/// Running integral of `values` by the trapezoid rule; starts at 0 and has as many values as the
+/// input.
 ///
 /// # Example
 /// ```
@@ -192,8 +202,8 @@ mod tests {
 
     #[test]
     fn a_constant_acceleration_has_measures_by_hand() {
-        // 3 m/s² for 10 s: v = 30, d = 150, ∫a² = 90, durations 7 s and 9 s. The velocity is linear, so the second
-        // trapezoid rule is exact as well; 100 additions leave a few ε.
+        // 3 m/s² for 10 s: v = 30, d = 150, ∫a² = 90, durations 7 s and 9 s. The velocity is
+        // linear, so the second trapezoid rule is exact as well; 100 additions leave a few ε.
         let motion = Motion::new(0.1, vec![-3.0; 101]).unwrap();
         let m = measures(&motion);
         let near = |value: f64, want: f64| assert!((value / want - 1.0).abs() < 1e-13, "{value} {want}");
@@ -208,19 +218,21 @@ mod tests {
         near(m.rms_m_s2, 3.0);
         near(m.bracketed_duration_s, 10.0);
         near(m.uniform_duration_s, 10.0);
-        // ∫(3t)² dt = 3·10³; the trapezoid rule adds 9 dt²/6 a second: 0.15.
+        // ∫(3t)² dt = 3·10³; the trapezoid rule adds 9 dt²/6 per second: 0.15.
         near(m.specific_energy_density_m2_s, 3000.0 + 0.15);
     }
 
     #[test]
     fn the_standardised_cav_leaves_quiet_seconds_out_and_counts_the_last_part() {
-        // 0.02 g in the first and the third second, 0.03 g in the second and in the half that is left. The sample at
-        // 1 s belongs to the intervals on both sides of it, as one at 2 s does: they are given the lower value.
+        // 0.02 g in the first and the third second, 0.03 g in the second and in the remaining half.
+        // The sample at 1 s belongs to the intervals on both sides, as does the one at 2 s; both
+        // have the lower value.
         let g = G0_M_S2;
         let accel: Vec<f64> =
             (0..=35).map(|i| if (11..20).contains(&i) || i > 30 { 0.03 * g } else { 0.02 * g }).collect();
         let m = measures(&Motion::new(0.1, accel).unwrap());
-        // Second 1: nine samples of 0.03 and two halves of 0.02; the half second: five intervals, half of one sample low.
+        // Second 1: nine samples of 0.03 and two halves of 0.02; the half second: five intervals,
+        // half of one sample low.
         let want = 0.1 * g * (9.0 * 0.03 + 0.02) + 0.1 * g * (4.5 * 0.03 + 0.5 * 0.02);
         assert!((m.cav_std_m_s / want - 1.0).abs() < 1e-13, "{} {want}", m.cav_std_m_s);
     }
@@ -237,7 +249,8 @@ mod tests {
 
     #[test]
     fn durations_interpolate_between_samples() {
-        // a² = 1, 1, 0 at 0, 1, 2 s: Husid 0, 1, 1.5; 5 % at 0.075 s, 75 % at 1.25 s, 95 % at 1.85 s.
+        // a² = 1, 1, 0 at 0, 1, 2 s: Husid 0, 1, 1.5; 5 % at 0.075 s, 75 % at 1.25 s, 95 % at
+        // 1.85 s.
         let m = measures(&Motion::new(1.0, vec![1.0, -1.0, 0.0]).unwrap());
         assert!((m.d5_75_s - 1.175).abs() < 1e-15 && (m.d5_95_s - 1.775).abs() < 1e-15, "{m:?}");
     }
@@ -253,7 +266,8 @@ mod tests {
         let shake: Vec<f64> = (0..50).map(|k| (k as f64).sin()).collect();
         let mut padded = vec![0.0; 30];
         padded.extend(&shake);
-        // The motion ends at sin(49) ≠ 0: hold on to the same last interval by comparing padded motions only.
+        // The motion ends at sin(49) ≠ 0: compare only padded motions, so that the last interval is
+        // the same.
         let short = measures(&Motion::new(0.1, padded.clone()).unwrap().with_zero_tail(1.0).unwrap());
         padded.splice(0..0, vec![0.0; 70]);
         let long = measures(&Motion::new(0.1, padded).unwrap().with_zero_tail(9.0).unwrap());

@@ -1,14 +1,15 @@
-//! What a motion is to a block that may rock.
+//! Measures of a motion for a block that may rock.
 
 use super::{excursions, measures};
 use crate::block::Block;
 use crate::motion::Motion;
 
-/// A motion in the measures of a block: below `pga_ratio` = 1 it does not uplift, and of two motions the one with the
-/// larger `pgv_ratio` is the more likely to overturn it.
+/// The intensity of a motion relative to a block: with `pga_ratio` below 1 the block does not
+/// uplift, and of two motions the one with the larger `pgv_ratio` is more likely to overturn it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RockingMeasures {
-    /// Acceleration that uplifts the block, g tan α \[m/s²\]; for a block with an offset that of its weaker edge.
+    /// Acceleration that uplifts the block, g tan α \[m/s²\]; for a block with an offset that of
+    /// its weaker edge.
     pub uplift_threshold_m_s2: f64,
     /// PGA/(g tan α).
     pub pga_ratio: f64,
@@ -16,19 +17,21 @@ pub struct RockingMeasures {
     pub pgv_ratio: f64,
     /// Total time for which |a| > g tan α \[s\].
     pub time_above_s: f64,
-    /// How often |a| goes above g tan α, each side counted.
+    /// Number of times that |a| rises above g tan α, with each side counted.
     pub excursions: usize,
 }
 
-/// The [`RockingMeasures`] of a motion for a block: α = atan(x/z) and p = √(m g R/I₀) of the edge with the smaller α.
+/// The [`RockingMeasures`] of a motion for a block: α = atan(x/z) and p = √(m g R/I₀) of the edge
+/// with the smaller α.
 ///
 /// # Reference
-/// Uplift: Housner (1963). p·PGV/(g tan α) as the measure of overturning: Dimitrakopoulos and Paraskeva (2015),
-/// "Dimensionless fragility curves for rocking response to near-fault excitations", EESD 44.
+/// Uplift: Housner (1963). p·PGV/(g tan α) as the measure of overturning: Dimitrakopoulos and
+/// Paraskeva (2015), "Dimensionless fragility curves for rocking response to near-fault
+/// excitations", EESD 44.
 ///
 /// # Limitation
-/// The crossings are exact for a motion that is linear between samples. PGV is that of [`measures`], with no baseline
-/// correction.
+/// The crossings are exact for a motion that is linear between samples. PGV is that of
+/// [`measures`], without baseline correction.
 ///
 /// # Example
 /// ```
@@ -50,7 +53,7 @@ pub fn rocking_measures(motion: &Motion, block: &Block, gravity_m_s2: f64) -> Ro
         uplift_threshold_m_s2: threshold,
         pga_ratio: all.pga_m_s2 / threshold,
         pgv_ratio: edge.frequency_parameter_rad_s(gravity_m_s2) * all.pgv_m_s / threshold,
-        // Adding to 0: an empty sum is -0.
+        // Added to 0, because an empty sum is -0.
         time_above_s: above.iter().fold(0.0, |sum, one| sum + (one.to_s - one.from_s)),
         excursions: above.len(),
     }
@@ -62,7 +65,8 @@ mod tests {
 
     #[test]
     fn a_block_under_a_triangle_has_measures_by_hand() {
-        // h = 4, t = 3: R = 2.5, tan α = 3/4, p = √(3g/4R) = √3 for g = 10. Triangle of ±9 m/s², 1 s a side.
+        // h = 4, t = 3: R = 2.5, tan α = 3/4, p = √(3g/4R) = √3 for g = 10. Triangle of ±9 m/s²,
+        // 1 s a side.
         let block = Block::uniform(4.0, 3.0).unwrap();
         let motion = Motion::new(1.0, vec![0.0, 9.0, 0.0, -9.0, 0.0]).unwrap();
         let m = rocking_measures(&motion, &block, 10.0);
@@ -71,7 +75,7 @@ mod tests {
         near(m.pga_ratio, 1.2);
         // PGV = 9 m/s after the first triangle.
         near(m.pgv_ratio, 3.0f64.sqrt() * 9.0 / 7.5);
-        // Each peak is above for 2·(9 − 7.5)/9 s.
+        // Each peak is above the threshold for 2·(9 − 7.5)/9 s.
         near(m.time_above_s, 2.0 / 3.0);
         assert_eq!(m.excursions, 2);
     }
@@ -81,7 +85,7 @@ mod tests {
         let block = Block::uniform(4.0, 3.0).unwrap().with_cg_offset(0.5).unwrap();
         let motion = Motion::new(1.0, vec![0.0, 6.0, 0.0]).unwrap();
         let m = rocking_measures(&motion, &block, 10.0);
-        // One metre to the nearer edge, two metres high.
+        // One metre from the nearer edge, two metres high.
         assert_eq!((m.uplift_threshold_m_s2, m.excursions), (5.0, 1));
         assert_eq!(m, rocking_measures(&motion, &block.mirrored(), 10.0));
     }

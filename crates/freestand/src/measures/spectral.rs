@@ -6,7 +6,7 @@ use rustfft::FftPlannerScalar;
 use rustfft::num_complex::Complex;
 
 use crate::motion::Motion;
-use crate::oscillator::OscillatorBank;
+use crate::oscillator::{DAMPING_RATIO, OscillatorBank};
 
 /// Measures of the frequency content of a motion; 5 % damping.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,32 +17,34 @@ pub struct SpectralMeasures {
     pub asi_m_s: f64,
     /// Mean period Tm, [`mean_period_s`] \[s\].
     pub mean_period_s: Option<f64>,
-    /// Predominant period: that of the largest PSA from 0.05 s to 5 s, to 3 % \[s\]; `None` for a motion of zeros.
+    /// Predominant period: the period of the largest PSA from 0.05 s to 5 s, to 3 % \[s\]; `None`
+    /// for a motion of zeros.
     pub predominant_period_s: Option<f64>,
 }
 
-/// Periods in a factor of 5, between which they are spaced evenly in the logarithm.
+/// Periods within a factor of 5, evenly spaced in the logarithm.
 const PER_FACTOR: i32 = 60;
 /// The period of step 0 \[s\]; that of step 60 is 0.5 s, that of step 120 is 2.5 s.
 const FIRST_S: f64 = 0.1;
 /// From 0.05 s to 5 s.
 const STEPS: std::ops::RangeInclusive<i32> = -26..=146;
-const DAMPING_RATIO: f64 = 0.05;
 
 /// The [`SpectralMeasures`] of a motion.
 ///
-/// SI and ASI are integrated by the trapezoid rule in ln T, on 121 and 61 periods each 2.7 % longer than the one before,
-/// with peaks at the samples. Against periods every 0.0005 s the rule is wrong by less than 7e-4 for five recorded
-/// earthquakes (El Centro 1940, Imperial Valley 1979, Loma Prieta, Northridge, Tabas). SI over this range is also what is
-/// called VSI.
+/// SI and ASI are integrals by the trapezoid rule in ln T, on 121 and 61 periods, each 2.7 % longer
+/// than the one before, with peaks at the samples. SI over this range is also called VSI.
 ///
 /// # Reference
-/// Housner (1952), "Spectrum intensities of strong-motion earthquakes"; Von Thun, Roehm, Scott and Wilson (1988) for the
-/// ASI; Rathje, Abrahamson and Bray (1998) for Tm.
+/// Housner (1952), "Spectrum intensities of strong-motion earthquakes"; Von Thun, Roehm, Scott and
+/// Wilson (1988) for the ASI; Rathje, Abrahamson and Bray (1998) for Tm.
+///
+/// # Accuracy
+/// Compared with periods every 0.0005 s the rule is wrong by less than 7e-4 for five recorded
+/// earthquakes (El Centro 1940, Imperial Valley 1979, Loma Prieta, Northridge, Tabas).
 ///
 /// # Limitation
-/// At periods below ten sampling steps the peaks between samples are missed; with steps above 0.01 s this touches the
-/// lower end of SI and ASI.
+/// At periods below ten time steps the peaks between samples are missed; with steps above 0.01 s
+/// this affects the lower end of SI and ASI.
 ///
 /// # Example
 /// ```
@@ -55,7 +57,8 @@ const DAMPING_RATIO: f64 = 0.05;
 pub fn spectral_measures(motion: &Motion) -> SpectralMeasures {
     let periods_s: Vec<f64> = STEPS.map(period_s).collect();
     let (mut sd_m, mut unused) = (Vec::new(), Vec::new());
-    // Periods and damping are those above and a motion's step is positive: there is nothing to refuse.
+    // The periods and the damping are those above and a motion's time step is positive, so there is
+    // no error.
     if let Ok(bank) = OscillatorBank::new(&periods_s, DAMPING_RATIO, motion.dt_s()) {
         bank.peaks::<false>(motion.accel_m_s2(), &mut sd_m, &mut unused);
     }
@@ -75,7 +78,7 @@ fn period_s(step: i32) -> f64 {
     FIRST_S * 5f64.powf(f64::from(step) / f64::from(PER_FACTOR))
 }
 
-/// ∫ dT from 0.1 s over so many factors of 5.
+/// ∫ dT from 0.1 s over this many factors of 5.
 fn integral(periods_s: &[f64], values: &[f64], factors: i32) -> f64 {
     let width = 5f64.ln() / f64::from(PER_FACTOR);
     let steps = STEPS.zip(periods_s.iter().zip(values));
@@ -84,32 +87,34 @@ fn integral(periods_s: &[f64], values: &[f64], factors: i32) -> f64 {
     width * within.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).sum::<f64>()
 }
 
-/// Longest distance of the frequencies in the mean period \[Hz\].
+/// Largest spacing of the frequencies in the mean period \[Hz\].
 const RESOLUTION_HZ: f64 = 0.05;
 
-/// Mean period Tm = Σ C²/f / Σ C² over 0.25 Hz ≤ f ≤ 20 Hz, C the Fourier amplitudes of the acceleration \[s\]; `None`
-/// where there is nothing in that band.
+/// Mean period Tm = Σ C²/f / Σ C² over 0.25 Hz ≤ f ≤ 20 Hz, with C the Fourier amplitudes of the
+/// acceleration \[s\]; `None` where there is nothing in that band.
 ///
-/// The transform is that of the record itself; one shorter than 20 s is followed by zeros up to there, so that the
-/// frequencies are no farther apart than 0.05 Hz, as Rathje and others (2004) ask.
+/// The transform is that of the motion itself; a motion shorter than 20 s is extended to 20 s with
+/// zeros, so that the frequencies are no more than 0.05 Hz apart, as Rathje et al. (2004) require.
 ///
 /// # Reference
-/// Rathje, Abrahamson and Bray (1998), "Simplified frequency content estimates of earthquake ground motions", J. Geotech.
-/// Geoenviron. Eng. 124; Rathje, Faraj, Russell and Bray (2004), Earthquake Spectra 20.
+/// Rathje, Abrahamson and Bray (1998), "Simplified frequency content estimates of earthquake ground
+/// motions", J. Geotech. Geoenviron. Eng. 124; Rathje, Faraj, Russell and Bray (2004), Earthquake
+/// Spectra 20.
 pub fn mean_period_s(motion: &Motion) -> Option<f64> {
     let accel = motion.accel_m_s2();
-    // A step of microseconds would ask for millions of zeros; the cap leaves the resolution coarser there.
+    // A time step of microseconds would require millions of zeros; the limit makes the resolution
+    // coarser there.
     let at_least = (1.0 / (RESOLUTION_HZ * motion.dt_s())).ceil().min(4e6) as usize;
     let count = accel.len().max(at_least);
     let mut spectrum: Vec<Complex<f64>> = accel.iter().map(|&a| Complex::new(a, 0.0)).collect();
     spectrum.resize(count, Complex::new(0.0, 0.0));
-    // Without vector instructions, whose last bits differ between machines.
+    // Without vector instructions, whose last bits differ between processors.
     FftPlannerScalar::new().plan_fft_forward(count).process(&mut spectrum);
     let df_hz = 1.0 / (count as f64 * motion.dt_s());
     let (mut over_f, mut sum) = (0.0, 0.0);
     for (k, value) in spectrum.iter().enumerate().take(count / 2 + 1).skip(1) {
         let f_hz = k as f64 * df_hz;
-        // A frequency that is 0.25 or 20 Hz but for its rounding belongs to the band.
+        // A frequency that is 0.25 or 20 Hz except for rounding belongs to the band.
         if (0.25 * (1.0 - 1e-12)..=20.0 * (1.0 + 1e-12)).contains(&f_hz) {
             over_f += value.norm_sqr() / f_hz;
             sum += value.norm_sqr();
@@ -130,7 +135,8 @@ mod tests {
 
     #[test]
     fn the_mean_period_weighs_by_the_square_of_the_amplitude() {
-        // Whole numbers of cycles: two lines of 3² and 1² at 2 and 8 Hz, and one outside the band. FFT round-off only.
+        // Whole numbers of cycles: two lines of 3² and 1² at 2 and 8 Hz, and one outside the band.
+        // Only rounding in the FFT.
         let motion = sines(&[(3.0, 2.0), (1.0, 8.0), (9.0, 30.0)], 0.01, 4000);
         let want = (9.0 / 2.0 + 1.0 / 8.0) / 10.0;
         assert!((mean_period_s(&motion).unwrap() / want - 1.0).abs() < 1e-12);
@@ -139,7 +145,8 @@ mod tests {
 
     #[test]
     fn a_short_record_is_padded_to_the_resolution() {
-        // One cycle of 1 Hz in 1 s, whose spectrum is a broad hump: with zeros or zeros added by hand.
+        // One cycle of 1 Hz in 1 s, whose spectrum is a broad hump; with the zeros of the function
+        // or with zeros added by hand.
         let short = sines(&[(1.0, 1.0)], 0.01, 100);
         let mut accel = short.accel_m_s2().to_vec();
         accel.resize(2000, 0.0);
@@ -153,7 +160,8 @@ mod tests {
         let fine: Vec<f64> = (0..=2400).map(|i| 0.1 + 0.001 * f64::from(i)).collect();
         let spectrum = response_spectrum(&motion, 0.05, &fine).unwrap();
         let trapezoid = |values: &[f64]| 0.001 * values.windows(2).map(|p| 0.5 * (p[0] + p[1])).sum::<f64>();
-        // The resonances of sines are the sharpest peaks that a spectrum has, 10 % wide where the periods are 2.7 % apart.
+        // The resonances of sines are the sharpest peaks of any spectrum, 10 % wide where the
+        // periods are 2.7 % apart.
         assert!((m.housner_m / trapezoid(&spectrum.psv_m_s) - 1.0).abs() < 3e-3);
         assert!((m.asi_m_s / trapezoid(&spectrum.psa_m_s2[..=400]) - 1.0).abs() < 3e-3);
     }

@@ -1,33 +1,36 @@
-//! The half-sine whose shock response spectrum lies on or above a given one.
+//! The half-sine whose shock response spectrum is on or above a given one.
 
 use super::{HalfSine, Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockResponseError, pulse_spectrum};
 
-/// Frequencies of the unit spectrum in an octave: a straight line between two misses a curve of unit curvature by
-/// (ln 2/48)²/8 = 3e-5, which the last scaling takes up.
+/// Frequencies of the unit spectrum per octave: a straight line between two misses a curve of unit
+/// curvature by (ln 2/48)²/8 = 3e-5, which the final scaling corrects.
 const PER_OCTAVE: f64 = 48.0;
-/// f T where the unit spectrum begins and ends: below it is proportional to f T to 1e-4, above it is within 1 % of its limit.
+/// Range of f T of the unit spectrum: below it is proportional to f T to 1e-4, above it is within 1
+/// % of its limit.
 const UNIT_RANGE: (f64, f64) = (0.01, 50.0);
-/// Durations that are tried in an octave before the best is refined.
+/// Durations that are tried per octave before the best one is refined.
 const TRIED_PER_OCTAVE: f64 = 24.0;
 
-/// The half-sine of the **smallest peak** whose absolute-acceleration maximax spectrum is nowhere below the given one,
-/// at the same damping; of equal peaks the shortest.
+/// The half-sine with the **smallest peak** whose maximax spectrum of absolute acceleration is
+/// nowhere below the given one, at the same damping; of equal peaks the shortest.
 ///
-/// For a duration T the peak that envelopes is A(T) = max over f of S(f)/R(fT), R being the spectrum of a half-sine of
-/// peak 1 and duration 1; A is least over T. A half-sine's own spectrum gives that half-sine back: any other has a
-/// larger peak, because all R tend to 1 for stiff components. The spectrum is enveloped at the frequencies given; it
-/// should reach well below and above its top, or the pulse is shorter or longer than it need be.
+/// For a duration T the enveloping peak is A(T) = max over f of S(f)/R(fT), with R the spectrum of
+/// a half-sine of peak 1 and duration 1; A is minimised over T. The spectrum of a half-sine gives
+/// that half-sine back: any other has a larger peak, because all R tend to 1 for stiff components.
+/// The spectrum is enveloped at the given frequencies; it should extend well below and above its
+/// top, otherwise the pulse is shorter or longer than necessary.
 ///
-/// Another rule in use, endaq's, takes the peak of the spectrum as A without its amplification and the duration from the
-/// largest pseudo-velocity: simpler, and up to 1.65 times (Q = 10) higher.
+/// Another rule in use, that of endaq, takes A as the peak of the spectrum without its
+/// amplification and the duration from the largest pseudo-velocity: it is simpler, and gives peaks
+/// up to 1.65 times as high (Q = 10).
 ///
-/// **Units**: Hz; any unit of acceleration in, the same out; s. `None`: a spectrum that is zero.
+/// **Units**: Hz; any unit of acceleration in, the same out; s. `None` for a spectrum of zeros.
 ///
 /// # Accuracy
-/// It envelopes to rounding; its peak is the least there is to 1e-3.
+/// The result envelopes the spectrum to rounding; its peak is within 1e-3 of the smallest possible.
 ///
 /// # Errors
-/// A frequency that is not positive, damping outside 0 ≤ ζ < 1, values too large.
+/// A frequency that is not positive, damping outside 0 ≤ ζ < 1, or values too large.
 ///
 /// # Example
 /// A constant spectrum of 16 over five octaves:
@@ -55,7 +58,8 @@ pub fn enveloping_half_sine(
     let peak = |log_t: f64| points.iter().map(|(f, value)| value / unit.at(f.ln() + log_t)).fold(0.0, f64::max);
     let lowest = points.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
     let highest = points.iter().map(|point| point.0).fold(0.0, f64::max);
-    // A pulse shorter than 0.1/f of every oscillator only needs a higher peak; one of ten periods of each only is longer.
+    // A pulse shorter than 0.1/f of every oscillator only needs a higher peak; one of ten periods
+    // of every oscillator is only longer than necessary.
     let (from, to) = ((0.1 / highest).ln(), (10.0 / lowest).ln());
     let step = std::f64::consts::LN_2 / TRIED_PER_OCTAVE;
     let tried = (0..=((to - from) / step).ceil() as usize).map(|i| from + i as f64 * step);
@@ -76,7 +80,8 @@ pub fn enveloping_half_sine(
     enveloping(&points, least, duration_s, damping_ratio).map(Some)
 }
 
-/// The peak raised until the pulse's own spectrum, not the interpolated one, is nowhere below.
+/// Raises the peak until the actual spectrum of the pulse, not the interpolated one, is nowhere
+/// below.
 fn enveloping(
     points: &[(f64, f64)],
     peak_acceleration: f64,
@@ -86,7 +91,8 @@ fn enveloping(
     let frequencies: Vec<f64> = points.iter().map(|point| point.0).collect();
     let unit = unit_pulse(&frequencies, duration_s, damping_ratio)?;
     let needed = points.iter().zip(unit).map(|(point, unit)| point.1 / unit).fold(0.0, f64::max);
-    // Where the table is a hair low the pulse is a hair too strong; that stays, it envelopes.
+    // Where the table is slightly low the pulse is slightly too strong; it still envelopes, so it
+    // is not reduced.
     Ok(HalfSine { peak_acceleration: if needed > 0.0 { needed } else { peak_acceleration }, duration_s })
 }
 
@@ -134,7 +140,7 @@ mod tests {
         (0..=159).map(|i| (f64::from(i) / 12.0).exp2()).collect()
     }
 
-    /// Spectra of pulses and of a random shape: nowhere below, and touched.
+    /// Spectra of pulses and of a random shape: nowhere below, and touching.
     #[test]
     fn it_envelopes_and_touches() {
         let frequencies = grid();

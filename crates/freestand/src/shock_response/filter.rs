@@ -1,9 +1,10 @@
-//! The ramp-invariant oscillator: one exact step for an acceleration that is linear between samples, many oscillators
-//! abreast.
+//! The ramp-invariant oscillator: one exact step for an acceleration that is linear between
+//! samples, for many oscillators at once.
 //!
-//! The filter of ISO 18431-4 (Smallwood) is a biquad whose poles lie at e^(λh), λ = ω(−ζ + i√(1−ζ²)). At low ω h both
-//! are next to 1 and the biquad loses 1/(ω h)² in digits: 1e-8 at 1 Hz and 100 kHz. The same filter in its complex mode,
-//! `ẏ = λy + κa`, response = Re y, has one pole and loses none.
+//! The filter of ISO 18431-4 (Smallwood) is a biquad with poles at e^(λh), λ = ω(−ζ + i√(1−ζ²)). At
+//! low ω h both poles are close to 1 and the biquad loses digits like 1/(ω h)²: 1e-8 at 1 Hz and
+//! 100 kHz. The same filter in its complex mode, `ẏ = λy + κa`, response = Re y, has one pole and
+//! loses none.
 
 use pulp::{Simd, WithSimd};
 use rustfft::num_complex::Complex;
@@ -11,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::{ResponseKind, ShockResponseError};
 
-/// One oscillator and its step: `w' = E w + G a`, response `Re w + D a`, where w = y − κ h φ₂(λh) a.
+/// One oscillator and its step: `w' = E w + G a`, response `Re w + D a`, with w = y − κ h φ₂(λh) a.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Filter {
     pole: Complex<f64>,
@@ -49,10 +50,11 @@ impl Filter {
             return Err(ShockResponseError::Damping { damping_ratio });
         }
         let damped = (1.0 - damping_ratio * damping_ratio).sqrt();
-        // Of unit length; times ω it is λ.
+        // Of unit length; multiplied by ω it is λ.
         let direction = Complex::new(-damping_ratio, damped);
         let i = Complex::new(0.0, 1.0);
-        // The relative displacement is −Im(e^(λt)∗a)/ω_d, the absolute acceleration −(2ζω u̇ + ω² u).
+        // The relative displacement is −Im(e^(λt)∗a)/ω_d, the absolute acceleration −(2ζω u̇ + ω²
+        // u).
         let kappa = match kind {
             ResponseKind::AbsoluteAcceleration => (2.0 * damping_ratio * direction + 1.0) * omega / (i * damped),
             ResponseKind::RelativeDisplacement => i / (omega * damped),
@@ -67,9 +69,10 @@ impl Filter {
         Ok(Self { pole, gain: pole * late + early, direct: late.re, omega_rad_s: omega, damping_ratio })
     }
 
-    /// Largest and smallest response of the free decay from a state at which the base stands still.
+    /// Largest and smallest response of the free decay from a state in which the base is at rest.
     ///
-    /// Re(y e^(λt)) turns where the argument of λy e^(λt) is ±π/2; every later extreme is smaller and of the other sign.
+    /// Re(y e^(λt)) has an extreme where the argument of λy e^(λt) is ±π/2; every later extreme is
+    /// smaller and has the other sign.
     pub(super) fn decay(&self, state: Complex<f64>) -> (f64, f64) {
         let amplitude = state.norm();
         if amplitude == 0.0 {
@@ -78,7 +81,7 @@ impl Filter {
         let zeta = self.damping_ratio;
         let damped = (1.0 - zeta * zeta).sqrt();
         let slope_phase = state.arg() + (PI - zeta.acos());
-        // ω_d t of the first extreme, and its phase: cos of it is the response over e^(−ζωt).
+        // ω_d t of the first extreme, and its phase: its cosine is the response over e^(−ζωt).
         let angle = (FRAC_PI_2 - slope_phase).rem_euclid(PI);
         let first = amplitude * (-zeta / damped * angle).exp() * (state.arg() + angle).cos();
         let second = -first * (-zeta / damped * PI).exp();
@@ -91,7 +94,7 @@ impl Filter {
     }
 }
 
-/// Oscillators that are stepped together and their largest and smallest responses so far.
+/// Oscillators that are stepped together, and their largest and smallest responses so far.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bank<const N: usize> {
     pole: [[f64; N]; 2],
@@ -103,7 +106,7 @@ pub(super) struct Bank<const N: usize> {
 }
 
 impl<const N: usize> Bank<N> {
-    /// At rest; fewer filters than lanes leave the rest empty.
+    /// A bank at rest; lanes without a filter stay empty.
     pub(super) fn new(filters: &[Filter]) -> Self {
         let of = |value: fn(&Filter) -> f64| {
             let mut lanes = [0.0; N];
@@ -122,7 +125,7 @@ impl<const N: usize> Bank<N> {
         }
     }
 
-    /// Largest and smallest response of a lane since the last time that this was forgotten; rest counts, with 0.
+    /// Largest and smallest response of a lane since the last reset; the state of rest counts as 0.
     pub(super) fn extremes(&self, lane: usize) -> (f64, f64) {
         (self.most[lane], self.least[lane])
     }
@@ -136,7 +139,8 @@ impl<const N: usize> Bank<N> {
         Complex::new(self.state[0][lane], self.state[1][lane])
     }
 
-    /// Steps over all samples. What is fused is written so: the result does not depend on the machine.
+    /// Steps over all samples. Fused operations are written out, so the result does not depend on
+    /// the processor.
     #[inline(always)]
     fn step(&mut self, samples: &[f64]) {
         let Self { pole: [er, ei], gain: [gr, gi], direct, state: [wr, wi], most, least } = *self;
@@ -154,7 +158,7 @@ impl<const N: usize> Bank<N> {
         (self.state, self.most, self.least) = ([wr, wi], most, least);
     }
 
-    /// Steps over all samples with the vectors of this machine.
+    /// Steps over all samples with the vector instructions of this processor.
     pub(super) fn run(&mut self, arch: pulp::Arch, samples: &[f64]) {
         arch.dispatch(Steps { bank: self, samples });
     }

@@ -1,13 +1,14 @@
-//! The undamped shock response spectrum of a half-sine in closed form, and the severity of one half-sine against another.
+//! The undamped shock response spectrum of a half-sine in closed form, and the severity of one
+//! half-sine relative to another.
 
 use std::f64::consts::PI;
 
-use crate::quadrature::golden_maximum;
+use crate::search::golden_maximum;
 
 /// A half-sine acceleration pulse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HalfSine {
-    /// Peak A, in any unit of acceleration (the same for all pulses that are compared).
+    /// Peak A, in any unit of acceleration (the same for all compared pulses).
     pub peak_acceleration: f64,
     /// Duration T \[s\].
     pub duration_s: f64,
@@ -18,12 +19,13 @@ fn sinc(x: f64) -> f64 {
     if y.abs() < 1e-8 { 1.0 } else { y.sin() / y }
 }
 
-/// Largest absolute acceleration of an undamped oscillator under a half-sine, over the peak of the pulse; `q` = f·T,
-/// its frequency times the pulse's duration.
+/// Largest absolute acceleration of an undamped oscillator under a half-sine, divided by the peak
+/// of the pulse; `q` = f·T, its frequency times the duration of the pulse.
 ///
-/// With b = 1/(2q) the acceleration is (sin πs − b sin 2πqs)/(1−b²) during the pulse (s = t/T) and then has the
-/// amplitude |2b cos(πq)/(1−b²)|. The singularity at q = ½ is removable: both are written with sin(x)/x there. During
-/// the pulse the maxima lie at s = 2n/(2q+1) and reach sin(πs)/(1−b); there is none for q < ½.
+/// With b = 1/(2q) the acceleration is (sin πs − b sin 2πqs)/(1−b²) during the pulse (s = t/T);
+/// after it the amplitude is |2b cos(πq)/(1−b²)|. The singularity at q = ½ is removable: both are
+/// written with sin(x)/x there. During the pulse the maxima are at s = 2n/(2q+1) and reach
+/// sin(πs)/(1−b); there is none for q < ½.
 ///
 /// # Accuracy
 /// Rounding only.
@@ -42,7 +44,7 @@ pub fn half_sine_maximax_ratio(q: f64) -> f64 {
     if q <= 0.5 {
         return residual;
     }
-    // sin(2πn/(2q+1)) is largest for the n that brings 2n/(2q+1) nearest to ½.
+    // sin(2πn/(2q+1)) is largest for the n that brings 2n/(2q+1) closest to ½.
     let n = (0.25 * (2.0 * q + 1.0)).round().max(1.0);
     let in_pulse = if n == 1.0 {
         // sin(2π/(2q+1)) = sin(πu) with u = (2q−1)/(2q+1), and 1−b = (2q−1)/(2q).
@@ -53,22 +55,24 @@ pub fn half_sine_maximax_ratio(q: f64) -> f64 {
     residual.max(in_pulse)
 }
 
-/// How much harder one half-sine is than another: the largest ratio, over all frequencies, of their undamped shock
-/// response spectra (maximax). At most 1: whatever stands the reference stands the demand too.
+/// How severe one half-sine is relative to another: the largest ratio, over all frequencies, of
+/// their undamped shock response spectra (maximax). At 1 or less, whatever withstands the reference
+/// also withstands the demand.
 ///
-/// **Limits**: for slow components the ratio of the velocity changes, for stiff ones that of the peaks; both are part
-/// of the largest.
-///
-/// # Accuracy
-/// 400 frequencies in each decade in which one of the two spectra is not at its limit, every maximum near the best
-/// refined by golden section: 1e-5 of the ratio.
+/// **Limits**: for slow components the ratio of the velocity changes, for stiff ones that of the
+/// peaks; the result includes both.
 ///
 /// # Reference
 /// Undamped half-sine spectra: Ayre, in Harris and Crede, Shock and Vibration Handbook.
 ///
+/// # Accuracy
+/// 400 frequencies per decade in which one of the two spectra is not at its limit, with every
+/// maximum near the best one refined by golden section: 1e-5 of the ratio.
+///
 /// # Example
-/// The same peak for twice as long is twice as hard on slow components. For half as long it is still 50 % harder on
-/// some: those that the survived pulse left alone because they are stiff for it, and that the shorter one excites most.
+/// The same peak for twice the duration is twice as severe for slow components. For half the
+/// duration it is still 50 % more severe for some: those that are stiff for the survived pulse and
+/// therefore hardly excited by it, but strongly excited by the shorter one.
 /// ```
 /// use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 /// let survived = HalfSine { peak_acceleration: 30.0, duration_s: 0.011 };
@@ -86,16 +90,16 @@ pub fn half_sine_severity_ratio(demand: HalfSine, reference: HalfSine) -> f64 {
     };
     let longest = demand.duration_s.max(reference.duration_s);
     let shortest = demand.duration_s.min(reference.duration_s);
-    // Below f·T = 0.01 the spectra are 4fT to 1e-4 and fall short of it alike; above f·T = 30 they are within 2 % of
-    // the peak and decay.
+    // Below f·T = 0.01 both spectra are 4fT to 1e-4 and deviate from it alike; above f·T = 30 they
+    // are within 2 % of the peak and decay.
     let (from, to) = ((0.01 / longest).ln(), (30.0 / shortest).ln());
     let steps = (400.0 * (to - from) / std::f64::consts::LN_10).ceil().max(2.0) as usize;
     let width = (to - from) / steps as f64;
     let at = |i: usize| from + i as f64 * width;
     let values: Vec<f64> = (0..=steps).map(|i| ratio(at(i))).collect();
     let best = values.iter().copied().fold(peaks.max(velocities), f64::max);
-    // The maxima lie at kinks, where the reference's spectrum turns: a step loses less than 1 % of one, so every
-    // maximum that comes within 1 % of the best may be the largest.
+    // The maxima are at kinks of the reference spectrum. A step misses less than 1 % of one, so
+    // every maximum within 1 % of the best may be the largest.
     let refined = (1..steps)
         .filter(|&i| values[i] >= values[i - 1] && values[i] >= values[i + 1] && values[i] > 0.99 * best)
         .map(|i| golden_maximum(ratio, at(i - 1), at(i + 1)));
@@ -106,7 +110,8 @@ pub fn half_sine_severity_ratio(demand: HalfSine, reference: HalfSine) -> f64 {
 mod tests {
     use super::*;
 
-    /// The response itself, sampled: 2e5 points over the pulse put the maximum within (π q/1e5)²/2 of the true one.
+    /// The response itself, sampled: 2e5 points over the pulse put the maximum within (π q/1e5)²/2
+    /// of the true one.
     fn sampled(q: f64) -> f64 {
         let b = 1.0 / (2.0 * q);
         let mut peak = (2.0 * b * (PI * q).cos() / (1.0 - b * b)).abs();
@@ -136,7 +141,8 @@ mod tests {
         }
     }
 
-    /// A component of capacity a_c: the half-sine peak that it just stands is 0.565 a_c, 1/1.76846.
+    /// A component of capacity a_c: the largest half-sine peak that it withstands is 0.565 a_c,
+    /// 1/1.76846.
     #[test]
     fn largest_amplification() {
         let largest = (1..4000).map(|i| half_sine_maximax_ratio(0.001 * f64::from(i))).fold(0.0, f64::max);
@@ -148,20 +154,20 @@ mod tests {
     fn severity_has_its_limits_and_scales_with_the_peak() {
         let pulse = |peak_acceleration: f64, duration_s: f64| HalfSine { peak_acceleration, duration_s };
         let survived = pulse(30.0, 0.011);
-        // A much longer pulse: velocity change governs. A much shorter one: some frequency sees nearly the peak ratio
-        // times 1.768, never more.
+        // For a much longer pulse the velocity change governs. For a much shorter one, the ratio at
+        // some frequency is nearly the ratio of the peaks times 1.768, and never more.
         assert!((half_sine_severity_ratio(pulse(10.0, 0.11), survived) - 10.0 / 3.0).abs() < 1e-3);
         let short = half_sine_severity_ratio(pulse(30.0, 0.0011), survived);
         assert!((1.0..1.769).contains(&short), "{short}");
         let one = half_sine_severity_ratio(pulse(7.0, 0.004), survived);
         let two = half_sine_severity_ratio(pulse(14.0, 0.004), survived);
         assert!((two / one - 2.0).abs() < 1e-12);
-        // Only the ratio of the durations counts.
+        // Only the ratio of the durations matters.
         let stretched = half_sine_severity_ratio(pulse(7.0, 0.4), pulse(30.0, 1.1));
         assert!((stretched / one - 1.0).abs() < 1e-9, "{stretched} {one}");
     }
 
-    /// Brute force on a grid two hundred times finer than the search.
+    /// A search by brute force on a grid two hundred times finer.
     #[test]
     fn severity_is_the_largest_ratio() {
         for (t, t_ref) in [(0.004, 0.011), (0.02, 0.011), (0.0095, 0.011)] {
@@ -173,7 +179,7 @@ mod tests {
                 .map(|i| 0.5 * 1e5f64.powf(f64::from(i) / 400_000.0))
                 .map(|f| half_sine_maximax_ratio(f * t) / half_sine_maximax_ratio(f * t_ref))
                 .fold(1f64.max(t / t_ref), f64::max);
-            // The grid steps by 3e-5 in ln f and so misses the top of a kink by up to 1e-5.
+            // The grid steps by 3e-5 in ln f and therefore misses the top of a kink by up to 1e-5.
             assert!((-1e-12..1e-5).contains(&(got / brute - 1.0)), "{t}: {got} {brute}");
         }
     }

@@ -1,17 +1,18 @@
-//! What a component inside the object feels of a shock: shock response spectra.
+//! The response of a component inside the object to a shock: shock response spectra.
 //!
-//! A component is a damped linear oscillator on a base that moves as the shock says. Its **shock response spectrum** is
-//! the largest response of such oscillators against their frequency. This is not the paper's "SRS", which is the edge
-//! shock against the size of the object ([`crate::spectra`]).
+//! A component is a damped linear oscillator whose base moves with the shock. Its **shock response
+//! spectrum** is the largest response of such oscillators plotted against their frequency. This is
+//! not the "SRS" of the paper, which is the edge shock plotted against the size of the object
+//! ([`crate::spectra`]).
 //!
-//! | what | where |
+//! | spectrum or result | function |
 //! |---|---|
 //! | of a measured or simulated acceleration | [`shock_spectrum`] |
 //! | of a classical pulse | [`Pulse`], [`pulse_spectrum`] |
 //! | of an undamped component under a half-sine, in closed form | [`half_sine_maximax_ratio`] |
-//! | one half-sine against another | [`half_sine_severity_ratio`] |
+//! | one half-sine relative to another | [`half_sine_severity_ratio`] |
 //! | the half-sine that envelopes a spectrum | [`enveloping_half_sine`] |
-//! | what a component of given frequency and capacity stands | [`crate::damage_boundary`] |
+//! | what a component of given frequency and capacity withstands | [`crate::damage_boundary`] |
 
 mod envelope;
 mod filter;
@@ -27,51 +28,51 @@ pub use spectrum::{SAMPLES_PER_PERIOD, ShockSpectrum, ShockSpectrumOptions, shoc
 
 use thiserror::Error;
 
-/// What is looked at in the oscillator.
+/// The response of the oscillator that the spectrum shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ResponseKind {
-    /// Absolute acceleration of the component \[m/s²\]: what its data sheet is written in.
+    /// Absolute acceleration of the component \[m/s²\], the quantity of its data sheet.
     #[default]
     AbsoluteAcceleration,
-    /// Displacement relative to the base \[m\]: what its clearance and its mounts feel.
+    /// Displacement relative to the base \[m\], which governs clearances and mounts.
     RelativeDisplacement,
-    /// Relative displacement times ω \[m/s\]: what its stress goes with.
+    /// Relative displacement times ω \[m/s\], which is proportional to stress.
     PseudoVelocity,
 }
 
-/// Which peak of the response.
+/// The peak of the response that the spectrum shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Peak {
-    /// The largest of all, either sign, during the record or after it.
+    /// The largest, of either sign, during the motion or after it.
     #[default]
     Maximax,
-    /// The largest positive one, during the record or after it.
+    /// The largest positive one, during the motion or after it.
     Positive,
-    /// The size of the largest negative one, during the record or after it.
+    /// The absolute value of the largest negative one, during the motion or after it.
     Negative,
-    /// The largest of either sign while the record lasts.
+    /// The largest, of either sign, during the motion.
     Primary,
-    /// The largest of either sign after the record.
+    /// The largest, of either sign, after the motion.
     Residual,
 }
 
-/// The peaks of one response, each as its size: zero where the response never has that sign.
+/// The peaks of one response as absolute values; zero where the response never has that sign.
 ///
 /// **Units**: those of the [`ResponseKind`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ResponsePeaks {
-    /// Largest positive response while the record lasts.
+    /// Largest positive response during the motion.
     pub primary_positive: f64,
-    /// Largest negative one.
+    /// Largest negative response during the motion.
     pub primary_negative: f64,
-    /// Largest positive response after the record.
+    /// Largest positive response after the motion.
     pub residual_positive: f64,
-    /// Largest negative one.
+    /// Largest negative response after the motion.
     pub residual_negative: f64,
 }
 
 impl ResponsePeaks {
-    /// The peak that is asked for.
+    /// The requested peak.
     pub fn peak(&self, peak: Peak) -> f64 {
         let primary = self.primary_positive.max(self.primary_negative);
         let residual = self.residual_positive.max(self.residual_negative);
@@ -85,10 +86,10 @@ impl ResponsePeaks {
     }
 }
 
-/// Why there is no shock response spectrum.
+/// Why a shock response spectrum cannot be calculated.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ShockResponseError {
-    /// A frequency that no oscillator has.
+    /// A frequency that is not positive, or whose square is not finite.
     #[error("a frequency must be positive and its square finite, not {frequency_hz} Hz")]
     Frequency {
         /// The frequency that was given.
@@ -100,8 +101,8 @@ pub enum ShockResponseError {
         /// The damping ratio that was given.
         damping_ratio: f64,
     },
-    /// The accelerations are so large that the response is no finite number.
-    #[error("the response at {frequency_hz} Hz is too large for a number")]
+    /// The accelerations are so large that the response is not a finite number.
+    #[error("the response at {frequency_hz} Hz is too large for a floating-point number")]
     Overflow {
         /// The frequency of the oscillator.
         frequency_hz: f64,

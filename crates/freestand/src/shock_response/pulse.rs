@@ -21,7 +21,7 @@ pub enum PulseShape {
     TerminalPeakSawtooth,
     /// A.
     Rectangle,
-    /// Up to A in the first tenth of the duration, down in the last.
+    /// Rises to A in the first tenth of the duration and falls in the last tenth.
     Trapezoid,
 }
 
@@ -36,7 +36,7 @@ impl PulseShape {
         Self::Trapezoid,
     ];
 
-    /// Mean over peak acceleration.
+    /// Mean acceleration divided by the peak.
     fn mean_ratio(self) -> f64 {
         match self {
             Self::HalfSine => 2.0 / PI,
@@ -46,7 +46,7 @@ impl PulseShape {
         }
     }
 
-    /// Acceleration over its peak at s, and the mean of both sides where it jumps.
+    /// Acceleration divided by its peak at s; where it jumps, the mean of both sides.
     fn ratio(self, s: f64) -> f64 {
         if !(0.0..=1.0).contains(&s) {
             return 0.0;
@@ -69,7 +69,7 @@ impl PulseShape {
     }
 }
 
-/// Share of its duration in which a trapezoid rises, and falls.
+/// Share of its duration during which a trapezoid rises, and falls.
 const TRAPEZOID_RISE: f64 = 0.1;
 
 /// A pulse of base acceleration.
@@ -80,7 +80,7 @@ pub struct Pulse {
     duration_s: f64,
 }
 
-/// Why there is no such pulse.
+/// Why numbers do not make a pulse.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum PulseError {
     /// A peak that is zero or not finite.
@@ -98,13 +98,13 @@ pub enum PulseError {
 }
 
 impl Pulse {
-    /// A pulse of a peak (negative ones too) and a duration.
+    /// A pulse with a peak, which may be negative, and a duration.
     ///
     /// # Errors
-    /// A peak that is zero or not finite, a duration that is not positive and finite.
+    /// A peak that is zero or not finite, or a duration that is not positive and finite.
     ///
     /// # Example
-    /// 30 g for 11 ms, the half-sine of many a data sheet: 2AT/π = 2.06 m/s.
+    /// 30 g for 11 ms, the half-sine of many data sheets: 2AT/π = 2.06 m/s.
     /// ```
     /// use freestand::shock_response::{Pulse, PulseShape};
     /// let pulse = Pulse::new(PulseShape::HalfSine, 30.0 * freestand::G0_M_S2, 0.011)?;
@@ -136,18 +136,21 @@ impl Pulse {
         self.duration_s
     }
 
-    /// Acceleration at a time from the start of the pulse \[m/s²\]; where it jumps, the mean of both sides.
+    /// Acceleration at a time from the start of the pulse \[m/s²\]; where it jumps, the mean of
+    /// both sides.
     pub fn acceleration_m_s2(&self, time_s: f64) -> f64 {
         self.peak_acceleration_m_s2 * self.shape.ratio(time_s / self.duration_s)
     }
 
-    /// The integral of the pulse \[m/s\]: half-sine 2AT/π, haversine and sawtooths AT/2, rectangle AT, trapezoid 0.9 AT.
+    /// The integral of the pulse \[m/s\]: half-sine 2AT/π, haversine and sawtooths AT/2, rectangle
+    /// AT, trapezoid 0.9 AT.
     pub fn velocity_change_m_s(&self) -> f64 {
         self.shape.mean_ratio() * self.peak_acceleration_m_s2 * self.duration_s
     }
 
-    /// The pulse as samples, `steps` to its duration (at least 1). Corners lie on samples where `steps` is a multiple
-    /// of 10; a jump becomes a straight line over two steps, with its middle in place, so that the velocity change stays.
+    /// The pulse as samples, with `steps` (at least 1) over its duration. Corners are on samples
+    /// where `steps` is a multiple of 10. A jump becomes a straight line over two steps, centred on
+    /// the jump, so that the velocity change does not change.
     ///
     /// # Errors
     /// More samples than a motion may have.
@@ -158,23 +161,25 @@ impl Pulse {
     }
 }
 
-/// Samples that a pulse has at least: the straight lines between them take (π/2000)²/12 = 2e-7 from a half-sine.
+/// Smallest number of steps of a pulse: the straight lines between samples reduce a half-sine by
+/// (π/2000)²/12 = 2e-7.
 const STEPS: f64 = 2000.0;
-/// Samples that the fastest oscillator gets in a period: its peak is missed by at most 1 − cos(π/512) = 2e-5.
+/// Samples per period of the fastest oscillator: its peak is missed by at most 1 − cos(π/512) =
+/// 2e-5.
 const STEPS_PER_PERIOD: f64 = 512.0;
-/// Most samples of a pulse.
-const MOST_STEPS: f64 = 4e6;
+/// Largest number of steps of a pulse.
+const MAX_STEPS: f64 = 4e6;
 
 /// Shock response spectrum of a pulse, sampled finely enough for the highest of the frequencies.
 ///
 /// # Accuracy
-/// 6e-5 of the peak where f T is below 8000; beyond, [`ShockSpectrum::samples_per_period`] says what the peaks were taken from.
+/// 6e-5 of the peak where f T is below 8000; above that, see [`ShockSpectrum::samples_per_period`].
 ///
 /// # Errors
-/// As [`shock_spectrum`].
+/// Those of [`shock_spectrum`].
 ///
 /// # Example
-/// A rectangle doubles on stiff components without damping:
+/// A rectangular pulse is doubled by stiff components without damping:
 /// ```
 /// use freestand::shock_response::{Peak, Pulse, PulseShape, ResponseKind, pulse_spectrum};
 /// let rectangle = Pulse::new(PulseShape::Rectangle, 1.0, 0.01)?;
@@ -189,7 +194,7 @@ pub fn pulse_spectrum(
     damping_ratio: f64,
 ) -> Result<ShockSpectrum, ShockResponseError> {
     let highest_hz = frequencies_hz.iter().copied().fold(0.0, f64::max);
-    let needed = (STEPS_PER_PERIOD * highest_hz * pulse.duration_s).clamp(STEPS, MOST_STEPS);
+    let needed = (STEPS_PER_PERIOD * highest_hz * pulse.duration_s).clamp(STEPS, MAX_STEPS);
     let steps = 10 * (needed / 10.0).ceil() as usize;
     let options = ShockSpectrumOptions { kind, damping_ratio, upsample: false };
     let overflow = ShockResponseError::Overflow { frequency_hz: highest_hz };
@@ -202,7 +207,7 @@ mod tests {
     use super::super::Peak;
     use super::*;
 
-    /// The closed forms of the velocity change against the sum of the samples.
+    /// The closed forms of the velocity change agree with the sum of the samples.
     #[test]
     fn velocity_change_is_the_integral() {
         for shape in PulseShape::ALL {
@@ -237,7 +242,7 @@ mod tests {
             let frequencies = [3.0, 40.0, 91.0, 133.3, 500.0];
             let spectrum = pulse_spectrum(&pulse, &frequencies, ResponseKind::AbsoluteAcceleration, 0.0).unwrap();
             for (f, peaks) in frequencies.iter().zip(&spectrum.peaks) {
-                // Midpoint rule on 200 000 parts: jumps and corners lie between the points.
+                // Midpoint rule with 200 000 parts: jumps and corners are between the points.
                 let omega = 2.0 * PI * f;
                 let (mut cos, mut sin) = (0.0, 0.0);
                 let h = 0.011 / 2e5;
@@ -248,7 +253,8 @@ mod tests {
                 }
                 let expected = omega * f64::hypot(cos, sin);
                 let residual = peaks.peak(Peak::Residual);
-                // Jumps are drawn over two of at least 512 steps in a period: (2π/512)²/6 = 2.5e-5 of each, and a pulse has two at most.
+                // Jumps extend over two of at least 512 steps per period: (2π/512)²/6 = 2.5e-5 of
+                // each, and a pulse has two at most.
                 assert!((residual - expected).abs() < 6e-5, "{shape:?} at {f}: {residual} {expected}");
             }
         }

@@ -1,23 +1,25 @@
-//! A record with 2, 4, 8 … samples in place of each, on the band-limited curve through its samples.
+//! A motion with 2, 4, 8 … samples in place of each, on the band-limited curve through its samples.
 
 use crate::motion::Motion;
 use crate::signal::resample::upsampled_sinc;
 
-/// Pairs of neighbours that give a new sample between them, for the second, third … doubling: the less of the band is
-/// filled, the fewer it takes.
+/// Pairs of neighbours that determine a new sample between them, for the second, third … doubling:
+/// the less of the band is filled, the fewer are needed.
 const PAIRS: [usize; 5] = [16, 8, 6, 6, 6];
 
-/// Largest factor.
+/// The largest factor.
 pub(super) const MAX_FACTOR: usize = 1 << (PAIRS.len() + 1);
 
-/// The samples of the motion and of every doubling of their rate up to `factor`, a power of two up to [`MAX_FACTOR`];
-/// fewer where the first doubling is refused.
+/// The samples of the motion and of every doubling of their rate up to `factor`, a power of two up
+/// to [`MAX_FACTOR`]; fewer where the first doubling fails.
 ///
-/// The first doubling fills the band up to its end and takes the whole record (sinc, by FFT). After it the upper half of
-/// the band is empty, and Lagrange's polynomial through a few neighbours, a maximally flat half-band filter, is enough.
+/// The first doubling fills the band up to its end and uses the whole motion (sinc, by FFT). After
+/// it the upper half of the band is empty, and Lagrange's polynomial through a few neighbours, a
+/// maximally flat half-band filter, is sufficient.
 ///
 /// # Accuracy
-/// 2e-5 of the amplitude at the record's Nyquist frequency, 1e-7 at 0.8 of it, rounding at low frequencies.
+/// 2e-5 of the amplitude at the motion's Nyquist frequency, 1e-7 at 0.8 of it, rounding at low
+/// frequencies.
 pub(super) fn doublings(arch: pulp::Arch, motion: &Motion, factor: usize) -> Vec<Vec<f64>> {
     let mut series = vec![motion.accel_m_s2().to_vec()];
     if factor < 2 {
@@ -43,7 +45,7 @@ fn weights(pairs: usize) -> Vec<f64> {
     (0..pairs).map(weight).collect()
 }
 
-/// One new sample between every two; beyond an end the samples are mirrored through it.
+/// One new sample between each two; beyond an end the samples are mirrored through it.
 fn between(arch: pulp::Arch, samples: &[f64], weights: &[f64]) -> Vec<f64> {
     let (pairs, last) = (weights.len(), samples.len() - 1);
     let mirrored = |end: f64, index: usize| 2.0 * end - samples[index.min(last)];
@@ -64,7 +66,7 @@ fn between(arch: pulp::Arch, samples: &[f64], weights: &[f64]) -> Vec<f64> {
     fine
 }
 
-/// New samples that are made together: they and their neighbours stay in the cache.
+/// New samples that are calculated together; they and their neighbours stay in the cache.
 const CHUNK: usize = 512;
 
 /// Σ weight (left + right) for as many middles as there are, neighbour by neighbour.
@@ -83,7 +85,8 @@ fn middle(near: &[f64], weights: &[f64], middles: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// A sine that fades in and out, up to 0.8 of the Nyquist frequency: every doubling is on the curve.
+    /// A sine that fades in and out, up to 0.8 of the Nyquist frequency: every doubling is on the
+    /// curve.
     #[test]
     fn doublings_are_on_the_band_limited_curve() {
         for share in [0.05, 0.4, 0.8] {
@@ -93,7 +96,8 @@ mod tests {
                 let factor = f64::from(1u32 << level);
                 assert_eq!(series.len(), 600 * (1 << level) + 1);
                 let worst = series.iter().enumerate().map(|(k, a)| (a - curve(k as f64 / factor)).abs());
-                // As stated, with a margin for the spread of the envelope's own spectrum.
+                // The documented accuracy, with a margin for the width of the envelope's own
+                // spectrum.
                 assert!(worst.fold(0.0, f64::max) < 1e-6, "{share}, {factor}");
             }
         }

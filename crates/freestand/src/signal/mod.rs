@@ -1,6 +1,7 @@
-//! What is done to a record before it is used: baseline, taper, filter, resampling, rotation, scale.
+//! The processing of a record before use: baseline, taper, filter, resampling, rotation, scale.
 //!
-//! A [`Motion`](crate::motion::Motion) goes in and another comes out; nothing here alters a record unasked.
+//! Every function takes a [`Motion`](crate::motion::Motion) and returns another; none changes a
+//! record without being asked to.
 
 pub mod baseline;
 pub mod filter;

@@ -1,45 +1,47 @@
-//! The factor that takes a motion to a target.
+//! The factor that scales a motion to a target.
 
 use crate::motion::Motion;
 use crate::oscillator::{OscillatorError, response_spectrum};
 use thiserror::Error;
 
-/// Why a motion has no factor.
+/// Why a motion cannot be scaled.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ScaleError {
-    /// The target is no acceleration.
-    #[error("the target must be positive and finite, not {target_m_s2} m/s2")]
+    /// A target that is not positive and finite.
+    #[error("the target must be positive and finite, not {target_m_s2} m/s²")]
     Target {
-        /// What was given.
+        /// The target that was given.
         target_m_s2: f64,
     },
-    /// A motion of zeros reaches no target.
-    #[error("the motion has no response at T = {period_s} s: no factor takes it to a target")]
+    /// A motion of zeros, which no factor scales to a target.
+    #[error("the motion has no response at T = {period_s} s: no factor scales it to a target")]
     NoResponse {
-        /// Period; 0 for the peak acceleration.
+        /// The period \[s\]; 0 for the peak acceleration.
         period_s: f64,
     },
-    /// A spectrum of no periods, or more or fewer values than periods.
-    #[error("the target spectrum has {targets} values for {periods} periods")]
+    /// A spectrum without periods, or with a number of values that differs from that of the
+    /// periods.
+    #[error("the number of values of the target spectrum is {targets}, but the number of periods is {periods}")]
     Shape {
-        /// Periods.
+        /// Number of periods.
         periods: usize,
-        /// Values.
+        /// Number of values.
         targets: usize,
     },
-    /// Damping or a period.
+    /// Invalid damping, or an invalid period.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
 }
 
-/// A factor beyond this, or below its inverse, is worth a word: the record then stands for an earthquake of quite another
-/// size, whose duration and spectral shape would be others. A convention, not a limit of any model.
+/// A factor above this, or below its inverse, deserves a warning: the scaled record then represents
+/// an earthquake of a very different size, which would have another duration and spectral shape.
+/// This is a convention, not the limit of any model.
 pub const LARGE_FACTOR: f64 = 10.0;
 
-/// The factor that takes the largest |a| of the motion to `target_m_s2`.
+/// The factor that scales the largest |a| of the motion to `target_m_s2`.
 ///
 /// # Errors
-/// A target that is not positive and finite, a motion of zeros.
+/// A target that is not positive and finite, or a motion of zeros.
 ///
 /// # Example
 /// ```
@@ -52,16 +54,16 @@ pub fn factor_to_peak(motion: &Motion, target_m_s2: f64) -> Result<f64, ScaleErr
     factor(motion.peak_m_s2(), target_m_s2, 0.0)
 }
 
-/// The factor that takes the pseudo-acceleration of the motion at one period to `target_m_s2`.
+/// The factor that scales the pseudo-acceleration of the motion at one period to `target_m_s2`.
 ///
 /// # Errors
-/// As [`factor_to_peak`]; a negative period, damping outside 0 ≤ ζ < 1.
+/// Those of [`factor_to_peak`]; a negative period; damping outside 0 ≤ ζ < 1.
 ///
 /// # Example
 /// ```
 /// use freestand::{motion::Motion, signal::scale::factor_to_sa};
 /// let step = Motion::new(0.01, vec![1.0; 301])?;
-/// // A sudden load counts twice on an undamped oscillator, at half its period.
+/// // A sudden load is doubled by an undamped oscillator, at half its period.
 /// assert!((factor_to_sa(&step, 2.0, 0.0, 3.0)? - 1.5).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -70,28 +72,31 @@ pub fn factor_to_sa(motion: &Motion, period_s: f64, damping_ratio: f64, target_m
     factor(spectrum.psa_m_s2.first().copied().unwrap_or(0.0), target_m_s2, period_s)
 }
 
-/// How a scaled motion meets a target spectrum.
+/// How well a scaled motion fits a target spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpectrumFit {
-    /// The factor on the motion.
+    /// The factor.
     pub factor: f64,
-    /// Root mean square of `ln(f PSA) − ln target` over the periods: 0 where both have one shape.
+    /// Root mean square of `ln(f PSA) − ln target` over the periods: 0 where both have the same
+    /// shape.
     pub misfit_ln: f64,
 }
 
-/// The factor that brings the pseudo-acceleration spectrum of the motion nearest to a target over all `periods_s`:
-/// the least squares of `ln(f PSA) − ln target`, `ln f = mean(ln target − ln PSA)`.
+/// The factor that brings the pseudo-acceleration spectrum of the motion closest to a target over
+/// all `periods_s`: the least squares of `ln(f PSA) − ln target`,
+/// `ln f = mean(ln target − ln PSA)`.
 ///
-/// Every period counts the same: choose them equally spaced in ln T.
+/// Every period has the same weight, so choose periods that are equally spaced in ln T.
 ///
 /// # Errors
-/// As [`factor_to_sa`]; no periods, or a target for more or fewer of them.
+/// Those of [`factor_to_sa`]; no periods, or a number of target values that differs from that of
+/// the periods.
 ///
 /// # Example
 /// ```
 /// use freestand::{motion::Motion, signal::scale::factor_to_spectrum};
 /// let pulse = Motion::new(0.01, vec![0.0, 1.0, 0.0])?;
-/// // At T = 0 the spectrum is the peak: one target of 2 and one of 8 meet at 4, in ln.
+/// // At T = 0 the spectrum is the peak: the mean of targets of 2 and 8 is 4, in ln.
 /// assert!((factor_to_spectrum(&pulse, 0.05, &[0.0, 0.0], &[2.0, 8.0])? - 4.0).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -104,10 +109,10 @@ pub fn factor_to_spectrum(
     Ok(fit_to_spectrum(motion, damping_ratio, periods_s, target_m_s2)?.factor)
 }
 
-/// The factor of [`factor_to_spectrum`], and how far the scaled spectrum is from the target.
+/// The factor of [`factor_to_spectrum`] and the misfit of the scaled spectrum.
 ///
 /// # Errors
-/// As [`factor_to_spectrum`].
+/// Those of [`factor_to_spectrum`].
 ///
 /// # Example
 /// ```
@@ -160,11 +165,12 @@ mod tests {
         let motion = motion();
         let psa = |motion: &Motion, periods: &[f64]| response_spectrum(motion, 0.02, periods).unwrap().psa_m_s2;
         let scaled = motion.scaled(factor_to_sa(&motion, 0.7, 0.02, 1.5).unwrap()).unwrap();
-        // The response is linear: a few roundings.
+        // The response is linear, so only a few roundings remain.
         assert!((psa(&scaled, &[0.7])[0] - 1.5).abs() < 1e-14);
         let scaled = motion.scaled(factor_to_peak(&motion, 0.25).unwrap()).unwrap();
         assert!((scaled.peak_m_s2() - 0.25).abs() < 1e-16);
-        // To a spectrum of its own shape 3.5 times as high, and to any other with mean ln misfit 0.
+        // To a spectrum of its own shape 3.5 times as high, and to any other with a mean misfit of
+        // 0 in ln.
         let periods: Vec<f64> = (1..40).map(|i| 0.05 * f64::from(i)).collect();
         let own: Vec<f64> = psa(&motion, &periods).iter().map(|a| 3.5 * a).collect();
         assert!((factor_to_spectrum(&motion, 0.02, &periods, &own).unwrap() - 3.5).abs() < 1e-13);
@@ -172,7 +178,7 @@ mod tests {
         let scaled = motion.scaled(factor_to_spectrum(&motion, 0.02, &periods, &target).unwrap()).unwrap();
         let misfit: f64 = psa(&scaled, &periods).iter().zip(&target).map(|(a, b)| (a / b).ln()).sum();
         assert!(misfit.abs() < 1e-12, "{misfit:e}");
-        // The misfit is that of the motion as it is scaled, which no other factor makes less.
+        // The misfit is that of the scaled motion, and no other factor makes it smaller.
         let rms = |motion: &Motion| {
             let squares = psa(motion, &periods).iter().zip(&target).map(|(a, b)| (a / b).ln().powi(2)).sum::<f64>();
             (squares / periods.len() as f64).sqrt()
@@ -182,7 +188,7 @@ mod tests {
         for other in [0.99, 1.01] {
             assert!(rms(&scaled.scaled(other).unwrap()) > fit.misfit_ln);
         }
-        // One shape: the roundings of 39 ratios near 3.5.
+        // The same shape: only the rounding of 39 ratios near 3.5 remains.
         assert!(fit_to_spectrum(&motion, 0.02, &periods, &own).unwrap().misfit_ln < 1e-13);
     }
 

@@ -1,4 +1,4 @@
-//! A record that fades in and out.
+//! A taper: the motion fades in and out.
 
 use crate::motion::{Motion, MotionError};
 use std::f64::consts::PI;
@@ -7,25 +7,26 @@ use thiserror::Error;
 /// Why a motion cannot be tapered.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TaperError {
-    /// The share is none of a half.
+    /// A share that is not above 0, or is above one half.
     #[error("the share of a taper at each end must be above 0 and at most one half, not {share_ratio}")]
     Share {
         /// The share that was given.
         share_ratio: f64,
     },
-    /// The result is no motion.
+    /// The result is not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
 
-/// The motion times a cosine (Tukey) window: `½ (1 − cos(π t/t_r))` over `t_r = share_ratio` times its duration at each
-/// end, 1 between them. The first and the last sample become zero.
+/// The motion multiplied by a cosine (Tukey) window: `½ (1 − cos(π t/t_r))` over
+/// `t_r = share_ratio` times its duration at each end, and 1 between. The first and the last sample
+/// become zero.
 ///
 /// # Reference
 /// Tukey (1967); `scipy.signal.windows.tukey(n, 2 * share_ratio)`.
 ///
 /// # Errors
-/// A share that is not above 0 or is above ½.
+/// A share that is not above 0, or is above ½.
 ///
 /// # Example
 /// ```
@@ -75,7 +76,7 @@ mod tests {
             let motion = tapered(&Motion::new(0.01, vec![1.0; 12]).unwrap(), share).unwrap();
             let accel = motion.accel_m_s2();
             for (k, want) in want.into_iter().enumerate() {
-                // One cosine, and what SciPy's own differs by from being symmetrical.
+                // One cosine, and the asymmetry of SciPy's own result.
                 assert!((accel[k] - want).abs() < 1e-15 && accel[k] == accel[11 - k], "{share} {k} {}", accel[k]);
             }
         }

@@ -25,7 +25,7 @@ const BETTER_BY_RATIO: f64 = 1e-6;
 /// own 0.02 s they would miss up to a quarter of their peaks.
 const LONGEST_STEP_S: f64 = 0.005;
 /// Points that the oscillators may be asked to look at.
-const MOST_POINTS: f64 = 16.0 * MAX_SAMPLES;
+const MAX_POINTS: f64 = 16.0 * MAX_SAMPLES;
 
 /// How a ratio of spectra becomes a gain of Fourier amplitudes.
 pub(super) enum Gain {
@@ -67,7 +67,7 @@ impl Matcher {
         // A step that is 0.005 s but for its last digits is one.
         let substeps = (dt_s / LONGEST_STEP_S - 1e-9).ceil().max(1.0);
         let points = substeps * frame.taper.len() as f64;
-        if points > MOST_POINTS {
+        if points > MAX_POINTS {
             let (name, requirement) = ("the number of samples at steps of 0.005 s", "at most 16777216");
             return Err(SynthesisError::Option { name, requirement, value: points });
         }

@@ -76,7 +76,7 @@ pub const LONGEST_PERIOD_S: f64 = 5.0;
 /// Number of periods that are matched, equally spaced in log T: 60 a decade, about one for each 5 %-damped bandwidth.
 pub const MATCHED_PERIODS: usize = 121;
 /// Damping ratio of the target and of the spectra.
-pub const DAMPING_RATIO: f64 = 0.05;
+pub use crate::oscillator::DAMPING_RATIO;
 
 /// Cosine tapers of the noise \[s\]: the window starts from zero by itself, so the start can be short.
 const TAPER_START_S: f64 = 0.5;

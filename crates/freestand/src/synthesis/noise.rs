@@ -83,7 +83,7 @@ fn saragoni_hart() -> (f64, f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quadrature::unit_integral;
+    use crate::integration::unit_integral;
 
     #[test]
     fn the_random_numbers_are_those_of_the_named_generator() {
@@ -109,7 +109,7 @@ mod tests {
         // ∫w² = 1/4.8 − 2/9.6 + 1/14.4 = 0.0694 T_d; beyond 8 T_d there is e^(−38).
         let energy = |until: f64| until * unit_integral(|x| Window::Lam.at(x * until).powi(2));
         assert!((energy(8.0) - 1.0 / 14.4).abs() < 1e-12 && (1.0_f64 / 14.4 - 0.0694).abs() < 5e-5);
-        let time = |share: f64| crate::quadrature::halved(0.0, 8.0, |t| energy(t) > share / 14.4);
+        let time = |share: f64| crate::search::bisect(0.0, 8.0, |t| energy(t) > share / 14.4);
         assert!((time(0.95) - time(0.05) - 0.754).abs() < 5e-4, "{}", time(0.95) - time(0.05));
     }
 }

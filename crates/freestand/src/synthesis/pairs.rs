@@ -22,7 +22,7 @@ const FARTHEST_M: f64 = 300e3;
 /// The search ends when the mean meets the target to this share.
 const RATIO_TOLERANCE: f64 = 1e-3;
 /// Steps of the search; four or five are usual.
-const MOST_STEPS: usize = 60;
+const MAX_STEPS: usize = 60;
 
 /// An earthquake whose mean spectrum meets the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +85,7 @@ pub fn distance_for_target(
         return Ok(None);
     }
     let mut last_was_near = None;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let ln_distance = near + (far - near) * above / (above - below);
         let distance_m = ln_distance.exp();
         let value = ln_ratio(distance_m)?;

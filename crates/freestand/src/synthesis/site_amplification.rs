@@ -1,6 +1,6 @@
 //! What the crust above the source adds: amplification of shear waves by a rising velocity, to the quarter wavelength.
 
-use crate::quadrature::unit_integral;
+use crate::integration::unit_integral;
 use thiserror::Error;
 
 /// From a depth on, the shear-wave velocity is v(z) = v_ref (z/z_ref)^n.

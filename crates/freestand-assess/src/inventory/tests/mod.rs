@@ -4,7 +4,6 @@ mod hostile;
 mod large;
 mod round_trip;
 
-use crate::library::{CushionPrior, Lookup};
 use std::io::{Cursor, Write};
 use std::path::Path;
 
@@ -12,11 +11,13 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::*;
 use crate::library::Confidence;
-use freestand_input::keys::KeyStyle;
+use crate::library::{CushionPrior, Lookup};
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_study::cushion::{CushionWords, cushion_words};
+use freestand_study::cushion::cushion_words;
+
+use super::*;
 
 /// Reads the bytes of a file called `objects.csv`.
 fn read(bytes: impl AsRef<[u8]>) -> Result<Reading, Problems> {
@@ -272,7 +273,7 @@ fn csv_of_other_countries() {
 
 /// A pad of a class and one entry of tolerances.
 fn prior(name: &str) -> Option<CushionPrior> {
-    let mut words = CushionWords::new(KeyStyle::File);
+    let mut words = Words::default();
     match name {
         "pad" => words.set("pad_stiffness", "2190 N/mm"),
         "edge" => words.set("stiffness", "4380 N/mm"),

@@ -3,12 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use crate::tables::{SpectrumRow, load_spectrum, parse_spectrum};
+use freestand::oscillator::DAMPING_RATIO;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
-
-/// Damping of a target that does not state one.
-const USUAL_DAMPING_RATIO: f64 = 0.05;
 
 /// Dampings and periods that differ by less than this share are equal, printed with fewer digits.
 const SAME: f64 = 1e-6;
@@ -139,7 +137,7 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64,
     let damping_ratio = match (asked, &stated[..]) {
         (Some(asked), _) => asked,
         (None, &[one]) => one,
-        (None, _) => USUAL_DAMPING_RATIO,
+        (None, _) => DAMPING_RATIO,
     };
     if !stated.is_empty() {
         rows.retain(|row| row.damping_ratio.is_some_and(|ratio| is(ratio, damping_ratio)));

@@ -9,26 +9,29 @@ use super::filter::{Bank, Filter};
 use super::upsample::{MAX_FACTOR, doublings};
 use super::{ResponseKind, ResponsePeaks, ShockResponseError};
 
-/// Samples that every oscillator gets in each of its periods: the largest sample is within 1 − cos(π/128) = 0.03 % of
-/// the peak, and straight lines between samples take (π/128)²/3 = 0.02 % from a component at its own frequency.
+/// Samples per period of every oscillator: the largest sample is within 1 − cos(π/128) = 0.03 % of
+/// the peak, and straight lines between samples reduce the response of a component at its own
+/// frequency by (π/128)²/3 = 0.02 %.
 pub const SAMPLES_PER_PERIOD: f64 = 128.0;
 
-/// Doublings of the rate that slow oscillators get too: through its damper one feels a little of what fills the upper end
-/// of the band, where straight lines between the samples of the record would take half of it.
-const LEAST_DOUBLINGS: usize = 2;
+/// Doublings of the rate that apply even to slow oscillators: the damper transmits a little of the
+/// upper end of the band, where straight lines between the samples of the motion would remove half
+/// of it.
+const MIN_DOUBLINGS: usize = 2;
 
-/// Oscillators abreast: two vectors of the widest, four of the next.
+/// Oscillators calculated at once: two of the widest vectors, four of the next.
 const LANES: usize = 16;
 
-/// How a shock response spectrum is computed.
+/// How a shock response spectrum is calculated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShockSpectrumOptions {
-    /// What is looked at.
+    /// The response that the spectrum shows.
     pub kind: ResponseKind,
     /// ζ; 1/(2Q).
     pub damping_ratio: f64,
-    /// More samples on the band-limited curve, so that every oscillator has [`SAMPLES_PER_PERIOD`] in a period. Without
-    /// it the filter of ISO 18431-4 runs over the samples as they are.
+    /// Whether to add samples on the band-limited curve, so that every oscillator has
+    /// [`SAMPLES_PER_PERIOD`]. Without them the filter of ISO 18431-4 runs over the original
+    /// samples.
     pub upsample: bool,
 }
 
@@ -39,34 +42,42 @@ impl Default for ShockSpectrumOptions {
     }
 }
 
-/// A shock response spectrum: one entry for each frequency, in their order.
+/// A shock response spectrum: one entry for each frequency, in the same order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShockSpectrum {
     /// The peaks of each oscillator.
     pub peaks: Vec<ResponsePeaks>,
-    /// Samples in a period of each oscillator that its peaks were taken from.
+    /// Samples per period of each oscillator from which its peaks were taken.
     pub samples_per_period: Vec<f64>,
 }
 
-/// Shock response spectrum of a motion: oscillators at rest until it begins, `ü + 2ζωu̇ + ω²u = −a`, each followed over
-/// the motion and then, in closed form, through its free decay.
+/// Shock response spectrum of a motion: oscillators at rest until it begins,
+/// `ü + 2ζωu̇ + ω²u = −a`, each calculated over the motion and then, in closed form, through its
+/// free decay.
 ///
-/// Outside the motion the base stands still; its first and last sample are reached from zero and left to zero on a
-/// straight line in one step. Zeros before or after a motion that begins and ends at zero change nothing.
+/// Outside the motion the base is at rest; a straight line over one time step leads from zero to
+/// its first sample and from its last sample to zero. Zeros before or after a motion that begins
+/// and ends at zero change nothing.
 ///
-/// **Units**: Hz in; m/s², m or m/s out, as [`ResponseKind`] says.
+/// **Units**: Hz in; m/s², m or m/s out, depending on [`ResponseKind`].
 ///
 /// # Reference
-/// Smallwood (1981), "An improved recursive formula for calculating shock response spectra"; ISO 18431-4:2007.
+/// Smallwood (1981), "An improved recursive formula for calculating shock response spectra"; ISO
+/// 18431-4:2007.
 ///
 /// # Accuracy
-/// Without upsampling the ramp-invariant filter to rounding, peaks at the samples. With it 0.05 % of the response to the
-/// band-limited curve through the samples, at any frequency up to half the sampling rate that got
-/// [`SAMPLES_PER_PERIOD`] samples; 0.1 % where noise fills the band up to there. A record says nothing of what is above
-/// half its rate: what is returned there is the response of a stiff oscillator to what is below.
+/// Without upsampling: the ramp-invariant filter to rounding, with peaks at the samples. With
+/// upsampling: 0.05 % of the response to the band-limited curve through the samples, at any
+/// frequency up to half the sampling rate that has [`SAMPLES_PER_PERIOD`] samples; 0.1 % where
+/// noise fills the band up to there.
+///
+/// # Limitation
+/// A motion contains nothing above half its sampling rate: at higher frequencies the result is the
+/// response of a stiff oscillator to the content below.
 ///
 /// # Errors
-/// A frequency that is not positive, damping outside 0 ≤ ζ < 1, responses beyond the largest number.
+/// A frequency that is not positive, damping outside 0 ≤ ζ < 1, or responses too large for a
+/// floating-point number.
 ///
 /// # Example
 /// A half-sine of 1 m/s² and 10 ms, ζ = 5 %, at fT = 1: 1.62379.
@@ -87,7 +98,7 @@ pub fn shock_spectrum(
     shock_spectrum_on(pulp::Arch::new(), motion, frequencies_hz, options)
 }
 
-/// As [`shock_spectrum`], with the vectors of `arch`.
+/// [`shock_spectrum`] with the vector instructions of `arch`.
 pub(super) fn shock_spectrum_on(
     arch: pulp::Arch,
     motion: &Motion,
@@ -97,7 +108,7 @@ pub(super) fn shock_spectrum_on(
     let levels: Vec<usize> = frequencies_hz.iter().map(|&f| level(motion, f, options.upsample)).collect();
     let highest = levels.iter().copied().max().unwrap_or(0);
     let series = doublings(arch, motion, 1 << highest);
-    // A level that could not be made is that of the finest series there is.
+    // A level that could not be calculated is replaced by that of the finest available series.
     let levels: Vec<usize> = levels.into_iter().map(|level| level.min(series.len() - 1)).collect();
 
     let mut banks: Vec<(usize, Vec<usize>)> = Vec::new();
@@ -126,12 +137,13 @@ pub(super) fn shock_spectrum_on(
     Ok(ShockSpectrum { peaks, samples_per_period })
 }
 
-/// How many doublings of the rate an oscillator takes; what it sees does not depend on the other oscillators.
+/// Number of doublings of the rate for an oscillator; its input does not depend on the other
+/// oscillators.
 fn level(motion: &Motion, frequency_hz: f64, upsample: bool) -> usize {
     let (mut level, mut per_period) = (0, 1.0 / (frequency_hz * motion.dt_s()));
     let length = |level: usize| motion.accel_m_s2().len() << level;
     while upsample
-        && (per_period < SAMPLES_PER_PERIOD || level < LEAST_DOUBLINGS)
+        && (per_period < SAMPLES_PER_PERIOD || level < MIN_DOUBLINGS)
         && 1 << level < MAX_FACTOR
         && length(level + 1) <= MAX_LENGTH
     {
@@ -166,7 +178,8 @@ fn bank(
     bank.run(arch, &down);
     let peaks = filters.iter().zip(primary).zip(frequencies_hz).enumerate().map(|(lane, ((filter, primary), &f))| {
         let (most, least) = bank.extremes(lane);
-        // One step after the last sample of the ramp the acceleration is zero, and w is the mode itself.
+        // One step after the last sample of the ramp the acceleration is zero, and w is the mode
+        // itself.
         let decay = filter.decay(bank.state(lane));
         let peaks = ResponsePeaks {
             primary_positive: primary.0,

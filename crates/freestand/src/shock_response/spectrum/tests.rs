@@ -20,7 +20,8 @@ fn maximax(motion: &Motion, frequencies_hz: &[f64], options: ShockSpectrumOption
 const KINDS: [ResponseKind; 3] =
     [ResponseKind::AbsoluteAcceleration, ResponseKind::RelativeDisplacement, ResponseKind::PseudoVelocity];
 
-/// Undamped oscillators under a half-sine, against the closed form, from the impulsive to the static end.
+/// Undamped oscillators under a half-sine agree with the closed form, from the impulsive to the
+/// static end.
 #[test]
 fn half_sine_without_damping_is_the_closed_form() {
     let options = ShockSpectrumOptions { damping_ratio: 0.0, ..ShockSpectrumOptions::default() };
@@ -28,12 +29,12 @@ fn half_sine_without_damping_is_the_closed_form() {
     let values = maximax(&half_sine(0.011, 1100), &frequencies, options);
     for (f, value) in frequencies.iter().zip(values) {
         let exact = half_sine_maximax_ratio(f * 0.011);
-        // A component has at least 128 samples in a period: 0.05 %, as stated.
+        // A component has at least 128 samples in a period: 0.05 %, as documented.
         assert!((value / exact - 1.0).abs() < 5e-4, "{f}: {value} {exact}");
     }
 }
 
-/// ζ = 0.05, maximax over the peak of a half-sine, from a fine numerical solution.
+/// ζ = 0.05, maximax divided by the peak of a half-sine, from a fine numerical solution.
 #[test]
 fn half_sine_with_damping() {
     let values = maximax(&half_sine(1.0, 20_000), &[0.25, 0.5, 1.0, 2.0], ShockSpectrumOptions::default());
@@ -43,7 +44,8 @@ fn half_sine_with_damping() {
     }
 }
 
-/// Smallwood's biquad in its direct form, zeros behind the record in place of the closed form.
+/// Smallwood's biquad in its direct form, with zeros appended to the motion in place of the closed
+/// form.
 fn biquad(motion: &Motion, frequency_hz: f64, zeta: f64, kind: ResponseKind, tail: usize) -> Vec<f64> {
     let (w, h) = (TAU * frequency_hz, motion.dt_s());
     let root = (1.0 - zeta * zeta).sqrt();
@@ -79,8 +81,8 @@ fn noise(seed: u64, samples: usize) -> Vec<f64> {
     (0..samples).map(|_| rand_distr::StandardNormal.sample(&mut random)).collect()
 }
 
-/// All kinds and peaks against the filter as ISO 18431-4 has it. The tail is sampled there and exact here: it agrees as
-/// far as 1000 samples in a period tell.
+/// All kinds and peaks agree with the filter in the form of ISO 18431-4. The free decay is sampled
+/// there and exact here: they agree as far as 1000 samples per period allow.
 #[test]
 fn it_is_the_filter_of_iso_18431_4() {
     let motion = Motion::new(1e-3, noise(5, 2000)).unwrap();
@@ -93,7 +95,7 @@ fn it_is_the_filter_of_iso_18431_4() {
             let least = |part: &[f64]| 0.0 - part.iter().copied().fold(0.0, f64::min);
             let peaks = spectrum.peaks[0];
             let scale = peaks.peak(Peak::Primary);
-            // The biquad's own rounding: 1e-16/(ωh)² = 3e-12 a sample at 1 Hz, over 2000 samples.
+            // The biquad's own rounding: 1e-16/(ωh)² = 3e-12 per sample at 1 Hz, over 2000 samples.
             assert!((peaks.primary_positive - most(primary)).abs() < 1e-9 * scale, "{kind:?} {f}");
             assert!((peaks.primary_negative - least(primary)).abs() < 1e-9 * scale, "{kind:?} {f}");
             if !residual.is_empty() {
@@ -114,14 +116,15 @@ fn slow_components_keep_their_digits() {
     let motion = half_sine(1e-3, 100);
     let exact: f64 = motion.accel_m_s2().iter().sum::<f64>() * motion.dt_s();
     let values = maximax(&motion, &[1e-3], sampled(ResponseKind::PseudoVelocity, 0.0));
-    // (ωT)²/24 is 2e-12 at 1 mHz; ωh is 6e-8 and the biquad would have no digit left.
+    // (ωT)²/24 is 2e-12 at 1 mHz; ωh is 6e-8 and the biquad would have no digits left.
     assert!((values[0] / exact - 1.0).abs() < 1e-11, "{}", values[0] / exact - 1.0);
 }
 
 /// The same shock at twice the sampling rate, below a twentieth of it: less than 0.1 %.
 #[test]
 fn twice_the_rate_is_the_same_spectrum() {
-    // Struck tones with content up to a fifth of the lower rate, and no more above half of it than 1e-12.
+    // Struck tones with content up to a fifth of the lower rate, and less than 1e-12 above half of
+    // it.
     let tone =
         |t: f64, f: f64, at: f64, width: f64| (-((t - at) / width).powi(2)).exp() * (TAU * f * (t - at) + 0.4).cos();
     let shock = |t: f64| {
@@ -139,7 +142,8 @@ fn twice_the_rate_is_the_same_spectrum() {
     }
 }
 
-/// A tone at a tenth of the sampling rate: the sampled peaks are up to 5 % low, the upsampled ones 0.05 %.
+/// A tone at a tenth of the sampling rate: the sampled peaks are up to 5 % low, the upsampled ones
+/// 0.05 %.
 #[test]
 fn upsampling_finds_the_peaks_between_samples() {
     let rate = 1e4;
@@ -162,8 +166,9 @@ fn upsampling_finds_the_peaks_between_samples() {
     assert!(as_sampled / truth - 1.0 < -0.01, "{as_sampled} {truth}");
 }
 
-/// Tones that fill the band up to half the rate: components with more than 128 samples in a period anyway feel them through
-/// their damper, and straight lines between the samples take half of the uppermost ones.
+/// Tones that fill the band up to half the rate: even components with more than 128 samples per
+/// period respond to them through their damper, and straight lines between the samples remove half
+/// of the highest ones.
 #[test]
 fn slow_components_feel_what_fills_the_band() {
     let noise = |t: f64| {
@@ -181,7 +186,7 @@ fn slow_components_feel_what_fills_the_band() {
         let found = maximax(&at(1), &frequencies, options);
         found.iter().zip(&truth).map(|(found, truth)| (found / truth - 1.0).abs()).fold(0.0, f64::max)
     };
-    // As stated; as sampled it is more than twice that.
+    // The documented accuracy; without upsampling the error is more than twice that.
     let (found, as_sampled) = (worst(ShockSpectrumOptions::default()), worst(bare));
     assert!(found < 1e-3 && as_sampled > 2e-3, "{found} {as_sampled}");
 }
@@ -204,7 +209,8 @@ fn wrong_input_is_refused_and_overflow_noticed() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
-    /// Linear; the sign only exchanges the peaks; the maximax is never below the residual.
+    /// The response is linear; the sign only exchanges the peaks; the maximax is never below the
+    /// residual.
     #[test]
     fn scaling_and_mirror(seed in 0u64..1000, factor in 0.1f64..50.0, f in 0.5f64..400.0, zeta in 0.0f64..0.9) {
         let samples = noise(seed, 300);
@@ -216,19 +222,20 @@ proptest! {
             let mirrored = shock_spectrum(&motion(-1.0), &[f], options).unwrap().peaks[0];
             prop_assert!(one.peak(Peak::Maximax) >= one.peak(Peak::Residual));
             for (peak, other) in [(Peak::Positive, Peak::Negative), (Peak::Residual, Peak::Residual)] {
-                // The phase of a decay is rounded, and its mirror's otherwise.
+                // The phase of a decay is rounded, and that of its mirror image differently.
                 let (a, b) = (one.peak(peak), mirrored.peak(other));
                 prop_assert!((a - b).abs() <= 1e-13 * one.peak(Peak::Maximax), "{} {}", a, b);
             }
             for peak in [Peak::Maximax, Peak::Positive, Peak::Negative, Peak::Primary, Peak::Residual] {
-                // Every sum is rounded on its own: some 300 of them.
+                // Every sum is rounded separately: some 300 of them.
                 let (a, b) = (factor * one.peak(peak), scaled.peak(peak));
                 prop_assert!((a - b).abs() <= 1e-12 * factor * one.peak(Peak::Maximax).max(1.0), "{} {}", a, b);
             }
         }
     }
 
-    /// Without damping a shock and its reverse leave the same residual: the size of its transform.
+    /// Without damping, a shock and its reverse leave the same residual: the magnitude of its
+    /// transform.
     #[test]
     fn residual_without_damping_does_not_know_the_direction_of_time(seed in 0u64..1000, f in 0.5f64..400.0) {
         let samples = noise(seed, 300);
@@ -241,7 +248,8 @@ proptest! {
         prop_assert!((one - other).abs() < 1e-10 * one.max(1.0), "{} {}", one, other);
     }
 
-    /// Zeros around a shock that begins and ends with zeros change nothing, and the residual becomes primary.
+    /// Zeros around a shock that begins and ends with zeros change nothing, and the residual
+    /// becomes primary.
     #[test]
     fn zeros_around_change_nothing(seed in 0u64..1000, before in 0usize..40, after in 0usize..40, f in 0.5f64..400.0) {
         let mut samples = noise(seed, 200);
@@ -251,13 +259,14 @@ proptest! {
         let padded = [vec![0.0; before], samples, vec![0.0; after]].concat();
         let padded = shock_spectrum(&Motion::new(1e-3, padded).unwrap(), &[f], options).unwrap().peaks[0];
         prop_assert!(padded.peak(Peak::Primary) >= bare.peak(Peak::Primary));
-        // What was exact in the decay is now sampled, and the other way round: at most as far as it is missed there.
+        // What was exact in the decay is now sampled, and the reverse: the difference is at most
+        // what sampling misses.
         let missed = 1.0 - (PI * (f * 1e-3).min(0.5)).cos();
         let (a, b) = (bare.peak(Peak::Maximax), padded.peak(Peak::Maximax));
         prop_assert!(b <= a * (1.0 + 1e-12) && b >= a * (1.0 - missed - 1e-12), "{} {}", a, b);
     }
 
-    /// Every vector unit and every company of other oscillators give the same bits.
+    /// The bits do not depend on the vector unit or on the other oscillators.
     #[test]
     fn bits_do_not_depend_on_vectors_or_company(seed in 0u64..1000) {
         let motion = Motion::new(1e-3, noise(seed, 400)).unwrap();

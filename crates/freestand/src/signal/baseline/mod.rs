@@ -1,56 +1,56 @@
-//! Where the zero line of a record is: offsets that an instrument adds make velocity and displacement drift.
+//! Baseline correction: an offset that an instrument adds makes velocity and displacement drift.
 
 use crate::measures::cumulative_trapezoid;
 use crate::motion::{Motion, MotionError, mean};
 use thiserror::Error;
 
-/// Highest degree of a polynomial.
+/// The highest degree of a polynomial.
 pub const MAX_DEGREE: usize = 10;
 
 /// Why a baseline cannot be removed.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BaselineError {
-    /// The degree is not one that is fitted.
+    /// The degree is outside the range of the correction.
     #[error("the degree of a baseline must be {least} to {MAX_DEGREE}, not {degree}")]
     Degree {
-        /// The lowest that makes sense.
+        /// The lowest degree.
         least: usize,
         /// The degree that was given.
         degree: usize,
     },
-    /// A time that is not within the motion, or leaves too little of it.
+    /// A time outside the motion, or one that leaves too little of it.
     #[error("{name} must be {range} the motion of {duration_s} s, not {time_s} s")]
     Time {
-        /// Which time.
+        /// The name of the time.
         name: &'static str,
-        /// Where it may be, in words.
+        /// Its range, in words.
         range: &'static str,
-        /// Length of the motion.
+        /// Length of the motion \[s\].
         duration_s: f64,
-        /// The time that was given.
+        /// The time that was given \[s\].
         time_s: f64,
     },
     /// Fewer samples than the polynomial has coefficients.
-    #[error("a polynomial of degree {degree} is not fixed by {samples} samples")]
+    #[error("{samples} samples are too few for a polynomial of degree {degree}")]
     TooShort {
         /// The degree.
         degree: usize,
         /// Samples that it would be fitted to.
         samples: usize,
     },
-    /// The result is no motion.
+    /// The result is not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
 
-/// A baseline to be removed from an acceleration history.
+/// A baseline to be subtracted from an acceleration history.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Baseline {
     /// The mean of all samples.
     Mean,
-    /// The mean of the first seconds, before the earthquake arrives (zeroth order correction).
+    /// The mean of the first seconds, before the earthquake arrives (zeroth-order correction).
     PreEvent {
-        /// How long the record is quiet \[s\].
+        /// End of the quiet part \[s\].
         until_s: f64,
     },
     /// The polynomial that fits the acceleration best (least squares).
@@ -58,19 +58,20 @@ pub enum Baseline {
         /// Its degree, 0 to 10.
         degree: usize,
     },
-    /// The derivative of the polynomial that fits the velocity best from a time on and is zero there: the velocity goes
-    /// on without a step and swings about zero.
+    /// The derivative of the polynomial that fits the velocity best from a given time on and is
+    /// zero there: the velocity continues without a step and swings about zero.
     Graizer {
         /// Degree of the polynomial in the velocity, 1 to 10.
         degree: usize,
-        /// When the baseline begins to wander \[s\].
+        /// Time at which the baseline begins to drift \[s\].
         from_s: f64,
     },
-    /// Two offsets, one while the ground shakes strongly and one after it, such that the velocity ends about zero.
+    /// Two offsets, one during the strong shaking and one after it, such that the final velocity is
+    /// about zero.
     Boore2001 {
-        /// When the strong shaking begins \[s\].
+        /// Time at which the strong shaking begins \[s\].
         t1_s: f64,
-        /// When it has ended \[s\].
+        /// Time at which it ends \[s\].
         t2_s: f64,
     },
 }
@@ -78,25 +79,26 @@ pub enum Baseline {
 /// The motion less its baseline.
 ///
 /// * `Mean`, `PreEvent`: `a − ā`.
-/// * `Polynomial`: `a − p(t)`, p from the least squares of the samples.
-/// * `Graizer`: `a − p′(t)` for t ≥ t₀, where p, with p(t₀) = 0, has the least squares of `v − p`.
-/// * `Boore2001`: a straight line `v₀ + a_f t` is fitted to the velocity after t₂; `a_f` is taken off after t₂, and
-///   `a_m = v_line(t₂)/(t₂ − t₁)` between t₁ and t₂. Both times are rounded to samples; a sample on one of them takes the
-///   mean of both sides, so that the trapezoid rule on the result gives this velocity.
+/// * `Polynomial`: `a − p(t)`, with p the least-squares fit of the samples.
+/// * `Graizer`: `a − p′(t)` for t ≥ t₀, where p, with p(t₀) = 0, minimises the squares of `v − p`.
+/// * `Boore2001`: a straight line `v₀ + a_f t` is fitted to the velocity after t₂; `a_f` is
+///   subtracted after t₂, and `a_m = v_line(t₂)/(t₂ − t₁)` between t₁ and t₂. Both times are
+///   rounded to samples; the value at such a sample is the mean of both sides, so that the
+///   trapezoid rule on the result gives this velocity.
 ///
-/// The velocity is the integral of the record as it stands, from rest, by the trapezoid rule.
+/// The velocity is the integral of the uncorrected record, from rest, by the trapezoid rule.
 ///
 /// # Reference
-/// Graizer (1979), Izv. Earth Physics 15, 771–775 (the constraint at t₀ is ours: without it the derivative leaves a
-/// constant in the velocity). Iwan, Moser and Peng (1985), BSSA 75, 1225–1246; Boore (2001), BSSA 91, 1199–1211, for free
-/// t₁ and t₂.
+/// Graizer (1979), Izv. Earth Physics 15, 771–775 (the constraint at t₀ is an addition of this
+/// program: without it the derivative leaves a constant in the velocity). Iwan, Moser and Peng
+/// (1985), BSSA 75, 1225–1246; Boore (2001), BSSA 91, 1199–1211, for free t₁ and t₂.
 ///
 /// # Accuracy
-/// Polynomials are built orthogonal on the samples (Forsythe 1957), so that degree 10 on a million samples keeps ten
-/// digits; powers of t would have none left.
+/// Polynomials are built orthogonal on the samples (Forsythe 1957), so that degree 10 on a million
+/// samples keeps ten digits; powers of t would have none left.
 ///
 /// # Errors
-/// A degree or a time outside its range, too few samples for the degree.
+/// A degree or a time outside its range, or too few samples for the degree.
 ///
 /// # Example
 /// ```
@@ -124,7 +126,8 @@ fn pre_event(motion: &Motion, until_s: f64) -> Result<Vec<f64>, BaselineError> {
     if !(until_s > 0.0 && until_s <= duration_s) {
         return Err(BaselineError::Time { name: "the quiet time", range: "within", duration_s, time_s: until_s });
     }
-    // Samples before that time; a hair for a time that is a whole number of steps but for its last bit.
+    // Samples before that time; the tiny factor allows for a time that is a whole number of steps
+    // except for its last bit.
     let quiet = (until_s / motion.dt_s() * (1.0 - 4.0 * f64::EPSILON)).ceil() as usize;
     Ok(vec![mean(&accel[..quiet.clamp(1, accel.len())]); accel.len()])
 }
@@ -158,7 +161,7 @@ fn graizer(motion: &Motion, degree: usize, from_s: f64) -> Result<Vec<f64>, Base
         let (q, slope) = fit.value_and_slope(place(k, fitted.len()));
         *removed = q + k as f64 * dt_s * slope * 2.0 / span_s;
     }
-    // The sample at t₀ has no baseline on its left.
+    // The sample at t₀ has a baseline on its right only.
     if from > 0 {
         removed[from] *= 0.5;
     }
@@ -173,12 +176,12 @@ fn two_offsets(motion: &Motion, t1_s: f64, t2_s: f64) -> Result<Vec<f64>, Baseli
         return Err(wrong("t1", "within", t1_s));
     }
     let (first, second) = (sample_near(t1_s, dt_s, accel.len()), sample_near(t2_s, dt_s, accel.len()));
-    // A line through fewer than ten samples is no average of anything.
-    if !(t2_s < duration_s && second > first && accel.len() - second > LEAST_AFTER) {
+    // A line through fewer than ten samples does not average anything.
+    if !(t2_s < duration_s && second > first && accel.len() - second > MIN_AFTER) {
         return Err(wrong("t2", "after t1, with ten samples after it, within", t2_s));
     }
     let velocity = cumulative_trapezoid(dt_s, accel);
-    // The velocity at t₂ itself has half a step of both offsets in it.
+    // The velocity at t₂ itself contains half a step of both offsets.
     let after = &velocity[second + 1..];
     let line = Fit::new(1, after.iter().enumerate().map(|(k, &v)| (place(k, after.len()), v, 1.0)));
     let one_before = -1.0 - 2.0 / (after.len() - 1) as f64;
@@ -195,7 +198,7 @@ fn two_offsets(motion: &Motion, t1_s: f64, t2_s: f64) -> Result<Vec<f64>, Baseli
     Ok(removed)
 }
 
-const LEAST_AFTER: usize = 10;
+const MIN_AFTER: usize = 10;
 
 fn check_degree(degree: usize, least: usize, samples: usize) -> Result<(), BaselineError> {
     if !(least..=MAX_DEGREE).contains(&degree) {
@@ -212,12 +215,12 @@ fn sample_near(time_s: f64, dt_s: f64, samples: usize) -> usize {
     ((time_s / dt_s).round() as usize).min(samples - 1)
 }
 
-/// Where sample `k` of `samples` is on the interval from −1 to 1.
+/// Position of sample `k` of `samples` on the interval from −1 to 1.
 fn place(k: usize, samples: usize) -> f64 {
     2.0 * k as f64 / (samples - 1) as f64 - 1.0
 }
 
-/// A polynomial by least squares, as a sum of polynomials that are orthogonal on the samples:
+/// A least-squares polynomial, as a sum of polynomials that are orthogonal on the samples:
 /// `p₀ = 1`, `p_{k+1} = (x − α_k) p_k − β_k p_{k−1}`.
 struct Fit {
     alpha: [f64; MAX_DEGREE + 1],
@@ -227,7 +230,7 @@ struct Fit {
 }
 
 impl Fit {
-    /// Of samples (x, y, weight).
+    /// Fits samples (x, y, weight).
     fn new(degree: usize, samples: impl Iterator<Item = (f64, f64, f64)> + Clone) -> Self {
         let zeros = [0.0; MAX_DEGREE + 1];
         let mut fit = Self { alpha: zeros, beta: zeros, coefficient: zeros, degree: 0 };
@@ -239,7 +242,7 @@ impl Fit {
                 let p = fit.last(x);
                 norm += weight * p * p;
                 moment += weight * x * p * p;
-                // What the lower degrees leave of y, which keeps more digits than y itself.
+                // The residual of the lower degrees, which keeps more digits than y itself.
                 product += weight * p * (y - fit.value_and_slope(x).0);
             }
             fit.coefficient[k] = product / norm;

@@ -14,7 +14,8 @@ fn assert_samples(motion: &Motion, at: [usize; 4], want: [f64; 4], tolerance: f6
 
 #[test]
 fn polynomials_are_those_of_numpy() {
-    // numpy 2: `a - np.polynomial.chebyshev.Chebyshev.fit(t, a, degree)(t)` at samples 0, 57, 200, 399.
+    // numpy 2: `a - np.polynomial.chebyshev.Chebyshev.fit(t, a, degree)(t)`
+    // at samples 0, 57, 200, 399.
     for (degree, want) in [
         (1, [-1.7741172069825437, 1.2168448521553261, -1.505829280183001, 0.8626172069825437]),
         (3, [-1.7136870664529742, 1.1970377682114384, -1.4941402951421079, 0.7570345559382163]),
@@ -28,23 +29,25 @@ fn polynomials_are_those_of_numpy() {
 
 #[test]
 fn velocity_fits_are_those_of_numpy() {
-    // v = np.r_[0, np.cumsum(0.5*dt*(a[1:] + a[:-1]))]; s = (t[f:] - t[f])/(t[-1] - t[f]);
-    // c = np.linalg.lstsq(np.stack([s**j for j in range(1, degree + 1)], 1), v[f:])[0]; the derivative
-    // sum(c_j j s**(j - 1))/(t[-1] - t[f]) taken off, half of it at f > 0; samples 0, f, 200, 399.
+    // v = np.r_[0, np.cumsum(0.5*dt*(a[1:] + a[:-1]))]; s = (t[f:] - t[f])/(t[-1] - t[f])
+    // c = np.linalg.lstsq(np.stack([s**j for j in range(1, degree + 1)], 1), v[f:])[0]
+    // The derivative sum(c_j j s**(j - 1))/(t[-1] - t[f]) is subtracted, half of it at f > 0;
+    // samples 0, f, 200, 399.
     for (degree, from, want) in [
         (2, 0, [-1.799633916258, -1.799633916258, -1.5002034839241718, 0.8992297962479872]),
         (3, 50, [-1.8, 0.29868804122380566, -1.4987131995432397, 0.8936571346079085]),
         (6, 0, [-1.7768535798117782, -1.7768535798117782, -1.5024957971357469, 0.8102243417274257]),
     ] {
         let baseline = Baseline::Graizer { degree, from_s: from as f64 * 0.02 };
-        // The powers of lstsq have a condition of 1e6 at degree 6: 1e-10 of velocities of 0.1 m/s over 8 s.
+        // The powers in lstsq have a condition of 1e6 at degree 6: 1e-10 of velocities of 0.1 m/s
+        // over 8 s.
         assert_samples(&corrected(&uneven(), baseline).unwrap(), [0, from, 200, 399], want, 1e-11);
     }
 }
 
 #[test]
 fn a_high_degree_on_a_long_record_keeps_its_digits() {
-    // x¹⁰ on 200 000 samples; its size is 1, and 14 digits are what the sums keep.
+    // x¹⁰ on 200 000 samples; its size is 1, and the sums keep 14 digits.
     let samples = 200_000;
     let accel = (0..samples).map(|k| place(k, samples).powi(10)).collect();
     let motion = Motion::new(0.005, accel).unwrap();
@@ -65,8 +68,8 @@ fn means_are_taken_off() {
 
 #[test]
 fn known_offsets_are_found_again() {
-    // A pulse that leaves no velocity, and offsets of 0.02 m/s² from 4 s and of −0.005 m/s² from 10 s on: the velocity
-    // after them is a straight line, so that both come out as they went in.
+    // A pulse without a final velocity, and offsets of 0.02 m/s² from 4 s and of −0.005 m/s² from
+    // 10 s on: the velocity after them is a straight line, so both are recovered.
     let (dt_s, samples) = (0.01, 4001);
     let clean: Vec<f64> = (0..samples)
         .map(|k| if (500..700).contains(&k) { (std::f64::consts::PI * (k - 500) as f64 / 100.0).sin() } else { 0.0 })
@@ -85,13 +88,14 @@ fn known_offsets_are_found_again() {
         // Sums of 4000 values of 1 m/s² over 6 s.
         assert!((got - want).abs() < 1e-13, "{got} {want}");
     }
-    // A drift of the velocity, 0.1 m/s · (s + s²/2 …) from 5 s on, is what Graizer's correction is for.
+    // Graizer's correction is made for a drift of the velocity, here 0.1 m/s · (s + s²/2 …) from
+    // 5 s on.
     let ramp = |k: usize| if k > 500 { 0.004 + 0.0003 * (k - 500) as f64 * dt_s } else { 0.0 };
     let accel = clean.iter().enumerate().map(|(k, _)| if k == 500 { 0.002 } else { ramp(k) }).collect();
     let drifting = Motion::new(dt_s, accel).unwrap();
     let rest = corrected(&drifting, Baseline::Graizer { degree: 2, from_s: 5.0 }).unwrap();
-    // At the first sample after the start the velocity is that of half an interval less: 0.002·dt off the parabola,
-    // which moves the fit by the share of one sample in 3500.
+    // At the first sample after the start the velocity is that of half an interval less: 0.002·dt
+    // below the parabola, which changes the fit by the share of one sample in 3500.
     assert!(rest.peak_m_s2() < 1e-6, "{:e}", rest.peak_m_s2());
 }
 

@@ -1,64 +1,65 @@
-//! Butterworth filters without a shift in time, and the pads that they need.
+//! Zero-phase Butterworth filters, and the pads that they need.
 
 use crate::motion::{MAX_SAMPLES, Motion, MotionError};
 use std::f64::consts::PI;
 use thiserror::Error;
 
-/// Highest order of a filter.
+/// The highest order of a filter.
 pub const MAX_ORDER: u32 = 10;
 
 /// Why a motion cannot be filtered.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FilterError {
-    /// The order is not one that filters have.
+    /// The order is out of range.
     #[error("the order of a filter must be 1 to {MAX_ORDER}, not {order}")]
     Order {
         /// The order that was given.
         order: u32,
     },
-    /// A corner that samples at this step cannot show.
+    /// A corner frequency that this time step cannot represent.
     #[error("a corner frequency must be above 0 and below {nyquist_hz} Hz, half the sampling rate, not {corner_hz} Hz")]
     Corner {
         /// The corner that was given.
         corner_hz: f64,
-        /// The Nyquist frequency 1/(2 dt).
+        /// The Nyquist frequency 1/(2 dt) \[Hz\].
         nyquist_hz: f64,
     },
-    /// Nothing lies between the corners.
+    /// There is nothing between the corners.
     #[error("the low cut of {low_cut_hz} Hz is not below the high cut of {high_cut_hz} Hz")]
     NoBand {
-        /// Lower corner.
+        /// Lower corner \[Hz\].
         low_cut_hz: f64,
-        /// Upper corner.
+        /// Upper corner \[Hz\].
         high_cut_hz: f64,
     },
-    /// The pads make the motion longer than motions may be.
+    /// The pads make the motion too long.
     #[error("with pads of {pad_s} s at both ends the motion has {samples:.0} samples, more than {MAX_SAMPLES}")]
     TooLong {
-        /// Length of one pad.
+        /// Length of one pad \[s\].
         pad_s: f64,
-        /// Samples with the pads.
+        /// Number of samples with the pads.
         samples: f64,
     },
-    /// The result is no motion.
+    /// The result is not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
 
-/// What passes.
+/// The frequencies that pass the filter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pass {
-    /// What is above a corner: drift is removed.
+    /// Above a corner: removes drift.
     High {
         /// The corner \[Hz\].
         low_cut_hz: f64,
     },
-    /// What is below a corner: noise is removed.
+    /// Below a corner: removes noise.
     Low {
         /// The corner \[Hz\].
         high_cut_hz: f64,
     },
-    /// What is between two corners: a high-pass and a low-pass filter, one after the other, as strong-motion agencies do.
+    /// Between two corners: a high-pass and a low-pass filter in sequence, as strong-motion
+    /// agencies do.
     Band {
         /// Lower corner \[Hz\].
         low_cut_hz: f64,
@@ -67,13 +68,13 @@ pub enum Pass {
     },
 }
 
-/// A motion that went through a filter.
+/// A filtered motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Filtered {
     /// The motion with its pads.
     pub motion: Motion,
-    /// Length of the pad before what was the first sample \[s\]: the motion starts that much earlier. The pad after the
-    /// last sample is as long.
+    /// Length of the pad before the original first sample \[s\]: the motion starts that much
+    /// earlier. The pad after the last sample has the same length.
     pub pad_s: f64,
 }
 
@@ -86,29 +87,32 @@ pub struct Section {
     pub denominator: [f64; 2],
 }
 
-/// The motion without what the filter stops, not shifted in time; the pads stay.
+/// The filtered motion, without a shift in time; the pads remain part of it.
 ///
-/// Each Butterworth filter of order n passes over the record forwards and backwards. The phase is zero and the gain that
-/// of two passes, `1/(1 + (f_c/f)²ⁿ)` for the high-pass filter (f and f_c warped by the bilinear transform): **one half
-/// at the corner**, not 1/√2.
+/// Each Butterworth filter of order n runs over the motion forwards and backwards. The phase is
+/// zero and the gain is that of two passes, `1/(1 + (f_c/f)²ⁿ)` for the high-pass filter (f and f_c
+/// warped by the bilinear transform): **one half at the corner**, not 1/√2.
 ///
-/// Zeros for 1.5 n/f_c, f_c the lower corner, stand before and after the record first, and stay: the filter answers before
-/// the first sample as it does after the last. Cut off, that answer would leave an offset in velocity and displacement.
-///
-/// # Limitation
-/// A record that does not start and end near zero meets its pads with a jump: remove its mean or baseline, and taper it.
+/// First, zeros for 1.5 n/f_c, with f_c the lower corner, are added before and after the motion,
+/// and they remain: the filter responds before the first sample as it does after the last one.
+/// Without that response, velocity and displacement would have an offset.
 ///
 /// # Reference
-/// Boore (2005), "On pads and filters: processing strong-motion data", BSSA 95, 745–750; Converse and Brady (1992) for the
-/// length of the pads; the bilinear transform as in Oppenheim and Schafer.
+/// Boore (2005), "On pads and filters: processing strong-motion data", BSSA 95, 745–750; Converse
+/// and Brady (1992) for the length of the pads; the bilinear transform as in Oppenheim and Schafer.
 ///
 /// # Accuracy
-/// As SciPy's `butter(…, output="sos")` and `sosfilt`: coefficients to 10⁻¹², series to 10⁻¹⁰ of their peak (corners down
-/// to 10⁻³ of the sampling rate; each tenfold lower corner costs two digits).
+/// Agrees with SciPy's `butter(…, output="sos")` and `sosfilt`: coefficients to 10⁻¹², series to
+/// 10⁻¹⁰ of their peak (corners down to 10⁻³ of the sampling rate; each tenfold lower corner costs
+/// two digits).
+///
+/// # Limitation
+/// A motion that does not start and end near zero meets its pads with a jump: remove its mean or
+/// baseline, and taper it.
 ///
 /// # Errors
-/// An order outside 1 to 10, a corner that is not between 0 and half the sampling rate, a lower corner not below the
-/// upper one, pads beyond [`MAX_SAMPLES`].
+/// An order outside 1 to 10, a corner that is not between 0 and half the sampling rate, a lower
+/// corner that is not below the upper one, or pads beyond [`MAX_SAMPLES`].
 ///
 /// # Example
 /// ```
@@ -128,7 +132,7 @@ pub fn filtered(motion: &Motion, pass: Pass, order: u32) -> Result<Filtered, Fil
         Pass::Band { low_cut_hz, high_cut_hz } => {
             let mut sections = high_pass_sections(low_cut_hz, order, dt_s)?;
             sections.extend(low_pass_sections(high_cut_hz, order, dt_s)?);
-            // Not `>=`: with both corners sound, neither is NaN.
+            // Not `>=`: both corners are valid here, so neither is NaN.
             if low_cut_hz >= high_cut_hz {
                 return Err(FilterError::NoBand { low_cut_hz, high_cut_hz });
             }
@@ -154,7 +158,8 @@ pub fn filtered(motion: &Motion, pass: Pass, order: u32) -> Result<Filtered, Fil
 }
 
 impl Section {
-    /// Replaces each value by what the section makes of it and those before it, from rest (transposed direct form II).
+    /// Replaces each value by the output of the section for it and the values before it, from rest
+    /// (transposed direct form II).
     fn run<'a>(&self, values: impl Iterator<Item = &'a mut f64>) {
         let ([b0, b1, b2], [a1, a2]) = (self.numerator, self.denominator);
         let (mut first, mut second) = (0.0, 0.0);
@@ -163,7 +168,8 @@ impl Section {
             let y = b0 * x + first;
             first = b1 * x - a1 * y + second;
             second = b2 * x - a2 * y;
-            // The tail after the last sample would crawl through numbers that processors are slow with.
+            // The tail after the last sample would decay through subnormal numbers, which are slow
+            // on many processors.
             *value = if y.abs() < f64::MIN_POSITIVE { 0.0 } else { y };
             if first.abs() < f64::MIN_POSITIVE {
                 first = 0.0;
@@ -175,10 +181,11 @@ impl Section {
     }
 }
 
-/// Sections of a Butterworth high-pass filter; an odd order has one of first order, with a zero at its end.
+/// Sections of a Butterworth high-pass filter; an odd order has one section of first order, whose
+/// last coefficients are zero.
 ///
 /// # Errors
-/// As [`filtered`].
+/// Those of [`filtered`].
 ///
 /// # Example
 /// ```
@@ -194,10 +201,11 @@ pub fn high_pass_sections(corner_hz: f64, order: u32, dt_s: f64) -> Result<Vec<S
     }))
 }
 
-/// Sections of a Butterworth low-pass filter; an odd order has one of first order, with a zero at its end.
+/// Sections of a Butterworth low-pass filter; an odd order has one section of first order, whose
+/// last coefficients are zero.
 ///
 /// # Errors
-/// As [`filtered`].
+/// Those of [`filtered`].
 ///
 /// # Example
 /// The gain at zero frequency is 1:
@@ -217,7 +225,8 @@ pub fn low_pass_sections(corner_hz: f64, order: u32, dt_s: f64) -> Result<Vec<Se
     }))
 }
 
-/// tan(π f_c dt): the analogue corner that the bilinear transform `s = (1 − z⁻¹)/(1 + z⁻¹)` takes to f_c.
+/// tan(π f_c dt): the analogue corner that the bilinear transform `s = (1 − z⁻¹)/(1 + z⁻¹)` maps to
+/// f_c.
 fn warped(corner_hz: f64, order: u32, dt_s: f64) -> Result<f64, FilterError> {
     if !(1..=MAX_ORDER).contains(&order) {
         return Err(FilterError::Order { order });
@@ -229,7 +238,8 @@ fn warped(corner_hz: f64, order: u32, dt_s: f64) -> Result<f64, FilterError> {
     Ok((PI * corner_hz * dt_s).tan())
 }
 
-/// Analogue poles k·e^(±i(π/2 + φ)), φ = π (2j + 1)/(2n): `s² + 2k sin φ s + k²` for a pair, `s + k` for the real one.
+/// Analogue poles k·e^(±i(π/2 + φ)), φ = π (2j + 1)/(2n): `s² + 2k sin φ s + k²` for a pair,
+/// `s + k` for the real one.
 fn sections(order: u32, k: f64, numerator: impl Fn(u32) -> [f64; 3]) -> Vec<Section> {
     let mut list = Vec::new();
     if order % 2 == 1 {

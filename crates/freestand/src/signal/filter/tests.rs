@@ -10,8 +10,9 @@ fn response(sections: &[Section], hz: f64, dt_s: f64) -> Complex<f64> {
     sections.iter().map(gain).product()
 }
 
-/// scipy 1.17.1: `sosfreqz(butter(order, corner, kind, fs=1/dt, output="sos"), worN=[hz], fs=1/dt)`, at half the corner,
-/// the corner and 1.3 times the corner (1.2 for the low-pass ones).
+/// scipy 1.17.1:
+/// `sosfreqz(butter(order, corner, kind, fs=1/dt, output="sos"), worN=[hz], fs=1/dt)`,
+/// at half the corner, the corner and 1.3 times the corner (1.2 for low-pass filters).
 #[test]
 fn frequency_responses_are_those_of_scipy() {
     type Case = (u32, f64, bool, f64, [(f64, f64); 3]);
@@ -96,7 +97,8 @@ fn frequency_responses_are_those_of_scipy() {
         let ratios = [0.5, 1.0, if is_high { 1.3 } else { 1.2 }];
         for (ratio, (re, im)) in ratios.into_iter().zip(want) {
             let got = response(&sections, ratio * corner_hz, dt_s);
-            // The coefficients of both sides are rounded to ε; near z = 1 they cancel to the square of the corner.
+            // The coefficients of both sides are rounded to ε; near z = 1 they cancel to the square
+            // of the corner.
             let k = (PI * corner_hz * dt_s).tan().min(1.0);
             let tolerance = 1e-13 + 2.0 * f64::from(order) * f64::EPSILON / (k * k);
             assert!((got - Complex::new(re, im)).norm() < tolerance, "{order} {corner_hz} {ratio}: {got}");
@@ -108,7 +110,7 @@ fn frequency_responses_are_those_of_scipy() {
 fn coefficients_are_those_of_scipy() {
     // scipy 1.17.1: butter(order, corner, kind, fs=100, output="sos")
     let near = |got: &[f64], want: &[f64]| {
-        // Each is a handful of operations of size 2.
+        // Each is the result of a few operations of size 2.
         assert!(got.iter().zip(want).all(|(a, b)| (a - b).abs() < 1e-14), "{got:?} {want:?}");
     };
     let low = low_pass_sections(5.0, 2, 0.01).unwrap();
@@ -120,7 +122,7 @@ fn coefficients_are_those_of_scipy() {
     let third = low_pass_sections(5.0, 3, 0.01).unwrap();
     near(&third[0].denominator, &[-0.726542528005361, 0.0]);
     near(&third[1].denominator, &[-1.647552215703991, 0.7323389172728038]);
-    // SciPy puts the gain of all sections into its first.
+    // SciPy puts the gain of all sections into the first one.
     near(&[third[0].numerator[0] * third[1].numerator[0]], &[0.00289819463372143]);
     let fourth = high_pass_sections(0.5, 4, 0.01).unwrap();
     near(&fourth[1].denominator, &[-1.9426382305401135, 0.9435972784703671]);
@@ -132,7 +134,8 @@ fn coefficients_are_those_of_scipy() {
 /// ```python
 /// k = np.arange(400); x = ((k*k % 37) - 18.0)*0.1; dt = 0.02
 /// y = np.r_[np.zeros(pad), x, np.zeros(pad)]                      # pad = 1.5 n/fc/dt
-/// sos = np.vstack([butter(n, low, "high", fs=50, output="sos"), butter(n, high, "low", fs=50, output="sos")])
+/// sos = np.vstack([butter(n, low, "high", fs=50, output="sos"),
+///                  butter(n, high, "low", fs=50, output="sos")])
 /// y = sosfilt(sos, sosfilt(sos, y)[::-1])[::-1]
 /// ```
 #[test]
@@ -208,7 +211,8 @@ fn filtered_series_are_those_of_scipy() {
         assert_eq!((accel.len(), pad_s), (400 + 2 * pad, pad as f64 * 0.02));
         let at = [0, pad / 2, pad, pad + 1, pad + 200, pad + 399, pad + 400, accel.len() - 1];
         for (index, want) in at.into_iter().zip(want) {
-            // Round-off of both sides, magnified by the square of the warped corner: ε/(π·0.1·0.02)² = 6e-12.
+            // Rounding on both sides, magnified by the square of the warped corner:
+            // ε/(π·0.1·0.02)² = 6e-12.
             assert!((accel[index] - want).abs() < 1e-10, "{pass:?} {index}: {} {want}", accel[index]);
         }
     }
@@ -216,7 +220,8 @@ fn filtered_series_are_those_of_scipy() {
 
 #[test]
 fn a_sine_passes_or_not_and_is_not_shifted() {
-    // Far from its ends a sine comes out times |H|² = 1/(1 + (f_c/f)^2n), with warped frequencies, and in phase.
+    // Far from the ends a sine is multiplied by |H|² = 1/(1 + (f_c/f)^2n), with warped frequencies,
+    // and stays in phase.
     let (dt_s, hz) = (0.01, 2.0);
     let sine = |k: usize| (std::f64::consts::TAU * hz * dt_s * k as f64).sin();
     let motion = Motion::new(dt_s, (0..20_000).map(sine).collect()).unwrap();
@@ -230,7 +235,8 @@ fn a_sine_passes_or_not_and_is_not_shifted() {
         let out = filtered(&motion, pass, order).unwrap();
         let pad = (out.pad_s / dt_s).round() as usize;
         for k in 9900..10_100 {
-            // 100 s from the ends the transient is e^(−100·2π·2·0.38) = 0; 1e-16 per step of 1/(warped corner)².
+            // 100 s from the ends the transient is e^(−100·2π·2·0.38) = 0; 1e-16 per step of
+            // 1/(warped corner)².
             assert!((out.motion.accel_m_s2()[pad + k] - gain * sine(k)).abs() < 1e-11, "{pass:?} {k}");
         }
     }
@@ -238,14 +244,16 @@ fn a_sine_passes_or_not_and_is_not_shifted() {
 
 #[test]
 fn the_kept_pads_leave_velocity_and_displacement_at_rest() {
-    // The pulse alone ends with a velocity of 0.1 m/s; the high-pass filter has no gain at zero frequency.
+    // The pulse alone ends with a velocity of 0.1 m/s; the high-pass filter has no gain at zero
+    // frequency.
     let mut accel = vec![0.0; 400];
     accel[100..110].fill(1.0);
     let out = filtered(&Motion::new(0.01, accel).unwrap(), Pass::High { low_cut_hz: 0.5 }, 4).unwrap().motion;
     let velocity = crate::measures::cumulative_trapezoid(0.01, out.accel_m_s2());
     let displacement = crate::measures::cumulative_trapezoid(0.01, &velocity);
     let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
-    // After 12 s of the slowest pole, e^(−π·12·0.38) = 6e-7 is left; the displacement has two more integrals of it.
+    // After 12 s of the slowest pole, e^(−π·12·0.38) = 6e-7 is left; the displacement contains two
+    // more integrals of it.
     assert!(velocity.last().unwrap().abs() < 1e-5 * peak(&velocity));
     assert!(displacement.last().unwrap().abs() < 1e-4 * peak(&displacement));
 }

@@ -1,4 +1,4 @@
-//! Another time step, by band-limited (sinc) interpolation.
+//! Resampling to another time step, by band-limited (sinc) interpolation.
 
 use crate::motion::{MAX_SAMPLES, Motion, MotionError};
 use rustfft::FftPlannerScalar;
@@ -11,55 +11,57 @@ pub enum ResampleError {
     /// The new step is not positive and finite, or longer than the motion.
     #[error("the new time step must be positive and no longer than the motion ({duration_s} s), not {dt_s} s")]
     Step {
-        /// The step that was asked for.
+        /// The time step that was requested \[s\].
         dt_s: f64,
-        /// Length of the motion.
+        /// Length of the motion \[s\].
         duration_s: f64,
     },
-    /// The steps are in no simple ratio.
-    #[error("the steps {from_s} s and {to_s} s are in no ratio of whole numbers up to {MAX_TERM}")]
+    /// The ratio of the two time steps is not simple enough.
+    #[error("the ratio of the time steps {from_s} s and {to_s} s is not a ratio of whole numbers up to {MAX_TERM}")]
     Ratio {
-        /// The motion's step.
+        /// The time step of the motion \[s\].
         from_s: f64,
-        /// The step that was asked for.
+        /// The time step that was requested \[s\].
         to_s: f64,
     },
-    /// More samples than the transform takes.
-    #[error("{samples:.0} samples are more than resampling takes ({MAX_LENGTH})")]
+    /// More samples than [`MAX_LENGTH`].
+    #[error("{samples:.0} samples exceed the {MAX_LENGTH} that resampling can process")]
     TooLong {
-        /// Samples that it would take.
+        /// Number of samples.
         samples: f64,
     },
-    /// The result is no motion.
+    /// The result is not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
 
-/// Largest whole number in the ratio of two steps.
+/// The largest whole number in the ratio of two time steps.
 const MAX_TERM: u64 = 10_000;
-/// Most samples that a motion is resampled to, on the way or in the end: with its work space a transform takes 32 bytes a
-/// value.
+/// The largest number of samples of a resampled motion, also in intermediate steps: with its work
+/// space a transform needs 32 bytes per value.
 pub const MAX_LENGTH: usize = MAX_SAMPLES / 4;
 /// Samples of each end that are mirrored beyond it.
 const MIRRORED: usize = 1000;
 
-/// The same motion with `factor` samples in place of each: the band-limited curve through its samples; 0 and 1 change
-/// nothing.
+/// The motion with `factor` samples in place of each, on the band-limited curve through its
+/// samples; factors of 0 and 1 change nothing.
 ///
-/// `a(t) = Σ aₖ sinc((t − tₖ)/dt)`. A motion is by definition linear between its samples ([`Motion::upsampled`]); a
-/// digitised record was not. The straight lines cut its short periods: a response at T < 10 dt needs this curve.
+/// `a(t) = Σ aₖ sinc((t − tₖ)/dt)`. A motion is by definition linear between its samples
+/// ([`Motion::upsampled`]), but a digitised record was not. Straight lines reduce its short
+/// periods: a response at T < 10 dt needs this curve.
 ///
 /// # Ends
-/// The sum needs samples beyond the ends. Each end is continued by up to 1000 of its neighbours, mirrored through the
-/// end point (value and slope go on) and faded smoothly to zero. A record that starts or ends with a jump so does
-/// not ring inside; the first and last few samples are those of a curve that goes on smoothly.
-///
-/// # Accuracy
-/// The motion's own samples stay to the bit. A motion without content above its Nyquist frequency, at rest at both ends,
-/// comes back to 10⁻¹² of its peak.
+/// The sum needs samples beyond the ends. Each end is extended by up to 1000 of its neighbours,
+/// mirrored through the end point (value and slope continue) and faded smoothly to zero. A record
+/// that starts or ends with a jump therefore does not ring inside; the first and last few samples
+/// are those of a curve that continues smoothly.
 ///
 /// # Reference
 /// Shannon (1949), Proc. IRE 37.
+///
+/// # Accuracy
+/// The motion's own samples keep every bit. A motion without content above its Nyquist frequency,
+/// at rest at both ends, is recovered to 10⁻¹² of its peak.
 ///
 /// # Errors
 /// More than 25 million samples.
@@ -71,7 +73,7 @@ const MIRRORED: usize = 1000;
 /// let coarse = Motion::new(0.1, (0..=40).map(|k| hump(0.1 * f64::from(k))).collect())?;
 /// let fine = upsampled_sinc(&coarse, 4)?;
 /// assert_eq!((fine.dt_s(), fine.accel_m_s2().len()), (0.025, 161));
-/// assert!((fine.accel_m_s2()[81] - hump(2.025)).abs() < 1e-8); // the straight line is off by 0.03 here
+/// assert!((fine.accel_m_s2()[81] - hump(2.025)).abs() < 1e-8); // the straight line is wrong by 0.03 here
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn upsampled_sinc(motion: &Motion, factor: usize) -> Result<Motion, ResampleError> {
@@ -83,32 +85,34 @@ pub fn upsampled_sinc(motion: &Motion, factor: usize) -> Result<Motion, Resample
     interpolated(motion, motion.dt_s() / factor as f64, Ratio { up: factor, down: 1 }, samples)
 }
 
-/// The same motion at another time step, finer or coarser: the band-limited curve through its samples at multiples of
-/// `dt_s` \[s\] from t = 0 to the last one within the motion.
+/// The motion at another time step, finer or coarser: the band-limited curve through its samples at
+/// multiples of `dt_s` \[s\] from t = 0 to the last one within the motion.
 ///
-/// At a coarser step all above the new Nyquist frequency 1/(2 `dt_s`) is removed first, so that nothing is aliased.
+/// Before a change to a coarser step, everything above the new Nyquist frequency 1/(2 `dt_s`) is
+/// removed, so that nothing is aliased.
 ///
 /// # Ends, accuracy, reference
-/// As [`upsampled_sinc`]. Where the step becomes coarser, what is left out rings at the new Nyquist frequency beside sharp
-/// peaks: it is a low-pass filter with a vertical flank.
+/// Those of [`upsampled_sinc`]. At a coarser step the result rings at the new Nyquist frequency
+/// next to sharp peaks, as after any low-pass filter with a vertical flank.
 ///
 /// # Errors
-/// A step that is not positive or longer than the motion, steps whose ratio is none of whole numbers up to 10 000 (to
-/// 10⁻⁹), more than 25 million samples on the way.
+/// A step that is not positive or is longer than the motion, steps whose ratio is not one of whole
+/// numbers up to 10 000 (to 10⁻⁹), or more than 25 million samples in an intermediate step.
 ///
 /// # Example
 /// ```
 /// use freestand::{motion::Motion, signal::resample::resampled};
 /// let hump = |t: f64| (-0.5 * (t - 2.0).powi(2) / 0.04).exp();
 /// let motion = Motion::new(0.05, (0..=80).map(|k| hump(0.05 * f64::from(k))).collect())?;
-/// let other = resampled(&motion, 0.08)?; // 12.5 Hz hold this hump, but for 2e-10 of it
+/// let other = resampled(&motion, 0.08)?; // 12.5 Hz contain this hump except for 2e-10 of it
 /// assert_eq!((other.dt_s(), other.accel_m_s2().len()), (0.08, 51));
 /// assert!((other.accel_m_s2()[24] - hump(1.92)).abs() < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn resampled(motion: &Motion, dt_s: f64) -> Result<Motion, ResampleError> {
     let duration_s = motion.duration_s();
-    // A hair for a duration that is a whole number of steps but for its last bit.
+    // The tiny factor allows for a duration that is a whole number of steps except for its last
+    // bit.
     let last = (duration_s / dt_s * (1.0 + 4.0 * f64::EPSILON)).floor();
     if !(dt_s > 0.0 && dt_s.is_finite() && last >= 1.0) {
         return Err(ResampleError::Step { dt_s, duration_s });
@@ -121,7 +125,7 @@ pub fn resampled(motion: &Motion, dt_s: f64) -> Result<Motion, ResampleError> {
     interpolated(motion, dt_s, ratio, samples)
 }
 
-/// `up` new steps are `down` old ones.
+/// `up` new steps have the length of `down` old ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Ratio {
     up: u64,
@@ -133,7 +137,7 @@ impl Ratio {
     fn near(value: f64) -> Option<Self> {
         let (mut before, mut now) = ((0u64, 1u64), (1u64, 0u64));
         let mut rest = value;
-        // Each convergent at least doubles every second denominator: 40 pass 10 000 by far.
+        // Each convergent at least doubles every second denominator: 40 go far beyond 10 000.
         for _ in 0..40 {
             let whole = rest.floor();
             if !(0.0..=MAX_TERM as f64).contains(&whole) {
@@ -153,7 +157,8 @@ impl Ratio {
     }
 }
 
-/// `samples` of the band-limited curve every `dt_s`, by transforms whose lengths span the same time.
+/// `samples` of the band-limited curve at intervals of `dt_s`, by transforms whose lengths span the
+/// same time.
 fn interpolated(motion: &Motion, dt_s: f64, ratio: Ratio, samples: f64) -> Result<Motion, ResampleError> {
     let accel = motion.accel_m_s2();
     let mirrored = MIRRORED.min(accel.len() - 1);
@@ -180,8 +185,8 @@ fn interpolated(motion: &Motion, dt_s: f64, ratio: Ratio, samples: f64) -> Resul
     Ok(Motion::new(dt_s, result)?)
 }
 
-/// The samples, the continuation of their end after them and that of their start at the end of `length`, which is before
-/// index 0 of a periodic series.
+/// The samples, followed by the extension of their end, with the extension of their start at the
+/// end of `length`, which precedes index 0 of a periodic series.
 fn continued(accel: &[f64], mirrored: usize, length: usize) -> Vec<Complex<f64>> {
     let mut values = vec![Complex::default(); length];
     for (value, accel) in values.iter_mut().zip(accel) {
@@ -196,12 +201,14 @@ fn continued(accel: &[f64], mirrored: usize, length: usize) -> Vec<Complex<f64>>
     values
 }
 
-/// From 1 at x = 0 to 0 at x = 1, with all its derivatives zero at both: it adds no frequencies that matter.
+/// From 1 at x = 0 to 0 at x = 1, with all its derivatives zero at both ends: it adds no relevant
+/// frequencies.
 fn fade(x: f64) -> f64 {
     1.0 / (1.0 + (1.0 / (1.0 - x) - 1.0 / x).exp())
 }
 
-/// The transform of `length` values that spans the same time: frequencies are added with nothing in them, or left out.
+/// The transform of `length` values that spans the same time: empty frequencies are added, or
+/// frequencies are left out.
 fn respaced(spectrum: &[Complex<f64>], length: usize) -> Vec<Complex<f64>> {
     let old = spectrum.len();
     let shorter = old.min(length);
@@ -210,7 +217,8 @@ fn respaced(spectrum: &[Complex<f64>], length: usize) -> Vec<Complex<f64>> {
     values[..positive].copy_from_slice(&spectrum[..positive]);
     let negative = (shorter - 1) / 2;
     values[length - negative..].copy_from_slice(&spectrum[old - negative..]);
-    // The Nyquist frequency of the shorter one is one value there and a pair in the longer one.
+    // The Nyquist frequency of the shorter one is a single value there and a pair in the longer
+    // one.
     if shorter.is_multiple_of(2) {
         let half = shorter / 2;
         if length > old {
@@ -225,7 +233,8 @@ fn respaced(spectrum: &[Complex<f64>], length: usize) -> Vec<Complex<f64>> {
     values
 }
 
-/// The smallest number of at least `least` that has no prime factor above 5: a transform of such a length is quick.
+/// The smallest number of at least `least` without a prime factor above 5: a transform of that
+/// length is fast.
 fn smooth_length(least: f64) -> f64 {
     let mut best = f64::INFINITY;
     let mut five = 1.0;

@@ -1,8 +1,9 @@
 use super::*;
 use std::f64::consts::TAU;
 
-/// A wave of 4 Hz in a bell of 0.3 s around t = 5 s: nothing above 7.5 Hz but e^(−½ (3.5·2π·0.3)²) = 4e-10 of it, and
-/// nothing above 12 Hz but 1e-49; e^(−½ (5/0.3)²) = 1e-60 is left of it at 0 and 10 s.
+/// A wave of 4 Hz in a bell of 0.3 s around t = 5 s: above 7.5 Hz it contains only e^(−½
+/// (3.5·2π·0.3)²) = 4e-10 of itself, and above 12 Hz 1e-49; e^(−½ (5/0.3)²) = 1e-60 is left of it
+/// at 0 and 10 s.
 fn wavelet(t: f64) -> f64 {
     let x = (t - 5.0) / 0.3;
     (-0.5 * x * x).exp() * (TAU * 4.0 * t + 0.7).cos()
@@ -20,7 +21,8 @@ fn worst(motion: &Motion) -> f64 {
 
 #[test]
 fn a_band_limited_motion_comes_back() {
-    // 25 and 20 Hz of Nyquist hold it; round-off of two transforms is a few ε times log₂ of their length.
+    // Nyquist frequencies of 25 and 20 Hz contain it; the rounding of two transforms is a few ε
+    // times log₂ of their length.
     for (from_s, to_s) in [
         (0.02, 0.01),
         (0.02, 0.005),
@@ -43,13 +45,14 @@ fn a_band_limited_motion_comes_back() {
 
 #[test]
 fn what_is_above_the_new_nyquist_frequency_is_left_out_and_not_aliased() {
-    // 30 Hz in a bell of 0.3 s, to 25 samples a second: without the filter 5 Hz of full size would come.
+    // 30 Hz in a bell of 0.3 s, resampled to 25 samples per second: without the filter a wave of
+    // 5 Hz would appear at full size.
     let dt_s = 0.005;
     let fast = |t: f64| (-0.5 * ((t - 5.0) / 0.3).powi(2)).exp() * (TAU * 30.0 * t).cos();
     let samples: Vec<f64> = (0..=2000).map(|k| fast(f64::from(k) * dt_s) + wavelet(f64::from(k) * dt_s)).collect();
     let motion = resampled(&Motion::new(dt_s, samples).unwrap(), 0.04).unwrap();
-    // What the bell leaves of 4 Hz above 12.5 Hz, and of 30 Hz below it: e^(−½ (8.5·2π·0.3)²) = 1e-56 and less.
-    // The mirrored half of the bell is cut by the fade, which lets 2e-13 of 30 Hz through.
+    // The bell leaves e^(−½ (8.5·2π·0.3)²) = 1e-56 and less of 4 Hz above 12.5 Hz, and of 30 Hz
+    // below it. The fade cuts the mirrored half of the bell, which lets 2e-13 of 30 Hz through.
     assert!(worst(&motion) < 1e-12, "{:e}", worst(&motion));
 }
 
@@ -67,8 +70,9 @@ fn own_samples_stay_to_the_bit() {
 
 #[test]
 fn a_jump_at_an_end_does_not_ring() {
-    // A constant and a ramp have the jump of the whole value before and after them; zeros beyond would make it overshoot
-    // by 9 % inside. Mirrored, they go on smoothly: what is left is the round-off and the fade, 1000 samples long.
+    // With zeros beyond the ends, a constant and a ramp would jump by their whole value, and
+    // overshoot by 9 % inside. Mirrored, they continue smoothly; what remains is rounding and the
+    // fade, 1000 samples long.
     let constant = upsampled_sinc(&Motion::new(0.01, vec![2.0; 2000]).unwrap(), 5).unwrap();
     let ramp: Vec<f64> = (0..2000).map(|k| 1.0 - 0.001 * f64::from(k)).collect();
     let ramp = upsampled_sinc(&Motion::new(0.01, ramp).unwrap(), 5).unwrap();
@@ -80,7 +84,8 @@ fn a_jump_at_an_end_does_not_ring() {
 
 #[test]
 fn transforms_are_respaced_as_scipy_does() {
-    // scipy 1.17.1: scipy.signal.resample([1, 2, -1, 0.5, 3, -2][:from], to).tolist(), rounded to 15 digits.
+    // scipy 1.17.1: scipy.signal.resample([1, 2, -1, 0.5, 3, -2][:from], to).tolist(),
+    // rounded to 15 digits.
     let cases: [(usize, &[f64]); 6] = [
         (
             6,
@@ -179,14 +184,14 @@ fn steps_that_cannot_be_are_refused() {
     for factor in [30_000, usize::MAX] {
         assert!(matches!(upsampled_sinc(&motion, factor), Err(ResampleError::TooLong { .. })));
     }
-    // Two samples are a motion, and the shortest that has a curve.
+    // Two samples make a motion, the shortest one that has a curve.
     let shortest = Motion::new(1.0, vec![0.0, 1.0]).unwrap();
     assert_eq!(upsampled_sinc(&shortest, 2).unwrap().accel_m_s2().len(), 3);
     assert_eq!(resampled(&shortest, 1.0).unwrap(), shortest);
 }
 
-/// A transform that the processor chooses sums in another order, and the last bits of a motion
-/// would depend on the machine.
+/// A transform chosen for the processor sums in another order, and the last bits of a motion would
+/// depend on the machine.
 #[test]
 fn the_same_bits_with_and_without_vector_units() {
     assert!(rustfft::FftPlannerAvx::<f64>::new().is_err(), "rustfft was built with vector units");

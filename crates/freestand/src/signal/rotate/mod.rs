@@ -6,70 +6,69 @@ use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use thiserror::Error;
 
-/// Why two components cannot be taken together.
+/// Why two components cannot be combined.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RotateError {
-    /// Their steps differ.
+    /// Their time steps differ.
     #[error("the components have different time steps, {first_s} s and {second_s} s")]
     Steps {
-        /// Step of the first.
+        /// Time step of the first component \[s\].
         first_s: f64,
-        /// Step of the second.
+        /// Time step of the second component \[s\].
         second_s: f64,
     },
     /// Their numbers of samples differ.
     #[error("the components have different numbers of samples, {first} and {second}")]
     Lengths {
-        /// Samples of the first.
+        /// Samples of the first component.
         first: usize,
-        /// Samples of the second.
+        /// Samples of the second component.
         second: usize,
     },
     /// They point in nearly the same direction.
-    #[error(
-        "components at {first_deg} and {second_deg} degrees are too close to parallel to tell a direction between them"
-    )]
+    #[error("components at {first_deg} and {second_deg} degrees are too close to parallel for a rotation")]
     Parallel {
-        /// Azimuth of the first \[degrees\].
+        /// Azimuth of the first component \[degrees\].
         first_deg: f64,
-        /// Azimuth of the second \[degrees\].
+        /// Azimuth of the second component \[degrees\].
         second_deg: f64,
     },
-    /// An azimuth is no number.
+    /// An azimuth that is not finite.
     #[error("an azimuth must be a finite number of degrees, not {azimuth_deg}")]
     Azimuth {
-        /// What was given.
+        /// The azimuth that was given \[degrees\].
         azimuth_deg: f64,
     },
-    /// A percentile that is none.
+    /// A percentile outside 0 to 100.
     #[error("a percentile must be from 0 to 100, not {percentile}")]
     Percentile {
-        /// What was given.
+        /// The percentile that was given.
         percentile: f64,
     },
-    /// Damping or a period.
+    /// Invalid damping, or an invalid period.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
-    /// The result is no motion.
+    /// The result is not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
 
-/// Two horizontal components of one motion: same step, same number of samples.
+/// Two horizontal components of one motion, with the same time step and number of samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair<'m> {
     first: &'m Motion,
     second: &'m Motion,
 }
 
-/// Below this |sin| of the angle between them, an error of one component counts more than twice in the rotated one.
-const LEAST_SINE: f64 = 0.5;
+/// Below this |sin| of the angle between them, an error of one component counts more than double in
+/// the rotated one.
+const MIN_SINE: f64 = 0.5;
 
 impl<'m> Pair<'m> {
-    /// The two components.
+    /// A pair of the two components.
     ///
     /// # Errors
-    /// Different steps (by more than 10⁻⁹) or different numbers of samples.
+    /// Different time steps (by more than 10⁻⁹) or different numbers of samples.
     pub fn new(first: &'m Motion, second: &'m Motion) -> Result<Self, RotateError> {
         let (first_s, second_s) = (first.dt_s(), second.dt_s());
         if (first_s - second_s).abs() > 1e-9 * first_s {
@@ -82,14 +81,14 @@ impl<'m> Pair<'m> {
         Ok(Self { first, second })
     }
 
-    /// The component at `azimuth_deg`, where the two point to `first_deg` and `second_deg`; all of them clockwise from
-    /// north, or all from any other direction.
+    /// The component at `azimuth_deg`, where the two components point to `first_deg` and
+    /// `second_deg`; all angles clockwise from north, or all from any other direction.
     ///
-    /// `a(θ) = [a₁ sin(φ₂ − θ) + a₂ sin(θ − φ₁)]/sin(φ₂ − φ₁)`, which is `a₁ cos(θ − φ₁) + a₂ sin(θ − φ₁)` for components
-    /// a right angle apart.
+    /// `a(θ) = [a₁ sin(φ₂ − θ) + a₂ sin(θ − φ₁)]/sin(φ₂ − φ₁)`, which is
+    /// `a₁ cos(θ − φ₁) + a₂ sin(θ − φ₁)` for perpendicular components.
     ///
     /// # Errors
-    /// An azimuth that is not finite, components within 30 degrees of parallel.
+    /// An azimuth that is not finite, or components within 30 degrees of parallel.
     ///
     /// # Example
     /// ```
@@ -106,7 +105,7 @@ impl<'m> Pair<'m> {
             }
         }
         let between = sine_deg(second_deg - first_deg);
-        if between.abs() < LEAST_SINE {
+        if between.abs() < MIN_SINE {
             return Err(RotateError::Parallel { first_deg, second_deg });
         }
         let of_first = sine_deg(second_deg - azimuth_deg) / between;
@@ -116,7 +115,8 @@ impl<'m> Pair<'m> {
     }
 }
 
-/// Sine of an angle in degrees, exact at multiples of 90: a component rotated to its own azimuth is itself, to the bit.
+/// Sine of an angle in degrees, exact at multiples of 90: a component rotated to its own azimuth
+/// does not change, to the bit.
 fn sine_deg(angle_deg: f64) -> f64 {
     let angle = angle_deg.rem_euclid(360.0);
     match angle {
@@ -129,12 +129,13 @@ fn sine_deg(angle_deg: f64) -> f64 {
 
 /// Response spectra of a pair of components over all horizontal directions.
 ///
-/// **Units** and shapes: pseudo-accelerations in m/s², one value for each period, in the order asked for.
+/// **Units** and shapes: pseudo-accelerations in m/s², one value for each period, in the order of
+/// the request.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DirectionalSpectrum {
     /// Undamped periods \[s\].
     pub periods_s: Vec<f64>,
-    /// RotDnn, one spectrum for each percentile nn asked for.
+    /// RotDnn, one spectrum for each requested percentile nn.
     pub rotd_m_s2: Vec<Vec<f64>>,
     /// Pseudo-acceleration of the first component.
     pub first_m_s2: Vec<f64>,
@@ -146,26 +147,33 @@ pub struct DirectionalSpectrum {
     pub geometric_mean_m_s2: Vec<f64>,
 }
 
-/// Directions over which RotDnn ranks, one degree apart: half a circle, because the response to −a is that to a.
+/// Directions over which RotDnn ranks, one degree apart: half a circle, because −a and a have the
+/// same response.
 pub const DIRECTIONS: usize = 180;
 
-/// Pseudo-spectral accelerations over all horizontal directions: RotDnn for each of `percentiles` (50 is the median, 100
-/// the largest direction), and those of the two components themselves.
+/// Pseudo-accelerations over all horizontal directions: RotDnn for each of `percentiles` (50 is the
+/// median, 100 the direction with the largest response), and those of the two components
+/// themselves.
 ///
-/// For θ = 0, 1 … 179 degrees, `PSA(θ) = ω² max|u₁ cos θ + u₂ sin θ|` with the displacements u₁, u₂ of the oscillator
-/// under each component (the response is linear, so they are computed once); nn is the percentile over θ, interpolated
-/// linearly between ranks. At T = 0 the accelerations themselves take the place of ω²u.
+/// For θ = 0, 1 … 179 degrees, `PSA(θ) = ω² max|u₁ cos θ + u₂ sin θ|` with the displacements u₁, u₂
+/// of the oscillator under each component (the response is linear, so they are calculated once); nn
+/// is the percentile over θ, interpolated linearly between ranks. At T = 0 the accelerations
+/// themselves replace ω²u.
 ///
 /// # Reference
-/// Boore (2010), "Orientation-independent, nongeometric-mean measures of seismic intensity from two horizontal components
-/// of motion", BSSA 100, 1830–1835. Boore takes the components as perpendicular, and so does this.
+/// Boore (2010), "Orientation-independent, nongeometric-mean measures of seismic intensity from two
+/// horizontal components of motion", BSSA 100, 1830–1835. Boore assumes perpendicular components,
+/// and so does this function.
+///
+/// # Accuracy
+/// The largest of 180 directions is at most 1/cos 0.5° = 4·10⁻⁵ below that of all.
 ///
 /// # Limitation
-/// Peaks at the samples, within the record, as in [`response_spectrum`](crate::oscillator::response_spectrum). The largest
-/// of 180 directions is at most 1/cos 0.5° = 4·10⁻⁵ below that of all.
+/// Peaks are those at the samples, as in
+/// [`response_spectrum`](crate::oscillator::response_spectrum).
 ///
 /// # Errors
-/// A percentile outside 0 to 100, damping outside 0 ≤ ζ < 1, a negative or non-finite period.
+/// A percentile outside 0 to 100, damping outside 0 ≤ ζ < 1, or a negative or non-finite period.
 ///
 /// # Example
 /// ```
@@ -235,8 +243,9 @@ fn response_points(
 
 /// max|u₁ cos θ + u₂ sin θ| for θ = 0, 1 … 179 degrees.
 ///
-/// Exact, though few points are looked at in every direction: the peaks of a few of them are lower bounds for all
-/// directions, and a point nearer to the origin than the smallest bound is the peak of none.
+/// Exact, although only a few points are evaluated in every direction: the peaks of a few of them
+/// are lower bounds for all directions, and a point closer to the origin than the smallest bound is
+/// never the peak.
 fn peaks_by_direction(points: &[(f64, f64)]) -> Vec<f64> {
     const FIRST_LOOK: usize = 15;
     let directions: Vec<(f64, f64)> = (0..DIRECTIONS).map(direction).collect();
@@ -248,7 +257,7 @@ fn peaks_by_direction(points: &[(f64, f64)]) -> Vec<f64> {
         directions.iter().step_by(FIRST_LOOK).filter_map(|&towards| farthest(points, towards)).collect();
     let bound = |towards: (f64, f64)| corners.iter().map(|&corner| reach(corner, towards)).fold(0.0, f64::max);
     let least = directions.iter().map(|&towards| bound(towards)).fold(f64::INFINITY, f64::min);
-    // A hair for the rounding of |u| against that of its parts.
+    // The tiny factor allows for the rounding of |u| relative to that of its components.
     let near = (least * (1.0 - 1e-12)).powi(2);
     let far: Vec<(f64, f64)> = points.iter().copied().filter(|(x, y)| x * x + y * y >= near).collect();
     let peak = |&towards: &(f64, f64)| far.iter().map(|&point| reach(point, towards)).fold(0.0, f64::max);
@@ -267,7 +276,8 @@ fn direction(degrees: usize) -> (f64, f64) {
     }
 }
 
-/// The percentile of sorted values, linear between ranks (Hyndman and Fan's type 7, as NumPy has it).
+/// The percentile of sorted values, linear between ranks (Hyndman and Fan's type 7, the default of
+/// NumPy).
 fn percentile(sorted: &[f64], percentile: f64) -> f64 {
     let rank = percentile / 100.0 * (sorted.len() - 1) as f64;
     let below = (rank.floor() as usize).min(sorted.len() - 1);

@@ -1,6 +1,7 @@
 use super::*;
 
-/// `k = np.arange(400); a = ((k*k % 37) - 18.0)*0.1; b = ((k*k % 41) - 20.0)*0.07 + 0.3*np.sin(0.05*k); dt = 0.02`
+/// `k = np.arange(400); a = ((k*k % 37) - 18.0)*0.1; dt = 0.02`
+/// `b = ((k*k % 41) - 20.0)*0.07 + 0.3*np.sin(0.05*k)`
 fn pair() -> (Motion, Motion) {
     let a = (0..400).map(|k| (f64::from(k * k % 37) - 18.0) * 0.1).collect();
     let b = (0..400).map(|k| (f64::from(k * k % 41) - 20.0) * 0.07 + 0.3 * (0.05 * f64::from(k)).sin()).collect();
@@ -9,9 +10,11 @@ fn pair() -> (Motion, Motion) {
 
 #[test]
 fn rotd_is_that_of_scipy_and_numpy() {
-    // scipy 1.17.1, numpy 2: u = lsim(StateSpace([[0, 1], [-w*w, -0.1*w]], [[0], [-1]], [[1, 0]], [[0]]), a, t)[1], which
-    // is exact for a input linear between samples; the same for b; then
-    // sa = w*w*abs(outer(cos(th), u1) + outer(sin(th), u2)).max(1); sa[0], sa[90], np.percentile(sa, [0, 16, 50, 84, 100])
+    // scipy 1.17.1, numpy 2:
+    // u1 = lsim(StateSpace([[0, 1], [-w*w, -0.1*w]], [[0], [-1]], [[1, 0]], [[0]]), a, t)[1],
+    // which is exact for an input that is linear between samples; u2 with b; then
+    // sa = w*w*abs(outer(cos(th), u1) + outer(sin(th), u2)).max(1)
+    // sa[0], sa[90], np.percentile(sa, [0, 16, 50, 84, 100])
     let want = [
         [
             1.8,
@@ -72,7 +75,7 @@ fn components_are_those_of_the_response_spectrum() {
 
 #[test]
 fn few_points_give_the_peaks_of_all() {
-    // A narrow ellipse, a circle, a line and a cloud, against every point in every direction.
+    // A narrow ellipse, a circle, a line and a cloud, compared with every point in every direction.
     let shapes: [fn(f64) -> (f64, f64); 4] = [
         |t| (t.cos(), 0.05 * (t + 0.3).sin()),
         |t| (t.cos(), t.sin()),
