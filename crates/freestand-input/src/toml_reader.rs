@@ -110,7 +110,8 @@ impl<'s> Reader<'s> {
         self.line_starts.partition_point(|&start| start <= byte)
     }
 
-    /// Adds a problem of the file, at a line where that is known; it names the keys as the file does.
+    /// Adds a problem of the file, at a line where that is known; it names the keys as the file
+    /// does.
     pub fn note(&mut self, line: Option<usize>, problem: Problem) {
         let problem = line.into_iter().fold(problem.shown(KeyStyle::File), Problem::at_line);
         self.problems.push(self.source.into_iter().fold(problem, Problem::in_file));

@@ -17,8 +17,8 @@ pub struct HorizontalMotion {
 }
 
 impl HorizontalMotion {
-    /// The component in a direction counted from the first one towards the second \[degrees\]: `a₁
-    /// cos θ + a₂ sin θ`. Without a second component, the first one in every direction.
+    /// The component in a direction counted from the first one towards the second \[degrees\]:
+    /// `a₁ cos θ + a₂ sin θ`. Without a second component, the first one in every direction.
     ///
     /// # Errors
     /// Samples that overflow.

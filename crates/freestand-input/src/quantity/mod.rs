@@ -277,11 +277,8 @@ fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
 
 fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
     let text = shorten(text);
-    let problem = value_problem(format!(
-        "\"{text}\" is {}, not {}",
-        unit.dimension.with_article(),
-        expected.with_article()
-    ));
+    let problem =
+        value_problem(format!("\"{text}\" is {}, not {}", unit.dimension.with_article(), expected.with_article()));
     match expected {
         // Who writes "150 g" for a mass means grams.
         Dimension::Mass if unit.symbol == "g" => problem.hint("g is the acceleration of gravity here; write kg or t"),

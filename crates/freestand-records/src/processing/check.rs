@@ -5,7 +5,7 @@ use freestand::signal::filter::MAX_ORDER;
 
 use super::target::fault;
 use super::{Processing, Scale, TargetSpectrum};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 impl Processing {
     /// What no record allows, each problem with its key (`low_cut`).
@@ -13,7 +13,7 @@ impl Processing {
         let mut found = Vec::new();
         let mut check = |key, holds: bool, message: String, hint: &str| {
             if !holds {
-                found.push((key, wrong(message, hint)));
+                found.push((key, Problem::value(message, hint)));
             }
         };
         if let Some(azimuth_deg) = self.azimuth_deg {
@@ -109,11 +109,7 @@ fn is_zero_or_more(value: f64) -> bool {
 }
 
 fn require(holds: bool, message: String, hint: &str) -> Result<(), Problem> {
-    if holds { Ok(()) } else { Err(wrong(message, hint)) }
-}
-
-fn wrong(message: String, hint: &str) -> Problem {
-    Problem::new(ProblemKind::Value, message).hint(hint)
+    if holds { Ok(()) } else { Err(Problem::value(message, hint)) }
 }
 
 /// Checks a factor on the samples; a negative factor inverts the motion.

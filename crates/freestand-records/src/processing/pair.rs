@@ -74,7 +74,7 @@ pub fn pair_of_one<'f>(
         ([first, second], _) | (_, [first, second]) => Ok((first, second)),
         _ => {
             let all: Vec<&Component> = file.components.iter().collect();
-            let message = format!("more than two components could be meant: {}", names(&all));
+            let message = format!("cannot tell which two components are meant: {}", names(&all));
             Err(Problem::new(ProblemKind::Value, message)
                 .in_file(&file.path)
                 .hint("name two with `components`, or give two files"))

@@ -62,8 +62,8 @@ fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
     })
 }
 
-/// A target for scaling, such as `0.4 g at 1.2 s`, or for a damping other than 5 % `0.4 g at 1.2 s,
-/// 2 %`.
+/// A target for scaling, such as `0.4 g at 1.2 s`, or for a damping other than 5 %
+/// `0.4 g at 1.2 s, 2 %`.
 ///
 /// # Errors
 /// Anything else, a target that is not positive, a negative period, damping of 100 % or more.

@@ -10,8 +10,8 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// The direction that a record's header names: `N-S`, `EW`, `UP`, `360`, `90 DEG`, `N08W`, `S
-    /// 74 E`, and the last letter of a SEED channel such as `HNE`. `None` for `H1`, `LONG` and
+    /// The direction that a record's header names: `N-S`, `EW`, `UP`, `360`, `90 DEG`, `N08W`,
+    /// `S 74 E`, and the last letter of a SEED channel such as `HNE`. `None` for `H1`, `LONG` and
     /// other names without a direction, and for `WE` and `SN`, whose sign differs between agencies.
     ///
     /// # Example

@@ -21,8 +21,8 @@ pub(crate) fn dt_in_comment(text: &str) -> Option<Result<f64, Problem>> {
     }))
 }
 
-/// The step \[s\] that prose states: `Sampling rate: 100 Hz`, `SAMPLING RATE= 100Hz`, `Time step =
-/// 0.01 s`, `dt=0.01`. A rate must be in hertz.
+/// The step \[s\] that prose states: `Sampling rate: 100 Hz`, `SAMPLING RATE= 100Hz`,
+/// `Time step = 0.01 s`, `dt=0.01`. A rate must be in hertz.
 pub(crate) fn step_in_prose(text: &str) -> Option<f64> {
     // ASCII lower case keeps the byte positions.
     let lower = text.to_ascii_lowercase();

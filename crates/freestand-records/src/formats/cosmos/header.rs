@@ -116,8 +116,8 @@ impl Header {
     }
 }
 
-/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, `Sta Cha: 1     0 deg (Rcrdr Chan  1)`, `Sta Chan   1
-/// 90    HNE   Location:`.
+/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, `Sta Cha: 1     0 deg (Rcrdr Chan  1)`,
+/// `Sta Chan   1  90    HNE   Location:`.
 pub(super) fn channel_name(text: &[String]) -> Option<String> {
     let line =
         text.iter().map(|line| line.trim_start()).find(|line| line.to_ascii_lowercase().starts_with("sta cha"))?;

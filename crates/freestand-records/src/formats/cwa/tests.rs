@@ -77,7 +77,12 @@ fn what_is_wrong_names_its_line() {
     for (from, to, line, message) in [
         ("     0.100", "     0.105", "x.txt:38:", "the time is 0.105"),
         ("     0.100     1.000    -1.000    -1.500\n", "", "x.txt:38:", "the time is 0.105"),
-        ("     0.100     1.000    -1.000    -1.500\n", "     0.100     1.000    -1.000\n", "x.txt:38:", "this one has 3"),
+        (
+            "     0.100     1.000    -1.000    -1.500\n",
+            "     0.100     1.000    -1.000\n",
+            "x.txt:38:",
+            "this one has 3",
+        ),
         ("(sec):    1.000", "(sec):    2.000", "x.txt:10:", "400 rows, but the file has 200"),
         ("#SampleRate(Hz): 200", "#SampleRate(Hz): 100", "x.txt:20:", "the time is 0.01"),
         ("#SampleRate(Hz): 200", "#SampleRate(Hz): 0", "x.txt:11:", "sampling rate is 0"),

@@ -113,8 +113,8 @@ pub(in crate::formats) fn first_integer(text: &str) -> Option<usize> {
     text.split_whitespace().next()?.parse().ok()
 }
 
-/// The step that a line in capitals states: `SPACED AT  .020 SEC`, `INTERVALS OF .020`, `AT 100
-/// PTS/SEC`.
+/// The step that a line in capitals states: `SPACED AT  .020 SEC`, `INTERVALS OF .020`,
+/// `AT 100 PTS/SEC`.
 pub(in crate::formats) fn step_in(upper: &str) -> Option<f64> {
     let step = ["SPACED AT", "INTERVALS OF", "INTERVAL OF"].iter().find_map(|words| number_after(upper, words));
     step.or_else(|| {
