@@ -14,7 +14,7 @@ use freestand::measures::measures;
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock_many};
 use freestand::synthesis::{SynthesisOptions, synthesize};
-use freestand_assess::library::Library;
+use freestand_assess::library::ToleranceLibrary;
 use freestand_assess::validate::FURNITURE;
 use rayon::prelude::*;
 
@@ -91,7 +91,7 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let names: Vec<&str> = places.iter().map(|(name, _)| *name).collect();
     println!("| height × depth | P-58 median (β) | 0.8 V_R50 | {} |", names.join(" | "));
     println!("|---|---|---|{}", "---|".repeat(names.len()));
-    let library = Library::builtin();
+    let library = ToleranceLibrary::builtin();
     for (i, ((id, height_in, depth_in), block)) in FURNITURE.iter().zip(&blocks).enumerate() {
         let entry = library.get(id)?;
         let median = entry.pfv_median_m_s.zip(entry.beta).map(|(m, b)| format!("{m:.2} ({b:.1})")).unwrap_or_default();

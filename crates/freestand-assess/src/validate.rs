@@ -3,7 +3,7 @@
 use freestand::block::Block;
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 
-use crate::library::Library;
+use crate::library::ToleranceLibrary;
 use freestand_input::problem::Problem;
 use freestand_study::validate::{Check, Validation, check, defect};
 
@@ -34,7 +34,7 @@ fn checks() -> Result<Vec<Check>, Problem> {
     const P_58: &str =
         "FEMA P-58, 2nd edition, median and beta: normal distribution of ln(demand/median)/beta, from a table";
     const KANEKO: &str = "FEMA P-58, nine medians against Kaneko and Hayashi (2000, recalled): 0.75 to 0.81 of V_R50";
-    let library = Library::builtin();
+    let library = ToleranceLibrary::builtin();
     let entry = |id: &str| library.find(id).ok_or_else(|| defect(format!("the library has no {id}")));
     let mut checks = Vec::new();
     for (id, name, demand, expected) in [

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use freestand_assess::assess::{Job, JobReport, assess_into, inventory_of};
+use freestand_assess::job::{Job, JobReport, assess_into, inventory_of};
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Step, no_progress};
 use freestand_study::study::Study;

@@ -1,9 +1,12 @@
 //! Arguments that several commands share.
 
 use std::num::NonZeroUsize;
+use std::ops::Deref;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use freestand_study::study::DEFAULT_SEED;
 
 /// Flags of every command.
 #[derive(Debug, Clone, Args)]
@@ -12,24 +15,76 @@ pub(crate) struct GlobalArgs {
     /// Print exactly one JSON document on standard output
     #[arg(long, global = true)]
     pub(crate) json: bool,
-    /// Folder for the files that are written
+    /// Folder for all files that the command writes
     #[arg(long, value_name = "DIR", global = true)]
     pub(crate) out: Option<PathBuf>,
-    /// No progress and no warnings on standard error (JSON keeps the warnings)
+    /// Print no progress and no warnings (JSON still contains the warnings)
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub(crate) quiet: bool,
-    /// More about what is being done, on standard error
+    /// Print more about the calculation on standard error
     #[arg(short, long, global = true)]
     pub(crate) verbose: bool,
-    /// Threads to compute on; results do not depend on it [default: one per core]
-    #[arg(long, value_name = "N", global = true, allow_negative_numbers = true, value_parser = at_least_one)]
+    /// Number of threads; results do not depend on it [default: one per core]
+    #[arg(long, value_name = "N", global = true, value_parser = at_least_one)]
     pub(crate) threads: Option<NonZeroUsize>,
-    /// Seed of the random numbers, in place of the study's
-    #[arg(long, value_name = "N", global = true, allow_negative_numbers = true, value_parser = zero_or_more)]
+    /// Seed of the random numbers; replaces the seed of a study [default: 1]
+    #[arg(long, value_name = "N", global = true, value_parser = zero_or_more)]
     pub(crate) seed: Option<u64>,
-    /// Write into an output folder that holds other files
+    /// Write into an output folder even if it contains other files
     #[arg(long, global = true)]
     pub(crate) force: bool,
+}
+
+impl GlobalArgs {
+    /// The seed, where nothing else states one.
+    pub(crate) fn seed(&self) -> u64 {
+        self.seed.unwrap_or(DEFAULT_SEED)
+    }
+
+    /// The output folder of a command that always writes one.
+    pub(crate) fn folder(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"))
+    }
+}
+
+/// Arguments, and which of their flags were given.
+#[derive(Debug, Clone)]
+pub(crate) struct Named<A> {
+    args: A,
+    /// Names of the flags, without dashes, in the order of their definition.
+    pub(crate) given: Vec<String>,
+}
+
+impl<A> Deref for Named<A> {
+    type Target = A;
+
+    fn deref(&self) -> &A {
+        &self.args
+    }
+}
+
+impl<A: Args> FromArgMatches for Named<A> {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let is_given = |arg: &&Arg| matches.value_source(arg.get_id().as_str()) == Some(ValueSource::CommandLine);
+        let command = A::augment_args(Command::new("flags"));
+        let given = command.get_arguments().filter(is_given).filter_map(Arg::get_long).map(str::to_owned).collect();
+        Ok(Self { args: A::from_arg_matches(matches)?, given })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+impl<A: Args> Args for Named<A> {
+    fn augment_args(command: Command) -> Command {
+        A::augment_args(command)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        A::augment_args_for_update(command)
+    }
 }
 
 /// A count, from 1.

@@ -57,7 +57,8 @@ impl From<Problems> for Failure {
 
 /// What clap found wrong with the arguments, as one message and one hint.
 ///
-/// clap prints the message, then `tip:` lines, a usage line and a pointer to `--help`, apart by blank lines.
+/// clap prints the message, then `tip:` lines, a usage line and a pointer to `--help`, apart by
+/// blank lines.
 pub(crate) fn usage(error: &clap::Error) -> Failure {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         return Failure::usage("a command is missing", "--help lists the commands");

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use freestand_output::figure::{Figure, FigureError};
 use freestand_output::folder::{MANIFEST, OutputFolder};
 use freestand_output::json::document;
 use freestand_output::streamed::StreamedFile;
@@ -19,7 +20,8 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Begins the folder of `--out`, before any work is done; `inputs` are the files that the command reads.
+    /// Begins the folder of `--out`, before any work is done; `inputs` are the files that the
+    /// command reads.
     pub(crate) fn begin(global: &GlobalArgs, inputs: &[PathBuf]) -> Result<Self, Failure> {
         let folder = match &global.out {
             Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force, inputs)?)),
@@ -44,6 +46,16 @@ impl Files {
         Ok(Some(path_text(&target.join(name))))
     }
 
+    /// Draws a figure and writes it as SVG and PNG; nothing without `--out`.
+    pub(crate) fn figure(&self, name: &str, draw: impl FnOnce() -> Result<Figure, FigureError>) -> Result<(), Failure> {
+        if self.wanted() {
+            let figure = draw().map_err(|error| Failure::computation(error.to_string()))?;
+            self.write(&format!("{name}.svg"), || figure.svg)?;
+            self.write(&format!("{name}.png"), || figure.png)?;
+        }
+        Ok(())
+    }
+
     /// Begins a file that is written in pieces; nothing without `--out`.
     pub(crate) fn begin_file(&self, name: &str) -> Result<Option<StreamedFile>, Failure> {
         Ok(self.folder.as_ref().map(|(_, folder)| folder.begin(name)).transpose()?)
@@ -54,7 +66,8 @@ impl Files {
         self.folder.as_ref().map(|(target, _)| path_text(&target.join(name)))
     }
 
-    /// Ends a command whose result is its document: adds that as `result.json`, with a short manifest, and prints it.
+    /// Ends a command whose result is its document: adds that as `result.json`, with a short
+    /// manifest, and prints it.
     pub(crate) fn print<T: Serialize>(
         self,
         printer: &Printer,
@@ -70,13 +83,14 @@ impl Files {
         printer.result(schema, body, warnings, text)
     }
 
-    /// Adds the short manifest of a command whose document is in [`RESULT`] already, and puts the folder in its place.
+    /// Adds the short manifest of a command whose document is in [`RESULT`] already, and puts the
+    /// folder in its place.
     pub(crate) fn finish_result(self, schema: &str, warnings: &[String]) -> Result<(), Failure> {
         self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)
     }
 
-    /// Adds `manifest.json`, the document that is also printed with the names of all files, and puts the folder in its
-    /// place.
+    /// Adds `manifest.json`, the document that is also printed with the names of all files, and
+    /// puts the folder in its place.
     pub(crate) fn finish<T: Serialize>(self, schema: &str, body: &T, warnings: &[String]) -> Result<(), Failure> {
         let Some((_, folder)) = self.folder else { return Ok(()) };
         let mut names = folder.names()?;
@@ -92,7 +106,8 @@ impl Files {
 /// The document that is printed with `--json`, in the output folder.
 pub(crate) const RESULT: &str = "result.json";
 
-/// A document with the files that were written: by this list the next run knows what it may replace.
+/// A document with the files that were written: by this list the next run knows what it may
+/// replace.
 #[derive(Debug, Serialize)]
 struct Listed<'a, T> {
     #[serde(flatten)]

@@ -5,6 +5,7 @@ mod commands;
 mod cushion;
 mod failure;
 mod files;
+mod keys;
 mod printer;
 mod processing;
 mod reading;
@@ -21,16 +22,20 @@ use args::GlobalArgs;
 use commands::Command;
 use failure::Failure;
 use printer::Printer;
+use values::finished;
 
 /// How hard an earthquake knocks a free-standing object, and whether it falls.
 #[derive(Debug, Parser)]
 #[command(name = "freestand", version, propagate_version = false, subcommand_required = true)]
 #[command(after_help = "\
-Quantities carry their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
-Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run; 130 stopped by Ctrl-C.
+Write quantities with their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
+Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run;
+130 stopped by Ctrl-C.
 
 Examples:
-  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
+  freestand run
+  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
+    --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
   freestand motion info record.AT2
   freestand validate")]
 struct Cli {
@@ -69,7 +74,7 @@ fn main() -> ExitCode {
 }
 
 fn try_main() -> Result<ExitCode, Failure> {
-    let matches = Cli::command().try_get_matches();
+    let matches = finished(Cli::command()).try_get_matches();
     let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(error) if !error.use_stderr() => {

@@ -1,10 +1,13 @@
-//! What the user sees: one JSON document or a table on standard output, everything else on standard error.
+//! What the user sees: one JSON document or a table on standard output, everything else on standard
+//! error.
 
 use std::io::{self, IsTerminal, Write};
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::ProblemKind;
 pub(crate) use freestand_input::words::significant;
+use freestand_output::facts::Facts;
 use freestand_output::json::document;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
@@ -25,7 +28,8 @@ impl Printer {
         Self { json: global.json, quiet: global.quiet, verbose: global.verbose }
     }
 
-    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the warnings.
+    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the
+    /// warnings.
     pub(crate) fn result<T: Serialize>(
         &self,
         schema: &str,
@@ -51,7 +55,7 @@ impl Printer {
     pub(crate) fn warn(&self, warnings: &[String]) {
         if !self.quiet {
             for warning in warnings {
-                error_line(&format!("warning: {warning}"));
+                error_line(&format!("warning: {}", KeyStyle::Flag.shown(warning)));
             }
         }
     }
@@ -63,8 +67,8 @@ impl Printer {
         }
     }
 
-    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed` meanwhile would run
-    /// through it.
+    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed`
+    /// meanwhile would run through it.
     pub(crate) fn progress_bar(&self, printed: bool) -> ProgressBar {
         if self.quiet || !io::stderr().is_terminal() || (printed && io::stdout().is_terminal()) {
             return ProgressBar::hidden();
@@ -94,14 +98,15 @@ fn error_line(text: &str) {
 pub(crate) fn print_failure(failure: &Failure) {
     let Failure::Problems(problems) = failure else { return };
     for problem in problems {
-        error_line(&format!("error: {}", one_line(&problem.to_string())));
+        error_line(&format!("error: {}", one_line(&KeyStyle::Flag.shown(&problem.to_string()))));
         let hint = problem.hint.as_deref().unwrap_or(match problem.kind {
             ProblemKind::Io => "check the path and its permissions",
             ProblemKind::Format => "check that the file is complete and of a supported format",
-            ProblemKind::Value => "--help shows what is accepted",
+            ProblemKind::Value | ProblemKind::Missing => "--help shows what is accepted",
             ProblemKind::Computation => "check that the input is physically possible",
+            ProblemKind::Stopped => "run it again",
         });
-        error_line(&format!("hint: {}", one_line(hint)));
+        error_line(&format!("hint: {}", one_line(&KeyStyle::Flag.shown(hint))));
     }
 }
 
@@ -133,6 +138,41 @@ pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
 pub(crate) fn pairs(rows: &[(&str, String)]) -> String {
     let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     rows.iter().map(|(name, value)| format!("{name}{}  {value}\n", " ".repeat(width - name.chars().count()))).collect()
+}
+
+/// Labels and values of a result in two columns.
+pub(crate) fn lines(facts: &Facts) -> String {
+    pairs(&facts.lines())
+}
+
+/// A column of a table of results: the name of a fact, a heading that states the unit in brackets,
+/// and the digits of a number.
+pub(crate) type Column = (&'static str, &'static str, usize);
+
+/// Results as rows of a table.
+pub(crate) fn facts_table<'a>(rows: impl IntoIterator<Item = &'a Facts<'a>>, columns: &[Column]) -> String {
+    table(&headings(columns), &rows.into_iter().map(|row| cells(row, columns)).collect::<Vec<_>>())
+}
+
+/// The headings of columns.
+pub(crate) fn headings(columns: &[Column]) -> Vec<&'static str> {
+    columns.iter().map(|(_, heading, _)| *heading).collect()
+}
+
+/// A row of a table.
+pub(crate) fn cells(row: &Facts, columns: &[Column]) -> Vec<String> {
+    columns.iter().map(|(name, heading, digits)| row.cell(name, in_brackets(heading), *digits)).collect()
+}
+
+/// Files that failed, a line each.
+pub(crate) fn failed_lines<'a>(failed: impl Iterator<Item = Facts<'a>>) -> String {
+    let words = |one: &Facts, name: &str| one.text(name).unwrap_or_default().to_owned();
+    failed.map(|one| format!("failed: {}: {}\n", words(&one, "path"), words(&one, "reason"))).collect()
+}
+
+/// `N/mm` of `stiffness [N/mm]`.
+fn in_brackets(heading: &str) -> &str {
+    heading.split_once('[').and_then(|(_, rest)| rest.split_once(']')).map_or("", |(unit, _)| unit)
 }
 
 /// Significant digits and a unit, or `-` for a value that is missing.

@@ -3,62 +3,79 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_input::quantity::Dimension;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse};
 use freestand_records::formats::ReadOptions;
-use freestand_records::processing::parse_target_source;
+use freestand_records::processing::azimuth_deg;
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, read_recorded};
 
+use crate::args::Named;
 use crate::failure::{Failure, problem};
 use crate::processing::ProcessArgs;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values, two_names};
 
 /// What a record file may not say itself.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Reading records")]
 pub(crate) struct ReadArgs {
-    /// Unit of acceleration in the file, such as g, m/s2 or gal, where it does not state it
-    #[arg(long, value_name = "UNIT")]
-    pub(crate) unit: Option<String>,
-    /// Time step of columns without a time
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    pub(crate) dt: Option<String>,
-    /// Component of a file with several: its name or its number from 1
+    /// Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it
+    #[arg(long, value_name = "UNIT", read = unit)]
+    unit: Option<Given<String>>,
+    /// Time step of a file without a column of times
+    #[arg(long, value_name = "TIME", read = time_step)]
+    dt: Option<Given>,
+    /// Component to read from a file with several, by name or by number (from 1)
     #[arg(long, value_name = "NAME|NUMBER")]
     pub(crate) component: Option<String>,
-    /// StationXML with the sensitivity of a miniSEED file [default: one beside the file]
+    /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same
+    /// folder]
     #[arg(long, value_name = "FILE")]
     pub(crate) station_xml: Option<PathBuf>,
-    /// Keep the mean of raw records (counts, miniSEED, SAC), which is removed otherwise
+    /// Do not remove the mean of raw records (counts, miniSEED, SAC)
     #[arg(long)]
     pub(crate) keep_mean: bool,
-    /// Factor on the samples [default: 1]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    pub(crate) scale: Option<String>,
+    /// Factor that multiplies the samples [default: 1]
+    #[arg(long, any = Dimension::Ratio)]
+    scale: Option<Given>,
     #[command(flatten)]
     pub(crate) process: ProcessArgs,
 }
 
-/// The two names of `"1, 2"`.
-pub(crate) fn two_names(text: &str) -> Option<(String, String)> {
-    let (first, second) = text.split_once(',')?;
-    let (first, second) = (first.trim(), second.trim());
-    let are_two = !first.is_empty() && !second.is_empty() && !second.contains(',');
-    are_two.then(|| (first.to_owned(), second.to_owned()))
+/// A unit of acceleration, by its name.
+pub(crate) fn unit(text: &str) -> Result<String, Problem> {
+    let unit = Some(text.to_owned());
+    ReadOptions { unit, ..ReadOptions::default() }.check().map(|()| text.to_owned())
 }
 
-/// The second horizontal component of records, and the directions in which objects are tried.
+/// A time step that a record may have \[s\].
+pub(crate) fn time_step(text: &str) -> Result<f64, Problem> {
+    let dt_s = parse(text, Dimension::Time)?;
+    ReadOptions { dt_s: Some(dt_s), ..ReadOptions::default() }.check().map(|()| dt_s)
+}
+
+/// Two components of one file: both that it has, or two by name.
+fn components(text: &str) -> Result<Second, Problem> {
+    if text.trim().eq_ignore_ascii_case("both") {
+        return Ok(Second::SameFile(None));
+    }
+    let wrong = |one: freestand_input::problem::Problem| one.hint("write both, or \"1, 2\", or \"N-S, E-W\"");
+    two_names(text).map(|both| Second::SameFile(Some(both))).map_err(wrong)
+}
+
+/// The second horizontal component of records, and the directions in which objects may rock.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Two horizontal components")]
 pub(crate) struct SecondArgs {
-    /// Take two horizontal components of each file: "both", or two by name or number, such as "1, 2"
-    #[arg(long, value_name = "both|NAME, NAME", conflicts_with = "component")]
-    pub(crate) components: Option<String>,
-    /// Files with the second component, one for each of the first
+    /// Use two horizontal components of each file: "both", or two by name or number, such as "1, 2"
+    #[arg(long, value_name = "both|NAME, NAME", conflicts_with = "component", read = components)]
+    components: Option<Given<Second>>,
+    /// Files with the second component, one for each file of the first
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "components")]
     pub(crate) across: Vec<PathBuf>,
-    /// Step between the directions in which objects are tried, 0 to 180 degrees [default: 15 deg]
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
-    pub(crate) rotation_step: Option<String>,
+    /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
+    /// deg]
+    #[arg(long, positive = Dimension::Angle)]
+    pub(crate) rotation_step: Option<Given>,
 }
 
 impl SecondArgs {
@@ -76,40 +93,30 @@ impl SecondArgs {
             }
             return Second::Files(self.across.clone());
         }
-        let Some(text) = self.components.as_deref() else { return Second::None };
-        if text.trim().eq_ignore_ascii_case("both") {
-            return Second::SameFile(None);
-        }
-        match two_names(text) {
-            Some(both) => Second::SameFile(Some(both)),
-            None => {
-                let message = format!("--components: two are expected, not \"{text}\"");
-                values.push(problem(message, "write both, or \"1, 2\", or \"N-S, E-W\""));
-                Second::None
-            }
-        }
+        values.read(&self.components).unwrap_or(Second::None)
     }
 
     /// The step between directions \[degrees\].
     pub(crate) fn rotation_step_deg(&self, values: &mut Values) -> Option<f64> {
-        let step_rad = values.positive("--rotation-step", self.rotation_step.as_deref(), Dimension::Angle)?;
-        Some(freestand_records::processing::azimuth_deg(step_rad))
+        values.read(&self.rotation_step).map(azimuth_deg)
     }
 }
 
-/// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the command's own.
+/// How the vertical record of a motion is read; the flag that names it, `--vertical`, is the
+/// command's own.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct VerticalArgs {
-    /// Factor on the vertical samples [default: 1]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "vertical")]
-    pub(crate) vertical_scale: Option<String>,
-    /// Component of the vertical record, where it has several
+    /// Factor that multiplies the vertical samples [default: 1]
+    #[arg(long, any = Dimension::Ratio, requires = "vertical")]
+    vertical_scale: Option<Given>,
+    /// Component to read from the vertical record, if it has several
     #[arg(long, value_name = "NAME|NUMBER", requires = "vertical")]
-    pub(crate) vertical_component: Option<String>,
+    vertical_component: Option<String>,
 }
 
 impl VerticalArgs {
-    /// Unit, step, baseline and filters hold for both records; scale, component and direction do not.
+    /// Unit, step, baseline and filters hold for both records; scale, component and direction do
+    /// not.
     pub(crate) fn reading(&self, horizontal: &ReadArgs) -> ReadArgs {
         let unscaled =
             ProcessArgs { scale_to: None, scale_to_sa: None, scale_to_spectrum: None, ..horizontal.process.clone() };
@@ -119,37 +126,34 @@ impl VerticalArgs {
     }
 }
 
-impl ReadArgs {
-    /// Refuses flags that no record is read with; the hint is made from their names in a study.
+/// Flags that are keys beside `motions` in a study; the others are under `processing`.
+const FILE_FLAGS: [&str; 5] = ["unit", "dt", "component", "station-xml", "scale"];
+
+impl Named<ReadArgs> {
+    /// Refuses flags that no record is read with; the hint is made from their keys in a study.
     pub(crate) fn refuse_without_record(&self, hint: impl FnOnce(&str) -> String) -> Result<(), Failure> {
-        let flags = [("unit", &self.unit), ("dt", &self.dt), ("component", &self.component), ("scale", &self.scale)];
-        let mut given: Vec<&str> =
-            flags.into_iter().filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect();
-        given.extend(self.station_xml.is_some().then_some("station-xml"));
-        let mut keys: Vec<String> = given.iter().map(|&name| name.to_owned()).collect();
-        let processing: Vec<&str> =
-            self.keep_mean.then_some("keep-mean").into_iter().chain(self.process.given()).collect();
-        keys.extend(processing.iter().map(|name| format!("processing.{}", name.replace('-', "_"))));
-        given.extend(processing);
-        if given.is_empty() {
+        if self.given.is_empty() {
             return Ok(());
         }
-        let message = format!("--{} without --motion", given.join(", --"));
-        Err(Failure::usage(message, hint(&keys.join(", "))))
+        let key = |flag: &String| {
+            let table = if FILE_FLAGS.contains(&flag.as_str()) { "" } else { "processing." };
+            format!("{table}{}", flag.replace('-', "_"))
+        };
+        let keys: Vec<String> = self.given.iter().map(key).collect();
+        Err(Failure::usage(format!("--{} without --motion", self.given.join(", --")), hint(&keys.join(", "))))
     }
+}
 
+impl ReadArgs {
     /// The files with what was said about them; what is wrong goes into `values`.
     pub(crate) fn files(&self, paths: &[PathBuf], values: &mut Values) -> MotionFiles {
-        let dt_s = values.any("--dt", self.dt.as_deref(), Dimension::Time);
-        // Here and not file by file: a wrong flag is one fault, whatever the number of files.
-        values.keep("--unit", ReadOptions { unit: self.unit.clone(), ..ReadOptions::default() }.check());
-        values.keep("--dt", ReadOptions { dt_s, ..ReadOptions::default() }.check());
-        let scale_ratio = values.any("--scale", self.scale.as_deref(), Dimension::Ratio).unwrap_or(1.0);
+        let (unit, dt_s) = (values.read(&self.unit), values.read(&self.dt));
+        let scale_ratio = values.read(&self.scale).unwrap_or(1.0);
         let processing = self.process.processing(self.keep_mean, scale_ratio, values);
         MotionFiles {
             paths: paths.to_vec(),
             read: ReadOptions {
-                unit: self.unit.clone(),
+                unit,
                 dt_s,
                 uneven_dt_s: processing.resample_dt_s,
                 station_xml: self.station_xml.clone(),
@@ -161,10 +165,10 @@ impl ReadArgs {
         }
     }
 
-    /// The files that are read: records, the StationXML that is named, and the target that they are scaled to.
+    /// The files that are read: records, the StationXML that is named, and the target that they are
+    /// scaled to.
     pub(crate) fn inputs<'a>(&self, records: impl IntoIterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
-        let target = self.process.scale_to_spectrum.as_deref().and_then(|text| parse_target_source(text).ok());
-        let others = self.station_xml.iter().cloned().chain(target.map(|source| source.path));
+        let others = self.station_xml.iter().cloned().chain(self.process.target_path());
         records.into_iter().cloned().chain(others).collect()
     }
 

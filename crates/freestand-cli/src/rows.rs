@@ -1,10 +1,11 @@
-//! Where the rows of a long table go while they are computed: CSV files, JSON documents, standard output.
+//! Where the rows of a long table go while they are computed: CSV files, JSON documents, standard
+//! output.
 
 use std::path::{Path, PathBuf};
 
-use freestand_output::rows::{csv_header, csv_rows, json_rows};
+use freestand_output::facts::{csv_header, csv_rows, json_rows};
 use freestand_output::streamed::{StreamedFile, rows_head, rows_tail};
-use freestand_study::spectrum::{SpectrumChunk, SpectrumRow};
+use freestand_study::spectrum::SpectrumChunk;
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -44,17 +45,17 @@ impl Rows {
     pub(crate) fn write(&mut self, chunk: &SpectrumChunk) -> Result<(), Failure> {
         if !self.tables.is_empty() {
             if self.first && chunk.objects() > 0 {
-                self.table(&csv_header(&chunk.row(0).fields())?)?;
+                self.table(&csv_header(&chunk.row(0))?)?;
             }
-            for piece in chunk.pieces(|rows| csv_rows(rows.map(SpectrumRow::fields))) {
+            for piece in chunk.pieces(|rows| csv_rows(rows)) {
                 self.table(&piece?)?;
             }
         }
         if self.print || !self.documents.is_empty() {
-            for (i, piece) in chunk.pieces(|rows| json_rows(rows.map(SpectrumRow::fields))).into_iter().enumerate() {
+            for (i, piece) in chunk.pieces(|rows| json_rows(rows)).into_iter().enumerate() {
                 let mut piece = piece?;
                 if self.first && i == 0 {
-                    // The first member of an array has no comma before it.
+                    // No comma precedes the first member of an array.
                     piece.splice(0..1, rows_head(self.schema)?.into_bytes());
                 }
                 self.document(&piece)?;
@@ -64,8 +65,8 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends every output: what follows the rows in the document, the names of the files; then the text for people in
-    /// place of a printed document, and the warnings.
+    /// Ends every output: what follows the rows in the document, the names of the files; then the
+    /// text for people in place of a printed document, and the warnings.
     pub(crate) fn finish<T: Serialize>(
         mut self,
         files: Files,
@@ -109,7 +110,7 @@ impl Rows {
             return Ok(());
         }
         match print_bytes(piece) {
-            // Nobody reads on, but there are files to be completed.
+            // The reader has closed the pipe, but the files must be completed.
             Err(Failure::BrokenPipe) if !self.tables.is_empty() || !self.documents.is_empty() => self.print = false,
             other => other?,
         }

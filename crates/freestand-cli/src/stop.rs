@@ -1,4 +1,5 @@
-//! Ctrl-C and SIGTERM: the first asks the work to stop and tidy up, the second ends the program at once.
+//! Ctrl-C and SIGTERM: the first asks the work to stop and tidy up, the second ends the program at
+//! once.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,8 +19,8 @@ impl Stop {
     pub(crate) fn listen() -> Self {
         let wanted = Arc::new(AtomicBool::new(false));
         for signal in [SIGINT, SIGTERM] {
-            // In this order: the second signal finds the flag of the first. Where the system refuses, the signal ends
-            // the program at once, and the next run clears what it left.
+            // In this order: the second signal finds the flag of the first. Where the system
+            // refuses, the signal ends the program at once, and the next run clears what it left.
             let _ = flag::register_conditional_shutdown(signal, EXIT_STATUS.into(), Arc::clone(&wanted))
                 .and_then(|_| flag::register(signal, Arc::clone(&wanted)));
         }

@@ -3,149 +3,131 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_input::keys::KeyStyle;
-use freestand_study::target::{Target, TargetWords};
+use freestand_study::target::Target;
 use serde::Serialize;
 
 use crate::failure::Failure;
+use crate::keys::{Key, KeySet, Keys, key};
 
-const AS: &str = "AS 1170.4 and NZS 1170.5";
-const EC8: &str = "Eurocode 8";
-const ASCE: &str = "ASCE 7";
-const TABLE: &str = "A table of your own";
-
-/// A spectrum; every flag is text here, so that all that is wrong is said at once.
+/// A spectrum: that of a code, or a table of the user's.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "The code")]
 pub(crate) struct TargetArgs {
-    /// The code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or a table with --spectrum]
-    #[arg(long, value_name = "CODE")]
-    code: Option<String>,
-    /// Edition: of AS 1170.4 2007 (with its amendments to 2018) or 2024 (not confirmed), of ASCE 7 2022 or 2016 [default: the first]
-    #[arg(long, value_name = "YEAR", allow_hyphen_values = true)]
-    edition: Option<String>,
-    /// Site class Ae to Ee [default: De]; ground type A to E of Eurocode 8; subsoil class A to E of NZS 1170.5
-    #[arg(long, value_name = "CLASS")]
-    site: Option<String>,
-    /// Hazard factor Z
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = AS)]
-    hazard_factor: Option<String>,
-    /// Place of the table of AS 1170.4 [default: Melbourne]
-    #[arg(long, value_name = "NAME", help_heading = AS)]
-    city: Option<String>,
-    /// Return period in years [default: 500]
-    #[arg(long, value_name = "YEARS", allow_hyphen_values = true, help_heading = AS)]
-    return_period: Option<String>,
-    /// Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: none is near]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = AS)]
-    fault_distance: Option<String>,
-    /// Type of spectrum: 1, or 2 where magnitudes stay below 5.5
-    #[arg(long, value_name = "1|2", allow_hyphen_values = true, help_heading = EC8)]
-    spectrum_type: Option<String>,
-    /// Reference ground acceleration on rock, a_gR
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = EC8)]
-    ground_acceleration: Option<String>,
-    /// Importance factor [default: 1]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = EC8)]
-    importance_factor: Option<String>,
-    /// Soil factor S of a national annex [default: as recommended for the ground type]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = EC8)]
-    soil_factor: Option<String>,
-    /// TB, TC and TD of a national annex, such as "0.15 s, 0.5 s, 2 s" [default: as recommended]
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = EC8)]
-    corner_periods: Option<String>,
-    /// Design acceleration at short periods
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = ASCE)]
-    sds: Option<String>,
-    /// Design acceleration at 1 s
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = ASCE)]
-    sd1: Option<String>,
-    /// Mapped acceleration at short periods, in place of --sds
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = ASCE)]
-    ss: Option<String>,
-    /// Mapped acceleration at 1 s, in place of --sd1
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = ASCE)]
-    s1: Option<String>,
-    /// Site coefficient of --ss
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = ASCE)]
-    fa: Option<String>,
-    /// Site coefficient of --s1
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = ASCE)]
-    fv: Option<String>,
-    /// Long-period transition TL
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true, help_heading = ASCE)]
-    long_period: Option<String>,
-    /// Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings
-    #[arg(long, value_name = "FILE", help_heading = TABLE)]
-    spectrum: Option<PathBuf>,
-    /// Between the periods: log-log or linear [default: log-log]
-    #[arg(long, value_name = "HOW", help_heading = TABLE)]
-    interpolation: Option<String>,
-    /// Outside of them: refuse, or hold (constant Sa below, constant displacement beyond) [default: refuse]
-    #[arg(long, value_name = "HOW", help_heading = TABLE)]
-    beyond: Option<String>,
+    #[command(flatten)]
+    keys: Keys<TargetKeys>,
+}
+
+#[derive(Debug, Clone)]
+struct TargetKeys;
+
+impl KeySet for TargetKeys {
+    const KEYS: &'static [(&'static str, &'static [Key])] = &[
+        (
+            "The code",
+            &[
+                key(
+                    "code",
+                    "CODE",
+                    "Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or the table of \
+                     --spectrum]",
+                ),
+                key(
+                    "edition",
+                    "YEAR",
+                    "Edition: 2007 (amended to 2018) or 2024 (unconfirmed) of AS 1170.4, 2022 or 2016 of ASCE 7 \
+                     [default: the first]",
+                ),
+                key(
+                    "site",
+                    "CLASS",
+                    "Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8, \
+                     subsoil class A to E of NZS 1170.5",
+                ),
+            ],
+        ),
+        (
+            "AS 1170.4 and NZS 1170.5",
+            &[
+                key("hazard_factor", "RATIO", "Hazard factor Z [default: that of the city]"),
+                key("city", "NAME", "City in the table of AS 1170.4 [default: Melbourne]"),
+                key("return_period_years", "YEARS", "Return period in years [default: 500]"),
+                key(
+                    "fault_distance",
+                    "LENGTH",
+                    "Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault nearby]",
+                ),
+            ],
+        ),
+        (
+            "Eurocode 8",
+            &[
+                key("spectrum_type", "1|2", "Type of spectrum: 1, or 2 if magnitudes stay below 5.5"),
+                key("ground_acceleration", "ACCELERATION", "Reference ground acceleration on rock, a_gR"),
+                key("importance_factor", "RATIO", "Importance factor [default: 1]"),
+                key(
+                    "soil_factor",
+                    "RATIO",
+                    "Soil factor S of a national annex [default: as recommended for the ground type]",
+                ),
+                key(
+                    "corner_periods",
+                    "LIST",
+                    "TB, TC and TD of a national annex, such as \"0.15 s, 0.5 s, 2 s\" [default: as recommended]",
+                ),
+            ],
+        ),
+        (
+            "ASCE 7",
+            &[
+                key("sds", "ACCELERATION", "Design acceleration at short periods"),
+                key("sd1", "ACCELERATION", "Design acceleration at 1 s"),
+                key("ss", "ACCELERATION", "Mapped acceleration at short periods, instead of --sds"),
+                key("s1", "ACCELERATION", "Mapped acceleration at 1 s, instead of --sd1"),
+                key("fa", "RATIO", "Site coefficient of --ss"),
+                key("fv", "RATIO", "Site coefficient of --s1"),
+                key("long_period", "TIME", "Long-period transition TL"),
+            ],
+        ),
+        (
+            "A table of your own",
+            &[
+                key(
+                    "spectrum",
+                    "FILE",
+                    "Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings",
+                ),
+                key("interpolation", "HOW", "How to interpolate between periods: log-log or linear [default: log-log]"),
+                key(
+                    "beyond",
+                    "HOW",
+                    "Outside the periods of the table: refuse, or hold (constant Sa below, constant displacement \
+                     above) [default: refuse]",
+                ),
+            ],
+        ),
+    ];
 }
 
 impl TargetArgs {
     /// The spectrum.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
-        let wrong = |problems: Vec<freestand_study::target::TargetProblem>| {
-            Failure::Problems(problems.into_iter().map(|problem| problem.problem).collect())
-        };
-        Target::resolve(&self.words(), Path::new("")).map_err(wrong)
+        Ok(Target::resolve(&self.keys.words, Path::new(""))?)
     }
 
     /// The spectrum, which must have all the periods that motions are matched at.
     pub(crate) fn matched_target(&self) -> Result<Target, Failure> {
         let target = self.target()?;
-        target.check_matched_band(&self.words().example("beyond", "hold"))?;
+        target.check_matched_band()?;
         Ok(target)
     }
 
     /// Whether any of these flags was given.
     pub(crate) fn is_given(&self) -> bool {
-        self.words() != TargetWords::new(KeyStyle::Flag)
-    }
-
-    fn words(&self) -> TargetWords {
-        let mut words = TargetWords::new(KeyStyle::Flag);
-        let texts = [
-            ("code", &self.code),
-            ("edition", &self.edition),
-            ("site", &self.site),
-            ("city", &self.city),
-            ("hazard_factor", &self.hazard_factor),
-            ("return_period_years", &self.return_period),
-            ("spectrum_type", &self.spectrum_type),
-            ("ground_acceleration", &self.ground_acceleration),
-            ("importance_factor", &self.importance_factor),
-            ("soil_factor", &self.soil_factor),
-            ("corner_periods", &self.corner_periods),
-            ("sds", &self.sds),
-            ("sd1", &self.sd1),
-            ("ss", &self.ss),
-            ("s1", &self.s1),
-            ("fa", &self.fa),
-            ("fv", &self.fv),
-            ("long_period", &self.long_period),
-            ("fault_distance", &self.fault_distance),
-            ("interpolation", &self.interpolation),
-            ("beyond", &self.beyond),
-        ];
-        for (key, text) in texts {
-            if let Some(text) = text {
-                words.set(key, text.clone());
-            }
-        }
-        if let Some(path) = &self.spectrum {
-            words.set("spectrum", path.display().to_string());
-        }
-        words
+        !self.keys.words.is_empty()
     }
 
     /// The file that these flags name.
-    pub(crate) fn inputs(&self) -> impl Iterator<Item = &PathBuf> {
-        self.spectrum.iter()
+    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
+        self.keys.words.get("spectrum").map(PathBuf::from).into_iter().collect()
     }
 }
 
@@ -171,32 +153,6 @@ impl From<&Target> for TargetReport {
             kpz_g: target.kpz_g(),
             minimum_kpz_governs: target.minimum_kpz_governs(),
             facts: freestand_study::summary::fact_list(target),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use clap::Parser;
-    use freestand_study::target::TARGET_KEYS;
-
-    use super::*;
-
-    #[derive(Parser)]
-    struct Flags {
-        #[command(flatten)]
-        target: TargetArgs,
-    }
-
-    /// A word that has no flag, or a flag that is read and then forgotten, would be no part of any spectrum.
-    #[test]
-    fn every_word_of_a_spectrum_has_its_flag() {
-        let words = TargetWords::new(KeyStyle::Flag);
-        for key in TARGET_KEYS {
-            let flags = Flags::try_parse_from(["freestand", &words.name(key), "7"]).unwrap();
-            let mut expected = words.clone();
-            expected.set(key, "7");
-            assert_eq!(flags.target.words(), expected);
         }
     }
 }

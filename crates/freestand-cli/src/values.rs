@@ -1,58 +1,190 @@
-//! Flags that hold quantities: kept as text by the argument parser, read here so that a wrong one is a problem with a
-//! hint, named by its flag, and all of them are reported at once.
+//! Flags that hold values with units. clap reads each of them once and keeps what is wrong with it
+//! in place of the value, under the name by which it knows the flag: so a command reports all
+//! problems at once.
 
-use freestand_input::problem::{Problem, ProblemKind};
+use std::any::TypeId;
+use std::ffi::OsStr;
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, ValueParserFactory};
+use clap::{Arg, Command};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{self, Dimension};
 
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 
-/// Reads quantities and collects what is wrong with them.
-#[derive(Debug, Default)]
-pub(crate) struct Values {
-    problems: Vec<Problem>,
+/// The value of a flag, or what is wrong with it. Its definition says how it is read, see [`Reads`].
+#[derive(Debug, Clone)]
+pub(crate) struct Given<T = f64>(pub(crate) Result<T, Problem>);
+
+/// A flag that is read by a function.
+#[derive(Debug, Clone)]
+pub(crate) struct Reader<F>(F);
+
+impl<F, T> TypedValueParser for Reader<F>
+where
+    F: Fn(&str) -> Result<T, Problem> + Clone + Send + Sync + 'static,
+    T: Clone + Send + Sync + 'static,
+{
+    type Value = Given<T>;
+
+    fn parse_ref(&self, _: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<Given<T>, clap::Error> {
+        let flag = arg.and_then(Arg::get_long).unwrap_or_default();
+        Ok(Given((self.0)(&value.to_string_lossy()).map_err(|problem| named(flag, problem))))
+    }
 }
 
-impl Values {
-    /// A value read elsewhere; what is wrong with it is named by its flag.
-    pub(crate) fn keep<T>(&mut self, flag: &str, result: Result<T, Problem>) -> Option<T> {
-        match result {
-            Ok(value) => Some(value),
-            Err(mut problem) => {
-                problem.message = format!("{flag}: {}", problem.message);
-                self.problems.push(problem);
-                None
-            }
-        }
+/// clap's derive needs a reader for every type; the definition of a flag replaces this one.
+impl<T: Clone + Send + Sync + 'static> ValueParserFactory for Given<T> {
+    type Parser = Reader<fn(&str) -> Result<T, Problem>>;
+
+    fn value_parser() -> Self::Parser {
+        Reader(|_| Err(problem("nothing reads this flag", "please report it")))
+    }
+}
+
+/// A problem under the name of its flag.
+fn named(flag: &str, mut problem: Problem) -> Problem {
+    problem.message = format!("--{flag}: {}", problem.message);
+    problem
+}
+
+/// How the value of a flag is read: `#[arg(long, positive = Dimension::Length)]`. The help calls
+/// the value by its dimension.
+pub(crate) trait Reads: Into<Arg> {
+    /// By a function; the definition also states the name of the value.
+    fn read<T, F>(self, read: F) -> Arg
+    where
+        T: Clone + Send + Sync + 'static,
+        F: Fn(&str) -> Result<T, Problem> + Clone + Send + Sync + 'static,
+    {
+        self.into().value_parser(Reader(read))
     }
 
     /// Any finite value.
-    pub(crate) fn any(&mut self, flag: &str, text: Option<&str>, dimension: Dimension) -> Option<f64> {
-        self.keep(flag, quantity::parse(text?, dimension))
+    fn any(self, dimension: Dimension) -> Arg {
+        let arg = self.into().value_name(value_name(dimension));
+        arg.read(move |text| quantity::parse(text, dimension))
     }
 
     /// A value above zero.
-    pub(crate) fn positive(&mut self, flag: &str, text: Option<&str>, dimension: Dimension) -> Option<f64> {
-        self.keep(flag, quantity::parse_positive(text?, dimension, "the value"))
+    fn positive(self, dimension: Dimension) -> Arg {
+        let arg = self.into().value_name(value_name(dimension));
+        arg.read(move |text| quantity::parse_positive(text, dimension, "the value"))
     }
 
     /// A value of zero or more.
-    pub(crate) fn non_negative(&mut self, flag: &str, text: Option<&str>, dimension: Dimension) -> Option<f64> {
-        self.keep(flag, quantity::parse_non_negative(text?, dimension, "the value"))
+    fn non_negative(self, dimension: Dimension) -> Arg {
+        let arg = self.into().value_name(value_name(dimension));
+        arg.read(move |text| quantity::parse_non_negative(text, dimension, "the value"))
     }
 
     /// A grid or a list.
-    pub(crate) fn grid(&mut self, flag: &str, text: &str, dimension: Dimension) -> Option<Vec<f64>> {
-        self.keep(flag, quantity::parse_grid(text, dimension))
+    fn grid(self, dimension: Dimension) -> Arg {
+        self.into().value_name("GRID").read(move |text| quantity::parse_grid(text, dimension))
+    }
+}
+
+impl Reads for Arg {}
+
+/// `LENGTH`, `ANGULAR-VELOCITY`.
+fn value_name(dimension: Dimension) -> String {
+    let name = dimension.with_article();
+    name.split_once(' ').map_or(name, |(_, name)| name).to_uppercase().replace(' ', "-")
+}
+
+/// Two lengths, `"0.3 m, 1.2 m"`.
+pub(crate) fn point(text: &str) -> Result<(f64, f64), Problem> {
+    match quantity::parse_grid(text, Dimension::Length)?[..] {
+        [x, z] => Ok((x, z)),
+        _ => Err(problem(
+            "two lengths are expected, x and z",
+            "write \"0.3 m, 1.2 m\": from the old pivot, and above the base",
+        )),
+    }
+}
+
+/// Two names or numbers, `"1, 2"`.
+pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
+    match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
+        [first, second] if !first.is_empty() && !second.is_empty() => Ok((first.to_owned(), second.to_owned())),
+        _ => Err(problem(format!("two are expected, not \"{text}\""), "write \"1, 2\", or \"N-S, E-W\"")),
+    }
+}
+
+/// Values with their names in flags and what they mean.
+pub(crate) type Choices<T> = &'static [(T, &'static str, &'static str)];
+
+/// One of these values, by its name.
+pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedValueParser<Value = T> {
+    let names = choices.iter().map(|(_, name, meaning)| PossibleValue::new(*name).help(*meaning));
+    PossibleValuesParser::new(names).try_map(|text| {
+        let known = choices.iter().find(|(_, name, _)| *name == text);
+        known.map(|(value, ..)| *value).ok_or("not one of the values")
+    })
+}
+
+/// The name of a value, for a default.
+pub(crate) fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
+    choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
+}
+
+/// A command and those below it, whose flags take negative values and whose help ends with the
+/// units of values.
+pub(crate) fn finished(command: Command) -> Command {
+    let units = units(&command);
+    let command = match command.get_after_help() {
+        Some(help) if !units.is_empty() => {
+            let help = format!("{help}\n\nUnits:\n{units}");
+            command.after_long_help(help)
+        }
+        _ => command,
+    };
+    command.mut_args(with_negative_values).mut_subcommands(finished)
+}
+
+/// Lets a value begin with a minus sign, as in `--x "-1 rad"`. Not the name of a file, and not one
+/// of several values: they would take the next flag for one of them.
+fn with_negative_values(arg: Arg) -> Arg {
+    let is_single = arg.get_action().takes_values() && arg.get_num_args().is_none_or(|count| count == 1.into());
+    let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+    let allowed = !arg.is_positional() && is_single && !is_path;
+    arg.allow_hyphen_values(allowed)
+}
+
+/// The units of the values that a command takes, a line for each dimension.
+fn units(command: &Command) -> String {
+    let names: Vec<&str> =
+        command.get_arguments().flat_map(|arg| arg.get_value_names().unwrap_or_default()).map(|name| &**name).collect();
+    let taken = Dimension::ALL.into_iter().filter(|dimension| names.contains(&&*value_name(*dimension)));
+    let line = |dimension: Dimension| {
+        let units: Vec<&str> = dimension.units().map(|unit| unit.symbol).collect();
+        let bare = if dimension == Dimension::Ratio { "none, or " } else { "" };
+        format!("  {:17}  {bare}{}", value_name(dimension), units.join(", "))
+    };
+    taken.map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// Collects what is wrong with the values of flags.
+#[derive(Debug, Default)]
+pub(crate) struct Values {
+    problems: Problems,
+}
+
+impl Values {
+    /// The value of a flag; `None` where it is not given or wrong.
+    pub(crate) fn read<'a, T: Clone + 'a>(&mut self, given: impl Into<Option<&'a Given<T>>>) -> Option<T> {
+        self.take(given.into()?.0.clone())
     }
 
-    /// Two lengths, `"0.3 m, 1.2 m"`.
-    pub(crate) fn point(&mut self, flag: &str, text: Option<&str>) -> Option<(f64, f64)> {
-        let values = self.grid(flag, text?, Dimension::Length)?;
-        if let [x, z] = values[..] {
-            return Some((x, z));
-        }
-        let problem = Problem::new(ProblemKind::Value, "two lengths are expected, x and z");
-        self.keep(flag, Err(problem.hint("write \"0.3 m, 1.2 m\": from the old pivot, and above the base")))
+    /// A value, or what is wrong with it.
+    pub(crate) fn take<T>(&mut self, result: Result<T, impl Into<Problems>>) -> Option<T> {
+        self.problems.keep(result)
+    }
+
+    /// A value found elsewhere; what is wrong with it is named by its flag.
+    pub(crate) fn keep<T>(&mut self, flag: &str, result: Result<T, Problem>) -> Option<T> {
+        self.take(result.map_err(|problem| named(flag, problem)))
     }
 
     /// Notes a problem found elsewhere.
@@ -62,6 +194,6 @@ impl Values {
 
     /// Fails if anything was wrong.
     pub(crate) fn finish(self) -> Result<(), Failure> {
-        if self.problems.is_empty() { Ok(()) } else { Err(Failure::Problems(self.problems)) }
+        Ok(self.problems.finish(Some(()))?)
     }
 }

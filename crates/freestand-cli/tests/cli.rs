@@ -1,6 +1,7 @@
 //! The commands as they are called: exit status, standard output and standard error in snapshots.
 //!
-//! After a wanted change: `INSTA_UPDATE=always cargo test -p freestand-cli`, and read the difference.
+//! After a wanted change: `INSTA_UPDATE=always cargo test -p freestand-cli`, and read the
+//! difference.
 
 #![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
 
@@ -105,7 +106,8 @@ fn shock_refuses_what_contradicts_itself() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
-/// V_c between 0.4 and 0.45 m/s, A_c between 3.5 and 4.5 g, and a landing with 0.451 m/s and 4.17 g.
+/// V_c between 0.4 and 0.45 m/s, A_c between 3.5 and 4.5 g, and a landing with 0.451 m/s and 4.17
+/// g.
 const SHOCK_TESTS: &str = "velocity change [m/s],peak acceleration [g],damaged,method\n0.3,120,no,A\n0.4,160,no,A\n\
                            0.45,180,yes,A\n0.7,3.5,no,B\n0.7,4.5,yes,B\n";
 
@@ -153,6 +155,19 @@ fn usage_errors_have_an_error_and_a_hint() {
         freestand(&["validate", "-1"]),
     ];
     insta::assert_snapshot!(all.join("\n\n"));
+}
+
+#[test]
+fn a_pdf_is_left_to_the_browser() {
+    insta::assert_snapshot!(freestand(&["assess", "--format", "csv,pdf"]), @r"
+    $ freestand assess --format csv,pdf
+    exit status 2
+    --- stdout
+
+    --- stderr
+    error: --format pdf: freestand does not write PDF files
+    hint: leave pdf out, open report.html in a browser and print it, to paper or as a PDF
+    ");
 }
 
 #[test]
@@ -282,7 +297,8 @@ fn reading_flags_need_a_record() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
-/// A factor of zero makes a motion of nothing, from a flag as from a study; wrong flags are said once, not per file.
+/// A factor of zero makes a motion of nothing, from a flag as from a study; wrong flags are said
+/// once, not per file.
 #[test]
 fn wrong_reading_flags_are_refused() {
     let study = "[ground]\nmotions = \"pulse.csv\"\nscale = 0\n";
@@ -363,7 +379,8 @@ fn spectra_of_other_codes_and_what_is_wrong_with_them() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
-/// Every flag of a code has its place in `--out`: the spectrum with its corners, as numbers and as a picture.
+/// Every flag of a code has its place in `--out`: the spectrum with its corners, as numbers and as
+/// a picture.
 #[test]
 fn a_code_spectrum_is_written_with_its_corners() {
     let folder = tempfile::tempdir().unwrap();
@@ -594,7 +611,8 @@ fn the_dumped_study_is_one_json_document_and_has_the_seed() {
     assert_eq!(std::fs::read_to_string(folder.path().join("out/study.toml")).unwrap(), text);
 }
 
-/// A wave of 2 Hz that comes and goes within 4 s, 0.3 g north and 0.2 g east, on an offset of 0.01 g.
+/// A wave of 2 Hz that comes and goes within 4 s, 0.3 g north and 0.2 g east, on an offset of 0.01
+/// g.
 fn two_components(heading: &str) -> String {
     let row = |k: u32| {
         let t = f64::from(k) / 50.0;
@@ -716,8 +734,8 @@ fn records_are_scaled_to_a_spectrum() {
     insta::assert_snapshot!(all.join("\n\n"));
 }
 
-/// The spectrum that the program writes is a target that it reads: a motion has the factor 1 to its own, at any damping in
-/// the file, and 2 to that of twice the motion.
+/// The spectrum that the program writes is a target that it reads: a motion has the factor 1 to its
+/// own, at any damping in the file, and 2 to that of twice the motion.
 #[test]
 fn a_motion_is_scaled_to_the_spectrum_of_its_own() {
     let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
@@ -839,7 +857,8 @@ fn help_lists_no_flag_that_is_always_refused() {
     }
 }
 
-/// A turned record has more energy in its own direction than in any other: the same is found by `--azimuth`.
+/// A turned record has more energy in its own direction than in any other: the same is found by
+/// `--azimuth`.
 #[test]
 fn azimuth_and_rotate_agree() {
     let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
@@ -851,7 +870,8 @@ fn azimuth_and_rotate_agree() {
     assert!(converted == rotated && converted.len() > 1000);
 }
 
-/// Of many files the broken ones are listed and hide nothing else: exit status 1. Where nothing is left: 2.
+/// Of many files the broken ones are listed and hide nothing else: exit status 1. Where nothing is
+/// left: 2.
 #[test]
 fn motion_info_goes_on_behind_broken_files() {
     let folder = folder(&[
@@ -878,7 +898,8 @@ fn motion_info_goes_on_behind_broken_files() {
     assert!(failed[0]["reason"].as_str().unwrap().starts_with("line 3: "), "{failed:?}");
 }
 
-/// Times are counted from the first sample in what is written, and that the start is lost is said where it is.
+/// Times are counted from the first sample in what is written, and that the start is lost is said
+/// where it is.
 #[test]
 fn a_start_that_is_not_kept_is_said() {
     let late = "time [s],N [g],E [g]\n12.5,0,0\n12.75,0.5,0.1\n13,0,0\n";
@@ -895,8 +916,8 @@ fn a_start_that_is_not_kept_is_said() {
     assert!(!spectrum.contains("not kept"), "{spectrum}");
 }
 
-/// One recorder, times in four decimals, two lengths: one pair. Components of one name are told apart by their files, each
-/// warning is said once, and one file is no pair.
+/// One recorder, times in four decimals, two lengths: one pair. Components of one name are told
+/// apart by their files, each warning is said once, and one file is no pair.
 #[test]
 fn pairs_of_two_files() {
     let recorded = |rows: u32, pace: f64| {

@@ -32,8 +32,8 @@ fn document(more: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// Test 1 of Table I: Eq. (5) is 4.526 times 9.81 m/s², 4.5276 in units of 9.80665; the landing on springs has 0.79 of it; at rest
-/// the pads are pressed by 140 · 9.81/(2 · 4.38e6) m.
+/// Test 1 of Table I: Eq. (5) is 4.526 times 9.81 m/s², 4.5276 in units of 9.80665; the landing on
+/// springs has 0.79 of it; at rest the pads are pressed by 140 · 9.81/(2 · 4.38e6) m.
 #[test]
 fn a_release_has_the_paper_beside_it() {
     let folder = tempfile::tempdir().unwrap();
@@ -58,7 +58,8 @@ fn a_release_has_the_paper_beside_it() {
     assert!(header.starts_with("time_s,theta_rad,omega_rad_s,x_m,z_m,edge_acceleration_left_g"), "{header}");
 }
 
-/// A record that hardly moves the base: no uplift, no shock by Eq. (5), and nothing that is not there is a number.
+/// A record that hardly moves the base: no uplift, no shock by Eq. (5), and nothing that is not
+/// there is a number.
 #[test]
 fn a_motion_that_lifts_nothing() {
     let folder = tempfile::tempdir().unwrap();

@@ -28,8 +28,8 @@ fn json(output: &Output) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
-/// The plate of 0.365 kg from 100 mm on 2190 N/mm: 349.808 g over 1.28255 ms, 60 samples of it, with a zero line of 1 g and
-/// a wobble of 0.5 % in place of noise.
+/// The plate of 0.365 kg from 100 mm on 2190 N/mm: 349.808 g over 1.28255 ms, 60 samples of it,
+/// with a zero line of 1 g and a wobble of 0.5 % in place of noise.
 fn half_sine(top_g: f64) -> String {
     let mut text = String::from("time [ms],acceleration [g]\n");
     for i in 0..420 {
@@ -54,7 +54,8 @@ fn a_half_sine_gives_its_stiffness() {
     let test = &document["tests"][0];
     assert_eq!(test["quality"]["flags"], Value::Array(Vec::new()));
     for name in ["fit", "peak_over_velocity", "contact_time", "velocity_over_compression", "energy"] {
-        // 2 % on the peak is what the wobble does to single estimates at most, twice that to their stiffness.
+        // 2 % on the peak is what the wobble does to single estimates at most, twice that to their
+        // stiffness.
         let most = if name == "fit" { 0.02 } else { 0.04 };
         assert!((test["stiffness_n_m"][name].as_f64().unwrap() / 2.19e6 - 1.0).abs() < most, "{name}: {test}");
     }
@@ -127,7 +128,8 @@ fn static_tests() {
     // Straight lines of printed numbers: rounding alone. The way out lies 10 % lower.
     assert!((test["tangent_stiffness_n_m"].as_f64().unwrap() / 1e6 - 1.0).abs() < 1e-6);
     assert!((test["secant_stiffness_n_m"].as_f64().unwrap() / 1e6 - 1.0).abs() < 1e-6);
-    // ∫F dd of the way in is 0.32 J; the jump to 90 % at the turn costs half a step of 8 N·mm of it.
+    // ∫F dd of the way in is 0.32 J; the jump to 90 % at the turn costs half a step of 8 N·mm of
+    // it.
     assert!((test["hysteresis_ratio"].as_f64().unwrap() - 0.1).abs() < 2e-3, "{test}");
     let heavy = freestand(folder.path(), &["cushion", "static", "press.csv", "--load", "2 kN"]);
     assert_eq!(heavy.status.code(), Some(2));

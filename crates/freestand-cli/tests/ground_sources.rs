@@ -17,7 +17,8 @@ fn freestand(folder: &Path, args: &[&str]) -> Vec<u8> {
     output.stdout
 }
 
-/// Runs the study, the study once more, and the study in the first output folder: the same bytes; gives `summary.json`.
+/// Runs the study, the study once more, and the study in the first output folder: the same bytes;
+/// gives `summary.json`.
 fn run_three_times(folder: &Path, ground: &str) -> (Value, String) {
     fs::write(folder.join("s.toml"), format!("[ground]\n{ground}{OBJECTS}")).unwrap();
     freestand(folder, &["run", "s.toml", "--out", "first"]);

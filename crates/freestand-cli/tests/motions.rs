@@ -56,11 +56,12 @@ fn a_city_gives_the_distances_of_its_spectrum() {
     let earthquake = &pairs["earthquakes"][0];
     assert_eq!(pairs["kpz_g"], 0.08);
     assert!((earthquake["mean_ratio_to_rock_spectrum"].as_f64().unwrap() - 1.0).abs() < 2e-3);
-    // An independent computation has 30 km; means of twenty motions have a standard error of 7 %, and it rounds to 5 km.
+    // An independent computation has 30 km; means of twenty motions have a standard error of 7 %,
+    // and it rounds to 5 km.
     let distance_m = earthquake["distance_m"].as_f64().unwrap();
     assert!((24e3..37e3).contains(&distance_m), "{distance_m}");
-    // The search has its twenty, the four that are written say their own mean: within 2.7 of 0.2/√4, and of what a ratio of
-    // Fourier amplitudes does to a spectrum.
+    // The search has its twenty, the four that are written say their own mean: within 2.7 of
+    // 0.2/√4, and of what a ratio of Fourier amplitudes does to a spectrum.
     assert_eq!(earthquake["searched_motions"], 20);
     let written = earthquake["written_mean_ratio_to_site_spectrum"].as_f64().unwrap();
     assert!((0.6..1.5).contains(&written), "{written}");

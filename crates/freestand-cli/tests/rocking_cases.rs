@@ -1,7 +1,7 @@
 //! Every history that was solved to 160 bits, through the command line at `standard` accuracy.
 //!
-//! The library's own run of these cases, at every accuracy, is in `freestand-study`; this one holds the flags, the
-//! reading of the records and the JSON.
+//! The library's own run of these cases, at every accuracy, is in `freestand-study`; this one holds
+//! the flags, the reading of the records and the JSON.
 
 #![expect(clippy::unwrap_used, reason = "a test may stop at broken reference data")]
 

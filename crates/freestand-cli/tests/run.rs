@@ -1,4 +1,5 @@
-//! `freestand run` as a whole: the files that it leaves, their bytes, and what it does when it cannot.
+//! `freestand run` as a whole: the files that it leaves, their bytes, and what it does when it
+//! cannot.
 
 #![expect(clippy::unwrap_used, reason = "a test may stop at an error")]
 

@@ -7,8 +7,8 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// A half-sine of 200 g and 10 ms at 20 kHz between stretches of rest, as a laboratory writes it. More than 20 g, which would
-/// be noted of a floor.
+/// A half-sine of 200 g and 10 ms at 20 kHz between stretches of rest, as a laboratory writes it.
+/// More than 20 g, which would be noted of a floor.
 fn record() -> String {
     let row = |k: u32| {
         let share = (f64::from(k) - 100.0) / 200.0;
@@ -60,8 +60,8 @@ fn a_pulse_as_json() {
     insta::assert_snapshot!(said(Path::new("."), &[&PULSE[..], &FREQUENCIES, &more].concat()));
 }
 
-/// The record is the pulse: within the 0.05 % of the method, the corners of a half-sine of 200 samples (π²/(12 · 200²) of its
-/// impulse is 2e-5) and six printed decimals.
+/// The record is the pulse: within the 0.05 % of the method, the corners of a half-sine of 200
+/// samples (π²/(12 · 200²) of its impulse is 2e-5) and six printed decimals.
 #[test]
 fn a_file_is_its_pulse() {
     let folder = folder();

@@ -138,8 +138,8 @@ fn sensitivity_is_told_where_it_is_asked_for() {
     assert!(warnings.iter().any(|warning| warning.as_str().unwrap().starts_with(&said)), "{warnings:?}");
 }
 
-/// The velocity shock is proportional to the fastest impact: of an object that is not sensitive it changes by no more than ten
-/// times what the motion does.
+/// The velocity shock is proportional to the fastest impact: of an object that is not sensitive it
+/// changes by no more than ten times what the motion does.
 #[test]
 fn shocks_of_objects_that_are_not_sensitive_are_steady() {
     let folder = folder();

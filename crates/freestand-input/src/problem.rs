@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use crate::keys::KeyStyle;
+
 /// The kind of a [`Problem`], for programs that must tell them apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProblemKind {
@@ -12,8 +14,12 @@ pub enum ProblemKind {
     Format,
     /// A value is missing, has no unit or the wrong one, or lies outside what the models accept.
     Value,
+    /// A value that is needed was not given.
+    Missing,
     /// The models could not finish.
     Computation,
+    /// The caller stopped the calculation before its end.
+    Stopped,
 }
 
 /// One thing that is wrong, with the place where it was found and a remedy.
@@ -25,16 +31,52 @@ pub struct Problem {
     pub path: Option<PathBuf>,
     /// Line in that file, counted from 1.
     pub line: Option<usize>,
-    /// What is wrong.
+    /// The keys that it is about. Of several, the one that comes last in a file is to blame.
+    pub keys: Vec<&'static str>,
+    /// What is wrong; [`keys`](crate::keys) are in backticks.
     pub message: String,
-    /// What to do about it.
+    /// What to do about it; keys as in the message.
     pub hint: Option<String>,
 }
 
 impl Problem {
     /// A problem that is not yet tied to a file.
     pub fn new(kind: ProblemKind, message: impl Into<String>) -> Self {
-        Self { kind, path: None, line: None, message: message.into(), hint: None }
+        Self { kind, path: None, line: None, keys: Vec::new(), message: message.into(), hint: None }
+    }
+
+    /// A value that is wrong, and what to do about it.
+    pub fn value(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::new(ProblemKind::Value, message).hint(hint)
+    }
+
+    /// The caller stopped the calculation.
+    pub fn stopped() -> Self {
+        Self::new(ProblemKind::Stopped, "the calculation was stopped before its end").hint("run it again")
+    }
+
+    /// Says which keys it is about, unless that was said already.
+    #[must_use]
+    pub fn of(mut self, keys: &[&'static str]) -> Self {
+        if self.keys.is_empty() {
+            self.keys = keys.to_vec();
+        }
+        self
+    }
+
+    /// The same of the value of one key, with which the message begins: `` `damping`: … ``.
+    #[must_use]
+    pub fn named(mut self, key: &'static str) -> Self {
+        self.message = format!("`{key}`: {}", self.message);
+        self.of(&[key])
+    }
+
+    /// The same with its keys in a style, once and for all: those of a file are shown as the file has them.
+    #[must_use]
+    pub fn shown(mut self, style: KeyStyle) -> Self {
+        self.message = style.shown(&self.message);
+        self.hint = self.hint.map(|hint| style.shown(&hint));
+        self
     }
 
     /// Ties the problem to a file, unless it is tied to one already.
@@ -75,11 +117,63 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Everything that is wrong, reported at once. Never empty.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// Everything that is wrong, collected while an input is read and reported at once.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Problems {
-    /// The problems, in the order in which they were found.
+    /// The problems, in the order in which they were found; as an error, never empty.
     pub problems: Vec<Problem>,
+}
+
+impl Problems {
+    /// Whether nothing is wrong so far.
+    pub fn is_empty(&self) -> bool {
+        self.problems.is_empty()
+    }
+
+    /// Whether the caller stopped the calculation.
+    pub fn is_stopped(&self) -> bool {
+        self.problems.iter().any(|problem| problem.kind == ProblemKind::Stopped)
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.problems.len()
+    }
+
+    /// Adds a problem.
+    pub fn push(&mut self, problem: Problem) {
+        self.problems.push(problem);
+    }
+
+    /// The value; what is wrong with it is kept.
+    pub fn keep<T, E: Into<Problems>>(&mut self, result: Result<T, E>) -> Option<T> {
+        result.map_err(|error| self.problems.extend(error.into().problems)).ok()
+    }
+
+    /// The value of a key; what is wrong with it is kept under that key.
+    pub fn keep_named<T>(&mut self, key: &'static str, result: Result<T, Problem>) -> Option<T> {
+        self.keep(result.map_err(|problem| problem.named(key)))
+    }
+
+    /// The value, where nothing was wrong; a value that is missing has its problem here.
+    ///
+    /// # Errors
+    /// All that is wrong.
+    pub fn finish<T>(self, value: Option<T>) -> Result<T, Self> {
+        match value {
+            Some(value) if self.is_empty() => Ok(value),
+            _ => Err(self),
+        }
+    }
+}
+
+impl IntoIterator for Problems {
+    type Item = Problem;
+    type IntoIter = std::vec::IntoIter<Problem>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.problems.into_iter()
+    }
 }
 
 impl From<Problem> for Problems {

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-/// A number with `digits` significant digits: `300.0`, `1.500`, `1.50e-5`; an exponent only where the plain form would be
-/// long, `–` where it is not finite.
+/// A number with `digits` significant digits: `300.0`, `1.500`, `1.50e-5`; with an exponent only if
+/// the plain form would be long; `–` if it is not finite.
 pub fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
@@ -30,7 +30,7 @@ pub fn number(value: f64, digits: usize) -> String {
     power.map_or_else(|| mantissa.to_owned(), |power| format!("{mantissa}e{power}"))
 }
 
-/// A number with a fixed count of decimals; `–` where it is not finite.
+/// A number with a fixed number of decimals; `–` if it is not finite.
 pub fn fixed(value: f64, decimals: usize) -> String {
     if value.is_finite() { format!("{value:.decimals$}") } else { "–".to_owned() }
 }
@@ -40,6 +40,16 @@ pub fn percent(share: f64, decimals: usize) -> String {
     format!("{} %", fixed(100.0 * share, decimals))
 }
 
+/// A share in percent with `digits` significant digits.
+pub fn percent_significant(share: f64, digits: usize) -> String {
+    format!("{} %", number(100.0 * share, digits))
+}
+
+/// A count with its noun, which takes an s but for one: `1 motion`, `20 motions`.
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
 /// A number of a CSV: the shortest text that reads back as `value`.
 pub fn shortest(value: f64) -> String {
     let mut text = String::new();
@@ -47,7 +57,8 @@ pub fn shortest(value: f64) -> String {
     text
 }
 
-/// The shortest text that reads back as `value`; plain where that is short. (Writing to a `String` cannot fail.)
+/// The shortest text that reads back as `value`; without an exponent if that is short. (Writing to
+/// a `String` cannot fail.)
 pub fn push_shortest(out: &mut String, value: f64) {
     let size = value.abs();
     let _ = if size == 0.0 || (1e-5..1e16).contains(&size) { write!(out, "{value}") } else { write!(out, "{value:e}") };
@@ -63,7 +74,8 @@ pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     (3 * distance <= word.chars().count().max(best.chars().count())).then_some(best)
 }
 
-/// Levenshtein distance with transpositions counted as two; words are short, so the plain table does.
+/// Levenshtein distance; a transposition counts as two. Words are short, so a plain table is fast
+/// enough.
 pub fn edit_distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();

@@ -1,7 +1,7 @@
-//! Output that is either complete or not there: nothing half-written is ever found under the name that was asked for.
+//! Output that is either complete or absent: an incomplete file never has its final name.
 
 use crate::paths::{
-    STAGING_PREFIX, beside, clear_leftovers, io_problem, no_name, real_path, refuse_input, unique_suffix,
+    STAGING_PREFIX, clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input, staging_prefix,
 };
 use crate::streamed::StreamedFile;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -10,58 +10,62 @@ use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
+use tempfile::TempDir;
 
-/// Files by which we know a folder as ours.
+/// A folder with one of these files was written by freestand.
 const MANIFESTS: [&str; 2] = [MANIFEST, "summary.json"];
 
 /// The manifest of most commands.
 pub const MANIFEST: &str = "manifest.json";
 
-/// Schema of a manifest of files that are not all in their place.
+/// Schema of the manifest of an incomplete folder.
 const INCOMPLETE: &str = "freestand.incomplete/1";
 
-/// Most of a manifest that is read to see whose it is. Ours are far shorter; a stranger's may be of any size.
+/// The longest manifest that is read. Ours are far shorter; other files of that name may be of any
+/// size.
 const MANIFEST_BYTES: u64 = 64 << 20;
 
-const ANOTHER_FOLDER: &str = "name another folder with --out";
+const ANOTHER_FOLDER: &str = "name another folder with `out`";
 
-/// Writes a file under a temporary name beside `path`, then gives it its name. A file that was there is replaced; if
-/// anything fails it stays as it was. No file of `inputs` is replaced.
+/// Writes a file under a temporary name next to `path`, then renames it. An existing file is
+/// replaced; if anything fails, it stays as it was. Files in `inputs` are never replaced.
 ///
 /// # Errors
-/// A folder that is absent or may not be written, a full disk, or a folder in the file's place.
+/// A folder that does not exist or is not writable, a full disk, or a folder with the file's name.
 pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), Problem> {
     let mut file = StreamedFile::begin(path, inputs)?;
     file.write(bytes)?;
     file.finish()
 }
 
-/// An output folder in the making. Everything is written to a staging folder first, and moves to the target on
-/// [`commit`](OutputFolder::commit); dropped without it, the staging folder goes and the target is as it was.
+/// An output folder before it is complete. Files are written to a staging folder and move to the
+/// target on [`commit`](OutputFolder::commit). Dropped without a commit, it removes the staging
+/// folder and leaves the target unchanged.
 ///
-/// A manifest in the target lists the files of an earlier run. Those, and only those, are replaced.
+/// A manifest in the target lists the files of an earlier run. Only those are replaced.
 #[derive(Debug)]
 pub struct OutputFolder {
     target: PathBuf,
-    staging: PathBuf,
+    /// Removed when dropped, unless it became the target.
+    staging: TempDir,
     force: bool,
-    /// What the work was read from, and so must outlive it.
+    /// The inputs, which must not be replaced.
     inputs: Vec<PathBuf>,
-    committed: bool,
-    /// Held while we live, so that nobody takes the staging folder for a leftover.
+    /// Held so that no other process takes the staging folder for a leftover.
     _lock: Option<fs::File>,
 }
 
 impl OutputFolder {
-    /// Begins a folder that will be `target`. `force` allows to write into a folder with files that are not ours; they
-    /// stay, but for those that have the names of ours. No file of `inputs` is replaced, whatever is allowed.
+    /// Begins a folder that will become `target`. `force` allows writing into a folder with other
+    /// files; those stay, except for files with the names of ours. Files in `inputs` are never
+    /// replaced.
     ///
     /// # Errors
-    /// A file in the target's place, a target with content that is not ours (without `force`), a folder that may not be
-    /// written, or an input among the files to be replaced. All this is found now, before hours of work, and again on
-    /// commit.
+    /// A file with the target's name, a target with other content (without `force`), a folder that
+    /// is not writable, or an input among the files to replace. These are checked here, before
+    /// hours of work, and again on commit.
     pub fn stage(target: &Path, force: bool, inputs: &[PathBuf]) -> Result<Self, Problem> {
-        // "out/." and "out/.." have no name that a sibling could be made from; absolute paths settle "." too.
+        // "out/." and "out/.." do not end in a name; an absolute path does.
         let target = real_path(&absolute(target)?);
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
         clear_leftovers(&target, false);
@@ -70,47 +74,50 @@ impl OutputFolder {
         for name in place.listed() {
             refuse_input(&inputs, &target.join(name), ANOTHER_FOLDER)?;
         }
-        // A folder that exists may be a mount point, or stand where nothing else may be written: we stay inside it.
-        let staging = match place {
+        // An existing folder may be a mount point, or its parent may not be writable: we stay
+        // inside it.
+        let (folder, prefix) = match place {
             Place::Absent => {
-                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot make the folder", &error))?;
-                beside(&target, "partial").ok_or_else(|| no_name(&target))?
+                fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot create the folder", &error))?;
+                (parent, prefix_next_to(&target).ok_or_else(|| no_name(&target))?)
             }
-            Place::Folder { .. } => target.join(format!("{STAGING_PREFIX}{}", unique_suffix())),
+            Place::Folder { .. } => (target.as_path(), staging_prefix().into()),
         };
-        // One left over from a killed run that had our process number is ours to clear.
-        remove_if_there(&staging).map_err(|error| io_problem(&staging, "cannot clear the folder", &error))?;
-        fs::create_dir(&staging).map_err(|error| io_problem(&target, "cannot write the output folder", &error))?;
-        // Where a folder cannot be locked, the number of the process alone says whose it is.
-        let lock = fs::File::open(&staging).ok().filter(|folder| folder.try_lock().is_ok());
-        Ok(Self { target, staging, force, inputs, committed: false, _lock: lock })
+        let staging = tempfile::Builder::new().prefix(&prefix).tempdir_in(folder).map_err(|error| {
+            // tempfile's message names the temporary folder, which tells the user nothing.
+            io_problem(&target, "cannot write the output folder", &error.kind().into())
+        })?;
+        // Where a folder cannot be locked, the process number alone says whose it is.
+        let lock = fs::File::open(staging.path()).ok().filter(|folder| folder.try_lock().is_ok());
+        Ok(Self { target, staging, force, inputs, _lock: lock })
     }
 
-    /// Whether files of these names may be put into the folder. To be asked before long work.
+    /// Checks whether files with these names may be put into the folder; to be called before long
+    /// work.
     ///
     /// # Errors
-    /// A name that would replace an input, or (without `force`) a file that is not ours.
+    /// A name that would replace an input or, without `force`, a file that freestand did not write.
     pub fn check(&self, names: &[String]) -> Result<(), Problem> {
         let place = check_replaceable(&self.target, self.force)?;
         for name in names {
             let path = self.target.join(name);
             refuse_input(&self.inputs, &path, ANOTHER_FOLDER)?;
             let in_the_way = |what: &str| {
-                Problem::new(ProblemKind::Io, format!("{what}, an output is to be there"))
+                Problem::new(ProblemKind::Io, format!("{what}, but an output is to be written there"))
                     .in_file(&path)
-                    .hint("name another folder with --out")
+                    .hint(ANOTHER_FOLDER)
             };
             for above in Path::new(name).ancestors().skip(1).filter(|above| !above.as_os_str().is_empty()) {
                 let file = fs::symlink_metadata(self.target.join(above)).is_ok_and(|data| !data.is_dir());
                 if file && !place.lists(above) {
-                    return Err(in_the_way(&format!("{} is no folder", above.display())));
+                    return Err(in_the_way(&format!("{} is not a folder", above.display())));
                 }
             }
             match fs::symlink_metadata(&path) {
                 Ok(data) if data.is_dir() => return Err(in_the_way("is a folder")),
                 Ok(_) if !self.force && !place.lists(Path::new(name)) => {
                     return Err(in_the_way("is not a result of freestand")
-                        .hint("name another folder with --out, or replace the file with --force"));
+                        .hint("name another folder with `out`, or replace the file with `force = true`"));
                 }
                 _ => {}
             }
@@ -134,7 +141,7 @@ impl OutputFolder {
     /// A name that leaves the folder or was begun before, or a disk that is full.
     pub fn begin(&self, name: &str) -> Result<StreamedFile, Problem> {
         let path = self.path_of(name)?;
-        // Errors name the place that the user knows, not the staging folder.
+        // Errors name the final place, not the staging folder.
         let target = self.target.join(name);
         let failed = |error: io::Error| io_problem(&target, "cannot write the file", &error);
         if let Some(parent) = path.parent() {
@@ -143,7 +150,7 @@ impl OutputFolder {
         let file = fs::File::create_new(&path).map_err(|error| match error.kind() {
             io::ErrorKind::AlreadyExists => Problem::new(ProblemKind::Value, "two outputs have this name")
                 .in_file(&target)
-                .hint("ask for each output once"),
+                .hint("request each output once"),
             _ => failed(error),
         })?;
         Ok(StreamedFile::of(file, &target))
@@ -155,12 +162,13 @@ impl OutputFolder {
     /// A name that leaves the folder.
     pub fn path_of(&self, name: &str) -> Result<PathBuf, Problem> {
         if !stays_inside(name) {
-            return Err(Problem::new(ProblemKind::Value, format!("\"{name}\" is no name inside the output folder")));
+            return Err(Problem::new(ProblemKind::Value, format!("\"{name}\" is not a name inside the output folder")));
         }
-        Ok(self.staging.join(name))
+        Ok(self.staging.path().join(name))
     }
 
-    /// Where a file of the folder is until the commit, its folders made: for one that is linked rather than written.
+    /// Where a file of the folder is until the commit, with its folders created: for a file that is
+    /// linked, not written.
     ///
     /// # Errors
     /// A name that leaves the folder, or a disk that is full.
@@ -174,47 +182,48 @@ impl OutputFolder {
     /// The names of the files that were written so far, sorted, with `/` between folder and file.
     ///
     /// # Errors
-    /// A staging folder that somebody has taken away.
+    /// A staging folder that was removed.
     pub fn names(&self) -> Result<Vec<String>, Problem> {
         let mut names = Vec::new();
-        collect_names(&self.staging, "", &mut names)
+        collect_names(self.staging.path(), "", &mut names)
             .map_err(|error| io_problem(&self.target, "cannot read the output folder", &error))?;
         names.sort_unstable();
         Ok(names)
     }
 
-    /// Puts the files in their place and returns the folder's path.
+    /// Moves the files into place and returns the path of the folder.
     ///
     /// # Errors
-    /// As [`stage`](OutputFolder::stage), if the target has changed since; it is then as it was. Where a file cannot be
-    /// moved although all that was checked, the manifest says that the folder is incomplete, and lists what is ours.
+    /// As [`stage`](OutputFolder::stage), if the target has changed since; it is then left as it
+    /// was. If a file cannot be moved in spite of these checks, the manifest says that the folder
+    /// is incomplete and lists our files.
     pub fn commit(mut self) -> Result<PathBuf, Problem> {
         let names = self.names()?;
         self.check(&names)?;
         match check_replaceable(&self.target, self.force)? {
             Place::Absent => {
-                fs::rename(&self.staging, &self.target)
-                    .map_err(|error| io_problem(&self.target, "cannot put the folder in place", &error))?;
-                self.committed = true;
+                fs::rename(self.staging.path(), &self.target)
+                    .map_err(|error| io_problem(&self.target, "cannot move the folder into place", &error))?;
+                self.staging.disable_cleanup(true);
             }
-            // The emptied staging folder is left for `drop` to remove.
             Place::Folder { listed } => self.move_in(&names, &listed)?,
         }
         Ok(self.target.clone())
     }
 
-    /// Replaces the files of an earlier run by ours, the manifest last.
+    /// Replaces the files of an earlier run, the manifest last.
     fn move_in(&self, names: &[String], listed: &BTreeSet<String>) -> Result<(), Problem> {
         let failed = |name: &str, error: io::Error| {
-            io_problem(&self.target.join(name), "cannot put the file in place, the output is incomplete", &error)
+            io_problem(&self.target.join(name), "cannot move the file into place; the output is incomplete", &error)
         };
         let (manifests, others): (Vec<&String>, Vec<&String>) =
             names.iter().partition(|name| MANIFESTS.contains(&name.as_str()));
         if let Some(manifest) = manifests.first() {
-            // Until all is in place, whoever looks (the next run, too) sees old and new as ours and incomplete.
+            // Until all files are in place, this manifest lists old and new files and says that the
+            // folder is incomplete.
             let all: BTreeSet<&String> = names.iter().chain(listed).collect();
             let text = serde_json::json!({"schema": INCOMPLETE, "files": all}).to_string();
-            let marker = self.staging.join(".incomplete");
+            let marker = self.staging.path().join(".incomplete");
             fs::write(&marker, text)
                 .and_then(|()| fs::rename(&marker, self.target.join(manifest)))
                 .map_err(|error| failed(manifest, error))?;
@@ -226,23 +235,15 @@ impl OutputFolder {
             let to = self.target.join(name);
             to.parent()
                 .map_or(Ok(()), fs::create_dir_all)
-                .and_then(|()| fs::rename(self.staging.join(name), &to))
+                .and_then(|()| fs::rename(self.staging.path().join(name), &to))
                 .map_err(|error| failed(name, error))?;
         }
         Ok(())
     }
 }
 
-impl Drop for OutputFolder {
-    fn drop(&mut self) {
-        if !self.committed {
-            let _ = fs::remove_dir_all(&self.staging);
-        }
-    }
-}
-
-/// Begins a long run in `target` itself: the folder is made, and its manifest says that files of these `names` are ours too, so that
-/// whatever a kill leaves is known again.
+/// Begins a long run in `target` itself. The folder is created, and its manifest lists these
+/// `names` too, so that the files of a killed run are recognised.
 ///
 /// # Errors
 /// As [`OutputFolder::stage`].
@@ -252,17 +253,17 @@ pub fn announce(target: &Path, force: bool, names: &[String]) -> Result<(), Prob
         Place::Absent => BTreeSet::new(),
         Place::Folder { listed } => listed,
     };
-    fs::create_dir_all(&target).map_err(|error| io_problem(&target, "cannot make the folder", &error))?;
+    fs::create_dir_all(&target).map_err(|error| io_problem(&target, "cannot create the folder", &error))?;
     let ours: BTreeSet<&String> = names.iter().chain(&listed).collect();
     let text = serde_json::json!({"schema": INCOMPLETE, "files": ours}).to_string();
     write_file(&target.join(MANIFEST), text.as_bytes(), &[])
 }
 
-/// What stands where the output folder is to be.
+/// What is at the place of the output folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Place {
     Absent,
-    /// A folder that we may write into, with the files of it that are ours.
+    /// A folder that we may write into, and which of its files freestand wrote.
     Folder {
         listed: BTreeSet<String>,
     },
@@ -296,12 +297,13 @@ fn collect_names(folder: &Path, prefix: &str, names: &mut Vec<String>) -> io::Re
     Ok(())
 }
 
-/// Whether a name can only be that of something below the folder that it is joined to.
+/// Whether a name, joined to a folder, stays below that folder.
 fn stays_inside(name: &str) -> bool {
     !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
 }
 
-/// Removes a file that a manifest lists, and the folders that it leaves empty. What is gone already is no error.
+/// Removes a file that a manifest lists, and folders that become empty. A missing file is not an
+/// error.
 fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
     match fs::remove_file(target.join(name)) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
@@ -315,18 +317,18 @@ fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether `target` may become our output folder, and what of it is ours.
+/// Whether `target` may become our output folder, and which of its files freestand wrote.
 fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     let data = match fs::symlink_metadata(target) {
         Ok(data) => data,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Place::Absent),
-        Err(error) => return Err(io_problem(target, "cannot look at the output folder", &error)),
+        Err(error) => return Err(io_problem(target, "cannot inspect the output folder", &error)),
     };
     if !data.is_dir() {
         let what = if data.is_symlink() { "is a link to nothing" } else { "is a file" };
-        return Err(Problem::new(ProblemKind::Io, format!("{what}, the output folder is to be there"))
+        return Err(Problem::new(ProblemKind::Io, format!("{what}, but the output folder is to be there"))
             .in_file(target)
-            .hint("name another folder with --out"));
+            .hint(ANOTHER_FOLDER));
     }
     let manifests: Vec<BTreeSet<String>> = MANIFESTS.iter().filter_map(|name| listed_files(target, name)).collect();
     let mut entries =
@@ -338,11 +340,11 @@ fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     }
     Err(Problem::new(ProblemKind::Io, "the folder holds files that are not results of freestand")
         .in_file(target)
-        .hint("name another folder with --out, or write among them with --force"))
+        .hint("name another folder with `out`, or add to this one with `force = true`"))
 }
 
-/// The files that a manifest of ours lists, itself included; `None` if it is not ours. A manifest is a text that anybody
-/// can write: a name that leaves the folder, or passes through a link, is not believed.
+/// The files that a manifest lists, and the manifest itself; `None` if freestand did not write it.
+/// Anybody can write a manifest: names that leave the folder or pass through a link are ignored.
 fn listed_files(target: &Path, manifest: &str) -> Option<BTreeSet<String>> {
     let path = target.join(manifest);
     let small = fs::metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= MANIFEST_BYTES);
@@ -361,18 +363,11 @@ fn listed_files(target: &Path, manifest: &str) -> Option<BTreeSet<String>> {
 }
 
 fn absolute(path: &Path) -> Result<PathBuf, Problem> {
-    let path = std::path::absolute(path).map_err(|error| io_problem(path, "is no path", &error))?;
+    let path = std::path::absolute(path).map_err(|error| io_problem(path, "is not a path", &error))?;
     // Where the path exists, ".." and links above it are resolved as the system does.
     match (path.file_name(), path.parent()) {
         (Some(_), _) => Ok(path),
-        _ => fs::canonicalize(&path).map_err(|error| io_problem(&path, "cannot look at the output folder", &error)),
-    }
-}
-
-fn remove_if_there(path: &Path) -> io::Result<()> {
-    match fs::remove_dir_all(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        other => other,
+        _ => fs::canonicalize(&path).map_err(|error| io_problem(&path, "cannot inspect the output folder", &error)),
     }
 }
 
@@ -408,7 +403,7 @@ mod tests {
         let full = Path::new("/dev/full");
         if full.exists() {
             let problem = write_file(full, b"x", &[]).unwrap_err();
-            assert!(problem.hint.unwrap().contains("make room"), "{}", problem.message);
+            assert!(problem.hint.unwrap().contains("free space"), "{}", problem.message);
         }
     }
 
@@ -455,7 +450,7 @@ mod tests {
         ] {
             fs::write(target.join(name), content).unwrap();
             let problem = OutputFolder::stage(&target, false, &[]).unwrap_err();
-            assert!(problem.hint.unwrap().contains("--force"), "{name}");
+            assert!(problem.hint.unwrap().contains("`force = true`"), "{name}");
             assert_eq!(names(parent.path()), ["out"]);
             fs::remove_file(target.join(name)).unwrap();
         }
@@ -464,7 +459,7 @@ mod tests {
         fs::write(target.join("thesis.doc"), "years of work").unwrap();
         assert!(folder.commit().is_err());
         assert_eq!((names(&target), names(parent.path())), (vec!["thesis.doc".to_owned()], vec!["out".to_owned()]));
-        // With --force we move in beside it, and replace only what has our names.
+        // With force we add our files and replace only those with our names.
         fs::create_dir(target.join("motions")).unwrap();
         fs::write(target.join("motions/mine.csv"), "mine").unwrap();
         fs::write(target.join("a"), "old").unwrap();
@@ -514,10 +509,10 @@ mod tests {
         // A file that nobody listed is in the way: said before the work, and nothing has changed.
         fs::write(target.join("urs.csv"), "mine").unwrap();
         let folder = OutputFolder::stage(&target, false, &[]).unwrap();
-        assert!(folder.check(&["urs.csv".to_owned()]).unwrap_err().hint.unwrap().contains("--force"));
+        assert!(folder.check(&["urs.csv".to_owned()]).unwrap_err().hint.unwrap().contains("`force = true`"));
         drop(folder);
         assert!(run(&target, false, &["urs.csv", "motions/c.csv"]).is_err());
-        assert!(run(&target, true, &["thesis.doc/x"]).unwrap_err().message.contains("no folder"));
+        assert!(run(&target, true, &["thesis.doc/x"]).unwrap_err().message.contains("not a folder"));
         assert!(run(&target, true, &["motions"]).unwrap_err().message.contains("is a folder"));
         assert_eq!(names(&target), ["motions", "notes.md", "srs.csv", "summary.json", "thesis.doc", "urs.csv"]);
         assert_eq!(names(&target.join("motions")), ["b.csv", "mine.csv"]);
@@ -611,7 +606,8 @@ mod tests {
         drop(OutputFolder::stage(&target, false, &[]).unwrap());
         let left = names(parent.path());
         assert!(!left.contains(&dead.to_owned()) && left.len() == others.len() + 1, "{left:?}");
-        // Inside a target that exists they make no content of it, and a lock protects whoever has another kernel's view.
+        // Inside a target that exists they make no content of it, and a lock protects whoever has
+        // another kernel's view.
         for name in [".freestand-partial-4194999-0", ".freestand-partial-4194998-0"] {
             fs::create_dir_all(target.join(name)).unwrap();
         }
@@ -656,7 +652,7 @@ mod tests {
         for name in ["", "..", "../x", "/etc/x", "a/../../x", "."] {
             assert!(folder.write(name, b"x").is_err(), "{name}");
         }
-        assert_eq!(names(&folder.staging).len(), 0);
+        assert_eq!(names(folder.staging.path()).len(), 0);
         assert!(OutputFolder::stage(Path::new("/"), true, &[]).is_err());
     }
 }

@@ -1,4 +1,39 @@
-//! Pieces of HTML. Everything that is called `html` here is markup already; everything called `text` is escaped.
+//! The skeleton of a report and pieces of HTML. Arguments called `html` are markup
+//! already; those called `text` are escaped here.
+
+/// How every report looks on a screen.
+const SCREEN_CSS: &str = include_str!("style.css");
+
+/// How every report looks on paper. A browser makes the PDF: freestand has no typesetter.
+pub const PRINT_CSS: &str = include_str!("print.css");
+
+/// Everything before the content of a report: the shared styles, the report's own `css`, the title.
+/// On paper the title is repeated at the top of every page after the first, and the subtitle is at
+/// the foot of every page.
+pub fn opening(title: &str, subtitle: &str, css: &str) -> String {
+    let (heading, below) = (escape(title), escape(subtitle));
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n\
+         <meta charset=\"utf-8\" />\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n\
+         <title>{heading}</title>\n<style>\n{SCREEN_CSS}{PRINT_CSS}\
+         @page {{\n  @top-left {{ content: {}; }}\n  @bottom-left {{ content: {}; }}\n}}\n{css}</style>\n\
+         </head>\n<body>\n<header>\n<h1>{heading}</h1>\n<p class=\"sub\">{below}</p>\n</header>\n<main>\n",
+        css_string(title),
+        css_string(subtitle),
+    )
+}
+
+/// What ends a report that [`opening`] began.
+pub const CLOSING: &str = "</main>\n</body>\n</html>\n";
+
+/// A text as a string of CSS. Characters with a meaning in CSS, HTML or XML are written as their
+/// code points.
+fn css_string(text: &str) -> String {
+    let has_meaning = |c: char| c.is_control() || "\"\\<>&\u{fffe}\u{ffff}".contains(c);
+    let written = |c: char| if has_meaning(c) { format!("\\{:x} ", u32::from(c)) } else { c.to_string() };
+    format!("\"{}\"", text.chars().map(written).collect::<String>())
+}
 
 /// A cell of a table.
 #[derive(Debug, Clone)]
@@ -24,7 +59,7 @@ pub fn markup(html: String, class: &'static str) -> Cell {
 }
 
 impl Cell {
-    /// The same over several columns.
+    /// The same cell across several columns.
     pub fn over(mut self, columns: usize) -> Self {
         self.columns = columns;
         self
@@ -53,7 +88,7 @@ pub fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> Strin
     classed_table("plain", caption, headings, rows)
 }
 
-/// The same with a look of its own.
+/// The same with a style class.
 pub fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
     let mut html = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">");
     if !caption.is_empty() {
@@ -105,7 +140,7 @@ pub fn list<S: AsRef<str>>(items: &[S]) -> String {
     html
 }
 
-/// A section with its heading, which links lead to.
+/// A section with its heading; `id` is the target of links.
 pub fn section(id: &str, heading: &str, html: &str) -> String {
     format!("<section id=\"{id}\">\n<h2>{}</h2>\n{html}</section>\n", escape(heading))
 }
@@ -115,10 +150,8 @@ pub fn heading(text: &str) -> String {
     format!("<h3>{}</h3>\n", escape(text))
 }
 
-/// The style of every report.
-pub const CSS: &str = include_str!("style.css");
-
-/// Text for HTML: between tags and in quoted attributes. Characters that no document may hold are left out.
+/// Text for HTML: between tags and in quoted attributes. Characters that are not allowed in a
+/// document are left out.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
@@ -144,5 +177,12 @@ mod tests {
     #[test]
     fn markup_is_escaped() {
         assert_eq!(escape("<a href='x'>&\u{0}\"</a>"), "&lt;a href=&#39;x&#39;&gt;&amp;&quot;&lt;/a&gt;");
+    }
+
+    #[test]
+    fn a_title_stays_a_text_in_a_style() {
+        assert_eq!(css_string("a \"b\"\\ </style>&\nü"), "\"a \\22 b\\22 \\5c  \\3c /style\\3e \\26 \\a ü\"");
+        let html = opening("]]> </style>", "\u{0}", "");
+        assert_eq!((html.matches("</style>").count(), html.matches("]]>").count()), (1, 0));
     }
 }

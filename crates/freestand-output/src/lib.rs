@@ -1,6 +1,7 @@
-//! Outputs that appear complete or not at all: staged folders, streamed files, tables, JSON, HTML and figures. Nothing here
-//! knows an earthquake.
+//! Outputs that appear complete or not at all: staged folders, streamed files, facts, tables, JSON,
+//! HTML and figures. Nothing here knows an earthquake.
 
+pub mod facts;
 pub mod figure;
 pub mod folder;
 pub mod html;

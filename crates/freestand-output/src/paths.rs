@@ -1,26 +1,46 @@
-//! Names for files in the making, and what is left of them when a process is killed.
+//! Where outputs are written until they are complete, and what a killed process leaves there.
 
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use freestand_input::{Problem, ProblemKind};
 
-/// Begins the name of a staging folder inside a target that exists; a number of the process and of the folder follow.
+/// The name of a staging folder inside a target that exists begins with this.
 pub const STAGING_PREFIX: &str = ".freestand-partial-";
 
-/// Removes the staging folders (or `files` under a temporary name) of runs that were killed: those for `target` whose
-/// process is gone and whose lock is free. Either alone is not enough: another container's processes are
-/// not seen here, and not every file system can lock.
+/// `PREFIX` with our process number. tempfile adds random letters, so that no two threads share a
+/// name.
+pub fn staging_prefix() -> String {
+    format!("{STAGING_PREFIX}{}-", std::process::id())
+}
+
+/// `.NAME.partial-` with our process number, for a file or folder next to `path`. It is on the same
+/// file system, so that the target appears in one step.
+pub fn prefix_next_to(path: &Path) -> Option<OsString> {
+    let mut prefix = beginning_next_to(path)?;
+    prefix.push(format!("{}-", std::process::id()));
+    Some(prefix)
+}
+
+fn beginning_next_to(path: &Path) -> Option<OsString> {
+    let mut beginning = OsString::from(".");
+    beginning.push(path.file_name()?);
+    beginning.push(".partial-");
+    Some(beginning)
+}
+
+/// Removes what killed runs left for `target`: staging folders, or temporary `files`.
+///
+/// A leftover is removed if its process is gone and its lock is free. Either alone is not enough:
+/// processes in other containers are not visible here, and not every file system has locks.
 pub fn clear_leftovers(target: &Path, files: bool) {
-    let beside = target.file_name().map(|name| format!(".{}.partial-", name.to_string_lossy()));
-    for (folder, prefix) in [(Some(target), Some(STAGING_PREFIX.to_owned())), (target.parent(), beside)] {
-        let (Some(folder), Some(prefix)) = (folder, prefix) else { continue };
+    let places = [(Some(target), Some(STAGING_PREFIX.into())), (target.parent(), beginning_next_to(target))];
+    for (folder, beginning) in places {
+        let (Some(folder), Some(beginning)) = (folder, beginning) else { continue };
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-            let name = entry.file_name();
-            let process = name.to_str().and_then(|name| process_of(name.strip_prefix(&prefix)?));
+            let process = process_of(&entry.file_name(), &beginning);
             let free = || fs::File::open(entry.path()).is_ok_and(|leftover| leftover.try_lock().is_ok());
             if process.is_some_and(is_gone) && free() {
                 // A leftover that cannot be removed is untidy, not a failure of this run.
@@ -34,40 +54,25 @@ pub fn clear_leftovers(target: &Path, files: bool) {
     }
 }
 
-/// The process of a name's `PID-N`.
-fn process_of(suffix: &str) -> Option<u32> {
-    let (process, count) = suffix.split_once('-')?;
-    count.parse::<u64>().ok()?;
+/// The process in the name `BEGINNING` + `PID-LETTERS`.
+fn process_of(name: &OsStr, beginning: &OsStr) -> Option<u32> {
+    let (process, _) = name.to_str()?.strip_prefix(beginning.to_str()?)?.split_once('-')?;
     process.parse().ok()
 }
 
-/// Whether no such process runs; where that cannot be known, it may run.
+/// Whether no such process runs. Where that cannot be known, it may run.
 fn is_gone(process: u32) -> bool {
     let processes = Path::new("/proc");
     cfg!(target_os = "linux") && processes.join("self").exists() && !processes.join(process.to_string()).exists()
 }
 
-/// `.NAME.KIND-PID-N` in the same folder: on the same file system, so that the renaming is one step.
-pub fn beside(path: &Path, kind: &str) -> Option<PathBuf> {
-    let mut name = OsString::from(".");
-    name.push(path.file_name()?);
-    name.push(OsStr::new(&format!(".{kind}-{}", unique_suffix())));
-    Some(path.with_file_name(name))
-}
-
-/// `PID-N`: N keeps two threads apart that write to one name.
-pub fn unique_suffix() -> String {
-    static COUNT: AtomicU64 = AtomicU64::new(0);
-    format!("{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed))
-}
-
-/// What a link names, where there is one; the path itself otherwise.
+/// The target of a link; any other path as it is.
 pub fn real_path(path: &Path) -> PathBuf {
     let link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
     link.then(|| fs::canonicalize(path).ok()).flatten().unwrap_or_else(|| path.to_path_buf())
 }
 
-/// Refuses an output in the place of an input.
+/// Refuses an output that would replace an input.
 ///
 /// # Errors
 /// `output` is one of `inputs`, which are canonical paths.
@@ -75,14 +80,14 @@ pub fn refuse_input(inputs: &[PathBuf], output: &Path, hint: &str) -> Result<(),
     if inputs.is_empty() || !fs::canonicalize(output).is_ok_and(|output| inputs.contains(&output)) {
         return Ok(());
     }
-    Err(Problem::new(ProblemKind::Io, "is read by this command, and its output would replace it")
+    Err(Problem::new(ProblemKind::Io, "is read by this command; its output would replace it")
         .in_file(output)
         .hint(hint))
 }
 
 /// A path without a file name.
 pub fn no_name(path: &Path) -> Problem {
-    Problem::new(ProblemKind::Io, "is no name for an output").in_file(path).hint("name a file or folder to be made")
+    Problem::new(ProblemKind::Io, "is not a name for an output").in_file(path).hint("name a file or folder to create")
 }
 
 /// A failure of the file system, with a remedy.
@@ -92,7 +97,7 @@ pub fn io_problem(path: &Path, what: &str, error: &io::Error) -> Problem {
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "check the permissions, or choose another place"
         }
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make room on the disk, or choose another place",
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free space on the disk, or choose another place",
         _ => "choose another place",
     };
     Problem::new(ProblemKind::Io, format!("{what}: {error}")).in_file(path).hint(hint)

@@ -1,7 +1,5 @@
-//! Tables as CSV and as members of a JSON document: comma, LF, shortest numbers that read back the same; a missing value
-//! is an empty field, or `null`.
-
-use std::borrow::Cow;
+//! Tables as CSV: comma, LF, shortest numbers that read back the same; a missing value is an empty
+//! field.
 
 use freestand_input::words::{push_shortest, shortest};
 use freestand_input::{Problem, ProblemKind};
@@ -50,7 +48,7 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     let mut header = Vec::new();
     let mut rows = Vec::with_capacity(records.len());
     for record in records {
-        // The csv crate would write its own numbers, `0.0` and `1e16`.
+        // Left to itself, the csv crate writes numbers as `0.0` and `1e16`.
         let Ok(Value::Object(fields)) = serde_json::to_value(record) else {
             return Err(Problem::new(ProblemKind::Io, "a table cannot be written: its records have no fields"));
         };
@@ -66,85 +64,19 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     csv(&header, rows.into_iter())
 }
 
-/// One value of a row that is written without being kept.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Field<'a> {
-    /// A text.
-    Text(Cow<'a, str>),
-    /// A number.
-    Number(f64),
-    /// A whole number.
-    Count(usize),
-    /// Yes or no.
-    Flag(bool),
-    /// No value: an empty field, `null`.
-    Missing,
-}
-
-impl From<Option<f64>> for Field<'_> {
-    fn from(value: Option<f64>) -> Self {
-        value.map_or(Self::Missing, Self::Number)
-    }
-}
-
-/// The names of a row's fields as the first line of a CSV.
-///
-/// # Errors
-/// None in practice: memory does not fail.
-pub fn csv_header(fields: &[(&'static str, Field)]) -> Result<Vec<u8>, Problem> {
-    csv(&fields.iter().map(|(name, _)| *name).collect::<Vec<_>>(), std::iter::empty())
-}
-
-/// Rows of named fields as CSV without a header, written as by [`records_csv`].
-///
-/// # Errors
-/// None in practice: rows are of one length and memory does not fail.
-pub fn csv_rows<'a>(rows: impl Iterator<Item = Vec<(&'static str, Field<'a>)>>) -> Result<Vec<u8>, Problem> {
-    let mut writer = csv_writer();
-    let mut text = String::new();
+/// Rows of numbers as CSV, after a text that ends with the header.
+pub fn numbers_csv<R: AsRef<[f64]>>(head: &str, rows: impl IntoIterator<Item = R>) -> String {
+    let mut text = format!("{head}\n");
     for row in rows {
-        for (_, field) in &row {
-            text.clear();
-            match field {
-                Field::Text(value) => text.push_str(value),
-                Field::Number(value) => push_shortest(&mut text, *value),
-                Field::Count(value) => text.push_str(&value.to_string()),
-                Field::Flag(value) => text.push_str(&value.to_string()),
-                Field::Missing => {}
+        for (i, value) in row.as_ref().iter().enumerate() {
+            if i > 0 {
+                text.push(',');
             }
-            writer.write_field(&text).map_err(broken)?;
+            push_shortest(&mut text, *value);
         }
-        writer.write_record(None::<&[u8]>).map_err(broken)?;
+        text.push('\n');
     }
-    writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
-}
-
-/// Rows of named fields as members of an array on the second level of a [`document`](freestand_output::json::document), with a
-/// comma before each of them.
-///
-/// # Errors
-/// None in practice: memory does not fail.
-pub fn json_rows<'a>(rows: impl Iterator<Item = Vec<(&'static str, Field<'a>)>>) -> Result<Vec<u8>, Problem> {
-    let broken = |error: serde_json::Error| Problem::new(ProblemKind::Io, format!("a row cannot be written: {error}"));
-    let mut out = Vec::new();
-    for row in rows {
-        out.extend_from_slice(b",\n    {");
-        for (i, (name, field)) in row.iter().enumerate() {
-            out.extend_from_slice(if i == 0 { b"\n      " } else { b",\n      " });
-            serde_json::to_writer(&mut out, name).map_err(broken)?;
-            out.extend_from_slice(b": ");
-            match field {
-                Field::Text(value) => serde_json::to_writer(&mut out, value),
-                Field::Number(value) => serde_json::to_writer(&mut out, value),
-                Field::Count(value) => serde_json::to_writer(&mut out, value),
-                Field::Flag(value) => serde_json::to_writer(&mut out, value),
-                Field::Missing => serde_json::to_writer(&mut out, &()),
-            }
-            .map_err(broken)?;
-        }
-        out.extend_from_slice(b"\n    }");
-    }
-    Ok(out)
+    text
 }
 
 /// Named columns of numbers, all of one length, as CSV.

@@ -1,4 +1,5 @@
-//! Output that is too long for memory: a file that grows under a temporary name, and a document of rows in pieces.
+//! Output that does not fit in memory: a file that grows under a temporary name, and a document of
+//! rows in pieces.
 
 use std::fs;
 use std::io::{self, Write};
@@ -6,60 +7,66 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use serde_json::json;
+use tempfile::TempPath;
 
 use crate::json::document;
-use crate::paths::{beside, clear_leftovers, io_problem, no_name, real_path, refuse_input};
+use crate::paths::{clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input};
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// A file in the making. It has its name only after [`finish`](StreamedFile::finish); dropped before, it is gone, and
-/// what stood in its place is as it was.
+/// A file before it is complete. It gets its name on [`finish`](StreamedFile::finish). Dropped
+/// before that, it is removed, and an existing file of that name stays as it was.
 #[derive(Debug)]
 pub struct StreamedFile {
     file: io::BufWriter<fs::File>,
     /// The name that the user knows.
     path: PathBuf,
-    /// The temporary name and the final one; `None` for what is written in its place: a device, a staging folder.
-    rename: Option<(PathBuf, PathBuf)>,
+    /// The temporary name, which tempfile removes, and the final one. `None` for a file that is
+    /// written in its place: a device, or one in a staging folder.
+    rename: Option<(TempPath, PathBuf)>,
 }
 
 impl StreamedFile {
-    /// Begins the file that will be `path`, under a temporary name beside it. No file of `inputs` is replaced.
+    /// Begins the file that will become `path`, under a temporary name next to it. Files in
+    /// `inputs` are never replaced.
     ///
     /// # Errors
-    /// A folder that is absent or may not be written, a folder in the file's place, or an input.
+    /// A folder that does not exist or is not writable, a folder with the file's name, or an input.
     pub fn begin(path: &Path, inputs: &[PathBuf]) -> Result<Self, Problem> {
         let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
         refuse_input(&inputs, path, "name another file to write")?;
         let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
         if path.is_dir() {
-            return Err(Problem::new(ProblemKind::Io, "is a folder, a file is to be written there")
+            return Err(Problem::new(ProblemKind::Io, "is a folder, but a file is to be written there")
                 .in_file(path)
                 .hint("name a file"));
         }
-        // A device such as /dev/null or a pipe is written into, not replaced by a file.
+        // A device such as /dev/null, or a pipe, is written to, not replaced by a file.
         if fs::metadata(path).is_ok_and(|data| !data.is_file()) {
             let device = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
             return Ok(Self::of(device, path));
         }
-        // A link stays a link: the file that it names is the one to replace.
-        let target = real_path(path);
-        let temporary = beside(&target, "partial").ok_or_else(|| no_name(path))?;
+        // A link stays a link: its target is replaced.
+        let target = std::path::absolute(real_path(path)).map_err(failed)?;
+        let (prefix, folder) = prefix_next_to(&target).zip(target.parent()).ok_or_else(|| no_name(path))?;
         clear_leftovers(&target, true);
-        let file = fs::File::create(&temporary).map_err(failed)?;
-        // Held while we write, so that nobody takes it for a leftover; where files cannot be locked, the number of the
-        // process says whose it is.
+        // Created by us, the file has the permissions that the user's umask leaves; tempfile's own
+        // has 0600.
+        let temporary = tempfile::Builder::new().prefix(&prefix).make_in(folder, |path| fs::File::create_new(path));
+        let (file, temporary) = temporary.map_err(failed)?.into_parts();
+        // Locked while we write, so that nobody takes it for a leftover. Where files cannot be
+        // locked, the process number says whose it is.
         let _ = file.try_lock();
         let mut file = Self::of(file, path);
         file.rename = Some((temporary, target));
         Ok(file)
     }
 
-    /// A file that is written where it stands; `path` is its name in messages.
+    /// A file that is written in its final place; `path` is its name in messages.
     pub fn of(file: fs::File, path: &Path) -> Self {
         Self { file: io::BufWriter::with_capacity(1 << 16, file), path: path.to_path_buf(), rename: None }
     }
 
-    /// Appends, and hands everything to the system: a disk that is full is met here, before what is said of it elsewhere.
+    /// Appends and flushes, so that a full disk is reported here.
     ///
     /// # Errors
     /// A disk that is full.
@@ -73,24 +80,14 @@ impl StreamedFile {
     /// A disk that is full, or a folder that was taken away.
     pub fn finish(mut self) -> Result<(), Problem> {
         self.file.flush().map_err(|error| self.failed(&error))?;
-        if let Some((temporary, target)) = &self.rename {
-            fs::rename(temporary, target).map_err(|error| self.failed(&error))?;
-            self.rename = None;
+        if let Some((temporary, target)) = self.rename.take() {
+            temporary.persist(target).map_err(|error| self.failed(&error.error))?;
         }
         Ok(())
     }
 
     fn failed(&self, error: &io::Error) -> Problem {
         io_problem(&self.path, "cannot write the file", error)
-    }
-}
-
-impl Drop for StreamedFile {
-    fn drop(&mut self) {
-        if let Some((temporary, _)) = &self.rename {
-            // What cannot be removed is untidy; the reason why we are here is the one to report.
-            let _ = fs::remove_file(temporary);
-        }
     }
 }
 
@@ -106,13 +103,13 @@ pub fn rows_head(schema: &str) -> Result<String, Problem> {
 /// What follows the last row: the other keys of the body, and the warnings.
 ///
 /// # Errors
-/// A body that is no JSON: a defect.
+/// A body that is not JSON: a defect.
 pub fn rows_tail<T: Serialize>(schema: &str, others: &T, warnings: &[String]) -> Result<String, Problem> {
     let (_, tail) = split(schema, others, warnings)?;
     Ok(format!("\n  ],\n{tail}"))
 }
 
-/// A document before and behind the end of its `schema`.
+/// A document, split after its `schema`.
 fn split<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<(String, String), Problem> {
     let text = document(schema, body, warnings)?;
     // The first line is the brace, the second the schema; a line end within a text is escaped.
@@ -124,7 +121,7 @@ fn split<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<(S
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rows::{Field, json_rows};
+    use crate::facts::{Facts, json_rows};
 
     fn names(folder: &Path) -> Vec<String> {
         let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
@@ -145,7 +142,8 @@ mod tests {
         file.write(b"after").unwrap();
         file.finish().unwrap();
         assert_eq!((names(folder.path()), fs::read(&path).unwrap()), (vec!["rows.csv".into()], b"after".to_vec()));
-        // Of a process that was killed, and of one that runs: no process has a number above 2^22, and 1 always runs.
+        // Of a process that was killed, and of one that runs: no process has a number above 2^22,
+        // and 1 always runs.
         for process in [4_194_999, 1] {
             fs::write(folder.path().join(format!(".rows.csv.partial-{process}-0")), "left").unwrap();
         }
@@ -159,38 +157,29 @@ mod tests {
         assert!(StreamedFile::begin(folder.path(), &[]).is_err());
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn a_file_has_the_permissions_of_any_new_file() {
+        use std::os::unix::fs::MetadataExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (plain, ours) = (folder.path().join("plain"), folder.path().join("ours"));
+        fs::write(&plain, "").unwrap();
+        StreamedFile::begin(&ours, &[]).unwrap().finish().unwrap();
+        assert_eq!(fs::metadata(&ours).unwrap().mode(), fs::metadata(&plain).unwrap().mode());
+    }
+
     /// The pieces make the document that is written in one.
     #[test]
     fn rows_in_pieces_are_the_document() {
-        #[derive(Serialize)]
-        struct Row {
-            name: &'static str,
-            value: Option<f64>,
-            count: usize,
-            flag: bool,
-        }
-        #[derive(Serialize)]
-        struct Whole {
-            rows: [Row; 2],
-            timing: serde_json::Value,
-        }
-        let rows = [
-            Row { name: "a \"b\"\nü", value: Some(1e-300), count: 3, flag: true },
-            Row { name: "", value: None, count: 0, flag: false },
-        ];
-        let fields = |row: &Row| {
-            vec![
-                ("name", Field::Text(row.name.into())),
-                ("value", row.value.into()),
-                ("count", Field::Count(row.count)),
-                ("flag", Field::Flag(row.flag)),
-            ]
+        let row = |name: &'static str, value: Option<f64>, count: usize, flag: bool| {
+            Facts::default().key("name", name).key("value", value).key("count", count).key("flag", flag)
         };
+        let rows = [row("a \"b\"\nü", Some(1e-300), 3, true), row("", None, 0, false)];
         let timing = json!({"solve_s": 1.0});
         let warnings = ["one".to_owned()];
         let mut text = rows_head("s/1").unwrap();
-        text += &String::from_utf8(json_rows(rows.iter().map(fields)).unwrap()).unwrap()[1..];
+        text += &String::from_utf8(json_rows(rows.iter().cloned()).unwrap()).unwrap()[1..];
         text += &rows_tail("s/1", &json!({"timing": timing}), &warnings).unwrap();
-        assert_eq!(text, document("s/1", &Whole { rows, timing }, &warnings).unwrap());
+        assert_eq!(text, document("s/1", &json!({"rows": rows, "timing": timing}), &warnings).unwrap());
     }
 }

@@ -7,9 +7,17 @@ use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoub
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{number, percent};
-use freestand_records::formats::{load_table, read_modes, read_storeys};
+use freestand_records::tables::{load_table, read_modes, read_storeys};
 
-/// Modes that are kept where nobody says how many.
+/// Storeys of a building of which nothing else is known.
+pub const DEFAULT_STOREYS: u32 = 30;
+/// Height of its storeys \[m\].
+pub const DEFAULT_STOREY_HEIGHT_M: f64 = 3.2;
+/// α₀ of its beam: a frame combined with walls.
+pub const DEFAULT_SHEAR_FLEXURE_RATIO: f64 = 5.0;
+/// Damping of each mode of a building where none is stated.
+pub const DEFAULT_DAMPING_RATIO: f64 = freestand::oscillator::DAMPING_RATIO;
+/// Number of modes that are kept where none is stated.
 pub const DEFAULT_MODES: usize = 10;
 
 /// A share of the mass up to this one is 1 and a rounding error, of one mode as of their sum.

@@ -15,7 +15,7 @@ use freestand::spectra::UpliftCell;
 use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 
-use crate::cushion::{CushionWords, EdgeCushion};
+use crate::cushion::{self, EdgeCushion};
 use crate::result::CodeParts;
 use crate::result::{
     ExampleHistory, FloorProfile, GroundMotion, LevelResult, ObjectResponse, PseudoSpectrum, StudyResult,
@@ -24,14 +24,15 @@ use crate::statistics::object_statistics;
 use crate::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
 };
-use crate::target::{Target, TargetWords};
+use crate::target::Target;
 use freestand_input::file::InputFile;
+use freestand_input::keys::Words;
 use freestand_records::horizontal::HorizontalMotion;
 
 pub(crate) const MASS_KG: f64 = 150.0;
 /// Two pads of 2190 N/mm.
 pub(crate) fn spring() -> EdgeCushion {
-    CushionWords::spring(4.38e6).resolve(None).unwrap()
+    cushion::resolve(&cushion::spring(4.38e6), None).unwrap()
 }
 
 /// A study with synthetic ground motions.
@@ -46,7 +47,7 @@ pub(crate) fn study() -> Study {
         source: None,
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
-            target: Target::resolve(&TargetWords::default(), "".as_ref()).unwrap(),
+            target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),
             count: 10,
             seed: 1,
         }),

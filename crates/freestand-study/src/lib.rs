@@ -18,6 +18,7 @@ pub mod recorded;
 pub mod report;
 pub mod rerun;
 pub mod resolve;
+pub mod restitution;
 pub mod result;
 pub mod rock;
 pub mod run;

@@ -2,7 +2,7 @@
 
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, value};
 
-use crate::cushion::CushionWords;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind};
 
 /// The text with this seed of the synthetic motions; all else, comments too, stays.
@@ -162,7 +162,7 @@ fn replace_ground(study: &mut DocumentMut, mut ground: Table) {
 ///
 /// # Errors
 /// A text that is not TOML, or without `[objects]`.
-pub fn with_cushion(toml: &str, words: &CushionWords) -> Result<String, Problem> {
+pub fn with_cushion(toml: &str, words: &Words) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let Some(objects) = study.get_mut("objects").and_then(Item::as_table_like_mut) else {
         return Err(broken("objects is no table"));
@@ -170,8 +170,8 @@ pub fn with_cushion(toml: &str, words: &CushionWords) -> Result<String, Problem>
     objects.remove("cushion");
     for (key, text) in words.entries() {
         match text.parse::<i64>() {
-            Ok(count) if *key == "pads_per_edge" => objects.insert(key, value(count)),
-            _ => objects.insert(key, value(text.as_str())),
+            Ok(count) if key == "pads_per_edge" => objects.insert(key, value(count)),
+            _ => objects.insert(key, value(text)),
         };
     }
     Ok(study.to_string())
@@ -227,10 +227,11 @@ mod tests {
     /// Several layers in series come as one list.
     #[test]
     fn a_cushion_file_is_written_out() {
-        let mut words = CushionWords::default();
-        words.set("pad_stiffness", "2190 N/mm");
-        words.set("pads_per_edge", "2");
-        words.set("series_stiffness", "4380 N/mm, 9000 N/mm");
+        let words = Words::from_iter([
+            ("pad_stiffness", "2190 N/mm"),
+            ("pads_per_edge", "2"),
+            ("series_stiffness", "4380 N/mm, 9000 N/mm"),
+        ]);
         let text = with_cushion("[objects]\ncushion = \"pad.toml\" # ours\nmass = \"1 kg\"\n", &words).unwrap();
         let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = 2\nseries_stiffness = \
                         \"4380 N/mm, 9000 N/mm\"\n";
@@ -276,7 +277,7 @@ mod tests {
         ] {
             let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
             let (options, problems) = crate::options::parse(&text, None);
-            assert_eq!(problems, [], "{text}");
+            assert!(problems.is_empty(), "{text}: {problems}");
             assert!(
                 options.ground.motions.is_some_and(|files| files.value.len() == 1) && options.ground.seed.is_none()
             );

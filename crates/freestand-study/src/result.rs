@@ -196,14 +196,38 @@ pub struct VariedLevel {
     /// Largest shock of any object that survives under any motion \[g\].
     pub edge_acceleration_g_max: Option<f64>,
     /// Sum over the objects of the median shock, over the same sum of the base; of objects whose median is overturned in
-    /// neither. `None` where their mean in the base is below [`LEAST_MEAN_G`].
+    /// neither. `None` where their mean in the base is below [`MIN_MEAN_G`](crate::vary::MIN_MEAN_G).
     pub edge_acceleration_ratio: Option<f64>,
     /// How many objects these are.
     pub compared_objects: Option<usize>,
     /// Why there is no result.
-    pub reason: Option<String>,
-    /// Warnings that the base has not, joined by `; `.
+    pub reason: Option<NoResult>,
+    /// Warnings that the base does not have, joined by `; `.
     pub warnings: Option<String>,
+}
+
+/// Why a change has no result.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NoResult {
+    /// The change does not reach the model, of which this stays the same: an answer, not a failure.
+    Unchanged(&'static str),
+    /// The study does not allow the value, or the run failed.
+    Failed(String),
+}
+
+impl std::fmt::Display for NoResult {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Unchanged(what) => write!(f, "nothing changes: {what}"),
+            Self::Failed(why) => f.write_str(why),
+        }
+    }
+}
+
+impl Serialize for NoResult {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 impl VariedLevel {

@@ -1,22 +1,23 @@
-//! One rocking history, with what an engineer asks of it: shock, friction, validity.
+//! One rocking history, with what an engineer needs from it: shock, friction, validity.
 
+use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::{
-    ASSUMED_FRICTION, ImpactModel, ValidityWarning, compression_warnings, impact_friction_needed_ratio,
+    ASSUMED_FRICTION, ImpactModel, Landing, ValidityWarning, compression_warnings, impact_friction_needed_ratio,
     stiffness_warnings,
 };
 use freestand::motion::{MAX_SAMPLES, Motion};
-use freestand::rocking::Outcome;
 use freestand::rocking::{
-    Base, HistoryPoint, HistoryRecorder, Rocking, RockingError, RockingOptions, Until, rock_observed,
+    Base, HistoryPoint, HistoryRecorder, Outcome, Rocking, RockingError, RockingImpact, RockingModel, RockingOptions,
+    SideExtremes, Until, rock_observed,
 };
 use freestand::spectra::{UpliftCell, landings};
-use freestand::{G0_M_S2, rocking};
-use serde::Serialize;
 
 use crate::cushion::EdgeCushion;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::push_shortest;
+use freestand_output::facts;
+use freestand_output::facts::Facts;
+use freestand_output::rows::numbers_csv;
 
 /// Sampling of a history without a motion \[s\].
 const FREE_HISTORY_DT_S: f64 = 0.005;
@@ -32,64 +33,20 @@ pub struct RockRequest {
     pub vertical: Option<Motion>,
     /// Model, restitution, accuracy, initial state, end.
     pub options: RockingOptions,
-    /// Mass \[kg\] and what stands under one edge, for the shock.
+    /// Mass \[kg\] and the cushion under one edge, for the shock.
     pub cushion: Option<(f64, EdgeCushion)>,
-    /// Coefficient of friction that sliding is judged by.
+    /// Coefficient of friction, for the warning against sliding.
     pub friction: Option<f64>,
 }
 
-/// One impact.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ImpactReport {
-    /// When \[s\].
-    pub time_s: f64,
-    /// ω⁻ \[rad/s\].
-    pub omega_before_rad_s: f64,
-    /// ω⁺ \[rad/s\].
-    pub omega_after_rad_s: f64,
-    /// Shock by the impact velocity \[g\]; `None` without mass and stiffness.
-    pub edge_acceleration_impact_velocity_g: Option<f64>,
-}
-
-/// What the object did: the keys of `freestand rock --json`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
+/// What the object did.
+#[derive(Debug, Clone, PartialEq)]
 pub struct RockReport {
-    pub outcome: &'static str,
-    pub stopped: &'static str,
-    pub end_time_s: f64,
-    pub peak_rotation_rad: f64,
-    pub peak_rotation_ratio: f64,
-    pub peak_rotation_time_s: Option<f64>,
-    pub uplift_m: f64,
-    pub cg_rise_m: f64,
-    pub first_uplift_time_s: Option<f64>,
-    pub uplift_count: usize,
-    pub impact_count: usize,
-    pub impacts: Vec<ImpactReport>,
-    pub passed_alpha_time_s: Option<f64>,
-    pub overturn_time_s: Option<f64>,
-    pub rest_time_s: Option<f64>,
-    pub at_rest: bool,
-    pub friction_needed_ratio: Option<f64>,
-    pub impact_friction_needed_ratio: f64,
-    pub restitution_ratio: f64,
-    pub final_rotation_rad: f64,
-    pub final_omega_rad_s: f64,
-    pub half_diagonal_m: f64,
-    pub slenderness_angle_rad: f64,
-    pub frequency_parameter_rad_s: f64,
-    pub uplift_threshold_g: f64,
-    pub model: &'static str,
-    pub accuracy: String,
-    pub edge_acceleration_g: Option<f64>,
-    pub edge_acceleration_impact_velocity_g: Option<f64>,
-    pub ceiling_g: Option<f64>,
-    pub steps: usize,
-    pub evaluations: usize,
-    #[serde(skip)]
+    /// The document of `freestand rock`.
+    pub facts: Facts<'static>,
+    /// Doubts about the validity of the result.
     pub warnings: Vec<String>,
-    #[serde(skip)]
+    /// Its history, where it was sampled.
     pub history: Vec<HistoryPoint>,
 }
 
@@ -180,64 +137,55 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     }
     if friction.is_some_and(f64::is_infinite) {
         warnings.push(
-            "the contact would have to pull the object down at some instant: it would leave the floor, which the model \
-             leaves out"
+            "at some instant the contact would have to pull the object down: the object would leave the floor, which \
+             the model does not include"
                 .to_owned(),
         );
     }
 
-    RockReport {
-        outcome: rocking.outcome.name(),
-        stopped: rocking.stop.name(),
-        end_time_s: rocking.end_s,
-        peak_rotation_rad: rocking.peak_rotation_rad,
-        peak_rotation_ratio: landings
-            .iter()
-            .zip(rocking.sides)
-            .map(|(landing, side)| side.peak_rotation_rad / landing.pivot.slenderness_angle_rad)
-            .fold(0.0, f64::max),
-        peak_rotation_time_s: rocking.peak_rotation_time_s.filter(|_| rocking.outcome != Outcome::NoUplift),
-        uplift_m: rocking.uplift_m,
-        cg_rise_m: rocking.cg_rise_m,
-        first_uplift_time_s: rocking.first_uplift_time_s,
-        uplift_count: rocking.uplift_count,
-        impact_count: rocking.impacts.len(),
-        impacts: rocking
-            .impacts
-            .iter()
-            .map(|i| ImpactReport {
-                time_s: i.time_s,
-                omega_before_rad_s: i.omega_before_rad_s,
-                omega_after_rad_s: i.omega_after_rad_s,
-                edge_acceleration_impact_velocity_g: shock_of(i.omega_before_rad_s),
-            })
-            .collect(),
-        passed_alpha_time_s: rocking.passed_alpha_time_s,
-        overturn_time_s: rocking.overturn_time_s,
-        rest_time_s: rocking.rest_time_s,
-        at_rest: rocking.at_rest,
-        friction_needed_ratio: friction.filter(|ratio| ratio.is_finite()),
-        impact_friction_needed_ratio: impact_friction,
-        restitution_ratio: rocking.restitution_ratio,
-        final_rotation_rad: rocking.final_rotation_rad,
-        final_omega_rad_s: rocking.final_omega_rad_s,
-        half_diagonal_m: pivot.half_diagonal_m,
-        slenderness_angle_rad: pivot.slenderness_angle_rad,
-        frequency_parameter_rad_s: pivot.frequency_parameter_rad_s(gravity),
-        uplift_threshold_g: options.model.uplift_threshold_ratio(block) * gravity / G0_M_S2,
-        model: match options.model {
-            rocking::RockingModel::Rigid => "rigid",
-            rocking::RockingModel::Linearised => "linear",
-        },
-        accuracy: crate::summary::accuracy_words(options.accuracy),
-        edge_acceleration_g: shock.and_then(|s| s.edge_acceleration_g),
-        edge_acceleration_impact_velocity_g: shock.and_then(|s| s.edge_acceleration_impact_velocity_g),
-        ceiling_g: shock.map(|s| s.ceiling_g),
-        steps: rocking.effort.steps,
-        evaluations: rocking.effort.evaluations,
-        warnings,
-        history,
-    }
+    let share =
+        |(landing, side): (&Landing, SideExtremes)| side.peak_rotation_rad / landing.pivot.slenderness_angle_rad;
+    let impact = |i: &RockingImpact| {
+        facts!(i; time_s, omega_before_rad_s, omega_after_rad_s)
+            .key("edge_acceleration_impact_velocity_g", shock_of(i.omega_before_rad_s))
+    };
+    let is_up = rocking.outcome != Outcome::NoUplift;
+    let model = match options.model {
+        RockingModel::Rigid => "rigid",
+        RockingModel::Linearised => "linear",
+    };
+    let by_velocity_g = shock.and_then(|s| s.edge_acceleration_impact_velocity_g);
+    let threshold_g = options.model.uplift_threshold_ratio(block) * gravity / G0_M_S2;
+    let facts = Facts::default()
+        .fact("outcome", "outcome", rocking.outcome.name())
+        .fact("stopped", "reason for the end", rocking.stop.name())
+        .fact("end_time_s", "end", rocking.end_s)
+        .and(facts!(rocking; peak_rotation_rad "largest rotation"))
+        .fact(
+            "peak_rotation_ratio",
+            "  divided by α",
+            landings.iter().zip(rocking.sides).map(share).fold(0.0, f64::max),
+        )
+        .fact("peak_rotation_time_s", "  at", rocking.peak_rotation_time_s.filter(|_| is_up))
+        .and(facts!(rocking; uplift_m "uplift", cg_rise_m "rise of the centre of gravity",
+            first_uplift_time_s "first uplift", uplift_count))
+        .fact("impact_count", "impacts", rocking.impacts.len())
+        .key("impacts", rocking.impacts.iter().map(impact).collect::<Vec<_>>())
+        .and(facts!(rocking; passed_alpha_time_s "passes the balance point", overturn_time_s "overturns",
+            rest_time_s "comes to rest", at_rest))
+        .fact("friction_needed_ratio", "friction needed while rocking", friction.filter(|ratio| ratio.is_finite()))
+        .fact("impact_friction_needed_ratio", "friction needed in an impact", impact_friction)
+        .and(facts!(rocking; restitution_ratio "restitution", final_rotation_rad, final_omega_rad_s))
+        .and(facts!(pivot; half_diagonal_m, slenderness_angle_rad))
+        .fact("frequency_parameter_rad_s", "frequency parameter p", pivot.frequency_parameter_rad_s(gravity))
+        .fact("uplift_threshold_g", "uplift threshold", threshold_g)
+        .key("model", model)
+        .key("accuracy", crate::summary::accuracy_words(options.accuracy))
+        .fact("edge_acceleration_g", "shock, from the uplift", shock.and_then(|s| s.edge_acceleration_g))
+        .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)
+        .fact("ceiling_g", "ceiling of the shock", shock.map(|s| s.ceiling_g))
+        .and(facts!(rocking.effort; steps, evaluations));
+    RockReport { facts, warnings, history }
 }
 
 /// A problem of the solver, with what to do about it.
@@ -264,20 +212,10 @@ pub fn problem(error: RockingError) -> Problem {
     Problem::new(kind, error.to_string()).hint(hint)
 }
 
-/// A history as CSV: time, rotation, angular velocity, lift of the free edge, base acceleration.
-///
-/// Samples at the steps of the motion, and a row just before and just after every impact.
+/// A history as CSV: time, rotation, angular velocity, uplift, base acceleration. Its rows are at the
+/// steps of the motion and just before and after every impact.
 pub fn history_csv(block: &Block, history: &[HistoryPoint]) -> String {
-    let mut text = String::from("time_s,theta_rad,omega_rad_s,uplift_m,base_accel_m_s2\n");
-    for p in history {
-        let uplift_m = block.base_width_m() * p.theta_rad.abs().sin();
-        for (i, value) in [p.time_s, p.theta_rad, p.omega_rad_s, uplift_m, p.base_accel_m_s2].into_iter().enumerate() {
-            if i > 0 {
-                text.push(',');
-            }
-            push_shortest(&mut text, value);
-        }
-        text.push('\n');
-    }
-    text
+    let uplift_m = |p: &HistoryPoint| block.base_width_m() * p.theta_rad.abs().sin();
+    let row = |p: &HistoryPoint| [p.time_s, p.theta_rad, p.omega_rad_s, uplift_m(p), p.base_accel_m_s2];
+    numbers_csv("time_s,theta_rad,omega_rad_s,uplift_m,base_accel_m_s2", history.iter().map(row))
 }

@@ -1,5 +1,5 @@
-//! Uplift and shock spectra over a grid of objects, chunk by chunk: of a million objects under a thousand motions only
-//! one chunk is ever in memory.
+//! Uplift and shock spectra over a grid of objects, chunk by chunk: of a million objects under a
+//! thousand motions only one chunk is in memory at a time.
 
 use std::ops::Range;
 use std::time::Instant;
@@ -17,18 +17,18 @@ use serde::Serialize;
 use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_output::rows::Field;
+use freestand_output::facts::Facts;
 
-/// Block-steps of a chunk: seconds of work, between two questions whether to go on.
+/// Block-steps of a chunk: seconds of work, after which a request to stop is noticed.
 const CHUNK_STEPS: usize = 200_000_000;
-/// Objects of a chunk for each thread, so that its lanes and its caches are full.
+/// Objects of a chunk for each thread, enough to fill its lanes and its caches.
 const CHUNK_OBJECTS_PER_THREAD: usize = 2048;
-/// Most objects of a chunk: they and their rows stay within tens of megabytes.
-const CHUNK_OBJECTS: usize = 65_536;
-/// Objects whose rows are put into words at a time, on one thread.
+/// The largest number of objects in a chunk, which keeps them and their rows within tens of megabytes.
+const MAX_CHUNK_OBJECTS: usize = 65_536;
+/// Objects whose rows one thread writes at a time.
 const ROWS_AT_A_TIME: usize = 512;
 
-/// Uniform blocks of every height and thickness, thickness by thickness within each height.
+/// Uniform blocks of every height and thickness; thickness varies fastest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     heights_m: Vec<f64>,
@@ -48,13 +48,13 @@ impl Grid {
         let grid = Self { heights_m, thicknesses_m };
         for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
             Block::uniform(height_m, thickness_m).map_err(|error| {
-                Problem::new(ProblemKind::Value, error.to_string()).hint("check --heights and --thicknesses")
+                Problem::new(ProblemKind::Value, error.to_string()).hint("check heights and thicknesses")
             })?;
         }
         Ok(grid)
     }
 
-    /// How many objects it has.
+    /// The number of objects.
     pub fn objects(&self) -> usize {
         self.heights_m.len() * self.thicknesses_m.len()
     }
@@ -78,9 +78,9 @@ pub struct SpectrumRequest {
     pub grid: Grid,
     /// Model, restitution, accuracy.
     pub options: RockingOptions,
-    /// Mass \[kg\] and what stands under one edge, for the shock.
+    /// Mass \[kg\] and the cushion under one edge, for the shock.
     pub cushion: Option<(f64, EdgeCushion)>,
-    /// Whether to tell how far each object amplifies an error of the motion.
+    /// Whether to report by how much each object amplifies an error of the motion.
     pub sensitivity: bool,
 }
 
@@ -100,58 +100,11 @@ pub struct SpectrumMotion {
 pub struct SpectrumTiming {
     /// For the spectrum \[s\].
     pub solve_s: f64,
-    /// Objects × intervals of their records, whether or not they were skipped.
+    /// Objects × intervals of their motions, including skipped ones.
     pub block_steps: u64,
     /// For the spectrum under the changed motion \[s\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivity_s: Option<f64>,
-}
-
-/// One object under one motion. What is `None` is missing: no cushion, an overturned object, a history that could not be
-/// followed.
-#[derive(Debug, Clone, PartialEq)]
-#[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
-pub struct SpectrumRow<'a> {
-    pub motion: &'a str,
-    pub height_m: f64,
-    pub thickness_m: f64,
-    pub outcome: &'static str,
-    pub peak_rotation_rad: Option<f64>,
-    pub impact_count: Option<usize>,
-    pub uplift_m: Option<f64>,
-    pub cg_rise_m: Option<f64>,
-    pub edge_acceleration_g: Option<f64>,
-    pub edge_acceleration_impact_velocity_g: Option<f64>,
-    pub ceiling_g: Option<f64>,
-    /// `None`: not asked for, no columns.
-    pub sensitivity: Option<Sensitivity>,
-    pub reason: Option<String>,
-}
-
-impl<'a> SpectrumRow<'a> {
-    /// Name and value of every column.
-    pub fn fields(self) -> Vec<(&'static str, Field<'a>)> {
-        let mut fields = vec![
-            ("motion", Field::Text(self.motion.into())),
-            ("height_m", Field::Number(self.height_m)),
-            ("thickness_m", Field::Number(self.thickness_m)),
-            ("outcome", Field::Text(self.outcome.into())),
-            ("peak_rotation_rad", self.peak_rotation_rad.into()),
-            ("impact_count", self.impact_count.map_or(Field::Missing, Field::Count)),
-            ("uplift_m", self.uplift_m.into()),
-            ("cg_rise_m", self.cg_rise_m.into()),
-            ("edge_acceleration_g", self.edge_acceleration_g.into()),
-            ("edge_acceleration_impact_velocity_g", self.edge_acceleration_impact_velocity_g.into()),
-            ("ceiling_g", self.ceiling_g.into()),
-        ];
-        if let Some(sensitivity) = self.sensitivity {
-            let followed = self.reason.is_none();
-            fields.push(("sensitivity_ratio", sensitivity.ratio.into()));
-            fields.push(("sensitive", if followed { Field::Flag(sensitivity.sensitive) } else { Field::Missing }));
-        }
-        fields.push(("reason", self.reason.map_or(Field::Missing, |reason| Field::Text(reason.into()))));
-        fields
-    }
 }
 
 /// Some objects under one motion, solved.
@@ -167,41 +120,69 @@ pub struct SpectrumChunk<'a> {
 }
 
 impl SpectrumChunk<'_> {
-    /// How many rows it has.
+    /// The number of rows.
     pub fn objects(&self) -> usize {
         self.blocks.len()
     }
 
-    /// One row.
-    pub fn row(&self, index: usize) -> SpectrumRow<'_> {
+    /// The shock of an object; `None` without a cushion, or where the history failed.
+    fn shock(&self, index: usize) -> Option<ShockCell> {
+        let (mass_kg, cushion) = self.cushion?;
+        Some(self.cells[index].as_ref().ok()?.shock(mass_kg, cushion, ImpactModel::Paper, G0_M_S2))
+    }
+
+    /// One object under the motion. A value is missing without a cushion, of an overturned object
+    /// and of a history that failed.
+    pub fn row(&self, index: usize) -> Facts<'_> {
         let (block, cell) = (&self.blocks[index], &self.cells[index]);
-        let done = cell.as_ref().ok();
-        let shock = done
-            .zip(self.cushion)
-            .map(|(cell, (mass, cushion))| cell.shock(mass, cushion, ImpactModel::Paper, G0_M_S2));
-        let rocking = done.map(|cell| &cell.rocking);
+        let rocking = cell.as_ref().ok().map(|cell| &cell.rocking);
+        let shock = self.shock(index);
         let bottomed = shock.filter(ShockCell::is_beyond_numbers).map(|_| BOTTOMED.to_owned());
         let shock = shock.filter(|shock| !shock.is_beyond_numbers());
-        SpectrumRow {
-            motion: self.name,
-            height_m: block.height_m(),
-            thickness_m: block.thickness_m(),
-            outcome: rocking.map_or("failed", |rocking| rocking.outcome.name()),
-            peak_rotation_rad: rocking.map(|rocking| rocking.peak_rotation_rad),
-            impact_count: rocking.map(|rocking| rocking.impact_count),
-            uplift_m: rocking.map(|rocking| rocking.uplift_m),
-            cg_rise_m: rocking.map(|rocking| rocking.cg_rise_m),
-            edge_acceleration_g: shock.and_then(|shock| shock.edge_acceleration_g),
-            edge_acceleration_impact_velocity_g: shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g),
-            ceiling_g: shock.map(|shock| shock.ceiling_g),
-            sensitivity: self.sensitivities.as_ref().map(|all| all[index]),
-            reason: cell.as_ref().err().map(ToString::to_string).or(bottomed),
+        let by_velocity_g = shock.and_then(|shock| shock.edge_acceleration_impact_velocity_g);
+        let mut row = Facts::default()
+            .key("motion", self.name)
+            .key("height_m", block.height_m())
+            .key("thickness_m", block.thickness_m())
+            .key("outcome", rocking.map_or("failed", |rocking| rocking.outcome.name()))
+            .key("peak_rotation_rad", rocking.map(|rocking| rocking.peak_rotation_rad))
+            .key("impact_count", rocking.map(|rocking| rocking.impact_count))
+            .key("uplift_m", rocking.map(|rocking| rocking.uplift_m))
+            .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m))
+            .key("edge_acceleration_g", shock.and_then(|shock| shock.edge_acceleration_g))
+            .key("edge_acceleration_impact_velocity_g", by_velocity_g)
+            .key("ceiling_g", shock.map(|shock| shock.ceiling_g));
+        if let Some(sensitivities) = &self.sensitivities {
+            let Sensitivity { ratio, sensitive } = sensitivities[index];
+            let followed = rocking.is_some() && bottomed.is_none();
+            row = row.key("sensitivity_ratio", ratio).key("sensitive", followed.then_some(sensitive));
         }
+        row.key("reason", cell.as_ref().err().map(ToString::to_string).or(bottomed))
     }
 
     /// All rows.
-    pub fn rows(&self) -> impl Iterator<Item = SpectrumRow<'_>> {
+    pub fn rows(&self) -> impl Iterator<Item = Facts<'_>> {
         (0..self.objects()).map(|index| self.row(index))
+    }
+
+    /// Adds its objects to the tally of the motion.
+    pub fn add_to(&self, tally: &mut SpectrumTally) {
+        let larger = |most: Option<f64>, value: Option<f64>| most.into_iter().chain(value).reduce(f64::max);
+        for (index, cell) in self.cells.iter().enumerate() {
+            let shock = self.shock(index);
+            let bottomed = shock.as_ref().is_some_and(ShockCell::is_beyond_numbers);
+            tally.objects += 1;
+            tally.failed += usize::from(cell.is_err() || bottomed);
+            tally.sensitive += usize::from(self.sensitivities.as_ref().is_some_and(|all| all[index].sensitive));
+            let Ok(UpliftCell { rocking, .. }) = cell else { continue };
+            tally.rocked += usize::from(rocking.outcome == Outcome::Rocked);
+            tally.overturned += usize::from(rocking.outcome == Outcome::Overturned);
+            if rocking.outcome != Outcome::Overturned {
+                let edge_g = shock.filter(|_| !bottomed).and_then(|shock| shock.edge_acceleration_g);
+                tally.largest_uplift_m = larger(tally.largest_uplift_m, Some(rocking.uplift_m));
+                tally.largest_edge_acceleration_g = larger(tally.largest_edge_acceleration_g, edge_g);
+            }
+        }
     }
 
     /// The landing of most energy among the objects that rocked and stayed upright, by their largest rise: the one that
@@ -218,8 +199,8 @@ impl SpectrumChunk<'_> {
         Some(landing.impact(mass_kg, cushion, cell.rocking.cg_rise_m, G0_M_S2))
     }
 
-    /// What `words` makes of a few rows at a time, in their order and on all threads, to be written one after the other.
-    pub fn pieces<T: Send>(&self, words: impl Fn(&mut dyn Iterator<Item = SpectrumRow<'_>>) -> T + Sync) -> Vec<T> {
+    /// Applies `words` to a few rows at a time, on all threads; the results are in the order of the rows.
+    pub fn pieces<T: Send>(&self, words: impl Fn(&mut dyn Iterator<Item = Facts<'_>>) -> T + Sync) -> Vec<T> {
         let starts: Vec<usize> = (0..self.objects()).step_by(ROWS_AT_A_TIME).collect();
         let piece = |&start: &usize| {
             words(&mut (start..(start + ROWS_AT_A_TIME).min(self.objects())).map(|index| self.row(index)))
@@ -228,15 +209,16 @@ impl SpectrumChunk<'_> {
     }
 }
 
-/// Objects of a chunk under a motion of so many intervals, on the current thread pool.
+/// The number of objects in a chunk under a motion of so many intervals, on the current thread pool.
 pub fn chunk_objects(intervals: usize) -> usize {
     let least = CHUNK_OBJECTS_PER_THREAD.saturating_mul(rayon::current_num_threads());
-    (CHUNK_STEPS / intervals.max(1)).max(least).min(CHUNK_OBJECTS)
+    (CHUNK_STEPS / intervals.max(1)).max(least).min(MAX_CHUNK_OBJECTS)
 }
 
-/// Follows every object of the grid under every motion, in the order motion, height, thickness, and hands over chunks of
-/// as many as `chunk` says for a number of intervals (see [`chunk_objects`]); the rows do not depend on it, nor on the
-/// number of threads. The first error of `each` ends the work.
+/// Follows every object of the grid under every motion, in the order motion, height, thickness, and
+/// calls `each` for every chunk. `chunk` gives its size for a number of intervals (see
+/// [`chunk_objects`]); the rows depend neither on it nor on the number of threads. The first error of
+/// `each` ends the work.
 ///
 /// # Errors
 /// What `each` returns.
@@ -272,7 +254,7 @@ pub fn spectrum<E>(
     Ok(timing)
 }
 
-/// What came of all objects under one motion.
+/// The results of all objects under one motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
 pub struct SpectrumTally {
@@ -287,31 +269,11 @@ pub struct SpectrumTally {
     pub largest_edge_acceleration_g: Option<f64>,
 }
 
-impl SpectrumTally {
-    /// Counts a row.
-    pub fn add(&mut self, row: &SpectrumRow) {
-        let larger = |most: Option<f64>, value: Option<f64>| match (most, value) {
-            (Some(most), Some(value)) => Some(most.max(value)),
-            (most, value) => most.or(value),
-        };
-        self.objects += 1;
-        self.rocked += usize::from(row.outcome == Outcome::Rocked.name());
-        let overturned = row.outcome == Outcome::Overturned.name();
-        self.overturned += usize::from(overturned);
-        self.failed += usize::from(row.reason.is_some());
-        self.sensitive += usize::from(row.sensitivity.is_some_and(|sensitivity| sensitivity.sensitive));
-        if !overturned {
-            self.largest_uplift_m = larger(self.largest_uplift_m, row.uplift_m);
-            self.largest_edge_acceleration_g = larger(self.largest_edge_acceleration_g, row.edge_acceleration_g);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cushion::CushionWords;
-    use freestand_output::rows::csv_rows;
+    use crate::cushion;
+    use freestand_output::facts::csv_rows;
 
     fn request() -> SpectrumRequest {
         let heights_m: Vec<f64> = (0..23).map(|i| 0.4 + 0.15 * f64::from(i)).collect();
@@ -319,7 +281,7 @@ mod tests {
         SpectrumRequest {
             grid: Grid::new(heights_m, thicknesses_m).unwrap(),
             options: RockingOptions::default(),
-            cushion: Some((150.0, CushionWords::spring(4.38e6).resolve(None).unwrap())),
+            cushion: Some((150.0, cushion::resolve(&cushion::spring(4.38e6), None).unwrap())),
             sensitivity: true,
         }
     }
@@ -348,7 +310,7 @@ mod tests {
                 &motions(),
                 |_| chunk,
                 |chunk| {
-                    let pieces = chunk.pieces(|rows| csv_rows(rows.map(SpectrumRow::fields)).unwrap());
+                    let pieces = chunk.pieces(|rows| csv_rows(rows).unwrap());
                     text.extend(pieces.concat());
                     Ok(())
                 },
@@ -358,7 +320,8 @@ mod tests {
         String::from_utf8(text).unwrap()
     }
 
-    /// Same bytes on any number of threads and in chunks of any size, even of one object: no lane knows its neighbours.
+    /// Same bytes on any number of threads and in chunks of any size, even of one object: lanes are
+    /// independent.
     #[test]
     fn rows_depend_neither_on_threads_nor_on_chunks() {
         let whole = table(usize::MAX, 1);
@@ -372,23 +335,21 @@ mod tests {
         }
     }
 
-    /// A pad that ends after 0.1 mm holds no rocking cabinet: no number, and the reason instead.
+    /// A pad that bottoms after 0.1 mm cannot hold a rocking cabinet: a reason in place of a number.
     #[test]
     fn a_cushion_that_bottoms_gives_a_reason_and_no_number() {
-        let mut words = CushionWords::default();
-        for (key, text) in [("law", "tangent"), ("stiffness", "100 N/mm"), ("bottoming", "0.1 mm")] {
-            words.set(key, text);
-        }
-        let request = SpectrumRequest { cushion: Some((150.0, words.resolve(None).unwrap())), ..request() };
+        let words = [("law", "tangent"), ("stiffness", "100 N/mm"), ("bottoming", "0.1 mm")].into_iter().collect();
+        let request = SpectrumRequest { cushion: Some((150.0, cushion::resolve(&words, None).unwrap())), ..request() };
         let mut rocked = 0;
         let seen = spectrum::<Problem>(
             &request,
             &motions()[..1],
             |_| usize::MAX,
             |chunk| {
-                for row in chunk.rows().filter(|row| row.outcome == "rocked" && row.uplift_m > Some(1e-3)) {
+                let is_up = |row: &Facts| row.text("outcome") == Some("rocked") && row.number("uplift_m") > Some(1e-3);
+                for row in chunk.rows().filter(is_up) {
                     rocked += 1;
-                    assert_eq!((row.edge_acceleration_g, row.reason.as_deref()), (None, Some(BOTTOMED)));
+                    assert_eq!((row.number("edge_acceleration_g"), row.text("reason")), (None, Some(BOTTOMED)));
                 }
                 Ok(())
             },
@@ -404,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn a_grid_of_nothing_and_one_too_large_are_refused() {
+    fn an_empty_grid_and_one_too_large_are_refused() {
         assert!(Grid::new(vec![1.0], vec![0.0]).is_err());
         assert!(Grid::new(vec![1.0; 1001], vec![0.2; 1000]).is_err());
         assert_eq!(Grid::new(vec![1.0; 1000], vec![0.2; 1000]).unwrap().objects(), 1_000_000);

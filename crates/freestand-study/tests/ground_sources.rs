@@ -9,7 +9,7 @@ use freestand_input::problem::Problem;
 use freestand_records::formats::write_csv;
 use freestand_study::resolve::{Overrides, resolve, resolve_with};
 use freestand_study::study::{Ground, Study};
-use freestand_study::vary::{parse_wish, variations};
+use freestand_study::vary::{changes, parse_variation};
 
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -161,11 +161,11 @@ fn each_earthquake_has_its_motions_and_the_seed_of_the_command_line_wins() {
 #[test]
 fn what_can_be_varied_depends_on_the_ground() {
     let folder = folder();
-    let wishes: Vec<_> =
-        ["seed", "site", "city = Perth", "scale = 2"].iter().map(|text| parse_wish(text).unwrap()).collect();
+    let variations: Vec<_> =
+        ["seed", "site", "city = Perth", "scale = 2"].iter().map(|text| parse_variation(text).unwrap()).collect();
     let varied = |keys: &str| {
-        let (variations, left_out) = variations(&study(folder.path(), keys), &wishes, &Default::default());
-        let mut names: Vec<&str> = variations.iter().map(|one| one.key).collect();
+        let (changes, left_out) = changes(&study(folder.path(), keys), &variations, &Default::default());
+        let mut names: Vec<&str> = changes.iter().map(|one| one.key).collect();
         names.dedup();
         (names, left_out)
     };

@@ -9,6 +9,10 @@ use crate::motion::Motion;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
+/// Damping of an oscillator where none is stated, as a share of critical damping: that of the
+/// spectra of design codes, and Q = 10.
+pub const DAMPING_RATIO: f64 = 0.05;
+
 /// Why numbers do not make an oscillator.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OscillatorError {

@@ -1,7 +1,7 @@
-//! Guards before a workbook is opened: what kind of zip file it is, and how much it really unpacks to.
+//! Checks before a workbook is opened: what kind of zip file it is, and how much it really unpacks to.
 //!
-//! The library that reads workbooks believes sizes and counts that the file declares. Here everything is unpacked once,
-//! counted and thrown away, and the few declarations that it allocates by are compared with what is there.
+//! The library that reads workbooks trusts the sizes and counts that the file declares. Here everything is unpacked once,
+//! counted and discarded, and the few declarations that determine memory are compared with the actual content.
 
 use std::io::{Cursor, Read};
 
@@ -11,27 +11,27 @@ use zip::ZipArchive;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
-/// All members together unpack to no more \[bytes\]: some ten million cells.
+/// Largest size of all unpacked members together \[bytes\]: about ten million cells.
 const MAX_UNPACKED: u64 = 1 << 30;
-/// Members that describe the workbook: styles, relations, the list of sheets \[bytes\].
+/// Largest size of a member that does not grow with the rows: styles, relations, the list of sheets \[bytes\].
 const MAX_SMALL: u64 = 16 << 20;
-/// Members that grow with the rows.
+/// Parts of the names of members that grow with the rows.
 const LARGE: [&str; 8] =
     ["worksheets/", "sharedStrings", "pivotCache", "calcChain", "drawings", "comments", "tables/", "revisions"];
-/// Most that a workbook unpacks to, over its size; real ones stay below 50, the format allows 1032.
+/// Largest ratio of unpacked to packed size; real workbooks stay below 50, the format allows 1032.
 const MAX_RATIO: u64 = 200;
-/// Up to here a ratio does no harm \[bytes\].
+/// Unpacked size up to which any ratio is harmless \[bytes\].
 const RATIO_FROM: u64 = 64 << 20;
-/// Workbooks have some dozen members, with pictures some hundred.
+/// Largest number of members; workbooks have some dozens, with pictures some hundreds.
 const MAX_MEMBERS: usize = 4096;
-/// The longest tag \[bytes\].
+/// Longest tag \[bytes\].
 const MAX_TAG: usize = 1 << 20;
-/// The shortest entry of the table of texts, `<si><t/></si>` \[bytes\].
-const SHORTEST_TEXT: u64 = 13;
+/// Shortest entry of the table of texts, `<si><t/></si>` \[bytes\].
+const MIN_TEXT_BYTES: u64 = 13;
 
 const SAVE_AGAIN: &str = "open it in a spreadsheet program and save it again as .xlsx, or as CSV";
 
-/// What the workbook holds, told without opening it.
+/// What is known of a workbook before it is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Facts {
     /// Whether any sheet has merged cells.
@@ -45,13 +45,13 @@ fn wrong(message: impl Into<String>, hint: &str) -> Problem {
 /// Unpacks everything once.
 ///
 /// # Errors
-/// A zip file that is no workbook, is damaged or encrypted, or unpacks to more than any inventory needs.
+/// A zip file that is not a workbook, is damaged or encrypted, or unpacks to more than any inventory needs.
 pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
     let damaged =
         |error: &dyn std::fmt::Display| wrong(format!("is a damaged workbook or zip file ({error})"), SAVE_AGAIN);
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?;
     if archive.len() > MAX_MEMBERS {
-        return Err(wrong(format!("is a zip file of {} members, no workbook", archive.len()), SAVE_AGAIN));
+        return Err(wrong(format!("is a zip file of {} members, not a workbook", archive.len()), SAVE_AGAIN));
     }
     let names: Vec<String> = archive.file_names_raw().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
     is_workbook(&names, bytes)?;
@@ -60,7 +60,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
     let mut buffer = vec![0; 1 << 16];
     for index in 0..archive.len() {
         let name = names.get(index).map_or("", String::as_str);
-        // Opening an encrypted member fails too, but says so in words of its own.
+        // Opening an encrypted member fails too, but with a message of its own.
         if archive.by_index_raw(index).is_ok_and(|member| member.encrypted()) {
             return Err(wrong("is encrypted", "remove the password and save it again"));
         }
@@ -75,7 +75,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             total += count as u64;
             let is_bomb = total > RATIO_FROM && total / MAX_RATIO > bytes.len() as u64;
             if total > MAX_UNPACKED || is_bomb || is_small && size > MAX_SMALL {
-                let message = format!("unpacks to more than {} MB, far beyond an inventory", total >> 20);
+                let message = format!("unpacks to more than {} MB, too large for an inventory", total >> 20);
                 return Err(wrong(message, "copy the rows into a new workbook, or save them as CSV"));
             }
             if let Some(tags) = &mut tags {
@@ -83,7 +83,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             }
         }
         if let Some(tags) = tags {
-            if tags.texts_declared > size / SHORTEST_TEXT {
+            if tags.texts_declared > size / MIN_TEXT_BYTES {
                 let message =
                     format!("{} declares {} texts, more than it can hold", shorten(name), tags.texts_declared);
                 return Err(wrong(message, SAVE_AGAIN));
@@ -98,11 +98,11 @@ fn is_xml(name: &str) -> bool {
     !name.contains("/media/") && [".xml", ".rels"].iter().any(|end| name.to_ascii_lowercase().ends_with(end))
 }
 
-/// Tells a workbook from everything else that is a zip file.
+/// Distinguishes a workbook from other zip files.
 fn is_workbook(names: &[String], bytes: &[u8]) -> Result<(), Problem> {
     let has = |name: &str| names.iter().any(|other| other.eq_ignore_ascii_case(name));
     let starts = |folder: &str| names.iter().any(|name| name.starts_with(folder));
-    // The first member of an OpenDocument is its type, stored as it is.
+    // The first member of an OpenDocument file is its type, not compressed.
     if memmem::find(bytes.get(..200).unwrap_or(bytes), b"application/vnd.oasis.opendocument").is_some() {
         return Err(wrong("is an OpenDocument file (ODS)", "save the sheet as .xlsx or CSV"));
     }
@@ -112,32 +112,35 @@ fn is_workbook(names: &[String], bytes: &[u8]) -> Result<(), Problem> {
     if let Some(inner) = names.iter().find(|name| {
         [".xlsx", ".csv", ".xlsm", ".xls", ".ods"].iter().any(|end| name.to_ascii_lowercase().ends_with(end))
     }) {
-        return Err(wrong(format!("is a zip file that holds {}", shorten(inner)), "unpack it first"));
+        return Err(wrong(format!("is a zip file that contains {}", shorten(inner)), "unpack it first"));
     }
     if starts("word/") || starts("ppt/") {
-        return Err(wrong("is a text document or a presentation, no workbook", "save the table as .xlsx or CSV"));
+        return Err(wrong("is a text document or a presentation, not a workbook", "save the table as .xlsx or CSV"));
     }
     if !has("[Content_Types].xml") || !has("_rels/.rels") {
-        return Err(wrong("is a zip file, but no workbook", "unpack it first, and name the .xlsx or CSV"));
+        return Err(wrong(
+            "is a zip file, but not a workbook",
+            "unpack it first, and give the .xlsx or CSV file in it",
+        ));
     }
     Ok(())
 }
 
-/// Looks at the tags of a member as its bytes pass by.
+/// Examines the tags of a member chunk by chunk.
 #[derive(Debug, Default)]
 struct Tags {
-    /// What is not looked at yet: the beginning of a tag.
+    /// What is not examined yet: the beginning of a tag.
     rest: Vec<u8>,
-    /// The end of what is passed over.
+    /// The end of what is being skipped.
     until: Option<&'static [u8]>,
-    /// Whether any bytes were seen.
+    /// Whether there were any bytes.
     begun: bool,
     texts_declared: u64,
     has_merges: bool,
 }
 
-/// What is passed over, from its beginning to its end.
-const PASSED_OVER: [(&[u8], &[u8]); 3] = [(b"<!--", b"-->"), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
+/// What is skipped, by its beginning and its end.
+const SKIPPED: [(&[u8], &[u8]); 3] = [(b"<!--", b"-->"), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
 
 impl Tags {
     fn feed(&mut self, chunk: &[u8]) -> Result<(), String> {
@@ -153,7 +156,7 @@ impl Tags {
                 match memmem::find(left, end) {
                     Some(found) => at += found + end.len(),
                     None => {
-                        // The end itself may be cut in two.
+                        // The end itself may be split between two chunks.
                         at = rest.len().saturating_sub(end.len() - 1).max(at);
                         break;
                     }
@@ -167,12 +170,12 @@ impl Tags {
             };
             at += found;
             let tag = rest.get(at..).unwrap_or_default();
-            if let Some((start, end)) = PASSED_OVER.iter().find(|(start, _)| tag.starts_with(start)) {
+            if let Some((start, end)) = SKIPPED.iter().find(|(start, _)| tag.starts_with(start)) {
                 at += start.len();
                 self.until = Some(end);
                 continue;
             }
-            // Not enough yet to tell a comment from a declaration.
+            // Not enough bytes yet to distinguish a comment from a declaration.
             if tag.len() < 9 && tag.starts_with(b"<!") || tag.len() < 2 {
                 break;
             }
@@ -184,7 +187,7 @@ impl Tags {
                     self.tag(tag.get(1..length - 1).unwrap_or_default())?;
                     at += length;
                 }
-                None if tag.len() > MAX_TAG => return Err("holds a tag without an end".to_owned()),
+                None if tag.len() > MAX_TAG => return Err("contains a tag without an end".to_owned()),
                 None => break,
             }
         }
@@ -193,7 +196,7 @@ impl Tags {
         Ok(())
     }
 
-    /// Looks at what stands between `<` and `>`.
+    /// Examines what is between `<` and `>`.
     fn tag(&mut self, inner: &[u8]) -> Result<(), String> {
         let name = inner.split(|byte| byte.is_ascii_whitespace() || *byte == b'/').next().unwrap_or_default();
         let name = name.rsplit(|&byte| byte == b':').next().unwrap_or_default();
@@ -213,7 +216,7 @@ impl Tags {
     }
 }
 
-/// A count, whatever is written: what is no number declares nothing, what is too large everything.
+/// A count, whatever is written: what is not a number counts as 0, what is too large as the largest number.
 fn declared(text: &str) -> u64 {
     let digits = text.trim();
     if digits.bytes().all(|byte| byte.is_ascii_digit()) { digits.parse().unwrap_or(u64::MAX) } else { 0 }
@@ -256,7 +259,7 @@ fn attribute<'t>(inner: &'t [u8], wanted: &[u8]) -> Option<&'t [u8]> {
 fn check_place(place: &[u8]) -> Result<(u32, u32), String> {
     let letters = place.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
     let (column, row) = place.split_at(letters);
-    let no_place = || format!("names a cell \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(place)));
+    let no_place = || format!("refers to cell \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(place)));
     if column.len() > 3 || row.len() > 7 || !row.iter().all(u8::is_ascii_digit) {
         return Err(no_place());
     }
@@ -270,7 +273,7 @@ fn check_range(range: &[u8]) -> Result<(), String> {
     let first = check_place(parts.next().unwrap_or_default())?;
     let last = parts.next().map_or(Ok(first), check_place)?;
     if last.0 < first.0 || last.1 < first.1 || parts.next().is_some() {
-        return Err(format!("names cells \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(range))));
+        return Err(format!("refers to cells \"{}\", which no sheet has", shorten(&String::from_utf8_lossy(range))));
     }
     Ok(())
 }
@@ -294,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn places_that_no_sheet_has_are_refused() {
+    fn cells_that_no_sheet_has_are_refused() {
         for text in [
             "<c r=\"A0\"/>",
             "<c r='ABCD1'/>",
@@ -312,14 +315,14 @@ mod tests {
     }
 
     #[test]
-    fn other_zip_files_are_told() {
+    fn other_zip_files_are_recognised() {
         assert!(check(b"PK\x03\x04garbage").unwrap_err().message.contains("damaged"));
         let names = |all: &[&str]| is_workbook(&all.iter().map(|&name| name.to_owned()).collect::<Vec<_>>(), b"PK");
         for (all, said) in [
             (&["xl/workbook.bin", "[Content_Types].xml"][..], "XLSB"),
-            (&["objects.xlsx"], "holds objects.xlsx"),
+            (&["objects.xlsx"], "contains objects.xlsx"),
             (&["[Content_Types].xml", "_rels/.rels", "word/document.xml"], "text document"),
-            (&["readme.txt"], "no workbook"),
+            (&["readme.txt"], "not a workbook"),
         ] {
             assert!(names(all).unwrap_err().message.contains(said));
         }

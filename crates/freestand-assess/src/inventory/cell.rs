@@ -1,16 +1,16 @@
-//! Cells and rows as a file has them, before anybody asks what they mean.
+//! Cells and rows as a file has them, before they are interpreted.
 
-/// The most rows that a sheet can have; a CSV of more is refused too, since it could not be one.
+/// The most rows that a sheet can have; a CSV with more is refused too.
 pub(super) const MAX_ROWS: u32 = 1_048_576;
 /// The most columns of a sheet.
 pub(super) const MAX_COLUMNS: u32 = 16_384;
 /// The most characters of a cell.
 pub(super) const MAX_CELL_CHARS: usize = 32_767;
 
-/// What a cell holds.
+/// The content of a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Cell {
-    /// Words, or a number as a CSV has it.
+    /// A text, or a number of a CSV.
     Text(String),
     /// A number of a workbook.
     Number(f64),
@@ -18,18 +18,18 @@ pub(super) enum Cell {
     Bool(bool),
     /// A date, a time or a duration of a workbook, as ISO 8601 writes it.
     Date(String),
-    /// `#REF!` and its like.
+    /// An error such as `#REF!`.
     Error(String),
     /// A formula that was saved without its value.
     Unevaluated,
-    /// More characters than a spreadsheet takes.
+    /// More characters than a spreadsheet allows.
     TooLong(usize),
 }
 
 impl Cell {
-    /// A text that is not longer than a cell may be.
+    /// A text, if it is not longer than a cell may be.
     pub(super) fn text(text: String) -> Self {
-        // Bytes are counted first: a character has at least one.
+        // Counting bytes first is cheaper: a character has at least one.
         if text.len() > MAX_CELL_CHARS && text.chars().count() > MAX_CELL_CHARS {
             Self::TooLong(text.chars().count())
         } else {
@@ -37,7 +37,7 @@ impl Cell {
         }
     }
 
-    /// As a reader of the sheet sees it; empty where there is nothing to see.
+    /// The cell as the sheet shows it; empty where it shows nothing.
     pub(super) fn shown(&self) -> String {
         match self {
             Self::Text(text) | Self::Date(text) | Self::Error(text) => text.clone(),
@@ -47,27 +47,27 @@ impl Cell {
         }
     }
 
-    /// Whether nothing but blanks stands in it.
+    /// Whether it contains only blanks.
     pub(super) fn is_blank(&self) -> bool {
         matches!(self, Self::Text(text) if text.trim().is_empty())
     }
 }
 
-/// A row with a cell that is not empty.
+/// A row with at least one cell that is not empty.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Row {
-    /// Counted from 1, as a spreadsheet does.
+    /// Counted from 1, as in a spreadsheet.
     pub(super) number: u32,
     /// Line of the file, where the file has lines.
     pub(super) line: Option<usize>,
-    /// The cells that are not empty, with their columns counted from 0, in rising order.
+    /// The cells that are not empty with their columns, counted from 0, in rising order.
     pub(super) cells: Vec<(u32, Cell)>,
-    /// How many cells the row has in all, where the file says so.
+    /// How many cells the row has in total, where the file says so.
     pub(super) width: Option<u32>,
 }
 
 impl Row {
-    /// Whether nothing but blanks stands in it.
+    /// Whether it contains only blanks.
     pub(super) fn is_blank(&self) -> bool {
         self.cells.iter().all(|(_, cell)| cell.is_blank())
     }
@@ -86,13 +86,13 @@ pub(super) enum Flow {
     Enough,
 }
 
-/// A text that a spreadsheet would take for a formula gets a `'` in CSV; so does one that already has some, so that
-/// [`unguarded`] gives back what was there.
+/// In a CSV a text that a spreadsheet would take for a formula gets a leading `'`, and so does such a text that has one
+/// already, so that [`unguarded`] restores it.
 pub(super) fn guarded(text: &str) -> String {
     if is_formula_like(text.trim_start_matches('\'')) { format!("'{text}") } else { text.to_owned() }
 }
 
-/// The text that [`guarded`] made this of; any other stays as it is.
+/// The text from which [`guarded`] made this; any other text is unchanged.
 pub(super) fn unguarded(text: &str) -> &str {
     match text.strip_prefix('\'') {
         Some(rest) if is_formula_like(rest.trim_start_matches('\'')) => rest,
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_looks_like_a_formula_is_guarded_and_comes_back() {
+    fn what_looks_like_a_formula_is_guarded_and_restored() {
         for (text, in_csv) in [
             ("=1+1", "'=1+1"),
             ("@x", "'@x"),
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cell_takes_what_a_spreadsheet_takes() {
+    fn a_cell_holds_as_much_as_in_a_spreadsheet() {
         assert_eq!(Cell::text("ü".repeat(MAX_CELL_CHARS)), Cell::Text("ü".repeat(MAX_CELL_CHARS)));
         assert_eq!(Cell::text("x".repeat(MAX_CELL_CHARS + 1)), Cell::TooLong(MAX_CELL_CHARS + 1));
     }

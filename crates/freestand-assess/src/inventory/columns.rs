@@ -1,8 +1,8 @@
-//! The columns of an inventory: their names, what they hold, and how a heading is told to be one of them.
+//! The columns of an inventory: their names, what they hold, and how a heading is recognised.
 
 use freestand_input::quantity::{Dimension, Unit, lookup};
 
-/// A column that we know.
+/// A column that freestand reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Column {
     /// `id`
@@ -80,36 +80,36 @@ pub enum Column {
 /// What the cells of a column hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Holds {
-    /// Words.
+    /// Text.
     Text,
     /// A whole number from 1.
     Count,
     /// High, medium or low.
     Rating,
-    /// A quantity with its unit, in the heading or in the cell; a ratio is bare.
+    /// A quantity with its unit in the heading or in the cell; a ratio has none.
     Quantity(Dimension),
-    /// Two ratios, `0.3-0.5`, or one.
+    /// One ratio or a range of two: `0.3-0.5`.
     Range,
 }
 
 /// Everything about a column but its values.
 #[derive(Debug, Clone, Copy)]
 pub struct ColumnSpec {
-    /// Which.
+    /// The column.
     pub column: Column,
-    /// The name by which files and messages call it.
+    /// Its name in files and messages.
     pub name: &'static str,
-    /// Other headings that are taken for it, in the form of [`canonical`].
+    /// Other headings that are accepted, in the form of [`canonical`].
     aliases: &'static [&'static str],
     /// What its cells hold.
     pub holds: Holds,
-    /// The unit of the template.
+    /// Its unit in the template.
     pub unit: &'static str,
-    /// Whether a file without it is refused.
+    /// Whether a file must have it.
     pub is_required: bool,
     /// What it means, for people.
     pub meaning: &'static str,
-    /// A cell of the template's explanation.
+    /// An example of a cell.
     pub example: &'static str,
 }
 
@@ -143,7 +143,7 @@ use Dimension::{Acceleration, Length, Mass, Ratio, Stiffness, Time, Velocity};
 pub static COLUMNS: [ColumnSpec; 35] = [
     said(
         text(Column::Id, "id", &[]),
-        "Name of the row, once in the file; without it the row number makes one",
+        "Identifier of the object, once in the file; without it the row number is used",
         "ward3-07",
     ),
     said(
@@ -151,20 +151,24 @@ pub static COLUMNS: [ColumnSpec; 35] = [
         "What it is",
         "instrument cabinet",
     ),
-    said(of(text(Column::Quantity, "quantity", &["qty"]), Holds::Count), "How many of them; 1 where empty", "2"),
-    said(text(Column::Priority, "priority", &[]), "Rank given by the owner, in any words", "1"),
-    said(text(Column::Location, "location", &[]), "Where it stands, in words", "east wing"),
+    said(
+        of(text(Column::Quantity, "quantity", &["qty"]), Holds::Count),
+        "How many such objects there are; empty: 1",
+        "2",
+    ),
+    said(text(Column::Priority, "priority", &[]), "Rank given by the owner, in any form", "1"),
+    said(text(Column::Location, "location", &[]), "Where it is, in words", "east wing"),
     said(text(Column::Building, "building", &[]), "Building", "Block A"),
-    said(text(Column::Floor, "floor", &[]), "Floor, by its name", "Level 3"),
+    said(text(Column::Floor, "floor", &[]), "Name of the floor", "Level 3"),
     said(text(Column::Room, "room", &[]), "Room", "3.12"),
     said(
         of(text(Column::LifeSafety, "life_safety", &["ls", "life_safety_ls"]), Holds::Rating),
-        "FEMA E-74, LS: may somebody be hurt? H, M or L",
+        "FEMA E-74, LS: risk that somebody is hurt, H, M or L",
         "H",
     ),
     said(
         of(text(Column::Property, "property", &["pl", "property_loss", "property_loss_pl"]), Holds::Rating),
-        "FEMA E-74, PL: does it cost money? H, M or L",
+        "FEMA E-74, PL: risk of a loss of property, H, M or L",
         "M",
     ),
     said(
@@ -172,21 +176,25 @@ pub static COLUMNS: [ColumnSpec; 35] = [
             text(Column::Function, "function", &["fl", "functional_loss", "function_loss", "functional_loss_fl"]),
             Holds::Rating,
         ),
-        "FEMA E-74, FL: does work stop? H, M or L",
+        "FEMA E-74, FL: risk that work stops, H, M or L",
         "M",
     ),
     required(said(
         quantity(Column::LevelRatio, "level_ratio", Ratio, ""),
-        "Height of its floor over that of the building: 0 ground, 1 roof",
+        "Height of its floor over the height of the building: 0 ground, 1 roof",
         "0.5",
     )),
     required(said(quantity(Column::Height, "height", Length, "mm"), "Height", "1800")),
     required(said(
         also(quantity(Column::Thickness, "thickness", Length, "mm"), &["depth"]),
-        "Side in the first plane of motion, mostly the shorter; the heading depth is taken too",
+        "Horizontal size in the plane of rocking, mostly the shorter side; the heading depth is accepted too",
         "450",
     )),
-    said(quantity(Column::Width, "width", Length, "mm"), "The other side; empty: one axis only is looked at", "900"),
+    said(
+        quantity(Column::Width, "width", Length, "mm"),
+        "Horizontal size across the thickness; empty: rocking is computed about one axis only",
+        "900",
+    ),
     said(
         also(quantity(Column::BaseThickness, "base_thickness", Length, "mm"), &["base_depth"]),
         "Distance between the feet in the direction of the thickness; empty: the thickness",
@@ -202,32 +210,32 @@ pub static COLUMNS: [ColumnSpec; 35] = [
         "Height of the centre of gravity; empty: half the height",
         "800",
     ),
-    said(quantity(Column::Mass, "mass", Mass, "kg"), "Mass; without it there is no shock", "140"),
+    said(quantity(Column::Mass, "mass", Mass, "kg"), "Mass; without it no shock can be computed", "140"),
     said(
         quantity(Column::Stiffness, "stiffness", Stiffness, "N/mm"),
-        "Stiffness of all that is under one edge (or: pad_stiffness with pads_per_edge, or cushion)",
+        "Stiffness of everything under one edge (or give pad_stiffness with pads_per_edge, or cushion)",
         "4380",
     ),
     said(quantity(Column::PadStiffness, "pad_stiffness", Stiffness, "N/mm"), "Stiffness of one pad or foot", "2190"),
     said(
         of(text(Column::PadsPerEdge, "pads_per_edge", &[]), Holds::Count),
-        "How many pads share the landing of one edge: a cabinet on four feet has 2",
+        "Number of pads under one edge: a cabinet on four feet has 2",
         "2",
     ),
     said(
         quantity(Column::SeriesStiffness, "series_stiffness", Stiffness, "N/mm"),
-        "Stiffness of a layer under the pads: legs, floor covering",
+        "Stiffness of a layer in series with the pads: legs, floor covering",
         "20000",
     ),
-    said(text(Column::Cushion, "cushion", &[]), "An entry of the cushion library, in place of a stiffness", ""),
+    said(text(Column::Cushion, "cushion", &[]), "Entry of the cushion library, in place of a stiffness", ""),
     said(
         quantity(Column::PadThickness, "pad_thickness", Length, "mm"),
-        "Thickness of the pad, for the guard against bottoming",
+        "Thickness of the pad, for the check against bottoming",
         "10",
     ),
     said(
         quantity(Column::Tolerance, "tolerance", Acceleration, "g"),
-        "Peak acceleration that it stands; without a tolerance there is no verdict",
+        "Peak acceleration that it withstands; without a tolerance only overturning is assessed",
         "5",
     ),
     said(
@@ -237,37 +245,37 @@ pub static COLUMNS: [ColumnSpec; 35] = [
     ),
     said(
         quantity(Column::ToleranceVelocityChange, "tolerance_velocity_change", Velocity, "m/s"),
-        "Velocity change below which no peak does harm",
+        "Velocity change below which no peak causes damage",
         "0.9",
     ),
     said(
         quantity(Column::ToleranceEdgeLift, "tolerance_edge_lift", Length, "mm"),
-        "Lift of one edge from which it may fall back",
+        "Uplift from which it may fall back without damage",
         "50",
     ),
     said(
         text(Column::ToleranceEntry, "tolerance_entry", &[]),
-        "An entry of the tolerance library, in place of the columns before",
+        "Entry of the tolerance library, in place of the columns before",
         "",
     ),
     said(
         quantity(Column::Restitution, "restitution", Ratio, ""),
-        "Angular velocity after over before an impact, above 0 to 1; empty: Housner's",
+        "Angular velocity after an impact over the one before, above 0 and up to 1; empty: Housner's",
         "0.9",
     ),
     said(
         quantity(Column::RestitutionFactor, "restitution_factor", Ratio, ""),
-        "The same as a factor on Housner's",
+        "Factor on Housner's restitution",
         "0.95",
     ),
     said(
         of(text(Column::Friction, "friction", &[]), Holds::Range),
-        "Coefficient of friction on the floor, a value or a range",
+        "Coefficient of friction on the floor, one value or a range",
         "0.3-0.5",
     ),
     said(
         quantity(Column::Accepted, "accepted", Ratio, ""),
-        "Probability of being overturned or damaged that its owner accepts; empty: the study's",
+        "Probability of overturning or damage that the owner accepts; empty: that of the study",
         "10 %",
     ),
     said(text(Column::Notes, "notes", &["note", "remarks"]), "Notes", "photo 12"),
@@ -276,17 +284,17 @@ pub static COLUMNS: [ColumnSpec; 35] = [
 impl Column {
     /// Its specification.
     pub fn spec(self) -> &'static ColumnSpec {
-        // The order of the table is that of the enum; a test holds them together.
+        // The table is in the order of the enum; a test checks that.
         &COLUMNS[self as usize]
     }
 
-    /// The name by which files and messages call it.
+    /// Its name in files and messages.
     pub fn name(self) -> &'static str {
         self.spec().name
     }
 }
 
-/// How headings are compared: small letters, digits, one `_` for everything between them.
+/// The form in which headings are compared: lower-case letters and digits, with one `_` for everything between them.
 pub(super) fn canonical(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars().flat_map(char::to_lowercase) {
@@ -300,14 +308,14 @@ pub(super) fn canonical(text: &str) -> String {
     out
 }
 
-/// What a heading says.
+/// What a heading means.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Heading {
-    /// One of our columns; the unit is stated, or the cells have to state it.
+    /// One of our columns, with its unit; without one the cells have to give it.
     Ours(Column, Option<&'static Unit>),
-    /// One of our columns with something in brackets that is no unit of it.
+    /// One of our columns, with a text in brackets that is not a unit of it.
     BadUnit(Column, String),
-    /// Somebody else's.
+    /// Another column.
     Other,
 }
 
@@ -315,13 +323,13 @@ fn named(name: &str) -> Option<&'static ColumnSpec> {
     COLUMNS.iter().find(|spec| spec.name == name || spec.aliases.contains(&name))
 }
 
-/// The longest heading that is looked into; ours are far shorter.
-const LONGEST: usize = 100;
+/// Longest heading that is interpreted; ours are far shorter.
+const MAX_HEADING_BYTES: usize = 100;
 
-/// Tells what a heading is: `height [mm]`, `Height (mm)`, `height_mm`, `Height, mm`, `HEIGHT`.
+/// Interprets a heading such as `height [mm]`, `Height (mm)`, `height_mm`, `Height, mm` or `HEIGHT`.
 pub(super) fn heading(text: &str) -> Heading {
     let text = text.trim();
-    if text.is_empty() || text.len() > LONGEST {
+    if text.is_empty() || text.len() > MAX_HEADING_BYTES {
         return Heading::Other;
     }
     if let Some((name, bracket)) = bracketed(text)
@@ -330,7 +338,7 @@ pub(super) fn heading(text: &str) -> Heading {
         return match spec.holds {
             Holds::Quantity(dimension) => match lookup(bracket).filter(|unit| unit.dimension == dimension) {
                 Some(unit) => Heading::Ours(spec.column, Some(unit)),
-                // In a ratio's brackets stands what it is a ratio of.
+                // The brackets of a ratio say what it is a ratio of.
                 None if dimension == Dimension::Ratio => Heading::Ours(spec.column, None),
                 None => Heading::BadUnit(spec.column, bracket.to_owned()),
             },
@@ -348,7 +356,7 @@ fn bracketed(text: &str) -> Option<(&str, &str)> {
     Some((&text[..open], inner.trim()))
 }
 
-/// `height_mm`, `Height mm`, `height, mm`, `stiffness_n_mm`: the unit is what is left behind a name of ours.
+/// `height_mm`, `Height mm`, `height, mm`, `stiffness_n_mm`: the unit follows a name of ours.
 fn suffixed(text: &str) -> Option<Heading> {
     let places = text.char_indices().filter(|(_, c)| !c.is_alphanumeric()).map(|(at, c)| (at, at + c.len_utf8()));
     // From the end: the longest name wins.
@@ -366,28 +374,28 @@ fn suffixed(text: &str) -> Option<Heading> {
     })
 }
 
-/// The name of ours that a heading may have meant, with what to say of it.
+/// A hint for a heading that probably means one of our columns.
 pub(super) fn meant(text: &str) -> Option<String> {
     let text = text.trim();
-    if text.is_empty() || text.len() > LONGEST {
+    if text.is_empty() || text.len() > MAX_HEADING_BYTES {
         return None;
     }
     let name = canonical(bracketed(text).map_or(text, |(name, _)| name));
     let others = [
-        ("weight", "a weight is a force; the column of the mass is called mass"),
-        ("length", "the sides are called thickness and width"),
-        ("level", "the height of the floor over that of the building is called level_ratio"),
+        ("weight", "for the mass, call it mass; a weight is a force"),
+        ("length", "for the horizontal sizes, call them thickness and width"),
+        ("level", "for the height of the floor over the height of the building, call it level_ratio"),
     ];
     if let Some((_, hint)) = others.iter().find(|(other, _)| *other == name) {
         return Some((*hint).to_owned());
     }
     let names: Vec<&str> = COLUMNS.iter().map(|spec| spec.name).collect();
     let near = freestand_input::words::nearest(&name, &names)?;
-    // A word of two letters is near to everything.
+    // A word of two letters resembles everything.
     (name.chars().count() > 3).then(|| format!("did you mean {near}?"))
 }
 
-/// `A`, `B` … `Z`, `AA` …: a column as a spreadsheet calls it, counted from 0.
+/// The letters of a column in a spreadsheet, counted from 0: `A`, `B` … `Z`, `AA` …
 pub(super) fn letters(index: usize) -> String {
     let mut out = Vec::new();
     let mut rest = index + 1;
@@ -416,7 +424,7 @@ mod tests {
     }
 
     #[test]
-    fn headings_are_told_with_their_units() {
+    fn headings_are_recognised_with_their_units() {
         let mm = lookup("mm");
         for text in ["height [mm]", "Height (mm)", "HEIGHT_mm", "height mm", "Height, mm", " height[ mm ] "] {
             assert_eq!(heading(text), Heading::Ours(Column::Height, mm), "{text}");

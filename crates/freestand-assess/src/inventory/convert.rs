@@ -1,6 +1,8 @@
-//! From CSV to XLSX and back, cell by cell: nothing is judged, nothing is lost.
+//! From CSV to XLSX and back, cell by cell, without interpreting or losing any.
 
 use std::path::Path;
+
+use freestand_input::problem::{Problem, Problems};
 
 use super::cell::{Cell, Flow, Row};
 use super::columns::{Heading, Holds, heading};
@@ -10,9 +12,8 @@ use super::header::Header;
 use super::source::{Source, load};
 use super::values::pointed;
 use super::write::{Table, Written, csv, xlsx};
-use freestand_input::problem::{Problem, Problems};
 
-/// A format that is written.
+/// A format to convert to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Target {
     /// Commas, UTF-8.
@@ -24,27 +25,27 @@ pub enum Target {
 /// A file that was converted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Converted {
-    /// The other file.
+    /// The converted file.
     pub bytes: Vec<u8>,
     /// Rows below the headings.
     pub rows: usize,
     /// Columns.
     pub columns: usize,
-    /// What is not as it was.
+    /// What has changed.
     pub warnings: Vec<String>,
 }
 
-/// Converts an inventory; cells are kept whatever they say. Text that begins with `= + - @` gets a leading `'` in CSV and is
-/// a string cell in XLSX; reading takes the `'` away again. The same file gives the same bytes.
+/// Converts an inventory; every cell is kept. Text that begins with `= + - @` gets a leading `'` in CSV and is a string
+/// cell in XLSX; reading removes the `'`. The same file gives the same bytes.
 ///
 /// # Errors
-/// A file that cannot be read or has no headings of ours, formulas without their values, cells that are too long, and
+/// A file that cannot be read or has none of our headings, formulas without values, cells that are too long, and
 /// inventories that do not fit into a sheet.
 pub fn convert_inventory(path: &Path, sheet: Option<&str>, target: Target) -> Result<Converted, Problems> {
     convert_bytes(load(path)?, path, sheet, target)
 }
 
-/// As [`convert_inventory`], of the bytes of a file; `path` is for messages.
+/// As [`convert_inventory`], for the bytes of a file; `path` is for messages.
 ///
 /// # Errors
 /// As [`convert_inventory`].
@@ -77,7 +78,7 @@ pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: T
     Ok(Converted { bytes: bytes.map_err(in_file)?, rows: table.rows.len(), columns, warnings })
 }
 
-/// One row of headings, whatever the file has: units from a row of their own go behind the names.
+/// One row of headings: units from a row of their own are appended to the names.
 fn headings(header: &Header) -> Vec<String> {
     let width = header.headings.keys().last().map_or(0, |last| last + 1);
     let one = |index: u32| match (header.headings.get(&index), header.units.get(&index)) {
@@ -91,11 +92,11 @@ fn headings(header: &Header) -> Vec<String> {
 /// How the cells of a column are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Ours, words.
+    /// Our column, text.
     Words,
-    /// Ours, numbers: a decimal comma becomes a point.
+    /// Our column, numbers: a decimal comma becomes a point.
     Numbers,
-    /// Not ours.
+    /// Another column.
     Carried,
 }
 
@@ -126,11 +127,11 @@ fn written(
             Cell::Text(text) if text.chars().any(is_unprintable) => {
                 let at = At { row: row.number, line: row.line };
                 let heading = headings.get(index).map_or("", String::as_str);
-                let hint = "write the cell once more".to_owned();
-                findings.of_cell(at, *column, heading, "holds a control character, which no CSV takes", Some(hint));
+                let hint = "type the cell again".to_owned();
+                findings.of_cell(at, *column, heading, "contains a control character, which no CSV allows", Some(hint));
                 Written::Empty
             }
-            // Line ends within a cell are LF in a workbook.
+            // In a workbook, line endings within a cell are LF.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");
                 let text = if has_decimal_comma && kind == Kind::Numbers { pointed(&text) } else { text };
@@ -139,11 +140,10 @@ fn written(
             Cell::Unevaluated | Cell::TooLong(_) => {
                 let at = At { row: row.number, line: row.line };
                 let (message, hint) = match cell {
-                    Cell::TooLong(_) => ("has more characters than a cell holds", "shorten it"),
-                    _ => (
-                        "is a formula without its value",
-                        "open the workbook in a spreadsheet program and save it again",
-                    ),
+                    Cell::TooLong(_) => ("has more characters than a cell can hold", "shorten it"),
+                    _ => {
+                        ("is a formula without a value", "open the workbook in a spreadsheet program and save it again")
+                    }
                 };
                 let heading = headings.get(index).map_or("", String::as_str);
                 findings.of_cell(at, *column, heading, message, Some(hint.to_owned()));

@@ -1,12 +1,13 @@
 //! The rows of a CSV.
 
-use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row, unguarded};
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// The longest row \[bytes\]; all columns of a sheet with a few words each are shorter.
+use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row, unguarded};
+
+/// Longest row \[bytes\]: more than all columns of a sheet with a few words each.
 const MAX_ROW_BYTES: u64 = 4 << 20;
 
-/// Gives the rows that are not empty to `on_row`, as long as it wants more.
+/// Passes the rows that are not empty to `on_row`, as long as it asks for more.
 ///
 /// # Errors
 /// Quotes that are not closed or end within a cell, and rows, columns or lines beyond what a sheet has.
@@ -20,14 +21,14 @@ pub(super) fn rows(text: &str, separator: u8, on_row: &mut dyn FnMut(Row) -> Flo
         let more = reader.read_record(&mut record).map_err(|error| {
             Problem::new(ProblemKind::Format, format!("cannot be read as CSV: {error}"))
                 .at_line(line)
-                .hint("save the sheet once more as CSV (UTF-8) or as .xlsx")
+                .hint("save the sheet again as CSV (UTF-8) or as .xlsx")
         })?;
         if !more {
             return Ok(());
         }
         let end = reader.position().byte();
         let raw = raw(text.as_bytes(), start, end);
-        // Empty lines are rows of a spreadsheet; the reader passes over them.
+        // Empty lines are rows of a spreadsheet; the reader skips them.
         let blank = raw.iter().take_while(|byte| matches!(byte, b'\r' | b'\n')).count();
         let (before, raw) = raw.split_at(blank);
         let skipped = line_ends(before);
@@ -50,7 +51,7 @@ pub(super) fn rows(text: &str, separator: u8, on_row: &mut dyn FnMut(Row) -> Flo
     }
 }
 
-/// The bytes of a row; the reader ends a row at CR and leaves the LF behind it to the next.
+/// The bytes of a row; the reader ends a row at CR and leaves a following LF to the next row.
 fn raw(text: &[u8], start: u64, end: u64) -> &[u8] {
     let (Ok(start), Ok(end)) = (usize::try_from(start), usize::try_from(end)) else { return &[] };
     let is_half = start.checked_sub(1).and_then(|before| text.get(before..=start)) == Some(b"\r\n");
@@ -79,29 +80,32 @@ fn check_row(
     let wrong = |message: String, hint: &str| Err(Problem::new(ProblemKind::Format, message).at_line(line).hint(hint));
     if number > MAX_ROWS {
         return wrong(
-            format!("the file has more than {MAX_ROWS} rows, as many as a sheet can have"),
-            "split the inventory, a file for each building",
+            format!("the file has more than {MAX_ROWS} rows, the limit of a sheet"),
+            "split the inventory into one file for each building",
         );
     }
     if record.len() > MAX_COLUMNS as usize {
         return wrong(
             format!("row {number} has {} cells; a sheet has {MAX_COLUMNS} columns", record.len()),
-            "is this an inventory? freestand inventory template shows one",
+            "check that this is an inventory; freestand inventory template prints one",
         );
     }
     if let Some(message) = bad_quotes(raw, separator) {
         return wrong(
             format!("row {number}: {message}"),
-            "double the quotes inside a cell (\"19\"\" rack\"), and close those around it",
+            "double the quotes inside a cell (\"19\"\" rack\"), and close the quotes around it",
         );
     }
     if length > MAX_ROW_BYTES {
-        return wrong(format!("row {number} has {} MB", length >> 20), "is this an inventory? Is a quote not closed?");
+        return wrong(
+            format!("row {number} has {} MB", length >> 20),
+            "check that this is an inventory and that every quote is closed",
+        );
     }
     Ok(())
 }
 
-/// The CSV library takes `"19" rack` for `19 rack` and lets a quote that nobody closes swallow the rest of the file.
+/// The CSV library reads `"19" rack` as `19 rack`, and a quote that is not closed as the rest of the file.
 fn bad_quotes(raw: &[u8], separator: u8) -> Option<String> {
     if !raw.contains(&b'"') {
         return None;
@@ -120,7 +124,7 @@ fn bad_quotes(raw: &[u8], separator: u8) -> Option<String> {
             match bytes.peek() {
                 None | Some(b'\r' | b'\n') => {}
                 Some(&next) if next == separator => {}
-                Some(_) => return Some("text stands behind a closing quote".to_owned()),
+                Some(_) => return Some("text follows a closing quote".to_owned()),
             }
             at_start = false;
         } else {
@@ -161,13 +165,13 @@ mod tests {
     #[test]
     fn quotes_that_would_swallow_or_lose_text_are_refused() {
         for (text, said, line) in
-            [("a,b\n1,\"2\n3,4\n", "not closed", 2), ("a,b\n\n\"19\" rack\",4\n", "behind a closing quote", 3)]
+            [("a,b\n1,\"2\n3,4\n", "not closed", 2), ("a,b\n\n\"19\" rack\",4\n", "follows a closing quote", 3)]
         {
             let problem = read(text, b',').unwrap_err();
             assert!(problem.message.contains(said) && problem.hint.is_some(), "{problem}");
             assert_eq!(problem.line, Some(line));
         }
-        // A quote within a cell that does not begin with one is a character like any other.
+        // A quote within a cell that does not begin with a quote is an ordinary character.
         assert_eq!(read("a,19\" rack\n", b',').unwrap()[0].2[1], "1=19\" rack");
         assert_eq!(read("a,\"19\"\" rack\"\n", b',').unwrap()[0].2[1], "1=19\" rack");
     }

@@ -1,17 +1,19 @@
-//! What is wrong with an inventory and what is doubtful in it, collected row by row within bounds.
+//! The problems and the doubts of an inventory, collected row by row in bounded memory.
 
 use std::path::Path;
 
-use super::columns::letters;
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 
-/// So many problems are listed; nobody reads more at once.
+use super::columns::letters;
+
+/// Number of problems that are listed; nobody reads more at once.
 const MAX_PROBLEMS: usize = 200;
-/// So many rows are named in a warning.
+/// Number of rows that a warning names.
 const NAMED_ROWS: usize = 5;
 
-/// A doubt that many rows can share.
+/// A doubt that several rows can share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Doubt {
     NoId,
@@ -35,43 +37,49 @@ pub(super) enum Doubt {
 impl Doubt {
     fn words(self) -> &'static str {
         match self {
-            Self::NoId => "have no id: the row number makes one, such as row-12",
-            Self::Totals => "are left out: they begin with \"total\" and have no size",
+            Self::NoId => "have no id: the row number is used, such as row-12",
+            Self::Totals => "are left out: they begin with \"total\" and have no dimensions",
             Self::FewCells => {
-                "have fewer cells than there are headings, what is missing counts as empty: is the file whole?"
+                "have fewer cells than there are headings: the missing ones count as empty; check that the file is complete"
             }
-            Self::Unnamed => "have cells in columns without a heading, which are not read",
+            Self::Unnamed => "have cells in columns without a heading: these are ignored",
             Self::CarriedError => "have an error such as #REF! in a column that is carried through",
-            Self::CarriedFormula => "have a formula without its value in a column that is carried through, as empty",
+            Self::CarriedFormula => {
+                "have a formula without a value in a column that is carried through: it is left empty"
+            }
             Self::DecimalPoint => {
-                "have numbers with a decimal point while others have a decimal comma: check that no comma separates thousands"
+                "have numbers with a decimal point while other rows have a decimal comma: check that no comma separates \
+                 thousands"
             }
             Self::SmallLength => {
-                "have a height below 20 mm or a side below 5 mm: was it typed in m, in a column of mm?"
+                "have a height below 20 mm or a side below 5 mm: check that it was not typed in m in a column of mm"
             }
-            Self::LargeLength => "have a height or side above 50 m: was it typed in mm, in a column of m?",
+            Self::LargeLength => {
+                "have a height or a side above 50 m: check that it was not typed in mm in a column of m"
+            }
             Self::Squat => {
-                "are squat (Housner's ratio is negative, h/t < 0.707 for a uniform block): their landings are halted"
+                "are squat (Housner's restitution is negative; h/t < 0.707 for a uniform block): their landings are halted"
             }
             Self::Stiffness => {
-                "have a stiffness under one edge on which the weight alone flattens the pad, or that is very low: was it typed in N/m for N/mm?"
+                "have a stiffness under one edge that is very low, or with which the weight alone flattens the pad: check \
+                 that N/m was not typed in place of N/mm"
             }
             Self::PadsMissing => {
-                "have the stiffness of a pad without pads_per_edge: what is under their edges is not known, and they get no shock"
+                "have the stiffness of a pad without pads_per_edge: their cushion is not known, and no shock is computed"
             }
             Self::DampingMass => {
-                "have a cushion whose damping is a ratio, and no mass that it is of: they get no shock"
+                "have a cushion with a damping ratio but no mass: their cushion is not known, and no shock is computed"
             }
             Self::PadAlone => {
-                "say something of the pad (pad_thickness, pads_per_edge, series_stiffness) but not its stiffness: it is not used"
+                "describe a pad (pad_thickness, pads_per_edge, series_stiffness) without its stiffness: it is ignored"
             }
             Self::Example => "are examples of the template: delete them",
-            Self::PeakMissing => "have a tolerance_duration without the tolerance that it belongs to",
+            Self::PeakMissing => "have a tolerance_duration without a tolerance",
         }
     }
 }
 
-/// The rows that share a doubt.
+/// The rows with one doubt.
 #[derive(Debug, Clone)]
 struct Doubtful {
     doubt: Doubt,
@@ -80,12 +88,12 @@ struct Doubtful {
     last: u32,
 }
 
-/// Everything that was found.
+/// The problems and doubts so far.
 #[derive(Debug)]
 pub(super) struct Findings<'a> {
     path: &'a Path,
     sheet: Option<String>,
-    problems: Vec<Problem>,
+    problems: Problems,
     more: usize,
     doubts: Vec<Doubtful>,
 }
@@ -99,7 +107,7 @@ pub(super) struct At {
 
 impl<'a> Findings<'a> {
     pub(super) fn new(path: &'a Path, sheet: Option<String>) -> Self {
-        Self { path, sheet, problems: Vec::new(), more: 0, doubts: Vec::new() }
+        Self { path, sheet, problems: Problems::default(), more: 0, doubts: Vec::new() }
     }
 
     /// A problem of the file as a whole, or of its headings.
@@ -125,11 +133,10 @@ impl<'a> Findings<'a> {
     }
 
     fn value(&mut self, at: At, message: String, hint: Option<String>) {
-        let mut problem = Problem::new(ProblemKind::Value, self.in_sheet(message));
+        // Some problems of quantities have no hint of their own.
+        let hint = hint.as_deref().unwrap_or("correct the cell, or leave it empty if the value is not known");
+        let mut problem = Problem::value(self.in_sheet(message), hint);
         problem.line = at.line;
-        // Some that the parser of quantities finds have no remedy of their own.
-        problem.hint =
-            Some(hint.unwrap_or_else(|| "correct the cell, or leave it empty where the value is not known".to_owned()));
         self.push(problem);
     }
 
@@ -140,16 +147,16 @@ impl<'a> Findings<'a> {
         }
     }
 
-    /// A problem that is ready.
+    /// Adds a problem.
     pub(super) fn push(&mut self, problem: Problem) {
         if self.problems.len() < MAX_PROBLEMS {
-            self.problems.push(problem.in_file(self.path));
+            self.problems.push(problem.shown(KeyStyle::File).in_file(self.path));
         } else {
             self.more += 1;
         }
     }
 
-    /// A doubt about a row; a row is counted once for each.
+    /// Adds a doubt about a row; it counts once for each row.
     pub(super) fn doubt(&mut self, doubt: Doubt, row: u32) {
         let at = self.doubts.iter().position(|other| other.doubt == doubt).unwrap_or_else(|| {
             self.doubts.push(Doubtful { doubt, count: 0, first: Vec::new(), last: 0 });
@@ -166,26 +173,22 @@ impl<'a> Findings<'a> {
         }
     }
 
-    /// The warnings, or everything that is wrong.
+    /// The warnings, or all problems.
     ///
     /// # Errors
     /// All problems.
     pub(super) fn finish(mut self) -> Result<Vec<String>, Problems> {
         if self.more > 0 {
-            let message = format!("{} more problems like these are not listed", self.more);
-            let last = Problem::new(ProblemKind::Value, message).in_file(self.path);
-            self.problems.push(last.hint("correct those above first"));
-        }
-        if !self.problems.is_empty() {
-            return Err(Problems { problems: self.problems });
+            let message = format!("{} more problems are not listed", self.more);
+            self.problems.push(Problem::value(message, "correct the problems above first").in_file(self.path));
         }
         self.doubts.sort_by_key(|entry| entry.doubt);
-        Ok(self.doubts.iter().map(Doubtful::words).collect())
+        self.problems.finish(Some(self.doubts.iter().map(Doubtful::words).collect()))
     }
 }
 
 impl Doubtful {
-    /// `rows 4, 7, 9 and 120 more have …`.
+    /// `rows 4, 7, 9 and 120 more have …`
     fn words(&self) -> String {
         let rows: Vec<String> = self.first.iter().map(u32::to_string).collect();
         let more = self.count - self.first.len();
@@ -198,9 +201,9 @@ impl Doubtful {
     }
 }
 
-/// `have no id` of one row is `has no id`.
+/// The singular of a doubt: `has no id` for `have no id`.
 fn singular(words: &str) -> String {
-    let pairs = [("have ", "has "), ("are ", "is "), ("say ", "says ")];
+    let pairs = [("have ", "has "), ("are ", "is "), ("describe ", "describes ")];
     let found = pairs.iter().find_map(|(many, one)| Some(format!("{one}{}", words.strip_prefix(many)?)));
     found.unwrap_or_else(|| words.to_owned())
 }

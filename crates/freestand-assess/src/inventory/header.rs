@@ -1,42 +1,43 @@
-//! Where the headings of an inventory stand, and what they are.
+//! The headings of an inventory: where they are, and what they mean.
 
 use std::collections::BTreeMap;
 
-use super::cell::{Cell, Row};
-use super::columns::{COLUMNS, Column, Heading, Holds, canonical, heading};
 use freestand_input::quantity::{Dimension, Unit, lookup};
 
-/// How many rows that are not empty may stand above the headings, and these with them.
+use super::cell::{Cell, Row};
+use super::columns::{COLUMNS, Column, Heading, Holds, canonical, heading};
+
+/// Number of rows, empty ones not counted, that are searched for headings.
 pub(super) const SEARCHED_ROWS: usize = 100;
 
-/// So many of our columns make a row of headings.
-const FEWEST: usize = 2;
+/// Smallest number of our columns in a row of headings.
+const MIN_COLUMNS: usize = 2;
 
-/// The headings as they stand in the file.
+/// The headings as they are in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Header {
     /// The first row of headings.
     pub(super) row: u32,
-    /// The last row that is no object: a second row of headings, or of units.
+    /// The last row before the objects: a second row of headings, or a row of units.
     pub(super) last_row: u32,
-    /// Line of the first, where the file has lines.
+    /// Line of the first row, where the file has lines.
     pub(super) line: Option<usize>,
     /// Every heading, by its column.
     pub(super) headings: BTreeMap<u32, String>,
-    /// Units that stand in a row of their own.
+    /// Units from a row of their own.
     pub(super) units: BTreeMap<u32, &'static Unit>,
-    /// How many of our columns there are.
+    /// Number of our columns.
     pub(super) known: usize,
-    /// Rows above that are not empty.
+    /// Number of rows above that are not empty.
     pub(super) above: usize,
-    /// How many cells the row of headings has, where the file says so; the last may be empty.
+    /// Number of cells in the row of headings, where the file says so; the last may be empty.
     pub(super) width: Option<u32>,
 }
 
-/// Finds the headings among the first rows of a sheet: the row with the most names that are ours.
+/// Finds the headings among the first rows of a sheet: the row with most of our names.
 pub(super) fn find(rows: &[Row]) -> Option<Header> {
     let known: Vec<usize> = rows.iter().map(|row| ours(row).len()).collect();
-    let most = known.iter().copied().max().filter(|&most| most >= FEWEST)?;
+    let most = known.iter().copied().max().filter(|&most| most >= MIN_COLUMNS)?;
     let at = known.iter().position(|&count| count == most)?;
     let main = rows.get(at)?;
     let mut headings = texts(main);
@@ -50,7 +51,7 @@ pub(super) fn find(rows: &[Row]) -> Option<Header> {
         above: at,
         width: main.width,
     };
-    // A form has "Location" above "building, floor, room", and "Risk" above "LS, PL, FL".
+    // Some forms have "Location" above "building, floor, room", and "Risk" above "LS, PL, FL".
     let above = at.checked_sub(1).and_then(|above| rows.get(above)).filter(|row| row.number + 1 == main.number);
     if let Some(above) = above {
         let more = texts(above).into_iter().filter(|(column, text)| is_ours(text) && !headings.contains_key(column));
@@ -100,13 +101,13 @@ fn ours(row: &Row) -> Vec<Column> {
     found
 }
 
-/// A row below the headings that names columns and nothing else.
+/// Whether a row below the headings contains only names of columns.
 fn is_second_row(row: &Row) -> bool {
     let texts = texts(row);
-    texts.len() >= FEWEST && texts.values().all(|text| is_ours(text))
+    texts.len() >= MIN_COLUMNS && texts.values().all(|text| is_ours(text))
 }
 
-/// The units of a row that holds nothing else: `mm`, `kg`, and perhaps the word "units" in front.
+/// The units of a row that contains nothing else, except for the word "units".
 fn units(row: &Row, headings: &BTreeMap<u32, String>) -> Option<BTreeMap<u32, &'static Unit>> {
     let mut found = BTreeMap::new();
     for (column, text) in texts(row) {
@@ -127,7 +128,7 @@ fn units(row: &Row, headings: &BTreeMap<u32, String>) -> Option<BTreeMap<u32, &'
     is_any.then_some(found)
 }
 
-/// The names of our columns that a file has to have, for hints.
+/// The names of the required columns, for hints.
 pub(super) fn required_names() -> String {
     let names: Vec<&str> = COLUMNS.iter().filter(|spec| spec.is_required).map(|spec| spec.name).collect();
     names.join(", ")
@@ -158,7 +159,7 @@ mod tests {
 
     #[test]
     fn a_form_with_two_rows_of_headings() {
-        // As FEMA E-74 has it: groups above, their parts below.
+        // As in FEMA E-74: groups above, their parts below.
         for lines in [
             [
                 "Priority,Nonstructural Item,Location,,,Quantity,Risk,,",
@@ -174,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn units_may_stand_in_a_row_of_their_own() {
+    fn units_may_have_a_row_of_their_own() {
         let found = find(&rows(&["item,height,mass,level_ratio,x", "Units,mm,[kg],-,", "rack,1800,140,1,2"])).unwrap();
         assert_eq!(found.last_row, 2);
         assert_eq!(

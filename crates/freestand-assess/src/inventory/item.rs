@@ -4,6 +4,14 @@ use freestand::block::{Block, BlockError};
 use freestand::impact::stiffness_warnings;
 use freestand::rocking::Restitution;
 
+use crate::library::{Confidence, Lookup, Tolerance};
+use freestand_input::keys::Words;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_input::words::nearest;
+use freestand_study::cushion::{self, EdgeCushion};
+use freestand_study::shape::Shape;
+
 use super::cell::Cell;
 use super::columns::{COLUMNS, Column, canonical};
 use super::findings::Doubt;
@@ -11,25 +19,19 @@ use super::layout::Role;
 use super::template::EXAMPLE;
 use super::values::Values;
 use super::{Consequences, Item};
-use crate::library::Lookup;
-use crate::library::{Confidence, Tolerance};
-use freestand_input::keys::KeyStyle;
-use freestand_input::quantity::shorten;
-use freestand_input::words::nearest;
-use freestand_study::cushion::{CushionWords, EdgeCushion, KeyProblem};
-use freestand_study::shape::Shape;
+use freestand_study::restitution::checked;
 
-/// Lower than any object that rocks, 20 mm: metres in a column of millimetres.
-const SMALLEST_HEIGHT_M: f64 = 0.02;
+/// Lower than any object that rocks: probably metres in a column of millimetres.
+const MIN_HEIGHT_M: f64 = 0.02;
 /// Thinner than any object that rocks.
-const SMALLEST_SIDE_M: f64 = 0.005;
-/// Larger than any object in a building: millimetres in a column of metres.
-const LARGEST_M: f64 = 50.0;
+const MIN_SIDE_M: f64 = 0.005;
+/// Larger than any object in a building: probably millimetres in a column of metres.
+const MAX_LENGTH_M: f64 = 50.0;
 
-/// First words of rows that add up those above.
+/// First words of rows that sum up the rows above.
 const TOTALS: [&str; 9] = ["total", "totals", "grand_total", "subtotal", "sub_total", "sum", "sums", "summe", "gesamt"];
 
-/// Whether a row only adds up others: it says so and has no size.
+/// Whether a row only sums up others: it begins with such a word and has no dimensions.
 pub(super) fn is_total(values: &Values<'_, '_, '_>) -> bool {
     let size = [Column::Height, Column::Thickness, Column::LevelRatio];
     let has_size = size.iter().any(|&column| {
@@ -75,7 +77,7 @@ pub(super) fn item(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Item
         tolerance: tolerance(values, lookup),
         restitution: restitution(values, &size.blocks),
         friction_ratio: values.range(Column::Friction),
-        accepted_ratio: values.share(Column::Accepted, false),
+        accepted_ratio: values.share(Column::Accepted),
         notes: values.text(Column::Notes),
         carried,
     }
@@ -95,7 +97,7 @@ fn id(values: &mut Values<'_, '_, '_>) -> String {
     format!("row-{}", values.row.number)
 }
 
-/// Cells of columns that are not ours, as they stand there.
+/// The cells of other columns, unchanged.
 fn carried(values: &mut Values<'_, '_, '_>) -> Vec<String> {
     let mut carried = vec![String::new(); values.layout.carried.len()];
     let row = values.row;
@@ -113,9 +115,9 @@ fn carried(values: &mut Values<'_, '_, '_>) -> Vec<String> {
                     Cell::Error(_) => values.doubt(Doubt::CarriedError),
                     Cell::Unevaluated => values.doubt(Doubt::CarriedFormula),
                     Cell::TooLong(chars) => {
-                        let message = format!("a cell of {chars} characters, more than a spreadsheet takes");
+                        let message = format!("a cell has {chars} characters, more than a spreadsheet allows");
                         let at = values.at();
-                        values.findings.of_row(at, &message, "shorten it: is a quote not closed?");
+                        values.findings.of_row(at, &message, "shorten it, and check that every quote is closed");
                     }
                     _ => {}
                 }
@@ -126,8 +128,8 @@ fn carried(values: &mut Values<'_, '_, '_>) -> Vec<String> {
         }
     }
     if let Some(count) = too_many {
-        let message = format!("{count} cells stand under {} headings", values.layout.widest);
-        let hint = "quote cells that hold the sign between the cells, or give every column a heading";
+        let message = format!("the row has {count} cells for {} headings", values.layout.widest);
+        let hint = "put cells that contain the separator in quotes, or give every column a heading";
         let at = values.at();
         values.findings.of_row(at, &message, hint);
     }
@@ -143,15 +145,16 @@ fn level(values: &mut Values<'_, '_, '_>) -> Option<f64> {
         return Some(level);
     }
     let hint = if level > 1.0 {
-        "0 is the ground, 1 the roof: the height of the floor over that of the building, not its number; 50 % is 0.5"
+        "give the height of the floor over the height of the building, not its number: 0 is the ground, 1 the roof, and \
+         50 % is 0.5"
     } else {
-        "0 is the ground, 1 the roof; a basement moves like the ground: 0"
+        "0 is the ground, 1 the roof; a basement moves like the ground, so give 0"
     };
-    values.refuse(Column::LevelRatio, format!("the level is {level}, not from 0 to 1"), hint);
+    values.refuse(Column::LevelRatio, format!("the level must be from 0 to 1, not {level}"), hint);
     None
 }
 
-/// What is known of the size of an object.
+/// The dimensions of an object, as far as they are known.
 struct Size {
     height_m: Option<f64>,
     thickness_m: Option<f64>,
@@ -159,7 +162,7 @@ struct Size {
     base_thickness_m: Option<f64>,
     base_width_m: Option<f64>,
     cg_height_m: Option<f64>,
-    /// The object in the planes of its thickness and of its width, as far as they are known.
+    /// The object about both axes, as far as they are known.
     blocks: Vec<Block>,
 }
 
@@ -174,12 +177,10 @@ fn size(values: &mut Values<'_, '_, '_>) -> Size {
         blocks: Vec::new(),
     };
     let sides = [size.thickness_m, size.width_m];
-    if size.height_m.is_some_and(|h| h < SMALLEST_HEIGHT_M)
-        || sides.iter().flatten().any(|&side| side < SMALLEST_SIDE_M)
-    {
+    if size.height_m.is_some_and(|h| h < MIN_HEIGHT_M) || sides.iter().flatten().any(|&side| side < MIN_SIDE_M) {
         values.doubt(Doubt::SmallLength);
     }
-    if size.height_m.iter().chain(sides.iter().flatten()).any(|&length| length > LARGEST_M) {
+    if size.height_m.iter().chain(sides.iter().flatten()).any(|&length| length > MAX_LENGTH_M) {
         values.doubt(Doubt::LargeLength);
     }
     let Some(height_m) = size.height_m else { return size };
@@ -211,14 +212,14 @@ fn size(values: &mut Values<'_, '_, '_>) -> Size {
 fn refuse_block(values: &mut Values<'_, '_, '_>, column: Column, error: &BlockError) {
     let hint = match error {
         BlockError::OutOfObject { .. } => {
-            "the feet stand under the object, and its centre of gravity lies in it: check the numbers and their units"
+            "the feet must be under the object and its centre of gravity inside it: check the numbers and their units"
         }
         _ => "check the number and its unit",
     };
     values.refuse(column, error.to_string(), hint);
 }
 
-/// What stands under an edge.
+/// What is under one edge.
 #[derive(Default)]
 struct Support {
     cushion: Option<EdgeCushion>,
@@ -227,7 +228,7 @@ struct Support {
 }
 
 fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -> Support {
-    let mut words = CushionWords::new(KeyStyle::File);
+    let mut words = Words::default();
     for column in [Column::Stiffness, Column::PadStiffness, Column::SeriesStiffness, Column::PadThickness] {
         if let Some((_, text)) = values.positive_text(column) {
             words.set(column.name(), text);
@@ -246,8 +247,8 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
         words.set(Column::Cushion.name(), entry);
         match joined(words, prior.words) {
             Ok(both) => words = both,
-            Err((key, problem)) => {
-                values.wrong(column_of(key), &problem);
+            Err(problem) => {
+                values.wrong(column_of(&problem), &problem);
                 return support;
             }
         }
@@ -257,7 +258,7 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
     if words.is_empty() {
         return support;
     }
-    // What is missing costs the verdict, not the file.
+    // Missing data cost the object its verdict, but do not stop the reading.
     if words.get("stiffness").is_none() && words.get("pad_stiffness").is_none() && words.get("law").is_none() {
         values.doubt(Doubt::PadAlone);
         return Support::default();
@@ -266,7 +267,7 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
         values.doubt(Doubt::PadsMissing);
         return Support::default();
     }
-    match words.resolve(mass_kg) {
+    match cushion::resolve(&words, mass_kg) {
         Ok(edge) => {
             let doubts = mass_kg.map(|mass| stiffness_warnings(mass, &edge.cushion, edge.pad_thickness_m));
             if doubts.is_some_and(|doubts| !doubts.is_empty()) {
@@ -276,11 +277,11 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
             support
         }
         Err(problems) => {
-            if mass_kg.is_none() && problems.iter().all(|(key, _)| *key == "damping") {
+            if mass_kg.is_none() && problems.problems.iter().all(|problem| problem.keys == ["damping"]) {
                 values.doubt(Doubt::DampingMass);
             } else {
-                for (key, problem) in &problems {
-                    values.wrong(column_of(key), problem);
+                for problem in &problems.problems {
+                    values.wrong(column_of(problem), problem);
                 }
             }
             Support::default()
@@ -288,24 +289,25 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
     }
 }
 
-/// The words of a row with those of the entry that it names: they may add pads, layers and a thickness, no other law.
-fn joined(words: CushionWords, entry: CushionWords) -> Result<CushionWords, KeyProblem> {
+/// The words of a row with those of the entry that it names. They may add pads, layers and a thickness, but no other law.
+fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
     let mut words = words;
-    // Of all that is under an edge, an entry needs no count of pads; of one pad, a missing count costs only the shock.
+    // An entry for a whole edge needs no count of pads; for one pad, a missing count only costs the shock.
     let is_counted = words.get("pads_per_edge").is_some() || entry.get("pads_per_edge").is_some();
     if !is_counted {
         words.set("pads_per_edge", "1");
     }
-    let mut both = words.with_file(entry)?;
+    let mut both = cushion::with_file(&words, entry)?;
     if !is_counted {
         both.remove("pads_per_edge");
     }
     Ok(both)
 }
 
-/// The column that a key of a cushion stands in; those of a library entry belong to the entry.
-fn column_of(key: &str) -> Column {
-    COLUMNS.iter().find(|spec| spec.name == key).map_or(Column::Cushion, |spec| spec.column)
+/// The column of a key of a cushion; keys of a library entry belong to the column with its name.
+fn column_of(problem: &Problem) -> Column {
+    let column = |key: &&str| COLUMNS.iter().find(|spec| spec.name == *key).map(|spec| spec.column);
+    problem.keys.iter().find_map(column).unwrap_or(Column::Cushion)
 }
 
 fn refuse_entry(values: &mut Values<'_, '_, '_>, column: Column, entry: &str, names: &[String], library: &str) {
@@ -314,14 +316,14 @@ fn refuse_entry(values: &mut Values<'_, '_, '_>, column: Column, entry: &str, na
     let hint = match nearest(&entry, &all) {
         Some(near) => format!("did you mean {near}?"),
         None if all.is_empty() => {
-            format!("there is no {library} library here: write the values into their own columns")
+            format!("no {library} library is available here: put the values into their own columns")
         }
         None => {
             let some: Vec<&str> = all.iter().copied().take(6).collect();
             format!("known: {}{}", some.join(", "), if all.len() > 6 { " and more" } else { "" })
         }
     };
-    values.refuse(column, format!("\"{entry}\" is no entry of the {library} library"), &hint);
+    values.refuse(column, format!("\"{entry}\" is not an entry of the {library} library"), &hint);
 }
 
 fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tolerance> {
@@ -343,8 +345,8 @@ fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tol
         return is_stated.then_some(stated);
     }
     if is_stated {
-        let hint = "keep one of them: what the entry says, or what you know";
-        values.refuse(Column::ToleranceEntry, "an entry and a tolerance of its own exclude each other", hint);
+        let hint = "keep either the entry or the values in the other tolerance columns";
+        values.refuse(Column::ToleranceEntry, "an entry and values of its own exclude each other", hint);
         return None;
     }
     let found = (lookup.tolerance)(&entry);
@@ -356,23 +358,20 @@ fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tol
 
 fn restitution(values: &mut Values<'_, '_, '_>, blocks: &[Block]) -> Restitution {
     let is_housner = values.cell(Column::Restitution).is_some_and(|(_, cell)| canonical(&cell.shown()) == "housner");
-    let value = if is_housner { None } else { values.share(Column::Restitution, true) };
+    let value = if is_housner { None } else { values.positive(Column::Restitution) };
     let factor = values.positive(Column::RestitutionFactor);
-    match (value, factor) {
-        (None, None) => Restitution::Housner,
-        (Some(value), None) => Restitution::Value(value),
+    let (column, restitution) = match (value, factor) {
+        (None, None) => return Restitution::Housner,
+        (Some(value), None) => (Column::Restitution, Restitution::Value(value)),
         (Some(_), Some(_)) => {
-            let hint = "keep one of them; the factor is on Housner's ratio";
+            let hint = "keep one of them; the factor multiplies Housner's restitution";
             values.refuse(Column::RestitutionFactor, "restitution and restitution_factor exclude each other", hint);
-            Restitution::Housner
+            return Restitution::Housner;
         }
-        (None, Some(factor)) => {
-            let largest = blocks.iter().map(Block::landing_ratio).fold(0.0, f64::max) * factor;
-            if largest > 1.0 {
-                let message = format!("makes the restitution {largest:.4}: the object would gain energy");
-                values.refuse(Column::RestitutionFactor, message, "the product with Housner's ratio must not exceed 1");
-            }
-            Restitution::Factor(factor)
-        }
-    }
+        (None, Some(factor)) => (Column::RestitutionFactor, Restitution::Factor(factor)),
+    };
+    checked(restitution, blocks).unwrap_or_else(|problem| {
+        values.wrong(column, &problem);
+        Restitution::Housner
+    })
 }

@@ -1,37 +1,38 @@
-//! Which column of the file is which of ours, and what is carried through.
+//! Which columns of the file are ours, and which are carried through.
 
 use std::collections::BTreeMap;
+
+use freestand_input::quantity::{Dimension, Unit, shorten};
 
 use super::columns::{COLUMNS, Column, Heading, Holds, heading, letters, meant};
 use super::findings::Findings;
 use super::header::Header;
-use freestand_input::quantity::{Dimension, Unit, shorten};
 
-/// The most columns that are carried through; an asset register has some dozen.
+/// Largest number of columns that are carried through; an asset register has some dozens.
 pub(super) const MAX_CARRIED: usize = 256;
-/// The most headings whose names are looked into for slips of the finger.
+/// Largest number of headings that are checked for typing mistakes.
 const MAX_MEANT: usize = 20;
 
-/// One of our columns in the file.
+/// The place of one of our columns in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Place {
     /// Its column, from 0.
     pub(super) index: u32,
-    /// As it stands there.
+    /// Its heading in the file.
     pub(super) heading: String,
-    /// The unit of its bare numbers; `None`: each cell states its own.
+    /// The unit of numbers without one; `None`: each cell has its own unit.
     pub(super) unit: Option<&'static Unit>,
-    /// Whether its cells mean anything: not under a unit that is none.
+    /// Whether its cells can be read: not with a heading whose unit is wrong.
     pub(super) is_readable: bool,
 }
 
 /// What a column of the file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
-    /// It has no heading.
+    /// A column without a heading.
     Unnamed,
     Ours(Column),
-    /// The n-th that is carried through.
+    /// The n-th column that is carried through.
     Carried(usize),
 }
 
@@ -44,12 +45,12 @@ pub(super) struct Layout {
     pub(super) carried: Vec<String>,
     /// One more than the last column that has a heading.
     pub(super) width: u32,
-    /// How many cells a row may have, where the file says so.
+    /// Largest number of cells in a row, where the file says so.
     pub(super) widest: u32,
 }
 
 impl Layout {
-    /// Takes the headings apart. What is wrong with them goes into `findings`, what is doubtful into `warnings`.
+    /// Interprets the headings; their problems are added to `findings`, their doubts to `warnings`.
     pub(super) fn new(header: &Header, findings: &mut Findings<'_>, warnings: &mut Vec<String>) -> Self {
         let width = header.headings.keys().last().map_or(0, |last| last + 1);
         let mut layout = Self {
@@ -73,7 +74,7 @@ impl Layout {
                 }
                 Heading::BadUnit(column, unit) => {
                     let place = format!("column {} ({})", letters(index as usize), shorten(text));
-                    let message = format!("{place}: \"{}\" is no unit of it", shorten(&unit));
+                    let message = format!("{place}: \"{}\" is not a unit of {}", shorten(&unit), column.name());
                     findings.of_file(header.line, message, unit_hint(column));
                     layout.take(
                         column,
@@ -90,7 +91,7 @@ impl Layout {
                         && let Some(hint) = meant(text)
                     {
                         let place = format!("column {} ({})", letters(index as usize), shorten(text));
-                        warnings.push(format!("{place} is none of ours and carried through: {hint}"));
+                        warnings.push(format!("{place} is not read, only carried through: {hint}"));
                     }
                 }
             }
@@ -109,7 +110,7 @@ impl Layout {
                 shorten(&place.heading),
                 column.name()
             );
-            findings.of_file(header.line, message, "leave one of them, or give the other another name");
+            findings.of_file(header.line, message, "keep one of them, or rename the other");
             return;
         }
         self.roles.insert(place.index, Role::Ours(column));
@@ -125,25 +126,25 @@ impl Layout {
                 let near = self.carried.iter().take(MAX_MEANT);
                 let near = near.filter(|text| meant(text).is_some_and(|hint| hint.contains(spec.name)));
                 let hint = match near.map(|text| shorten(text)).next() {
-                    Some(near) => format!("is it \"{near}\"? Call it \"{}{unit}\": {}", spec.name, spec.meaning),
+                    Some(near) => {
+                        format!("if \"{near}\" is that column, rename it \"{}{unit}\": {}", spec.name, spec.meaning)
+                    }
                     None => format!(
-                        "add a column \"{}{unit}\" ({}); where a value is not known its cell stays empty",
+                        "add a column \"{}{unit}\" ({}); leave a cell empty if its value is not known",
                         spec.name, spec.meaning
                     ),
                 };
-                findings.of_file(header.line, format!("no column is called {}", spec.name), hint);
+                findings.of_file(header.line, format!("the column {} is missing", spec.name), hint);
             }
         }
         if self.carried.len() > MAX_CARRIED {
-            let message = format!(
-                "{} columns are none of ours, more than the {MAX_CARRIED} that are carried through",
-                self.carried.len()
-            );
-            findings.of_file(header.line, message, "remove those that nobody needs");
+            let message =
+                format!("the file has {} other columns; at most {MAX_CARRIED} are carried through", self.carried.len());
+            findings.of_file(header.line, message, "remove the columns that nobody needs");
         }
     }
 
-    /// Where a column is.
+    /// The place of a column.
     pub(super) fn place(&self, column: Column) -> Option<&Place> {
         self.places.get(column as usize).and_then(Option::as_ref)
     }
@@ -153,7 +154,7 @@ impl Layout {
         self.roles.get(&index).copied().unwrap_or(Role::Unnamed)
     }
 
-    /// What was understood, column by column.
+    /// Our columns, as they were understood.
     pub(super) fn columns(&self) -> Vec<ColumnRead> {
         let ours = self.places.iter().zip(&COLUMNS).filter_map(|(place, spec)| Some((place.as_ref()?, spec)));
         let mut columns: Vec<(u32, ColumnRead)> = ours
@@ -174,23 +175,23 @@ impl Layout {
     }
 }
 
-/// A column of ours as it was understood.
+/// One of our columns, as it was understood.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ColumnRead {
-    /// `F`.
+    /// Its letter in a spreadsheet: `F`.
     pub letter: String,
-    /// As it stands in the file.
+    /// Its heading in the file.
     pub heading: String,
-    /// What we call it.
+    /// Our name for it.
     pub name: &'static str,
-    /// The unit of its numbers; `None`: words or ratios.
+    /// The unit of its numbers; `None`: text or ratios.
     pub unit: Option<String>,
 }
 
-/// What to write in place of a unit that is none.
+/// What to write in place of a wrong unit.
 pub(super) fn unit_hint(column: Column) -> String {
     let spec = column.spec();
-    let Holds::Quantity(dimension) = spec.holds else { return "leave the brackets out".to_owned() };
+    let Holds::Quantity(dimension) = spec.holds else { return "remove the brackets".to_owned() };
     let units: Vec<&str> = dimension.units().map(|unit| unit.symbol).take(6).collect();
     format!("write one of {}, such as \"{} [{}]\"", units.join(", "), spec.name, spec.unit)
 }

@@ -1,4 +1,4 @@
-//! An inventory: the objects of a building, as a spreadsheet has them, read into SI with everything that is wrong said at once.
+//! Inventories: the objects of a building, read from a spreadsheet into SI, with all problems reported at once.
 
 mod archive;
 mod cell;
@@ -35,15 +35,15 @@ use freestand_study::cushion::EdgeCushion;
 /// FEMA E-74's three consequences, each rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Consequences {
-    /// LS: somebody may be hurt.
+    /// LS: risk that somebody is hurt.
     pub life_safety: Option<Rating>,
-    /// PL: it costs money.
+    /// PL: risk of a loss of property.
     pub property: Option<Rating>,
-    /// FL: work stops.
+    /// FL: risk that work stops.
     pub function: Option<Rating>,
 }
 
-/// High, medium, low.
+/// A rating of a consequence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rating {
     /// L.
@@ -54,62 +54,62 @@ pub enum Rating {
     High,
 }
 
-/// One row of an inventory. `None` is an empty cell: what is missing costs the verdict, not the file.
+/// One row of an inventory. `None` is an empty cell: missing data cost the object its verdict, but do not stop the reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Item {
-    /// Its row in the sheet or file, counted from 1 as a spreadsheet does.
+    /// Its row in the sheet or file, counted from 1 as in a spreadsheet.
     pub row: u32,
-    /// Unique.
+    /// Its identifier, unique in the inventory.
     pub id: String,
     /// What it is.
     pub item: String,
-    /// How many of them stand there.
+    /// How many such objects there are.
     pub quantity: u32,
     /// Rank given by the owner.
     pub priority: String,
-    /// In words; `building`, `floor` and `room` are the finer columns of E-74.
+    /// Where it is, in words; `building`, `floor` and `room` are the finer columns of E-74.
     pub location: String,
     /// Building.
     pub building: String,
-    /// Floor, by its name.
+    /// Name of the floor.
     pub floor: String,
     /// Room.
     pub room: String,
     /// Life safety, property loss, functional loss.
     pub consequences: Consequences,
-    /// Height of its floor over that of the building: 0 ground, 1 roof.
+    /// Height of its floor over the height of the building: 0 ground, 1 roof.
     pub level_ratio: Option<f64>,
     /// Height \[m\].
     pub height_m: Option<f64>,
-    /// Side in the first plane of motion, mostly the shorter \[m\].
+    /// Horizontal size in the plane of rocking, mostly the shorter side \[m\].
     pub thickness_m: Option<f64>,
-    /// The other side; `None`: it is looked at about one axis only \[m\].
+    /// Horizontal size across the thickness; `None`: rocking is computed about one axis only \[m\].
     pub width_m: Option<f64>,
-    /// Distance between the pivot edges in the direction of the thickness; `None`: the thickness \[m\].
+    /// Distance between the edges in the direction of the thickness; `None`: the thickness \[m\].
     pub base_thickness_m: Option<f64>,
-    /// Distance between the pivot edges in the direction of the width; `None`: the width \[m\].
+    /// Distance between the edges in the direction of the width; `None`: the width \[m\].
     pub base_width_m: Option<f64>,
     /// Height of the centre of gravity; `None`: half the height \[m\].
     pub cg_height_m: Option<f64>,
     /// Mass \[kg\].
     pub mass_kg: Option<f64>,
-    /// What stands under one edge.
+    /// The cushion under one edge.
     pub cushion: Option<EdgeCushion>,
-    /// Half a 16–84 % range of its stiffness in ln k, where a library entry gives a range rather than a value.
+    /// Half of the 16–84 % range of ln k, where a library entry gives a range of stiffness in place of a value.
     pub cushion_log_sd: Option<f64>,
-    /// The entry of the cushion library that it is from, with its source in words.
+    /// The entry of the cushion library that it comes from, with its source in words.
     pub cushion_source: Option<String>,
-    /// What it stands.
+    /// Its tolerance.
     pub tolerance: Option<Tolerance>,
     /// Restitution of the motion.
     pub restitution: Restitution,
     /// Coefficient of friction, lowest and highest.
     pub friction_ratio: Option<(f64, f64)>,
-    /// Probability of being overturned or damaged that its owner accepts, in place of the study's.
+    /// Probability of overturning or damage that the owner accepts, in place of that of the study.
     pub accepted_ratio: Option<f64>,
     /// Notes.
     pub notes: String,
-    /// Cells of the columns that are not ours, in the order of [`Inventory::carried`].
+    /// Cells of the other columns, in the order of [`Inventory::carried`].
     pub carried: Vec<String>,
 }
 
@@ -122,12 +122,12 @@ pub struct Inventory {
     pub sha256: String,
     /// The sheet, of a workbook.
     pub sheet: Option<String>,
-    /// Headers of the columns that are not ours.
+    /// Headings of the other columns.
     pub carried: Vec<String>,
     /// The rows, in the order of the file.
     pub items: Vec<Item>,
-    /// The libraries of the user that its names were looked up in.
+    /// The user's libraries in which its entries were looked up.
     pub libraries: Vec<freestand_input::file::InputFile>,
-    /// How the input was read, and what is doubtful.
+    /// Warnings about how the file was read.
     pub warnings: Vec<String>,
 }

@@ -1,7 +1,12 @@
-//! Reading: a file in, an inventory or everything that is wrong with it out.
+//! Reading a file into an inventory, or reporting all of its problems.
 
 use std::collections::HashMap;
 use std::path::Path;
+
+use crate::library::Lookup;
+use freestand_input::file::sha256_hex;
+use freestand_input::problem::Problems;
+use freestand_input::quantity::shorten;
 
 use super::cell::{Flow, Row};
 use super::columns::Column;
@@ -11,18 +16,14 @@ use super::layout::{ColumnRead, Layout};
 use super::source::{Source, load};
 use super::values::{Signs, Values};
 use super::{Inventory, Item};
-use crate::library::Lookup;
-use freestand_input::file::sha256_hex;
-use freestand_input::problem::Problems;
-use freestand_input::quantity::shorten;
 
-/// Cells that are carried through, over all rows: half a gigabyte if they are empty.
+/// Largest number of cells that are carried through, over all rows: half a gigabyte if they are empty.
 const MAX_CARRIED_CELLS: usize = 20_000_000;
 
-/// An inventory with how its file was understood.
+/// An inventory, and how its file was understood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
-    /// What was read.
+    /// The inventory.
     pub inventory: Inventory,
     /// Our columns, in the order of the file.
     pub columns: Vec<ColumnRead>,
@@ -30,18 +31,18 @@ pub struct Reading {
     pub header_row: u32,
 }
 
-/// Reads an inventory from a CSV or a workbook (XLSX), told by the content and not by the name: every quantity in SI,
-/// what is missing `None`.
+/// Reads an inventory from a CSV or a workbook (XLSX), recognised by its content: every quantity in SI, missing values as
+/// `None`.
 ///
-/// `sheet` names a sheet of a workbook; without it the first visible one that has our headings is read. The headings may
-/// stand in any order, each with its unit, below titles. Columns that are not ours are carried through.
+/// `sheet` names a sheet of a workbook; without it the first visible sheet with our headings is read. The headings may be
+/// in any order, each with its unit, and below titles. Other columns are carried through.
 ///
 /// # Accuracy
 /// A number in a CSV and the same number in a workbook are the same f64, whatever the unit.
 ///
 /// # Errors
-/// Everything that is wrong with the file at once, each with its sheet, row and column and a remedy, up to 200. A file
-/// beyond 512 MB, 1,048,576 rows, 16,384 columns, 32,767 characters a cell, or that unpacks to more than 1 GiB is refused.
+/// All problems of the file at once, up to 200, each with its sheet, row and column and a hint. A file with more than
+/// 512 MB, 1,048,576 rows, 16,384 columns or 32,767 characters in a cell, or that unpacks to more than 1 GiB, is refused.
 ///
 /// # Example
 /// ```
@@ -59,7 +60,7 @@ pub fn read_inventory(path: &Path, sheet: Option<&str>, lookup: &Lookup<'_>) -> 
     inspect_inventory(path, sheet, lookup).map(|reading| reading.inventory)
 }
 
-/// As [`read_inventory`], with how the file was understood.
+/// As [`read_inventory`], and tells how the file was understood.
 ///
 /// # Errors
 /// As [`read_inventory`].
@@ -67,7 +68,7 @@ pub fn inspect_inventory(path: &Path, sheet: Option<&str>, lookup: &Lookup<'_>) 
     parse_inventory(load(path)?, path, sheet, lookup)
 }
 
-/// As [`inspect_inventory`], of the bytes of a file; `path` is for messages.
+/// As [`inspect_inventory`], for the bytes of a file; `path` is for messages.
 ///
 /// # Errors
 /// As [`read_inventory`].
@@ -115,14 +116,14 @@ pub fn parse_inventory(
         Err(problem) => findings.push(problem),
     }
     if is_full {
-        let message = format!("more than {MAX_CARRIED_CELLS} cells are none of ours");
+        let message = format!("the other columns have more than {MAX_CARRIED_CELLS} cells");
         findings.of_file(None, message, "remove the columns that nobody needs, or split the file");
     }
     if let Some(row) = signs.mixed() {
         findings.doubt(Doubt::DecimalPoint, row);
     }
     if items.is_empty() && !is_full {
-        findings.of_file(source.header.line, "no rows stand under the headings", "write one object into each row");
+        findings.of_file(source.header.line, "there are no rows below the headings", "put one object into each row");
     }
     find_duplicates(&items, &layout, &mut findings);
     warnings.extend(findings.finish()?);
@@ -138,16 +139,16 @@ pub fn parse_inventory(
     Ok(Reading { inventory, columns: layout.columns(), header_row: source.header.row })
 }
 
-/// Two rows of one id cannot be told apart in any output.
+/// Reports rows with the same id: no output could tell them apart.
 fn find_duplicates(items: &[Item], layout: &Layout, findings: &mut Findings<'_>) {
     let mut seen: HashMap<&str, u32> = HashMap::with_capacity(items.len());
     for item in items {
         let Some(first) = seen.insert(&item.id, item.row) else { continue };
         // The first row keeps the name, however many follow.
         seen.insert(&item.id, first);
-        let message = format!("the id \"{}\" is that of row {first} already", shorten(&item.id));
-        let hint = "give every row an id of its own, or leave the column out: the row number makes one";
-        // A row may span lines in a CSV: its number is what people look for.
+        let message = format!("row {first} already has the id \"{}\"", shorten(&item.id));
+        let hint = "give every row its own id, or remove the column: then the row number is used";
+        // A row may span lines in a CSV: people look for its number.
         let at = At { row: item.row, line: None };
         match layout.place(Column::Id) {
             Some(place) => findings.of_cell(at, place.index, &place.heading, &message, Some(hint.to_owned())),

@@ -1,14 +1,15 @@
-//! An inventory file with its sheet and headings found, ready to give its rows.
+//! The file of an inventory: finding its sheet and headings, and reading its rows.
 
 use std::path::Path;
+
+use freestand_input::file::load_up_to;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
 
 use super::cell::{Flow, Row};
 use super::header::{self, Header, SEARCHED_ROWS, required_names};
 use super::workbook::{Formulas, Merges, Workbook};
 use super::{csv_file, encoding};
-use freestand_input::file::load_up_to;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::shorten;
 
 /// Largest file \[bytes\].
 const MAX_BYTES: u64 = 512 << 20;
@@ -18,14 +19,14 @@ const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
 const TEMPLATE: &str = "freestand inventory template writes one to fill in";
 
-/// A file that was opened.
+/// An open file.
 pub(super) struct Source {
     content: Content,
     /// The sheet, of a workbook.
     pub(super) sheet: Option<String>,
     /// The headings.
     pub(super) header: Header,
-    /// What was noticed.
+    /// Warnings.
     pub(super) warnings: Vec<String>,
 }
 
@@ -39,14 +40,19 @@ enum Content {
 /// # Errors
 /// A file that cannot be read, or is larger than 512 MB.
 pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
-    load_up_to(path, MAX_BYTES, "is larger than 512 MB, far beyond an inventory", "split it, a file for each building")
+    load_up_to(
+        path,
+        MAX_BYTES,
+        "is larger than 512 MB, too large for an inventory",
+        "split it into one file for each building",
+    )
 }
 
 impl Source {
-    /// Tells what the bytes are, whatever the file is called, and finds the sheet and its headings.
+    /// Recognises the format by the content, and finds the sheet and its headings.
     ///
     /// # Errors
-    /// What is neither CSV nor XLSX, a sheet that is not there, and headings that are not found.
+    /// A file that is neither CSV nor XLSX, or a sheet or headings that are not found.
     pub(super) fn open(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Self, Problem> {
         if bytes.starts_with(b"PK") {
             return Self::open_workbook(bytes, sheet);
@@ -57,7 +63,7 @@ impl Source {
         }
         if let Some(sheet) = sheet {
             return Err(Problem::new(ProblemKind::Value, format!("a CSV has no sheet \"{}\"", shorten(sheet)))
-                .hint("leave --sheet out, or name a workbook (.xlsx)"));
+                .hint("remove `sheet`, or give a workbook (.xlsx)"));
         }
         Self::open_csv(bytes)
     }
@@ -117,15 +123,16 @@ impl Source {
         }
         let Some((name, header)) = found else {
             if let Some(name) = hidden.first() {
-                let message = format!("only the hidden sheet {name} has headings of an inventory");
-                return Err(Problem::new(ProblemKind::Format, message).hint("name it with --sheet, or show it"));
+                let message = format!("only the hidden sheet {name} has the headings of an inventory");
+                return Err(Problem::new(ProblemKind::Format, message).hint("name it with `sheet`, or unhide it"));
             }
             return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed())));
         };
         let mut warnings = Vec::new();
         if !others.is_empty() {
             warnings.push(format!(
-                "the sheet \"{}\" is read; {} look like inventories too: name one with --sheet",
+                "the sheet \"{}\" was read; other sheets also look like inventories: {}; to read one, name it with \
+                 `sheet`",
                 shorten(&name),
                 others.join(", ")
             ));
@@ -137,23 +144,23 @@ impl Source {
         Self { content: Content::Workbook(Box::new(workbook)), sheet: Some(sheet.to_owned()), header, warnings }
     }
 
-    /// What is to be said of rows above the headings.
+    /// A warning about rows above the headings.
     pub(super) fn title_warning(&self) -> Option<String> {
         let sheet = self.sheet.as_ref().map(|sheet| format!("sheet \"{}\", ", shorten(sheet))).unwrap_or_default();
         let rows = match self.header.above {
             0 => return None,
-            1 => "one row stands".to_owned(),
-            count => format!("{count} rows stand"),
+            1 => "the row above them is".to_owned(),
+            count => format!("the {count} rows above them are"),
         };
-        Some(format!("{sheet}the headings are in row {}: {rows} above them, left out", self.header.row))
+        Some(format!("{sheet}the headings are in row {}; {rows} ignored", self.header.row))
     }
 
-    /// Whether a comma may be the decimal sign: where it separates no cells.
+    /// Whether a comma may be the decimal sign, because it does not separate cells.
     pub(super) fn has_decimal_comma(&self) -> bool {
         matches!(self.content, Content::Csv { separator, .. } if separator != b',')
     }
 
-    /// Gives the rows below the headings to `on_row`.
+    /// Passes the rows below the headings to `on_row`.
     ///
     /// # Errors
     /// A file that is damaged further down.
@@ -195,7 +202,7 @@ fn find_in(workbook: &mut Workbook, sheet: &str) -> Result<Option<Header>, Probl
 }
 
 fn no_headings() -> Problem {
-    let message = format!("no row of headings is found in the first {SEARCHED_ROWS} rows");
-    let hint = format!("an inventory has at least the columns {}; {TEMPLATE}", required_names());
+    let message = format!("the first {SEARCHED_ROWS} rows contain no row of headings");
+    let hint = format!("an inventory needs at least the columns {}; {TEMPLATE}", required_names());
     Problem::new(ProblemKind::Format, message).hint(hint)
 }

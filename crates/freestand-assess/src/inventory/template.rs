@@ -1,15 +1,16 @@
-//! An inventory to fill in: headings with their units, examples that are marked as such, and what each column means.
+//! An inventory to fill in: headings with units, rows marked as examples, and the meaning of each column.
 
 use rust_xlsxwriter::{Format, FormatAlign, Workbook, XlsxError};
 
-use super::columns::{COLUMNS, Column, ColumnSpec, Holds};
-use super::write::{Table, Written, csv, xlsx};
 use freestand_input::problem::Problem;
 
-/// Begins the ids of the example rows.
+use super::columns::{COLUMNS, Column, ColumnSpec, Holds};
+use super::write::{Table, Written, csv, xlsx};
+
+/// The beginning of the ids of the example rows.
 pub(super) const EXAMPLE: &str = "example-";
 
-/// What the example rows say, by column; a hospital's.
+/// The example rows, from a hospital, by column.
 const EXAMPLES: [&[(Column, &str)]; 3] = [
     &[
         (Column::Id, "example-1"),
@@ -34,7 +35,7 @@ const EXAMPLES: [&[(Column, &str)]; 3] = [
         (Column::Tolerance, "15"),
         (Column::ToleranceDuration, "11"),
         (Column::Friction, "0.3-0.5"),
-        (Column::Notes, "four feet, two share a landing"),
+        (Column::Notes, "four feet, two under each edge"),
     ],
     &[
         (Column::Id, "example-2"),
@@ -58,7 +59,7 @@ const EXAMPLES: [&[(Column, &str)]; 3] = [
         (Column::ToleranceDuration, "11"),
         (Column::ToleranceEdgeLift, "50"),
         (Column::Accepted, "0.05"),
-        (Column::Notes, "stiffness of all under one edge, from a drop test"),
+        (Column::Notes, "stiffness of everything under one edge, from a drop test"),
     ],
     &[
         (Column::Id, "example-3"),
@@ -72,7 +73,7 @@ const EXAMPLES: [&[(Column, &str)]; 3] = [
         (Column::LevelRatio, "0"),
         (Column::Height, "1500"),
         (Column::Thickness, "230"),
-        (Column::Notes, "no mass, cushion or tolerance: it is asked only whether it overturns"),
+        (Column::Notes, "without mass, cushion or tolerance, only overturning is assessed"),
     ],
 ];
 
@@ -95,7 +96,7 @@ fn table() -> Table {
 /// The template as CSV.
 ///
 /// # Errors
-/// None that the user can cause.
+/// None that a user can cause.
 pub fn template_csv() -> Result<Vec<u8>, Problem> {
     csv(&table())
 }
@@ -103,12 +104,12 @@ pub fn template_csv() -> Result<Vec<u8>, Problem> {
 /// The template as a workbook, with a second sheet that explains the columns. Always the same bytes.
 ///
 /// # Errors
-/// None that the user can cause.
+/// None that a user can cause.
 pub fn template_xlsx() -> Result<Vec<u8>, Problem> {
     xlsx(&table(), explain)
 }
 
-/// The sheet that says what each column means.
+/// The sheet with the meaning of each column.
 fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
     let bold = Format::new().set_bold().set_background_color("#DDE7F0");
     let wrap = Format::new().set_text_wrap().set_align(FormatAlign::Top);
@@ -127,9 +128,11 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
         }
     }
     let notes = [
-        "The columns may stand in any order; those that nobody fills in may be removed, others added: they are carried through.",
-        "Units may be changed: height [m], mass [t], stiffness [kN/m] … A heading without a unit takes cells such as 2.3 m.",
-        "An empty cell is a value that is not known. It costs the verdict of its object, not the file.",
+        "The columns may be in any order. Columns that nobody fills in may be removed; other columns may be added and are \
+         carried through.",
+        "Units may be changed: height [m], mass [t], stiffness [kN/m] … Under a heading without a unit, each cell has its \
+         own, such as 2.3 m.",
+        "Leave a cell empty if its value is not known. The object may then have no verdict, but the file is still read.",
     ];
     let first = COLUMNS.len() as u32 + 2;
     for (row, text) in (first..).zip(notes) {
@@ -142,10 +145,10 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
 /// What the cells of a column hold, in words.
 fn cells(spec: &ColumnSpec) -> &'static str {
     match (spec.column, spec.holds) {
-        (_, Holds::Text) => "words",
-        (_, Holds::Count) => "a whole number from 1",
+        (_, Holds::Text) => "text",
+        (_, Holds::Count) => "a whole number, at least 1",
         (_, Holds::Rating) => "H, M or L",
-        (_, Holds::Range) => "a value, or a range 0.3-0.5",
+        (_, Holds::Range) => "one value, or a range such as 0.3-0.5",
         (Column::Accepted, _) => "between 0 and 1, or 10 %",
         (Column::LevelRatio, _) => "from 0 to 1, or 50 %",
         (_, Holds::Quantity(_)) if spec.unit.is_empty() => "a ratio",

@@ -1,4 +1,7 @@
-//! The cells of one row as values: each that cannot be one is a problem with its place.
+//! The cells of one row as values; each that cannot be read is a problem with its place.
+
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
 use super::Rating;
 use super::cell::{Cell, Row};
@@ -6,21 +9,19 @@ use super::columns::{Column, Holds, canonical};
 use super::findings::{At, Doubt, Findings};
 use super::layout::{Layout, Place};
 use super::workbook::Merges;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
-/// A row with what its cells are read by.
+/// A row with everything that is needed to read its cells.
 pub(super) struct Values<'r, 'f, 'p> {
     pub(super) row: &'r Row,
     pub(super) layout: &'r Layout,
     pub(super) merges: &'r Merges,
     pub(super) has_decimal_comma: bool,
-    /// Rows that have a number with a comma or a point, to tell files that mix them.
+    /// The decimal signs so far, to detect files that mix them.
     pub(super) signs: &'r mut Signs,
     pub(super) findings: &'f mut Findings<'p>,
 }
 
-/// Decimal signs that were met, where both may be.
+/// Decimal signs that were found, where both are allowed.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Signs {
     comma: bool,
@@ -34,20 +35,16 @@ impl Signs {
     }
 }
 
-/// Words by which people say that they do not know.
+/// Words that people write for a value that is not known.
 const UNKNOWN: [&str; 10] = ["n_a", "na", "none", "unknown", "tbd", "tbc", "nil", "null", "nan", ""];
 
-fn value_problem(message: impl Into<String>) -> Problem {
-    Problem::new(ProblemKind::Value, message)
-}
-
 impl Values<'_, '_, '_> {
-    /// Where the row is.
+    /// The place of the row.
     pub(super) fn at(&self) -> At {
         At { row: self.row.number, line: self.row.line }
     }
 
-    /// Reports what is wrong with a cell.
+    /// Reports a problem of a cell.
     pub(super) fn wrong(&mut self, column: Column, problem: &Problem) {
         let at = self.at();
         if let Some(place) = self.layout.place(column) {
@@ -55,12 +52,12 @@ impl Values<'_, '_, '_> {
         }
     }
 
-    /// Reports a value that is none, with what to write instead.
+    /// Reports a wrong value, with what to write instead.
     pub(super) fn refuse(&mut self, column: Column, message: impl Into<String>, hint: &str) {
-        self.wrong(column, &value_problem(message).hint(hint));
+        self.wrong(column, &Problem::value(message, hint));
     }
 
-    /// A cell that is not empty. One that is empty because it is merged with another is a problem.
+    /// A cell that is not empty. A cell that is empty because it is merged with another is a problem.
     pub(super) fn cell(&mut self, column: Column) -> Option<(&Place, &Cell)> {
         let layout = self.layout;
         let place = layout.place(column).filter(|place| place.is_readable)?;
@@ -69,12 +66,12 @@ impl Values<'_, '_, '_> {
         }
         if let Some(other) = self.merges.value_of(self.row.number, place.index) {
             let message = format!("is empty because it is merged with {other}");
-            self.refuse(column, message, "unmerge the cells and write the value into each row");
+            self.refuse(column, message, "unmerge the cells, and put the value into each row");
         }
         None
     }
 
-    /// Words, without the blanks around them; empty where there are none.
+    /// Text without the blanks around it; empty where there is none.
     pub(super) fn text(&mut self, column: Column) -> String {
         let Some((_, cell)) = self.cell(column) else { return String::new() };
         let (shown, wrong) = match cell {
@@ -87,7 +84,7 @@ impl Values<'_, '_, '_> {
         shown
     }
 
-    /// A number as it is written, with a decimal point.
+    /// A number as it is written, but with a decimal point.
     fn plain(&mut self, column: Column) -> Option<String> {
         let has_decimal_comma = self.has_decimal_comma;
         let number = self.row.number;
@@ -95,7 +92,8 @@ impl Values<'_, '_, '_> {
         let read = match cell {
             Cell::Text(text) => plain_text(text.trim(), has_decimal_comma),
             Cell::Number(value) if value.is_finite() => Ok((format!("{value}"), false)),
-            other => Err(not_a_value(other).unwrap_or_else(|| value_problem("is no number"))),
+            other => Err(not_a_value(other)
+                .unwrap_or_else(|| Problem::value("is not a number", "write a number, or leave the cell empty"))),
         };
         match read {
             Ok((text, had_comma)) => {
@@ -114,7 +112,7 @@ impl Values<'_, '_, '_> {
         }
     }
 
-    /// A quantity, in SI, and as words with its unit.
+    /// A quantity in SI, and as text with its unit.
     fn quantity_text(&mut self, column: Column) -> Option<(f64, String)> {
         let Holds::Quantity(dimension) = column.spec().holds else { return None };
         let text = self.plain(column)?;
@@ -133,49 +131,47 @@ impl Values<'_, '_, '_> {
         }
     }
 
-    /// A quantity, in SI.
+    /// A quantity in SI.
     pub(super) fn quantity(&mut self, column: Column) -> Option<f64> {
         self.quantity_text(column).map(|(value, _)| value)
     }
 
-    /// A quantity above zero, in SI, and as words with its unit.
+    /// A positive quantity in SI, and as text with its unit.
     pub(super) fn positive_text(&mut self, column: Column) -> Option<(f64, String)> {
         let (value, text) = self.quantity_text(column)?;
         if value > 0.0 {
             return Some((value, text));
         }
         let message = format!("must be positive, not {}", shorten(&text));
-        self.refuse(column, message, "leave the cell empty where the value is not known");
+        self.refuse(column, message, "leave the cell empty if the value is not known");
         None
     }
 
-    /// A quantity above zero, in SI.
+    /// A positive quantity in SI.
     pub(super) fn positive(&mut self, column: Column) -> Option<f64> {
         self.positive_text(column).map(|(value, _)| value)
     }
 
-    /// A ratio from above zero to one; one itself only where `is_one_allowed`.
-    pub(super) fn share(&mut self, column: Column, is_one_allowed: bool) -> Option<f64> {
+    /// A ratio above 0 and below 1.
+    pub(super) fn share(&mut self, column: Column) -> Option<f64> {
         let value = self.positive(column)?;
-        if value < 1.0 || is_one_allowed && value == 1.0 {
+        if value < 1.0 {
             return Some(value);
         }
-        let hint =
-            if is_one_allowed { "write a value above 0, up to 1" } else { "write a value between 0 and 1, or 10 %" };
-        self.refuse(column, format!("is {value}"), hint);
+        self.refuse(column, format!("must be above 0 and below 1, not {value}"), "write a ratio such as 0.1, or 10 %");
         None
     }
 
-    /// A whole number from 1.
+    /// A whole number, at least 1.
     pub(super) fn count(&mut self, column: Column) -> Option<u32> {
         let text = self.plain(column)?;
-        // A workbook has no whole numbers: 2 is 2.0 there, and written so by some.
+        // Workbooks have no whole numbers, and some programs write 2 as 2.0.
         let whole = text.strip_suffix(".0").unwrap_or(&text);
         match whole.parse::<u32>() {
             Ok(count) if count > 0 => Some(count),
             _ => {
-                let message = format!("\"{}\" is not a whole number from 1", shorten(&text));
-                self.refuse(column, message, "write how many there are; leave the cell empty where that is not known");
+                let message = format!("must be a whole number, at least 1, not \"{}\"", shorten(&text));
+                self.refuse(column, message, "write a count, or leave the cell empty if it is not known");
                 None
             }
         }
@@ -190,14 +186,14 @@ impl Values<'_, '_, '_> {
             "m" | "medium" | "med" => Some(Rating::Medium),
             "l" | "low" => Some(Rating::Low),
             _ => {
-                let message = format!("\"{}\" is no rating", shorten(&text));
+                let message = format!("\"{}\" is not a rating", shorten(&text));
                 self.refuse(column, message, "write H, M or L (high, medium, low), or leave the cell empty");
                 None
             }
         }
     }
 
-    /// Two ratios above zero in rising order: `0.3-0.5`, `0.3 to 0.5`, or one for both.
+    /// Two positive ratios in rising order, `0.3-0.5` or `0.3 to 0.5`, or one for both.
     pub(super) fn range(&mut self, column: Column) -> Option<(f64, f64)> {
         let (_, cell) = self.cell(column)?;
         let whole = cell.shown();
@@ -226,7 +222,7 @@ impl Values<'_, '_, '_> {
         None
     }
 
-    /// A doubt about this row.
+    /// Reports a doubt about this row.
     pub(super) fn doubt(&mut self, doubt: Doubt) {
         self.findings.doubt(doubt, self.row.number);
     }
@@ -241,11 +237,13 @@ fn plain_text(text: &str, has_decimal_comma: bool) -> Result<(String, bool), Pro
     if has_decimal_comma && commas == 1 && !text.contains('.') {
         return Ok((text.replace(',', "."), true));
     }
-    Err(value_problem(format!("\"{}\" has a comma in the number", shorten(text)))
-        .hint("write the decimal sign as a point and nothing between the thousands, such as 1500.5"))
+    Err(Problem::value(
+        format!("\"{}\" has a comma in the number", shorten(text)),
+        "write a decimal point, and nothing between the thousands, such as 1500.5",
+    ))
 }
 
-/// A number or a range of a file with decimal commas, as a file without them has it; what is none stays as it is.
+/// A number or a range with decimal commas, with points in their place; any other text is unchanged.
 pub(super) fn pointed(text: &str) -> String {
     let is_plain = |part: &str| plain_text(part, true).is_ok();
     let is_number = match split_range(text) {
@@ -255,54 +253,56 @@ pub(super) fn pointed(text: &str) -> String {
     if is_number { text.replace(',', ".") } else { text.to_owned() }
 }
 
-/// What stands in a cell that is no value.
+/// The problem of a cell that has no value.
 fn not_a_value(cell: &Cell) -> Option<Problem> {
     let (message, hint) = match cell {
         Cell::Text(_) => return None,
         Cell::Number(value) if value.is_finite() => return None,
-        Cell::Number(_) => ("is no finite number".to_owned(), "write the number once more"),
+        Cell::Number(_) => ("is not a finite number".to_owned(), "type the number again"),
         Cell::Bool(value) => (
-            format!("{} is no number", if *value { "TRUE" } else { "FALSE" }),
+            format!("{} is not a number", if *value { "TRUE" } else { "FALSE" }),
             "write the number, or leave the cell empty",
         ),
         Cell::Date(date) => (
             format!("is a date ({}), not a number", shorten(date)),
-            "format the cell as a number and write the value once more: spreadsheets make dates of 1-2 and 3/4",
+            "format the cell as a number and type the value again: spreadsheets turn 1-2 and 3/4 into dates",
         ),
-        Cell::Error(error) => (format!("is the error {}", shorten(error)), "correct the formula, or write the value"),
+        Cell::Error(error) => (format!("is the error {}", shorten(error)), "correct the formula, or type the value"),
         Cell::Unevaluated => (
-            "is a formula that was saved without its value".to_owned(),
+            "is a formula that was saved without a value".to_owned(),
             "open the workbook in a spreadsheet program, which computes it, and save it again",
         ),
         Cell::TooLong(chars) => (
-            format!("has {chars} characters, more than a cell of a spreadsheet holds"),
-            "shorten it: is a quote not closed?",
+            format!("has {chars} characters, more than a cell of a spreadsheet can hold"),
+            "shorten it, and check that every quote is closed",
         ),
     };
-    Some(value_problem(message).hint(hint))
+    Some(Problem::value(message, hint))
 }
 
-/// The problem of a quantity, with what helps in a table; `unit` is that of the heading.
+/// The problem of a quantity, with a hint for a table; `unit` is that of the heading.
 fn explained(problem: Problem, text: &str, column: Column, unit: Option<&Unit>) -> Problem {
     if UNKNOWN.contains(&canonical(text).as_str()) {
-        return value_problem(format!("\"{}\" is no value", shorten(text)))
-            .hint("leave the cell empty where the value is not known");
+        let message = format!("\"{}\" is not a value", shorten(text));
+        return Problem::value(message, "leave the cell empty if the value is not known");
     }
-    if let Some(unit) = unit.filter(|_| problem.message.ends_with("is not a quantity")) {
-        let hint =
-            format!("write the number alone, the heading states its unit ({}); or leave the cell empty", unit.symbol);
-        return problem.hint(hint);
+    let is_number = text.contains(|c: char| c.is_ascii_digit()) && text.trim().parse::<f64>().is_ok();
+    let spec = column.spec();
+    match unit {
+        Some(unit) if !is_number => problem.hint(format!(
+            "write the number alone, because the heading has the unit ({}), or leave the cell empty",
+            unit.symbol
+        )),
+        None if is_number && !spec.unit.is_empty() => {
+            let heading = format!("or put the unit into the heading, such as \"{} [{}]\"", spec.name, spec.unit);
+            let hint = problem.hint.as_ref().map_or_else(|| heading.clone(), |hint| format!("{hint}, {heading}"));
+            problem.hint(hint)
+        }
+        _ => problem,
     }
-    if problem.message.ends_with("needs a unit") {
-        let spec = column.spec();
-        let heading = format!("or name the unit in the heading, such as \"{} [{}]\"", spec.name, spec.unit);
-        let hint = problem.hint.as_ref().map_or_else(|| heading.clone(), |hint| format!("{hint}, {heading}"));
-        return problem.hint(hint);
-    }
-    problem
 }
 
-/// The two ends of `0.3-0.5`, `0.3 – 0.5`, `0.3 to 0.5`, `0.3..0.5`; a minus in front or behind an `e` parts nothing.
+/// The two ends of `0.3-0.5`, `0.3 – 0.5`, `0.3 to 0.5` or `0.3..0.5`; a minus at the start or after an `e` is a sign.
 fn split_range(text: &str) -> Option<(&str, &str)> {
     let text = text.trim();
     for mark in [" to ", "...", "..", "…", "–", "—"] {
@@ -322,7 +322,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ranges_are_parted() {
+    fn ranges_are_split() {
         for (text, ends) in [
             ("0.3-0.5", Some(("0.3", "0.5"))),
             ("0.3 – 0.5", Some(("0.3", "0.5"))),

@@ -1,37 +1,38 @@
-//! The rows of a workbook (XLSX), cell by cell as they stand in it: empty ones cost nothing.
+//! The rows of a workbook (XLSX), cell by cell; empty cells take no memory.
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
 use calamine::{DataRef, Dimensions, ExcelDateTime, Reader, SheetVisible, Xlsx, XlsxError};
 
-use super::archive;
-use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row};
-use super::columns::letters;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
-/// A workbook that was opened.
+use super::archive;
+use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row};
+use super::columns::letters;
+
+/// An open workbook.
 pub(super) struct Workbook {
     xlsx: Xlsx<Cursor<Vec<u8>>>,
     has_merges: bool,
 }
 
-/// What is to be said of formulas.
+/// The formulas of a sheet.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Formulas {
-    /// How many there were.
+    /// Their number.
     pub(super) count: usize,
-    /// The first of them, such as `F12`.
+    /// The cell of the first, such as `F12`.
     pub(super) first: Option<String>,
 }
 
 impl Formulas {
-    /// What is to be said of them.
+    /// A warning about them.
     pub(super) fn warning(&self) -> Option<String> {
         let first = self.first.as_ref()?;
-        let cells = if self.count == 1 { "cell holds a formula" } else { "cells hold formulas" };
-        Some(format!("{} {cells}, the first {first}: the values that were saved with them are read", self.count))
+        let cells = if self.count == 1 { "cell contains a formula" } else { "cells contain formulas" };
+        Some(format!("{} {cells}, the first in {first}: the saved values are read", self.count))
     }
 }
 
@@ -45,26 +46,26 @@ fn unreadable(error: &XlsxError) -> Problem {
 }
 
 impl Workbook {
-    /// Opens a workbook, once it is known what it unpacks to.
+    /// Opens a workbook after checking what it unpacks to.
     ///
     /// # Errors
-    /// What [`archive::check`] refuses, and what is no workbook for all that.
+    /// What [`archive::check`] refuses, and what the library cannot read.
     pub(super) fn open(bytes: Vec<u8>) -> Result<Self, Problem> {
         let facts = archive::check(&bytes)?;
         let xlsx = Xlsx::new(Cursor::new(bytes)).map_err(|error| unreadable(&error))?;
         Ok(Self { xlsx, has_merges: facts.has_merges })
     }
 
-    /// The sheets in their order, and whether each is to be seen.
+    /// The sheets in their order, and whether each is visible.
     pub(super) fn sheets(&self) -> Vec<(String, bool)> {
         let sheets = self.xlsx.sheets_metadata().iter();
         sheets.map(|sheet| (sheet.name.clone(), sheet.visible == SheetVisible::Visible)).collect()
     }
 
-    /// Gives the rows of a sheet that are not empty to `on_row`, as long as it wants more.
+    /// Passes the rows of a sheet that are not empty to `on_row`, as long as it asks for more.
     ///
     /// # Errors
-    /// A sheet that cannot be read, or whose rows stand in disorder. One that is a chart has no rows.
+    /// A sheet that cannot be read, or whose rows are not in order. A chart has no rows.
     pub(super) fn rows(&mut self, sheet: &str, on_row: &mut dyn FnMut(Row) -> Flow) -> Result<Formulas, Problem> {
         let mut formulas = Formulas::default();
         let mut cells = match self.xlsx.worksheet_cells_reader(sheet) {
@@ -77,7 +78,7 @@ impl Workbook {
             let (at, column) = read.pos;
             let place = || format!("{}{}", letters(column as usize), u64::from(at) + 1);
             if at >= MAX_ROWS || column >= MAX_COLUMNS {
-                let problem = Problem::new(ProblemKind::Format, "a cell lies outside of what a sheet can have");
+                let problem = Problem::new(ProblemKind::Format, "a cell lies beyond the limits of a sheet");
                 return Err(problem.hint("save the workbook again, or as CSV"));
             }
             let Some(cell) = cell(&read.value, read.formula.is_some()) else { continue };
@@ -87,8 +88,7 @@ impl Workbook {
             }
             let number = at + 1;
             if number < row.number {
-                let problem =
-                    Problem::new(ProblemKind::Format, format!("row {number} stands behind row {}", row.number));
+                let problem = Problem::new(ProblemKind::Format, format!("row {number} follows row {}", row.number));
                 return Err(problem.hint("the workbook is damaged: save it again, or as CSV"));
             }
             if number > row.number && !row.cells.is_empty() {
@@ -119,7 +119,7 @@ impl Workbook {
     }
 }
 
-/// Cells may stand in any order within their row, though no program writes them so.
+/// Sorts the cells of a row: they may be in any order, though no program writes them so.
 fn sorted(mut row: Row) -> Row {
     if !row.cells.is_sorted_by_key(|(column, _)| *column) {
         row.cells.sort_by_key(|(column, _)| *column);
@@ -128,7 +128,7 @@ fn sorted(mut row: Row) -> Row {
     row
 }
 
-/// What a cell holds; `None`: nothing.
+/// The content of a cell; `None`: it is empty.
 fn cell(value: &DataRef<'_>, is_formula: bool) -> Option<Cell> {
     let text = |text: &str| (!text.is_empty()).then(|| Cell::text(text.to_owned()));
     match value {
@@ -157,14 +157,13 @@ fn date(value: &ExcelDateTime) -> String {
 /// First row, last row (from 1), and the cell with the value (from 0).
 type Merged = (u32, u32, (u32, u32));
 
-/// Cells that are empty because they are merged with another, by column: the rows from … to, and the cell that has the
-/// value.
+/// Merged cells by column: their first and last row, and the cell with the value.
 #[derive(Debug, Default)]
 pub(super) struct Merges {
     by_column: BTreeMap<u32, Vec<Merged>>,
 }
 
-/// More merged cells than this in one sheet are not looked at column by column.
+/// Largest number of columns of merged cells that are examined in one sheet.
 const MAX_MERGED_COLUMNS: usize = 1_000_000;
 
 impl Merges {
@@ -186,10 +185,10 @@ impl Merges {
         Self { by_column }
     }
 
-    /// The cell that has the value of this one, where it is another; `row` counts from 1.
+    /// The cell with the value of this one, where it is merged with another; `row` counts from 1.
     pub(super) fn value_of(&self, row: u32, column: u32) -> Option<String> {
         let rows = self.by_column.get(&column)?;
-        // Merged cells do not overlap: only the last that begins above can reach here.
+        // Merged cells do not overlap: only the last that begins above can include this one.
         let before = rows.partition_point(|(first, ..)| *first <= row).checked_sub(1)?;
         let (_, last, (top, left)) = rows.get(before)?;
         let is_other = (*top + 1, *left) != (row, column);

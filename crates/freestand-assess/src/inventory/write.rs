@@ -1,22 +1,23 @@
-//! Writing: tables of cells as CSV or as a workbook, the same bytes for the same cells.
+//! Writing tables of cells as CSV or as a workbook; the same cells give the same bytes.
 
 use rust_xlsxwriter::{
     DataValidation, DocProperties, ExcelDateTime, Format, FormatAlign, FormatBorder, Workbook, Worksheet, XlsxError,
 };
 
-use super::cell::{MAX_CELL_CHARS, MAX_ROWS, guarded};
-use super::columns::{Column, Heading, Holds, heading};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 
-/// Name of the sheet that the objects stand in.
+use super::cell::{MAX_CELL_CHARS, MAX_ROWS, guarded};
+use super::columns::{Column, Heading, Holds, heading};
+
+/// Name of the sheet with the objects.
 pub(super) const SHEET: &str = "Inventory";
-/// Rows below the last that the drop-down lists go on for.
+/// Number of rows below the last that also have the drop-down lists.
 const ROWS_TO_COME: u32 = 1000;
-/// More cells than this do not go into a workbook: they are held in memory while it is made.
+/// Largest number of cells in a workbook: they are in memory while it is written.
 const MAX_CELLS: usize = 8_000_000;
 
-/// A cell to be written.
+/// A cell to write.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Written {
     Empty,
@@ -24,7 +25,7 @@ pub(super) enum Written {
     Number(f64),
 }
 
-/// A table to be written: headings, and rows that are no longer than they.
+/// A table to write: headings, and rows with at most as many cells.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Table {
     pub(super) headings: Vec<String>,
@@ -32,7 +33,7 @@ pub(super) struct Table {
 }
 
 impl Written {
-    /// Words that read back as they are: a number only where it reads back digit by digit.
+    /// A text, or a number if reading it back gives the same digits.
     pub(super) fn of(text: &str, may_be_number: bool) -> Self {
         if text.is_empty() {
             return Self::Empty;
@@ -44,10 +45,11 @@ impl Written {
     }
 }
 
-/// A table as CSV: commas, LF, UTF-8 without a mark. Text that a spreadsheet would take for a formula begins with a `'`.
+/// A table as CSV: commas, LF, UTF-8 without a byte-order mark. Text that a spreadsheet would take for a formula gets a
+/// leading `'`.
 ///
 /// # Errors
-/// None that the user can cause.
+/// None that a user can cause.
 pub(super) fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
     let mut writer =
         csv::WriterBuilder::new().flexible(true).terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new());
@@ -73,16 +75,16 @@ impl Written {
     }
 }
 
-/// What rust_xlsxwriter refuses, as a problem.
+/// An error of rust_xlsxwriter as a problem.
 fn failed(error: &XlsxError) -> Problem {
-    Problem::new(ProblemKind::Computation, format!("cannot make the workbook: {error}"))
-        .hint("write a CSV instead, and please report this")
+    Problem::new(ProblemKind::Computation, format!("cannot write the workbook: {error}"))
+        .hint("write a CSV instead, and please report this defect")
 }
 
-/// A table as a workbook: its first sheet, and then what `more` adds.
+/// A table as a workbook: its first sheet, followed by what `more` adds.
 ///
 /// # Errors
-/// More rows or cells than a workbook takes, a text that is too long for a cell.
+/// More rows or cells than a workbook can hold, or a text that is too long for a cell.
 pub(super) fn xlsx(
     table: &Table,
     more: impl FnOnce(&mut Workbook) -> Result<(), XlsxError>,
@@ -90,7 +92,7 @@ pub(super) fn xlsx(
     check(table)?;
     let mut workbook = Workbook::new();
     let make = |workbook: &mut Workbook| -> Result<Vec<u8>, XlsxError> {
-        // Without a fixed date the bytes would change from second to second.
+        // With the current date, the bytes would differ from run to run.
         let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
         workbook.set_properties(&DocProperties::new().set_title("Inventory").set_creation_datetime(&created));
         fill(workbook.add_worksheet().set_name(SHEET)?, table)?;
@@ -102,13 +104,13 @@ pub(super) fn xlsx(
 
 fn check(table: &Table) -> Result<(), Problem> {
     let refused =
-        |message: String| Err(Problem::new(ProblemKind::Value, message).hint("write a CSV (--to csv) instead"));
+        |message: String| Err(Problem::new(ProblemKind::Value, message).hint("write a CSV instead (`to = \"csv\"`)"));
     if table.rows.len() >= MAX_ROWS as usize {
         return refused(format!("{} rows and their headings do not fit into a sheet", table.rows.len()));
     }
     let cells: usize = table.rows.iter().map(Vec::len).sum();
     if cells > MAX_CELLS {
-        return refused(format!("{cells} cells are more than the {MAX_CELLS} that go into a workbook here"));
+        return refused(format!("{cells} cells are more than the limit of {MAX_CELLS} for a workbook"));
     }
     let is_long = |cell: &Written| matches!(cell, Written::Text(text) if text.chars().count() > MAX_CELL_CHARS);
     match table.rows.iter().position(|row| row.iter().any(is_long)) {
@@ -117,7 +119,7 @@ fn check(table: &Table) -> Result<(), Problem> {
     }
 }
 
-/// How the cells of a column look.
+/// The format of the cells of a column.
 fn number_format(heading_text: &str) -> Option<Format> {
     let Heading::Ours(column, unit) = heading(heading_text) else { return None };
     match (column, column.spec().holds) {
@@ -149,7 +151,7 @@ fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
             let list = DataValidation::new()
                 .allow_list_strings(&["H", "M", "L"])?
                 .set_input_title(ours.name())?
-                .set_input_message("High, medium or low; empty where nobody says")?;
+                .set_input_message("High, medium or low; empty if not rated")?;
             sheet.add_data_validation(1, column, (rows + ROWS_TO_COME).min(MAX_ROWS - 1), column, &list)?;
         }
     }
@@ -166,7 +168,7 @@ fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
                 (Written::Number(value), None) => {
                     sheet.write_number(row, column, *value)?;
                 }
-                // Never by a method that guesses: text that begins with = stays text.
+                // Never with a method that guesses the type: text that begins with = stays text.
                 (Written::Text(text), Some(format)) => {
                     sheet.write_string_with_format(row, column, text, format)?;
                 }

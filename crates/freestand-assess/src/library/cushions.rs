@@ -1,19 +1,16 @@
-//! The cushion library: what pads, feet and floors are likely to be, as ranges.
-
-use std::path::Path;
+//! The cushion library: likely stiffnesses of pads, feet and floors, as ranges.
 
 use serde::Serialize;
 
-use super::entry::source_words;
-use super::reader::RowReader;
-use super::sheet::{self, Column, Sheet, SheetRow};
-use super::tolerances::{BUILT_IN, matches_all, put_over, unique, unknown};
-use super::{Confidence, CushionPrior, nearest_ids};
-use freestand_input::file::InputFile;
-use freestand_input::keys::KeyStyle;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_study::cushion::CushionWords;
+
+use super::collection::{Library, Shelf};
+use super::reader::RowReader;
+use super::table::{Column, Row, Table};
+use super::tolerances::source_words;
+use super::{Confidence, CushionPrior};
 
 /// The columns of a cushion library.
 pub const CUSHION_COLUMNS: [Column; 12] = [
@@ -31,17 +28,18 @@ pub const CUSHION_COLUMNS: [Column; 12] = [
     Column::text("note"),
 ];
 
-/// Pads that share the landing of an edge where nothing is said: two feet.
+/// Pads under one edge where the entry does not say: two feet.
 const PADS_PER_EDGE: u32 = 2;
 
-/// A prior of one pad, foot or patch of floor under a foot: a range, never a measurement. The keys are those of the JSON document.
+/// An estimate for one pad, foot or patch of floor under a foot: a range, never a measurement. The keys are those of the
+/// JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CushionEntry {
-    /// Unique, in small letters.
+    /// Unique, in lower case.
     pub id: String,
     /// What it is.
     pub item: String,
-    /// Low end of the range of one \[N/m\].
+    /// Low end of the range for one \[N/m\].
     pub stiffness_low_n_m: f64,
     /// High end \[N/m\].
     pub stiffness_high_n_m: f64,
@@ -51,7 +49,7 @@ pub struct CushionEntry {
     pub log_sd: f64,
     /// Its thickness \[m\].
     pub thickness_m: Option<f64>,
-    /// How many share the landing of an edge, where the inventory does not say.
+    /// Number under one edge, where the inventory does not give it.
     pub pads_per_edge: u32,
     /// Document.
     pub source: String,
@@ -61,17 +59,17 @@ pub struct CushionEntry {
     pub clause: String,
     /// Page.
     pub page: String,
-    /// How sure.
+    /// Its confidence.
     pub confidence: Confidence,
     /// Notes.
     pub note: String,
-    /// `built-in`, or the file of the user's.
+    /// `built-in`, or the user's file.
     pub origin: String,
 }
 
 impl CushionEntry {
-    fn read(sheet: &Sheet, row: &SheetRow, origin: &str) -> Result<Self, Vec<Problem>> {
-        let mut reader = RowReader::new(sheet, row);
+    fn read(table: &Table, row: &Row, origin: &str) -> Result<Self, Problems> {
+        let mut reader = RowReader::new(table, row);
         let id = reader.id();
         let item = reader.needed("item");
         let low = reader.positive("stiffness_low", Dimension::Stiffness);
@@ -79,12 +77,12 @@ impl CushionEntry {
         let (low, high) = match low.zip(high) {
             Some((low, high)) if low <= high => (low, high),
             Some(_) => {
-                reader.note("stiffness_high", "is below stiffness_low", "write the lower one first");
+                reader.note("stiffness_high", "is below stiffness_low", "exchange the two");
                 (1.0, 1.0)
             }
             None => {
                 if reader.problems.is_empty() {
-                    reader.note("stiffness_low", "a range needs both ends", "one value: write it twice");
+                    reader.note("stiffness_low", "a range needs both ends", "for a single value, write it twice");
                 }
                 (1.0, 1.0)
             }
@@ -106,10 +104,10 @@ impl CushionEntry {
             note: reader.text("note"),
             origin: origin.to_owned(),
         };
-        if reader.problems.is_empty() { Ok(entry) } else { Err(reader.problems) }
+        reader.problems.finish(Some(entry))
     }
 
-    /// Where it comes from, ready to print.
+    /// Its source, ready to print.
     pub fn source_words(&self) -> String {
         source_words(&self.source, &self.edition, &self.clause, &self.page)
     }
@@ -122,94 +120,44 @@ impl CushionEntry {
     }
 }
 
-/// What pads, feet and floors are likely to be.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct CushionLibrary {
-    entries: Vec<CushionEntry>,
-    /// The user's files.
-    pub inputs: Vec<InputFile>,
-    /// What is doubtful about them.
-    pub warnings: Vec<String>,
-}
+/// The library of cushions.
+pub type CushionLibrary = Library<CushionEntry>;
+
+static SHELF: Shelf<CushionEntry> = Shelf {
+    name: "cushion",
+    columns: &CUSHION_COLUMNS,
+    builtin: include_bytes!("cushions.csv"),
+    read: CushionEntry::read,
+    id: |entry| &entry.id,
+    texts: |entry| vec![&entry.id, &entry.item, &entry.source, &entry.note],
+};
 
 impl CushionLibrary {
-    /// What is built in.
+    /// The built-in library.
     pub fn builtin() -> Self {
-        // The table is part of the program; a test reads it.
-        let entries = read_entries(include_bytes!("cushions.csv"), BUILT_IN).map(|(entries, _)| entries);
-        Self { entries: entries.unwrap_or_default(), ..Self::default() }
+        Self::new(&SHELF)
     }
 
-    /// What is built in, with the user's library over it.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the file, with line and column.
-    pub fn with_file(path: &Path) -> Result<Self, Problems> {
-        let mut library = Self::builtin();
-        library.add_file(path)?;
-        Ok(library)
-    }
-
-    /// Puts another file of the user's over what is there.
-    ///
-    /// # Errors
-    /// As [`Self::with_file`]; the library then stays as it was.
-    pub fn add_file(&mut self, path: &Path) -> Result<(), Problems> {
-        let (input, warnings) = put_over(&mut self.entries, path, read_entries, |entry| &entry.id)?;
-        self.warnings.extend(warnings);
-        self.inputs.push(input);
-        Ok(())
-    }
-
-    /// All entries, ours first.
-    pub fn entries(&self) -> &[CushionEntry] {
-        &self.entries
-    }
-
-    /// The entry of an id, in any case.
-    pub fn find(&self, id: &str) -> Option<&CushionEntry> {
-        let id = id.trim().to_lowercase();
-        self.entries.iter().find(|entry| entry.id == id)
-    }
-
-    /// The entry of an id.
-    ///
-    /// # Errors
-    /// None: the problem names what is nearest.
-    pub fn get(&self, id: &str) -> Result<&CushionEntry, Problem> {
-        self.find(id).ok_or_else(|| unknown(id.trim(), "cushion", &self.nearest(id)))
-    }
-
-    /// Entries that have every word somewhere in id, item, source or note.
-    pub fn search(&self, words: &[String]) -> Vec<&CushionEntry> {
-        let has = |entry: &CushionEntry| matches_all(words, &[&entry.id, &entry.item, &entry.source, &entry.note]);
-        self.entries.iter().filter(|entry| has(entry)).collect()
-    }
-
-    /// Ids that were likely meant by one that is not there, three at most.
-    pub fn nearest(&self, id: &str) -> Vec<&str> {
-        nearest_ids(id, &self.entries.iter().map(|entry| entry.id.as_str()).collect::<Vec<_>>())
-    }
-
-    /// The prior of an id, or of layers one on the other: `rubber-foot`, `rubber-foot + carpet-underlay`.
+    /// The estimate of an entry, or of layers in series: `rubber-foot`, `rubber-foot + carpet-underlay`.
     ///
     /// The stiffness is the geometric mean of the range. Layers act in series under each foot, 1/k = Σ 1/kᵢ, and the scatter of
     /// ln k is √Σ(wᵢ sᵢ)² with the shares wᵢ = k/kᵢ of the compression: the softest layer governs.
     ///
     /// # Errors
-    /// An id that is not there.
+    /// An unknown id.
     ///
     /// # Example
-    /// A hard rubber foot: √(300 · 3000) N/mm, half of ln 10 either way, two to an edge.
+    /// A hard rubber foot: √(300 · 3000) N/mm, half of ln 10 either way, two under each edge.
     /// ```
+    /// use freestand_study::cushion::resolve;
     /// let prior = freestand_assess::library::CushionLibrary::builtin().prior("rubber-foot")?;
-    /// let edge = prior.words.resolve(None).unwrap().cushion.linear_stiffness_n_m().unwrap();
+    /// let edge = resolve(&prior.words, None)?.cushion.linear_stiffness_n_m().unwrap();
     /// assert!((edge / (2.0 * 948.683e3) - 1.0).abs() < 1e-5 && (prior.log_sd - 1.151293).abs() < 1e-6);
-    /// # Ok::<(), freestand_input::problem::Problem>(())
+    /// # Ok::<(), freestand_input::problem::Problems>(())
     /// ```
     pub fn prior(&self, id: &str) -> Result<CushionPrior, Problem> {
         let layers = id.split('+').map(|id| self.get(id)).collect::<Result<Vec<_>, _>>()?;
-        let mut words = CushionWords::new(KeyStyle::File);
+        let mut words = Words::default();
         let newtons_per_metre = |k: f64| format!("{k} N/m");
         let pads = layers.iter().map(|entry| entry.pads_per_edge).max().unwrap_or(PADS_PER_EDGE);
         for (i, entry) in layers.iter().enumerate() {
@@ -217,8 +165,8 @@ impl CushionLibrary {
                 words.set("pad_stiffness", newtons_per_metre(entry.stiffness_n_m));
                 words.set("pads_per_edge", pads.to_string());
             } else {
-                // What is in series stands under all the pads of the edge.
-                words.set("series_stiffness", newtons_per_metre(f64::from(pads) * entry.stiffness_n_m));
+                // A layer in series is under all pads of the edge.
+                words.add("series_stiffness", newtons_per_metre(f64::from(pads) * entry.stiffness_n_m), None);
             }
         }
         let thickness_m: f64 = layers.iter().filter_map(|entry| entry.thickness_m).sum();
@@ -230,16 +178,9 @@ impl CushionLibrary {
             layers.iter().map(|entry| (entry.log_sd / (entry.stiffness_n_m * softness)).powi(2)).sum::<f64>();
         let source = |entry: &&CushionEntry| {
             let (range, source) = (entry.range_words(), entry.source_words());
-            format!("{}: a prior, {range} each; {source} ({})", entry.id, entry.confidence.name())
+            format!("{}: an estimate, {range} each; {source} ({})", entry.id, entry.confidence.name())
         };
         let source = layers.iter().map(source).collect::<Vec<_>>().join("; ");
         Ok(CushionPrior { words, log_sd: variance.sqrt(), source })
     }
-}
-
-fn read_entries(bytes: &[u8], origin: &str) -> Result<(Vec<CushionEntry>, Vec<String>), Problems> {
-    let sheet = sheet::read_sheet(bytes, &CUSHION_COLUMNS)?;
-    let rows = sheet.rows.iter().map(|row| (row.line, CushionEntry::read(&sheet, row, origin)));
-    let entries = unique(rows, |entry| &entry.id)?;
-    Ok((entries, sheet.warnings))
 }

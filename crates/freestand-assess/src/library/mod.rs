@@ -1,72 +1,73 @@
-//! What objects stand and what they stand on, with the source of every number: the tolerance library and the cushion library.
+//! The tolerance library and the cushion library: what objects withstand and what they rest on, with the source of every
+//! number.
 //!
-//! Both are tables in the program that a file of the user's, with the same columns, adds to and overrides by id. An entry says
-//! where its numbers are from; one without a source and a page or clause is `recalled`. A tolerance that is recalled may be shown, it
-//! never decides; a cushion is a range from which stiffnesses are drawn, and its page says that it is one.
+//! Both are built-in tables. A user's file with the same columns adds entries, and replaces those with the same id. An
+//! entry names its source; without a source and a page or clause it is `recalled`. A recalled tolerance may be shown but
+//! never decides a verdict. A cushion is a range from which stiffnesses are drawn, and the report says so.
 
+mod collection;
 mod cushions;
-mod entry;
 mod reader;
-mod sheet;
+mod table;
 mod tolerances;
 
 use serde::{Deserialize, Serialize};
 
+pub use collection::Library;
 pub use cushions::{CUSHION_COLUMNS, CushionEntry, CushionLibrary};
-pub use entry::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, to_tolerance};
-pub use tolerances::Library;
+pub use tolerances::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, ToleranceLibrary, to_tolerance};
 
 use std::path::Path;
 
+use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
-use freestand_study::cushion::CushionWords;
 
-/// Both libraries, with what files of the user put over them.
+/// Both libraries, with the user's files.
 #[derive(Debug, Clone)]
 pub struct Libraries {
-    /// What objects stand.
-    pub tolerances: Library,
-    /// What they stand on.
+    /// What objects withstand.
+    pub tolerances: ToleranceLibrary,
+    /// What they rest on.
     pub cushions: CushionLibrary,
 }
 
 impl Libraries {
-    /// The built-in ones, under the files that are named.
+    /// The built-in libraries with these files.
     ///
     /// # Errors
-    /// A file that cannot be read, or everything that is wrong with it.
+    /// A file that cannot be read, or all problems in it.
     pub fn with_files(tolerances: Option<&Path>, cushions: Option<&Path>) -> Result<Self, Problems> {
         Ok(Self {
-            tolerances: tolerances.map_or_else(|| Ok(Library::builtin()), Library::with_file)?,
-            cushions: cushions.map_or_else(|| Ok(CushionLibrary::builtin()), CushionLibrary::with_file)?,
+            tolerances: ToleranceLibrary::builtin().with_file(tolerances)?,
+            cushions: CushionLibrary::builtin().with_file(cushions)?,
         })
     }
 
-    /// What a reader of inventories looks names up in. A fragility is no tolerance, and is not among the names.
+    /// What a reader of inventories needs. A fragility is not a tolerance, and is not among the names.
     pub fn looked_up<T>(&self, read: impl FnOnce(&Lookup) -> T) -> T {
         let names = self.tolerances.entries().iter().filter(|entry| to_tolerance(entry).is_some());
         read(&Lookup {
             tolerance: &|id| self.tolerances.find(id).and_then(to_tolerance),
             cushion: &|id| self.cushions.prior(id).ok(),
             tolerance_names: &names.map(|entry| entry.id.clone()).collect::<Vec<_>>(),
-            cushion_names: &self.cushions.entries().iter().map(|entry| entry.id.clone()).collect::<Vec<_>>(),
+            cushion_names: &self.cushions.ids().map(str::to_owned).collect::<Vec<_>>(),
         })
     }
 }
 
-/// How sure a number is.
+/// How far a number can be trusted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Confidence {
     /// Stated by the user: a data sheet, a test.
     Stated,
-    /// Read at its source, with the page or clause.
+    /// Read in the source itself, with the page or clause.
     Primary,
-    /// Read where it is quoted.
+    /// Read in a document that quotes the source.
     Secondary,
-    /// A placeholder that the user knows to be one.
+    /// An assumption, without a source.
     Assumption,
-    /// Remembered, without a source and a page: a tolerance of it may be shown, it never decides.
+    /// Quoted from memory, without a source and a page: such a tolerance may be shown but never decides.
     Recalled,
 }
 
@@ -77,36 +78,37 @@ impl Confidence {
     }
 }
 
-/// What one object stands; `None` where nobody says. The kinds are those of [`freestand_study::shock::DemandCapacity`].
+/// The tolerance of one object; `None` for values that are not known. Its parts are those of
+/// [`freestand_study::shock::DemandCapacity`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Tolerance {
     /// Peak acceleration \[m/s²\].
     pub peak_m_s2: Option<f64>,
-    /// Duration of the half-sine of that peak that it stands \[s\].
+    /// Duration of the half-sine with that peak \[s\].
     pub duration_s: Option<f64>,
-    /// Velocity change below which no peak does harm \[m/s\].
+    /// Velocity change below which no peak causes damage \[m/s\].
     pub velocity_change_m_s: Option<f64>,
-    /// Lift of one edge from which it may fall back \[m\].
+    /// Uplift from which it may fall back without damage \[m\].
     pub edge_lift_m: Option<f64>,
-    /// Where it comes from, ready to print: `the inventory`, or `hdd-35-operating: data sheets (class)`.
+    /// Its source, ready to print: `the inventory`, or `hdd-35-operating: data sheets (class)`.
     pub source: String,
-    /// How sure it is.
+    /// Its confidence.
     pub confidence: Confidence,
 }
 
-/// What is known beforehand of a cushion: never a measurement.
+/// An estimate of a cushion, never a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CushionPrior {
     /// The cushion in the words of [`freestand_study::cushion`]: the geometric mean of the range, with the pads per edge.
-    pub words: CushionWords,
-    /// ln(high/low)/2: the range is read as the one from 16 to 84 %, so that it holds two pads of three.
+    pub words: Words,
+    /// ln(high/low)/2: the range is taken as that from 16 to 84 %, which contains two pads of three.
     pub log_sd: f64,
-    /// Where it comes from, ready to print.
+    /// Its source, ready to print.
     pub source: String,
 }
 
 impl Confidence {
-    /// All, the surest first.
+    /// All, the most trusted first.
     pub const ALL: [Self; 5] = [Self::Stated, Self::Primary, Self::Secondary, Self::Assumption, Self::Recalled];
 
     /// The name in files and outputs.
@@ -124,25 +126,12 @@ impl Confidence {
     pub fn description(self) -> &'static str {
         match self {
             Self::Stated => "stated by the user",
-            Self::Primary => "read at its source",
-            Self::Secondary => "read where it is quoted",
-            Self::Assumption => "a placeholder, chosen and not found",
-            Self::Recalled => "remembered, not read: no tolerance of it decides",
+            Self::Primary => "read in the source itself",
+            Self::Secondary => "read in a document that quotes the source",
+            Self::Assumption => "an assumption, without a source",
+            Self::Recalled => "quoted from memory; such a tolerance decides no verdict",
         }
     }
-}
-
-/// The ids that were likely meant by one that is not there, three at most.
-fn nearest_ids<'a>(id: &str, ids: &[&'a str]) -> Vec<&'a str> {
-    let wanted = id.to_lowercase();
-    let mut near: Vec<&str> = freestand_input::words::nearest(&wanted, ids).into_iter().collect();
-    let words: Vec<&str> = wanted.split(|c: char| !c.is_alphanumeric()).filter(|word| word.len() > 2).collect();
-    let shared = |candidate: &str| words.iter().filter(|word| candidate.contains(**word)).count();
-    let mut others: Vec<&str> = ids.iter().copied().filter(|id| shared(id) > 0 && !near.contains(id)).collect();
-    others.sort_by_key(|id| std::cmp::Reverse(shared(id)));
-    near.extend(others);
-    near.truncate(3);
-    near
 }
 
 /// Where the entries that an inventory names are looked up.

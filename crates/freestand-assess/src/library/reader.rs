@@ -1,33 +1,33 @@
-//! Cells of a library row into values, with every slip kept.
+//! The values of a row of a library, with all of its problems.
+
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{Dimension, parse, parse_in_unit, shorten};
 
 use super::Confidence;
-use super::sheet::{Sheet, SheetRow};
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, parse, parse_in_unit, shorten};
+use super::table::{Row, Table};
 
 /// Reads one row.
 pub(super) struct RowReader<'s> {
-    sheet: &'s Sheet,
-    row: &'s SheetRow,
-    pub(super) problems: Vec<Problem>,
+    table: &'s Table,
+    row: &'s Row,
+    pub(super) problems: Problems,
 }
 
 impl<'s> RowReader<'s> {
-    pub(super) fn new(sheet: &'s Sheet, row: &'s SheetRow) -> Self {
-        Self { sheet, row, problems: Vec::new() }
+    pub(super) fn new(table: &'s Table, row: &'s Row) -> Self {
+        Self { table, row, problems: Problems::default() }
     }
 
     pub(super) fn note(&mut self, column: &str, message: impl std::fmt::Display, hint: impl Into<String>) {
-        let problem = Problem::new(ProblemKind::Value, format!("column {column}: {message}"));
-        self.problems.push(problem.at_line(self.row.line).hint(hint));
+        self.problems.push(Problem::value(format!("column {column}: {message}"), hint).at_line(self.row.line));
     }
 
     /// The text of a cell, empty where there is none.
     pub(super) fn text(&self, column: &str) -> String {
-        self.sheet.cell(self.row, column).text.to_owned()
+        self.table.cell(self.row, column).text.to_owned()
     }
 
-    /// A text that must be there.
+    /// A text that is required.
     pub(super) fn needed(&mut self, column: &str) -> String {
         let text = self.text(column);
         if text.is_empty() {
@@ -36,9 +36,9 @@ impl<'s> RowReader<'s> {
         text
     }
 
-    /// A positive number in SI: bare in the unit of its column, or with a unit of its own. Empty is `None`.
+    /// A positive number in SI, in the unit of its column or with a unit of its own; `None` for an empty cell.
     pub(super) fn positive(&mut self, column: &'static str, dimension: Dimension) -> Option<f64> {
-        let cell = self.sheet.cell(self.row, column);
+        let cell = self.table.cell(self.row, column);
         if cell.text.is_empty() {
             return None;
         }
@@ -53,8 +53,8 @@ impl<'s> RowReader<'s> {
             Ok(_) => {
                 self.note(
                     column,
-                    format!("\"{}\" is not positive", shorten(cell.text)),
-                    "leave it empty where nothing is known",
+                    format!("must be positive, not \"{}\"", shorten(cell.text)),
+                    "leave it empty if the value is not known",
                 );
                 None
             }
@@ -65,7 +65,7 @@ impl<'s> RowReader<'s> {
         }
     }
 
-    /// A whole number from 1.
+    /// A whole number, at least 1.
     pub(super) fn count(&mut self, column: &'static str) -> Option<u32> {
         let text = self.text(column);
         if text.is_empty() {
@@ -74,7 +74,11 @@ impl<'s> RowReader<'s> {
         match text.parse::<u32>() {
             Ok(count) if count > 0 => Some(count),
             _ => {
-                self.note(column, format!("\"{}\" is not a count", shorten(&text)), "a whole number, at least 1");
+                self.note(
+                    column,
+                    format!("must be a whole number, not \"{}\"", shorten(&text)),
+                    "write a whole number, at least 1",
+                );
                 None
             }
         }
@@ -86,23 +90,27 @@ impl<'s> RowReader<'s> {
         let found = words.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
         if found.is_none() {
             let names: Vec<&str> = words.iter().map(|(name, _)| *name).collect();
-            self.note(column, format!("\"{}\" is not known", shorten(&text)), format!("one of {}", names.join(", ")));
+            self.note(
+                column,
+                format!("\"{}\" is not known", shorten(&text)),
+                format!("write one of {}", names.join(", ")),
+            );
         }
         found
     }
 
-    /// The id: what flags and inventories name an entry by.
+    /// The id, by which inventories name the entry.
     pub(super) fn id(&mut self) -> String {
         let id = self.text("id").to_lowercase();
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
         if id.is_empty() || !id.chars().all(is_plain) {
-            let hint = "letters, digits, - _ and ., such as rack-a12";
+            let hint = "write letters, digits, - _ and ., such as rack-a12";
             self.note("id", format!("\"{}\" is not an id", shorten(&id)), hint);
         }
         id
     }
 
-    /// The confidence. What has no source with a page or a clause is recalled, whatever it would like to be.
+    /// The confidence; without a source with a page or a clause it must be recalled.
     pub(super) fn confidence(&mut self) -> Confidence {
         let words = Confidence::ALL.map(|confidence| (confidence.name(), confidence));
         let confidence = self.word("confidence", &words).unwrap_or(Confidence::Recalled);
@@ -113,7 +121,7 @@ impl<'s> RowReader<'s> {
             self.note(
                 "confidence",
                 message,
-                "say where the numbers stand, or write recalled: they are then shown and decide nothing",
+                "say where the numbers can be found, or write recalled: they are then shown but decide no verdict",
             );
         }
         confidence

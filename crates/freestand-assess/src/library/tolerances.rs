@@ -1,176 +1,353 @@
-//! The tolerance library: what is built in, and what the user's file adds and overrides.
+//! The tolerance library: what objects withstand.
 
-use std::path::Path;
+use freestand::G0_M_S2;
+use freestand::shock_response::{Pulse, PulseShape};
+use serde::Serialize;
 
-use super::entry::{TOLERANCE_COLUMNS, ToleranceEntry};
-use super::{nearest_ids, sheet};
-use freestand_input::file::InputFile;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::Problems;
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::number;
+use freestand_study::shock_spectrum::pulse_name;
 
-/// What many kinds of things stand, each entry with its source.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Library {
-    entries: Vec<ToleranceEntry>,
-    /// The user's files.
-    pub inputs: Vec<InputFile>,
-    /// What is doubtful about them.
-    pub warnings: Vec<String>,
-}
+use super::collection::{Library, Shelf};
+use super::reader::RowReader;
+use super::table::{Column, Row, Table};
+use super::{Confidence, Tolerance};
 
-impl Library {
-    /// What is built in.
+/// The columns of a tolerance library; numbers have their unit in brackets, such as `peak [g]`.
+pub const TOLERANCE_COLUMNS: [Column; 23] = [
+    Column::needed("id"),
+    Column::needed("class"),
+    Column::needed("kind"),
+    Column::needed("state"),
+    Column::text("axis"),
+    Column::number("peak", Dimension::Acceleration),
+    Column::number("peak_high", Dimension::Acceleration),
+    Column::number("duration", Dimension::Time),
+    Column::text("shape"),
+    Column::number("velocity_change", Dimension::Velocity),
+    Column::number("edge_lift", Dimension::Length),
+    Column::number("pfa_median", Dimension::Acceleration),
+    Column::number("pfv_median", Dimension::Velocity),
+    Column::number("beta", Dimension::Ratio),
+    Column::text("n_shocks"),
+    Column::needed("source"),
+    Column::text("edition"),
+    Column::text("clause"),
+    Column::text("page"),
+    Column::text("licence"),
+    Column::text("notice"),
+    Column::needed("confidence"),
+    Column::text("note"),
+];
+
+/// The library of tolerances.
+pub type ToleranceLibrary = Library<ToleranceEntry>;
+
+static SHELF: Shelf<ToleranceEntry> = Shelf {
+    name: "tolerance",
+    columns: &TOLERANCE_COLUMNS,
+    builtin: include_bytes!("tolerance.csv"),
+    read: ToleranceEntry::read,
+    id: |entry| &entry.id,
+    texts: |entry| {
+        let ToleranceEntry { id, class, kind, state, source, clause, note, .. } = entry;
+        vec![id, class, kind.name(), state.name(), source, clause, note]
+    },
+};
+
+impl ToleranceLibrary {
+    /// The built-in library.
     ///
     /// # Example
     /// ```
-    /// use freestand_assess::library::{Library, to_tolerance};
-    /// let library = Library::builtin();
+    /// use freestand_assess::library::{ToleranceLibrary, to_tolerance};
+    /// let library = ToleranceLibrary::builtin();
     /// let card = library.find("expansion-card-operating").and_then(to_tolerance).unwrap();
     /// assert!((card.peak_m_s2.unwrap() - 5.0 * 9.80665).abs() < 1e-12 && card.duration_s == Some(0.011));
-    /// assert!(library.find("p58-bookcase-5-shelves").and_then(to_tolerance).is_none(), "a median is no tolerance");
+    /// assert!(library.find("p58-bookcase-5-shelves").and_then(to_tolerance).is_none(), "a median is not a tolerance");
     /// ```
     pub fn builtin() -> Self {
-        // The table is part of the program; a test reads it.
-        let entries = read_entries(include_bytes!("tolerance.csv"), BUILT_IN).map(|(entries, _)| entries);
-        Self { entries: entries.unwrap_or_default(), ..Self::default() }
+        Self::new(&SHELF)
     }
+}
 
-    /// What is built in, with the user's library over it: an entry of the same id takes the place of ours.
-    ///
-    /// # Errors
-    /// Everything that is wrong with the file, with line and column.
-    pub fn with_file(path: &Path) -> Result<Self, Problems> {
-        let mut library = Self::builtin();
-        library.add_file(path)?;
-        Ok(library)
+/// What the numbers of an entry are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// The maker states that it withstands this; not a median.
+    VendorLimit,
+    /// It passed, or must pass, a test of this severity.
+    TestSeverity,
+    /// A range for a class of objects; the low end is the tolerance.
+    Class,
+    /// Median and dispersion of the floor motion at which such objects fail or overturn: for comparison only, never a
+    /// tolerance.
+    Fragility,
+}
+
+impl Kind {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::VendorLimit, Self::TestSeverity, Self::Class, Self::Fragility];
+
+    /// The name in files and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::VendorLimit => "vendor-limit",
+            Self::TestSeverity => "test-severity",
+            Self::Class => "class",
+            Self::Fragility => "fragility",
+        }
     }
+}
 
-    /// Puts another file of the user's over what is there.
-    ///
-    /// # Errors
-    /// As [`Self::with_file`]; the library then stays as it was.
-    pub fn add_file(&mut self, path: &Path) -> Result<(), Problems> {
-        let (input, warnings) = put_over(&mut self.entries, path, read_entries, |entry| &entry.id)?;
-        self.warnings.extend(warnings);
-        self.inputs.push(input);
-        Ok(())
+/// The state of the object to which the tolerance applies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum State {
+    /// In operation, which continues.
+    Operating,
+    /// Switched off.
+    NonOperating,
+    /// In its packaging.
+    Packaged,
+    /// The source does not state it, or leaves it to the product.
+    Any,
+}
+
+impl State {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Operating, Self::NonOperating, Self::Packaged, Self::Any];
+
+    /// The name in files and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Operating => "operating",
+            Self::NonOperating => "non-operating",
+            Self::Packaged => "packaged",
+            Self::Any => "any",
+        }
     }
+}
 
-    /// All entries, ours first.
-    pub fn entries(&self) -> &[ToleranceEntry] {
-        &self.entries
-    }
+/// An entry of the tolerance library; `None` where its source gives no value. The keys are those of the JSON document.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ToleranceEntry {
+    /// Unique, in lower case.
+    pub id: String,
+    /// What it is.
+    pub class: String,
+    /// What the numbers are.
+    pub kind: Kind,
+    /// The state to which they apply.
+    pub state: State,
+    /// Along which axis: `any`, or in words.
+    pub axis: String,
+    /// Peak acceleration \[m/s²\]; the low end of a range.
+    pub peak_m_s2: Option<f64>,
+    /// \[g\].
+    pub peak_g: Option<f64>,
+    /// High end of the range \[m/s²\].
+    pub peak_high_m_s2: Option<f64>,
+    /// \[g\].
+    pub peak_high_g: Option<f64>,
+    /// Duration of the pulse of that peak \[s\].
+    pub duration_s: Option<f64>,
+    /// `half-sine`, `trapezoid`, `terminal-sawtooth`, …; `None` without a duration.
+    pub shape: Option<&'static str>,
+    /// Velocity change of that pulse itself, 2AT/π for a half-sine \[m/s\]; not a tolerance by itself.
+    pub pulse_velocity_change_m_s: Option<f64>,
+    /// Critical velocity change: below it no peak causes damage \[m/s\].
+    pub velocity_change_m_s: Option<f64>,
+    /// Uplift, or drop height, from which it may fall without damage \[m\].
+    pub edge_lift_m: Option<f64>,
+    /// Peak floor acceleration at which half fail \[m/s²\].
+    pub pfa_median_m_s2: Option<f64>,
+    /// \[g\].
+    pub pfa_median_g: Option<f64>,
+    /// Peak floor velocity at which half fail \[m/s\].
+    pub pfv_median_m_s: Option<f64>,
+    /// Dispersion: the standard deviation of the logarithm of the demand.
+    pub beta: Option<f64>,
+    /// Number of shocks of the test.
+    pub n_shocks: Option<u32>,
+    /// Document.
+    pub source: String,
+    /// Its edition.
+    pub edition: String,
+    /// Clause, table or entry in it.
+    pub clause: String,
+    /// Page.
+    pub page: String,
+    /// Licence of the numbers.
+    pub licence: String,
+    /// The notice that the licence requires.
+    pub notice: String,
+    /// Its confidence.
+    pub confidence: Confidence,
+    /// Whether a verdict may rest on it.
+    pub decides: bool,
+    /// Notes.
+    pub note: String,
+    /// `built-in`, or the user's file.
+    pub origin: String,
+}
 
-    /// The entry of an id, in any case.
-    pub fn find(&self, id: &str) -> Option<&ToleranceEntry> {
-        let id = id.trim().to_lowercase();
-        self.entries.iter().find(|entry| entry.id == id)
-    }
-
-    /// The entry of an id.
-    ///
-    /// # Errors
-    /// None: the problem names what is nearest.
-    pub fn get(&self, id: &str) -> Result<&ToleranceEntry, Problem> {
-        self.find(id).ok_or_else(|| unknown(id, "tolerance", &self.nearest(id)))
-    }
-
-    /// Entries that have every word somewhere in id, class, kind, state, source, clause or note.
-    pub fn search(&self, words: &[String]) -> Vec<&ToleranceEntry> {
-        let has = |entry: &ToleranceEntry| {
-            let parts = [&entry.class, &entry.source, &entry.clause, &entry.note].map(String::as_str);
-            matches_all(words, &[&[&entry.id, entry.kind.name(), entry.state.name()], &parts[..]].concat())
+impl ToleranceEntry {
+    fn read(table: &Table, row: &Row, origin: &str) -> Result<Self, Problems> {
+        let mut reader = RowReader::new(table, row);
+        let id = reader.id();
+        let class = reader.needed("class");
+        let kind = reader.word("kind", &Kind::ALL.map(|kind| (kind.name(), kind)));
+        let state = reader.word("state", &State::ALL.map(|state| (state.name(), state)));
+        let peak_m_s2 = reader.positive("peak", Dimension::Acceleration);
+        let peak_high_m_s2 = reader.positive("peak_high", Dimension::Acceleration);
+        let duration_s = reader.positive("duration", Dimension::Time);
+        let shape = shape(&mut reader, duration_s);
+        let in_g = |value: Option<f64>| value.map(|value| value / G0_M_S2);
+        let pfa_median_m_s2 = reader.positive("pfa_median", Dimension::Acceleration);
+        let axis = Some(reader.text("axis")).filter(|axis| !axis.is_empty()).unwrap_or_else(|| "any".to_owned());
+        let pulse = shape.zip(peak_m_s2).zip(duration_s);
+        let confidence = reader.confidence();
+        let entry = Self {
+            id,
+            class,
+            kind: kind.unwrap_or(Kind::Class),
+            state: state.unwrap_or(State::Any),
+            axis,
+            peak_m_s2,
+            peak_g: in_g(peak_m_s2),
+            peak_high_m_s2,
+            peak_high_g: in_g(peak_high_m_s2),
+            duration_s,
+            shape: shape.map(pulse_name),
+            pulse_velocity_change_m_s: pulse
+                .and_then(|((shape, peak), duration)| Pulse::new(shape, peak, duration).ok())
+                .map(|pulse| pulse.velocity_change_m_s()),
+            velocity_change_m_s: reader.positive("velocity_change", Dimension::Velocity),
+            edge_lift_m: reader.positive("edge_lift", Dimension::Length),
+            pfa_median_m_s2,
+            pfa_median_g: in_g(pfa_median_m_s2),
+            pfv_median_m_s: reader.positive("pfv_median", Dimension::Velocity),
+            beta: reader.positive("beta", Dimension::Ratio),
+            n_shocks: reader.count("n_shocks"),
+            source: reader.text("source"),
+            edition: reader.text("edition"),
+            clause: reader.text("clause"),
+            page: reader.text("page"),
+            licence: reader.text("licence"),
+            notice: notice(reader.text("notice")),
+            confidence,
+            decides: confidence.decides() && kind != Some(Kind::Fragility),
+            note: reader.text("note"),
+            origin: origin.to_owned(),
         };
-        self.entries.iter().filter(|entry| has(entry)).collect()
+        // A cell that cannot be read would be reported again as missing.
+        if reader.problems.is_empty() {
+            entry.check(&mut reader);
+        }
+        reader.problems.finish(Some(entry))
     }
 
-    /// Ids that were likely meant by one that is not there, three at most.
-    pub fn nearest(&self, id: &str) -> Vec<&str> {
-        nearest_ids(id, &self.entries.iter().map(|entry| entry.id.as_str()).collect::<Vec<_>>())
-    }
-}
-
-pub(super) const BUILT_IN: &str = "built-in";
-
-/// Entries of a table and what is doubtful about them, from its bytes and its name.
-pub(super) type ReadEntries<E> = fn(&[u8], &str) -> Result<(Vec<E>, Vec<String>), Problems>;
-
-/// Puts the entries of a user's file over those that are known, by their ids: the file, and what is doubtful about it.
-pub(super) fn put_over<E>(
-    known: &mut Vec<E>,
-    path: &Path,
-    read: ReadEntries<E>,
-    id: fn(&E) -> &str,
-) -> Result<(InputFile, Vec<String>), Problems> {
-    let (bytes, input) = sheet::load(path)?;
-    let origin = path.display().to_string();
-    let (entries, warnings) = read(&bytes, &origin).map_err(|error| in_file(error, path))?;
-    for entry in entries {
-        match known.iter_mut().find(|one| id(one) == id(&entry)) {
-            Some(one) => *one = entry,
-            None => known.push(entry),
+    /// Reports numbers that contradict each other.
+    fn check(&self, reader: &mut RowReader<'_>) {
+        let medians = [self.pfa_median_m_s2, self.pfv_median_m_s].iter().flatten().count();
+        let limits = [self.peak_m_s2, self.velocity_change_m_s, self.edge_lift_m].iter().flatten().count();
+        if self.kind == Kind::Fragility {
+            if medians != 1 || self.beta.is_none() || limits > 0 {
+                let hint = "give pfa_median or pfv_median, with beta, and no peak, velocity_change or edge_lift";
+                reader.note("kind", "a fragility has one median and its dispersion", hint);
+            }
+        } else {
+            if medians > 0 || self.beta.is_some() {
+                reader.note(
+                    "kind",
+                    "medians and beta belong to a fragility",
+                    "put them into an entry of the kind fragility",
+                );
+            }
+            if limits == 0 {
+                reader.note("peak", "the entry has no tolerance", "give peak, velocity_change or edge_lift");
+            }
+        }
+        if self.duration_s.is_some() && self.peak_m_s2.is_none() {
+            reader.note("duration", "a duration needs a peak", "give the peak of the pulse");
+        }
+        if self.peak_high_m_s2.is_some_and(|high| self.peak_m_s2.is_none_or(|low| high < low)) {
+            reader.note("peak_high", "a range goes from peak to peak_high", "give the low end in peak");
         }
     }
-    Ok((input, warnings.into_iter().map(|warning| format!("{origin}: {warning}")).collect()))
-}
 
-/// Whether every word stands in one of the texts, in any case.
-pub(super) fn matches_all(words: &[String], texts: &[&str]) -> bool {
-    let texts: Vec<String> = texts.iter().map(|text| text.to_lowercase()).collect();
-    words.iter().map(|word| word.to_lowercase()).all(|word| texts.iter().any(|text| text.contains(&word)))
-}
-
-/// What is said of an id that is not there.
-pub(super) fn unknown(id: &str, what: &str, near: &[&str]) -> Problem {
-    let message = format!("no {what} \"{}\" in the library", freestand_input::quantity::shorten(id));
-    let hint = match near {
-        [] => format!("freestand {what} list shows all"),
-        near => format!("did you mean {}? freestand {what} list shows all", near.join(", ")),
-    };
-    Problem::new(ProblemKind::Value, message).hint(hint)
-}
-
-pub(super) fn in_file(error: Problems, path: &Path) -> Problems {
-    Problems { problems: error.problems.into_iter().map(|problem| problem.in_file(path)).collect() }
-}
-
-fn read_entries(bytes: &[u8], origin: &str) -> Result<(Vec<ToleranceEntry>, Vec<String>), Problems> {
-    let sheet = sheet::read_sheet(bytes, &TOLERANCE_COLUMNS)?;
-    let rows = sheet.rows.iter().map(|row| (row.line, ToleranceEntry::read(&sheet, row, origin)));
-    let entries = unique(rows, |entry| &entry.id)?;
-    Ok((entries, sheet.warnings))
-}
-
-/// Nobody reads more at once.
-const MOST_PROBLEMS: usize = 200;
-
-/// The entries, or everything that is wrong with them; an id may stand there once.
-pub(super) fn unique<E>(
-    rows: impl Iterator<Item = (usize, Result<E, Vec<Problem>>)>,
-    id: impl Fn(&E) -> &String,
-) -> Result<Vec<E>, Problems> {
-    let (mut entries, mut problems) = (Vec::new(), Vec::new());
-    let mut lines = std::collections::HashMap::new();
-    for (line, row) in rows {
-        if problems.len() >= MOST_PROBLEMS {
-            let message = format!("{MOST_PROBLEMS} problems so far: the rest of the file was not read");
-            problems.push(Problem::new(ProblemKind::Value, message).at_line(line).hint("mend these and read it again"));
-            break;
+    /// Its numbers in words: `5 g, 11 ms half-sine`, `median PFV 0.29 m/s, β 0.5`.
+    pub fn words(&self) -> String {
+        let range = |low: f64, high: Option<f64>, dimension| match high {
+            Some(high) => {
+                let (low, high) = (format_si(low, dimension), format_si(high, dimension));
+                format!("{}–{high}", low.split(' ').next().unwrap_or(&low))
+            }
+            None => format_si(low, dimension),
+        };
+        let mut parts = Vec::new();
+        if let Some(peak) = self.peak_m_s2 {
+            parts.push(range(peak, self.peak_high_m_s2, Dimension::Acceleration));
         }
-        match row {
-            Err(found) => problems.extend(found),
-            Ok(entry) => match lines.get(id(&entry)) {
-                Some(first) => {
-                    let message = format!("column id: \"{}\" stands in line {first} already", id(&entry));
-                    problems.push(
-                        Problem::new(ProblemKind::Value, message).at_line(line).hint("give each entry its own id"),
-                    );
-                }
-                None => {
-                    lines.insert(id(&entry).clone(), line);
-                    entries.push(entry);
-                }
-            },
+        if let (Some(duration), Some(shape)) = (self.duration_s, self.shape) {
+            parts.push(format!("{} {shape}", format_si(duration, Dimension::Time)));
         }
+        parts.extend(self.velocity_change_m_s.map(|v| format!("Δv {}", format_si(v, Dimension::Velocity))));
+        parts.extend(self.edge_lift_m.map(|lift| format!("edge lift {}", format_si(lift, Dimension::Length))));
+        parts.extend(self.pfa_median_m_s2.map(|a| format!("median PFA {}", format_si(a, Dimension::Acceleration))));
+        parts.extend(self.pfv_median_m_s.map(|v| format!("median PFV {}", format_si(v, Dimension::Velocity))));
+        parts.extend(self.beta.map(|beta| format!("β {}", number(beta, 3))));
+        parts.join(", ")
     }
-    if problems.is_empty() { Ok(entries) } else { Err(Problems { problems }) }
+
+    /// Its source, ready to print: document, edition, clause, page.
+    pub fn source_words(&self) -> String {
+        source_words(&self.source, &self.edition, &self.clause, &self.page)
+    }
+}
+
+/// `document, edition, clause, p. 7`, without empty parts.
+pub(super) fn source_words(source: &str, edition: &str, clause: &str, page: &str) -> String {
+    let page = if page.is_empty() { String::new() } else { format!("p. {page}") };
+    let parts = [source, edition, clause, &page].into_iter().filter(|part| !part.is_empty());
+    let words = parts.collect::<Vec<_>>().join(", ");
+    if words.is_empty() { "no source".to_owned() } else { words }
+}
+
+/// The shape of a pulse; without one, a pulse with a duration is a half-sine.
+fn shape(reader: &mut RowReader<'_>, duration_s: Option<f64>) -> Option<PulseShape> {
+    let text = reader.text("shape");
+    match (text.is_empty(), duration_s) {
+        (true, _) => duration_s.map(|_| PulseShape::HalfSine),
+        (false, None) => {
+            let hint = "give the duration, or leave the shape empty";
+            reader.note("shape", "a shape needs a duration", hint);
+            None
+        }
+        (false, Some(_)) => reader.word("shape", &PulseShape::ALL.map(|shape| (pulse_name(shape), shape))),
+    }
+}
+
+/// The notice; one that many entries share has a short name.
+fn notice(text: String) -> String {
+    if text == "dlml" { include_str!("dlml-notice.txt").trim().to_owned() } else { text }
+}
+
+/// The tolerance of an object with this entry; `None`: the entry is a fragility, or its pulse is not a half-sine, the only
+/// shape with which demands are compared.
+///
+/// A range gives its low end. The velocity change of the pulse does not become a critical velocity change.
+pub fn to_tolerance(entry: &ToleranceEntry) -> Option<Tolerance> {
+    let is_comparable = entry.shape.is_none_or(|shape| shape == pulse_name(PulseShape::HalfSine));
+    (entry.kind != Kind::Fragility && is_comparable).then(|| Tolerance {
+        peak_m_s2: entry.peak_m_s2,
+        duration_s: entry.duration_s,
+        velocity_change_m_s: entry.velocity_change_m_s,
+        edge_lift_m: entry.edge_lift_m,
+        source: format!("{}: {} ({})", entry.id, entry.source_words(), entry.confidence.name()),
+        confidence: entry.confidence,
+    })
 }

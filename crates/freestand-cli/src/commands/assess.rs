@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use freestand_assess::assess::{Decision, Job, JobReport, SCHEMA, Typeset, assess_into, inventory_of};
+use freestand_assess::job::{Job, JobReport, SCHEMA, assess_into, inventory_of};
+use freestand_assess::result::Decision;
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 
@@ -14,43 +15,44 @@ use crate::failure::Failure;
 use crate::printer::{Printer, table};
 use crate::stop::Stop;
 
-/// Which objects of an inventory must be restrained, which want a softer pad, which may stay
+/// Which objects of an inventory to restrain, which to put on a softer pad, which to leave
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  A first inventory to fill in, then its assessment in the built-in building (30 storeys, Melbourne, 500 years):
+  An inventory to fill in, then its assessment in the built-in building (30 storeys, Melbourne):
     freestand inventory template --csv > objects.csv
     freestand assess --inventory objects.csv --out assessment
-  In a building and a hazard of your own; the study may also name the inventory:
+  With your own building and hazard; the study may also name the inventory:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment
-  Go on after Ctrl-C or a crash, in the same folder:
+  Continue after Ctrl-C or a crash, in the same folder:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
-  A table for pandas as well, and the study's keys for what is accepted and how uncertain values are:
+  Also a Parquet table, for pandas:
     freestand assess --inventory objects.csv --format csv,parquet
-    docs/assessment.md, [assessment] in a study")]
+
+Accepted probabilities and uncertainties are keys of [assessment] in a study; see docs/assessment.md.")]
 pub(crate) struct AssessArgs {
-    /// Hazard, building and settings (TOML) [default: the built-in study]
+    /// Study file (TOML) with hazard, building and settings [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
-    /// The objects, CSV or XLSX, in place of the study's
+    /// Inventory (CSV or XLSX); replaces the inventory of the study
     #[arg(long, value_name = "FILE")]
     inventory: Option<PathBuf>,
-    /// Sheet of a workbook [default: the first that is an inventory]
+    /// Sheet of the workbook [default: the first with headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
-    /// Tolerance library of your own (CSV), over the built-in one
+    /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
-    /// Cushion library of your own (CSV), over the built-in one
+    /// Your own cushion library (CSV); its entries replace built-in entries with the same id
     #[arg(long, value_name = "FILE")]
     cushion_library: Option<PathBuf>,
-    /// Go on from what an earlier run in the same folder had finished
+    /// Continue an earlier run in the same folder
     #[arg(long)]
     resume: bool,
-    /// Tables and reports beside objects.csv, assessment.xlsx and report.html, which are always written
+    /// Tables to write besides objects.csv, assessment.xlsx and report.html
     #[arg(long, value_enum, value_delimiter = ',', default_value = "csv")]
     format: Vec<Format>,
-    /// Objects that get a page of the report, the most urgent [default: 200]
+    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
     #[arg(long, value_name = "N")]
     pages: Option<usize>,
 }
@@ -61,12 +63,18 @@ enum Format {
     Csv,
     /// objects.parquet
     Parquet,
-    /// report.pdf, in builds with the feature pdf
+    /// Refused, with what to do instead
+    #[value(hide = true)]
     Pdf,
 }
 
 pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let pdf = if args.format.contains(&Format::Pdf) { Some(typesetter()?) } else { None };
+    if args.format.contains(&Format::Pdf) {
+        return Err(Failure::usage(
+            "--format pdf: freestand does not write PDF files",
+            "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
+        ));
+    }
     let overrides = Overrides { seed: global.seed, ..Overrides::default() };
     let mut study = match &args.study {
         Some(path) => load(path, &overrides)?,
@@ -78,8 +86,8 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     settings.library = args.library.clone().or(settings.library.take());
     settings.cushion_library = args.cushion_library.clone().or(settings.cushion_library.take());
     let inventory = inventory_of(&study, args.inventory.as_deref(), args.sheet.as_deref())?;
-    let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
-    let job = Job { resume: args.resume, force: global.force, parquet: args.format.contains(&Format::Parquet), pdf };
+    let out = global.folder();
+    let job = Job { resume: args.resume, force: global.force, parquet: args.format.contains(&Format::Parquet) };
 
     let stop = Stop::listen();
     let bar = printer.progress_bar(false);
@@ -126,17 +134,4 @@ fn text(report: &JobReport) -> String {
     }
     text.push_str(&format!("report.html, assessment.xlsx, objects.csv in {}\n", report.out));
     text
-}
-
-#[cfg(not(feature = "pdf"))]
-fn typesetter() -> Result<Typeset, Failure> {
-    Err(Failure::usage(
-        "--format pdf needs a build with the feature pdf",
-        "cargo install --path crates/freestand-cli --features pdf, or print report.html from a browser",
-    ))
-}
-
-#[cfg(feature = "pdf")]
-fn typesetter() -> Result<Typeset, Failure> {
-    Ok(|head, overview, pages| freestand_pdf::assessment_pdf(head, overview, pages).map_err(|error| error.to_string()))
 }

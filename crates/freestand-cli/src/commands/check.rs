@@ -18,14 +18,15 @@ use crate::files::Files;
 use crate::printer::{Printer, pairs, significant};
 use crate::reading::path_text;
 
-/// Validate a study without running it, and say how it was understood
+/// Check a study without running it, and show how it was understood
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand check study.toml
+  freestand check study.toml --json
   freestand check            (the built-in study)")]
 pub(crate) struct CheckArgs {
-    /// The study; without it the built-in one
+    /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
 }

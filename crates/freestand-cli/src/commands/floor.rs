@@ -6,10 +6,15 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::Dimension;
+use freestand::synthesis::DAMPING_RATIO;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::words::number;
-use freestand_study::building::{Axis, AxisModel, AxisRequest, axis};
+use freestand_output::figure::{Figure, FigureError};
+use freestand_study::building::{
+    Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
+    DEFAULT_STOREYS, axis,
+};
 use freestand_study::floor::{
     FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floors, spectra_csv,
 };
@@ -20,17 +25,17 @@ use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, significant, table};
+use crate::printer::{Column, Printer, facts_table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::target::TargetArgs;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 /// Floor motions of a building under ground motions
 #[derive(Debug, Args)]
 #[command(
     after_help = "\
-The building is a shear-flexure beam (Miranda and Taghavi 2005), or what a table says: of storeys (height, mass, stiffness) \
-or of modes (period, participation, shape), see docs/buildings.md.
+The building is a shear-flexure beam (Miranda and Taghavi 2005), or a table of storeys (height, mass,
+stiffness) or of modes (period, participation, shape); see docs/buildings.md.
 
 Examples:
   freestand floor --motion record.AT2 --storeys 30 --storey-height \"3.2 m\" --levels \"0.5, 1.0\" --out floors
@@ -41,34 +46,36 @@ Examples:
     mut_arg("rotation_step", |arg| arg.hide(true))
 )]
 pub(crate) struct FloorArgs {
-    /// Ground motions; of several, medians are printed
+    /// Records of the ground motion; of several, medians are printed
     #[arg(long, value_name = "FILE", num_args = 1.., required = true)]
     motion: Vec<PathBuf>,
     #[command(flatten)]
     building: BuildingArgs,
-    /// Levels as shares of the height, 0 ground and 1 roof, or "all": the ground and every floor
-    #[arg(long, value_name = "GRID|all", default_value = "0.5, 1.0", allow_hyphen_values = true)]
-    levels: String,
-    /// Zeros behind the record, in which the building rings down [default: none]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    tail: Option<String>,
-    /// Look for the floors' peaks at N points in each sample interval; the ground stays linear between its samples
-    #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = at_least_one)]
+    /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor
+    #[arg(long, value_name = "GRID|all", read = levels, default_value = "0.5, 1.0")]
+    levels: Given<Option<Vec<f64>>>,
+    /// Length of the zeros appended to the record, in which the building comes to rest [default: 0
+    /// s]
+    #[arg(long, non_negative = Dimension::Time)]
+    tail: Option<Given>,
+    /// Find peaks of the floors at N points in each sample interval; the ground stays linear
+    /// between its samples
+    #[arg(long, value_name = "N", default_value = "1", value_parser = at_least_one)]
     upsample: NonZeroUsize,
-    /// Response spectra of the levels as well
+    /// Also give response spectra of the levels
     #[arg(long)]
     spectra: bool,
     /// Damping ratios of the spectra [default: 5 %]
-    #[arg(long, value_name = "LIST", requires = "spectra", allow_hyphen_values = true)]
-    spectrum_damping: Option<String>,
-    /// Periods of the spectra, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
-    #[arg(long, value_name = "GRID", requires = "spectra", allow_hyphen_values = true)]
-    periods: Option<String>,
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST", requires = "spectra")]
+    spectrum_damping: Option<Given<Vec<f64>>>,
+    /// Periods of the spectra: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+    #[arg(long, grid = Dimension::Time, requires = "spectra")]
+    periods: Option<Given<Vec<f64>>>,
     #[command(flatten)]
     second: SecondArgs,
     #[command(flatten)]
     read: ReadArgs,
-    /// A code's accelerations of rigid parts beside those of the floors
+    /// The code whose accelerations of rigid parts are compared with the floors
     #[command(flatten)]
     target: TargetArgs,
 }
@@ -76,42 +83,45 @@ pub(crate) struct FloorArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Building")]
 struct BuildingArgs {
-    /// Storeys [default: 30]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=500))]
+    /// Number of storeys [default: 30]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=500))]
     storeys: Option<u32>,
     /// Height of a storey [default: 3.2 m]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    storey_height: Option<String>,
-    /// Fundamental period [default: by AS 1170.4, from the height]
-    #[arg(long, value_name = "TIME", conflicts_with = "frame", allow_hyphen_values = true)]
-    period: Option<String>,
-    /// Structure, for the period of AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: other]
+    #[arg(long, positive = Dimension::Length)]
+    storey_height: Option<Given>,
+    /// Fundamental period [default: from the height, by AS 1170.4]
+    #[arg(long, positive = Dimension::Time, conflicts_with = "frame")]
+    period: Option<Given>,
+    /// Structure, for the period by AS 1170.4: steel-moment, concrete-moment, steel-braced, other
+    /// [default: other]
     #[arg(long, value_name = "FRAME", value_parser = frame_kind)]
     frame: Option<FrameKind>,
-    /// Damping ratio of every mode, where a table does not say it [default: 5 %]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    damping: Option<String>,
-    /// Rayleigh damping with that ratio at two modes, such as "1, 3"
-    #[arg(long, value_name = "N, N")]
-    rayleigh_modes: Option<String>,
-    /// α₀ = H√(GA/EI): 0 flexural wall, 5 walls with frames, 20 and more a frame [default: 5]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    shear_flexure: Option<String>,
-    /// Modes [default: 10, or as many as there are storeys]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    /// Damping ratio of every mode for which a table states none [default: 5 %]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    damping: Option<Given>,
+    /// Rayleigh damping, with that ratio at two modes, such as "1, 3"
+    #[arg(long, value_name = "N, N", read = two_modes)]
+    rayleigh_modes: Option<Given<[usize; 2]>>,
+    /// α₀ = H√(GA/EI): 0 for a flexural wall, 5 for walls with frames, 20 and more for a frame
+    /// [default: 5]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    shear_flexure: Option<Given>,
+    /// Number of modes [default: 10, or the number of storeys]
+    #[arg(long, value_name = "N")]
     modes: Option<usize>,
-    /// Table of storeys from the ground up: height, mass, stiffness, with their units
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "mode_table"])]
+    /// Table of storeys from the ground up: height, mass and stiffness with their units
+    #[arg(long, value_name = "FILE", conflicts_with_all = BEAM, conflicts_with = "mode_table")]
     storey_table: Option<PathBuf>,
-    /// Table of modes: period, participation factor, and the shape at each floor under its height
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["storeys", "storey_height", "period", "frame", "shear_flexure", "modes"])]
+    /// Table of modes: period, participation factor, and the shape at each floor in a column headed
+    /// by its height
+    #[arg(long, value_name = "FILE", conflicts_with_all = BEAM, conflicts_with = "modes")]
     mode_table: Option<PathBuf>,
-    /// Fundamental period along the second axis [default: as along the first]
-    #[arg(long, value_name = "TIME", conflicts_with_all = ["across_storey_table", "across_mode_table", "storey_table", "mode_table"], allow_hyphen_values = true)]
-    across_period: Option<String>,
+    /// Fundamental period along the second axis [default: the same as along the first]
+    #[arg(long, positive = Dimension::Time, conflicts_with_all = TABLES)]
+    across_period: Option<Given>,
     /// α₀ along the second axis
-    #[arg(long, value_name = "RATIO", requires = "across_period", allow_hyphen_values = true)]
-    across_shear_flexure: Option<String>,
+    #[arg(long, non_negative = Dimension::Ratio, requires = "across_period")]
+    across_shear_flexure: Option<Given>,
     /// Table of storeys for the second axis
     #[arg(long, value_name = "FILE", conflicts_with = "across_mode_table")]
     across_storey_table: Option<PathBuf>,
@@ -119,6 +129,10 @@ struct BuildingArgs {
     #[arg(long, value_name = "FILE")]
     across_mode_table: Option<PathBuf>,
 }
+
+/// Flags of a beam, which a table replaces.
+const BEAM: [&str; 5] = ["storeys", "storey_height", "period", "frame", "shear_flexure"];
+const TABLES: [&str; 4] = ["across_storey_table", "across_mode_table", "storey_table", "mode_table"];
 
 const SCHEMA: &str = "freestand.floor/1";
 
@@ -132,14 +146,11 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     }
     let mut values = Values::default();
     let building = args.building.read(&mut values);
-    let tail_s = values.non_negative("--tail", args.tail.as_deref(), Dimension::Time).unwrap_or(0.0);
-    let levels = levels(&args.levels, &mut values);
-    let spectra = args.spectra.then(|| {
-        let dampings = args.spectrum_damping.as_deref().unwrap_or("5 %");
-        SpectraRequest {
-            damping_ratios: values.grid("--spectrum-damping", dampings, Dimension::Ratio).unwrap_or_default(),
-            periods_s: super::motion::periods(args.periods.as_deref(), &mut values),
-        }
+    let tail_s = values.read(&args.tail).unwrap_or(0.0);
+    let levels = values.read(&args.levels).flatten();
+    let spectra = args.spectra.then(|| SpectraRequest {
+        damping_ratios: values.read(&args.spectrum_damping).unwrap_or_else(|| vec![DAMPING_RATIO]),
+        periods_s: super::motion::periods(&args.periods, &mut values),
     });
     let motions = MotionFiles {
         second: args.second.second(args.motion.len(), &mut values),
@@ -181,7 +192,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let mut inputs = args.read.inputs(&args.motion);
     inputs.extend(args.second.across.iter().cloned());
     inputs.extend(args.building.tables().cloned());
-    inputs.extend(args.target.inputs().cloned());
+    inputs.extend(args.target.inputs());
     let files = Files::begin(global, &inputs)?;
     let (report, mut warnings) = report(&read, &request, &files)?;
     warnings.extend(target.into_iter().flat_map(|target| target.warnings));
@@ -212,32 +223,25 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         request.spectra.as_ref().map(|spectra| SpectraReport::new(&request.levels_ratio, spectra, &spectra_g));
     let report = FloorReport::new(request, motions, spectra)
         .ok_or_else(|| Failure::computation("the files were read but hold no motion"))?;
-    if files.wanted() {
-        let profile = report.profile_csv()?;
-        files.write("profile.csv", || profile)?;
-        let figure = profile_figure(&report).map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("profile.svg", || figure.svg)?;
-        files.write("profile.png", || figure.png)?;
-    }
-    if let Some(spectra) = report.spectra.as_ref().filter(|_| files.wanted()) {
+    let profile = report.profile_csv()?;
+    files.write("profile.csv", || profile)?;
+    files.figure("profile", || profile_figure(&report))?;
+    if let Some(spectra) = &report.spectra {
         let csv = spectra_csv(spectra)?;
         files.write("spectra.csv", || csv)?;
-        let figure = floor_response_figure(spectra, report.building_height_m, report.motions.len())
-            .map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("spectra.svg", || figure.svg)?;
-        files.write("spectra.png", || figure.png)?;
+        let draw = || floor_response_figure(spectra, report.building_height_m, report.motions.len());
+        files.figure("spectra", draw)?;
     }
     Ok((report, warnings))
 }
 
-fn profile_figure(
-    report: &FloorReport,
-) -> Result<freestand_output::figure::Figure, freestand_output::figure::FigureError> {
-    let levels_ratio: Vec<f64> = report.levels.iter().map(|level| level.level_ratio).collect();
+fn profile_figure(report: &FloorReport) -> Result<Figure, FigureError> {
+    let level = |name: &str| report.levels.iter().filter_map(|level| level.facts.number(name)).collect::<Vec<f64>>();
+    let levels_ratio = level("level_ratio");
     let pfa_g: Vec<Vec<f64>> =
         report.motions.iter().map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect()).collect();
-    let code: Vec<(f64, f64)> =
-        report.levels.iter().filter_map(|level| Some((level.level_ratio, level.code_part_g?))).collect();
+    // A code gives every level its part, or none.
+    let code: Vec<(f64, f64)> = levels_ratio.iter().copied().zip(level("code_part_g")).collect();
     let pga_g: Vec<f64> = report.motions.iter().map(|motion| motion.pga_g).collect();
     floor_profile_figure(&ProfilePicture {
         title: "Peak floor accelerations",
@@ -250,20 +254,19 @@ fn profile_figure(
 }
 
 /// `None`: every floor.
-fn levels(text: &str, values: &mut Values) -> Option<Vec<f64>> {
+fn levels(text: &str) -> Result<Option<Vec<f64>>, Problem> {
     if text.trim().eq_ignore_ascii_case("all") {
-        return None;
+        return Ok(None);
     }
-    let levels = values.grid("--levels", text, Dimension::Ratio).unwrap_or_default();
+    let levels = parse_grid(text, Dimension::Ratio)?;
     if let Some(outside) = levels.iter().find(|x| !(0.0..=1.0).contains(*x)) {
-        let problem = Problem::new(ProblemKind::Value, format!("--levels: {outside} is not a share of the height"));
-        values.push(problem.hint("0 is the ground, 1 the roof"));
+        return Err(problem(format!("{outside} is not a share of the height"), "0 is the ground, 1 the roof"));
     }
     if levels.len() > MAX_LEVELS {
-        let problem = Problem::new(ProblemKind::Value, format!("--levels: {} levels are too many", levels.len()));
-        values.push(problem.hint(format!("at most {MAX_LEVELS} in one call")));
+        let hint = format!("at most {MAX_LEVELS} in one call");
+        return Err(problem(format!("{} levels are too many", levels.len()), hint));
     }
-    Some(levels)
+    Ok(Some(levels))
 }
 
 /// The flags of the building, read.
@@ -294,16 +297,13 @@ impl BuildingArgs {
     }
 
     fn read(&self, values: &mut Values) -> ReadBuilding {
-        let storey_height = self.storey_height.as_deref().unwrap_or("3.2 m");
-        let storey_height_m = values.positive("--storey-height", Some(storey_height), Dimension::Length).unwrap_or(3.2);
-        let period = values.positive("--period", self.period.as_deref(), Dimension::Time);
-        let damping_ratio = values.non_negative("--damping", self.damping.as_deref(), Dimension::Ratio).unwrap_or(0.05);
-        let alpha = self.shear_flexure.as_deref().unwrap_or("5");
-        let alpha = values.non_negative("--shear-flexure", Some(alpha), Dimension::Ratio).unwrap_or(5.0);
-        let across_period = values.positive("--across-period", self.across_period.as_deref(), Dimension::Time);
-        let across_alpha = self.across_shear_flexure.as_deref();
-        let across_alpha = values.non_negative("--across-shear-flexure", across_alpha, Dimension::Ratio);
-        let storeys = self.storeys.unwrap_or(30);
+        let storey_height_m = values.read(&self.storey_height).unwrap_or(DEFAULT_STOREY_HEIGHT_M);
+        let period = values.read(&self.period);
+        let damping_ratio = values.read(&self.damping).unwrap_or(DEFAULT_DAMPING_RATIO);
+        let alpha = values.read(&self.shear_flexure).unwrap_or(DEFAULT_SHEAR_FLEXURE_RATIO);
+        let across_period = values.read(&self.across_period);
+        let across_alpha = values.read(&self.across_shear_flexure);
+        let storeys = self.storeys.unwrap_or(DEFAULT_STOREYS);
         let height_m = f64::from(storeys) * storey_height_m;
         let table = |storeys: &Option<PathBuf>, modes: &Option<PathBuf>| match (storeys, modes) {
             (Some(path), _) => Some(AxisModel::StoreyTable(path.clone())),
@@ -314,7 +314,7 @@ impl BuildingArgs {
             let period_s = period.or_else(|| {
                 let frame = self.frame.unwrap_or(FrameKind::Other);
                 values.keep(
-                    "--storey-height",
+                    "storey-height",
                     fundamental_period_s(frame, height_m)
                         .map_err(|error| problem(error.to_string(), "give --period, or another height")),
                 )
@@ -324,21 +324,18 @@ impl BuildingArgs {
         let beam = across_period
             .map(|period_s| AxisModel::Beam { period_s, shear_flexure_ratio: across_alpha.unwrap_or(alpha) });
         let across = table(&self.across_storey_table, &self.across_mode_table).or(beam);
-        let damping = match self.rayleigh_modes.as_deref().map(two_modes) {
-            None => Damping::Uniform(damping_ratio),
-            Some(Some(modes)) => Damping::Rayleigh { damping_ratio, modes },
-            Some(None) => {
-                values.push(problem("--rayleigh-modes: two modes are expected", "write --rayleigh-modes \"1, 3\""));
-                Damping::Uniform(damping_ratio)
-            }
-        };
+        let rayleigh = values.read(&self.rayleigh_modes).map(|modes| Damping::Rayleigh { damping_ratio, modes });
+        let damping = rayleigh.unwrap_or(Damping::Uniform(damping_ratio));
         ReadBuilding { storeys, height_m, along, across, damping, modes: self.modes }
     }
 }
 
-fn two_modes(text: &str) -> Option<[usize; 2]> {
-    let (first, second) = text.split_once(',')?;
-    Some([first.trim().parse().ok()?, second.trim().parse().ok()?])
+fn two_modes(text: &str) -> Result<[usize; 2], Problem> {
+    let modes = text.split_once(',').map(|(one, other)| (one.trim().parse(), other.trim().parse()));
+    match modes {
+        Some((Ok(one), Ok(other))) => Ok([one, other]),
+        _ => Err(problem("two modes are expected", "write --rayleigh-modes \"1, 3\"")),
+    }
 }
 
 impl ReadBuilding {
@@ -369,50 +366,25 @@ fn frame_kind(name: &str) -> Result<FrameKind, String> {
     FrameKind::parse(name).ok_or_else(|| format!("known: {}", FrameKind::ALL.map(FrameKind::name).join(", ")))
 }
 
+const MODES: [Column; 4] = [
+    ("period_s", "period [s]", 4),
+    ("damping_ratio", "damping [%]", 3),
+    ("participation_ratio", "participation", 4),
+    ("effective_mass_ratio", "share of the mass", 4),
+];
+
 fn text(report: &FloorReport) -> String {
-    let optional = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| significant(value, 4));
-    let modes: Vec<Vec<String>> = report
-        .modes
-        .iter()
-        .enumerate()
-        .map(|(i, mode)| {
-            vec![
-                (i + 1).to_string(),
-                significant(mode.period_s, 4),
-                significant(100.0 * mode.damping_ratio, 3),
-                significant(mode.participation_ratio, 4),
-                optional(mode.effective_mass_ratio),
-            ]
-        })
-        .collect();
     let several = report.motions.len() > 1;
-    let mut headings = vec!["level", "height [m]", if several { "median PFA [g]" } else { "PFA [g]" }];
+    let has = |name: &str| report.levels.iter().any(|level| level.facts.number(name).is_some());
+    let mut columns = vec![("level_ratio", "level", 4), ("height_m", "height [m]", 4)];
+    columns.push(("pfa_g", if several { "median PFA [g]" } else { "PFA [g]" }, 4));
     if several {
-        headings.extend(["16 % [g]", "84 % [g]"]);
+        columns.extend([("pfa_g_p16", "16 % [g]", 4), ("pfa_g_p84", "84 % [g]", 4)]);
     }
-    headings.extend(["PFV [m/s]", "PFD [m]"]);
-    let has_drift = report.levels.iter().any(|level| level.drift_ratio.is_some());
-    headings.extend(has_drift.then_some("drift [%]"));
-    let has_code = report.code_clause.is_some();
-    headings.extend(has_code.then_some("code part [g]"));
-    headings.extend((!several).then_some("file"));
-    let levels: Vec<Vec<String>> = report
-        .levels
-        .iter()
-        .map(|level| {
-            let mut row =
-                vec![number(level.level_ratio, 4), significant(level.height_m, 4), significant(level.pfa_g, 4)];
-            if several {
-                row.extend([optional(level.pfa_g_p16), optional(level.pfa_g_p84)]);
-            }
-            row.extend([significant(level.pfv_m_s, 4), significant(level.pfd_m, 4)]);
-            row.extend(has_drift.then(|| optional(level.drift_ratio.map(|ratio| 100.0 * ratio))));
-            row.extend(has_code.then(|| optional(level.code_part_g)));
-            row.extend((!several).then(|| level.path.clone().unwrap_or_else(|| "-".to_owned())));
-            row
-        })
-        .collect();
-    table(&["mode", "period [s]", "damping [%]", "participation", "mass share"], &modes)
-        + "\n"
-        + &table(&headings, &levels)
+    columns.extend([("pfv_m_s", "PFV [m/s]", 4), ("pfd_m", "PFD [m]", 4)]);
+    columns.extend(has("drift_ratio").then_some(("drift_ratio", "drift [%]", 4)));
+    columns.extend(report.code_clause.map(|_| ("code_part_g", "code part [g]", 4)));
+    columns.extend((!several).then_some(("path", "file", 0)));
+    let levels = report.levels.iter().map(|level| level.facts.clone().key("path", level.path.clone()));
+    facts_table(&report.modes, &MODES) + "\n" + &facts_table(&levels.collect::<Vec<_>>(), &columns)
 }

@@ -44,7 +44,7 @@ pub(crate) enum Command {
     Rock(Box<rock::RockArgs>),
     Spectrum(Box<spectrum::SpectrumArgs>),
     Motion(Box<motion::MotionArgs>),
-    Cushion(cushion::CushionArgs),
+    Cushion(Box<cushion::CushionArgs>),
     Floor(Box<floor::FloorArgs>),
     Inventory(inventory::InventoryArgs),
     Tolerance(tolerance::ToleranceArgs),

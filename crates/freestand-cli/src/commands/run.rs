@@ -11,14 +11,14 @@ use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
-use freestand_study::result::{Sensitivity, VariedLevel};
+use freestand_study::result::{NoResult, Sensitivity, VariedLevel};
 use freestand_study::run::{Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
-use freestand_study::vary::{NOTHING_CHANGES, Wish, parse_wish, usual_wishes, vary};
+use freestand_study::vary::{Variation, default_variations, parse_variation, vary};
 use serde_json::Value;
 
 use super::Done;
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, Named};
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, optional, significant, table};
@@ -26,36 +26,37 @@ use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
 use crate::values::Values;
 
-/// A whole study: motions, building, uplift and shock spectra of a grid of objects, figures and report
+/// A whole study: motions, building, spectra of a grid of objects, figures and report
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   The built-in study: a 30-storey building in a 500-year Melbourne earthquake, site class D:
     freestand run
-  The same as a file to edit, then the edited study:
+  The built-in study as a file to edit, then the edited study:
     freestand run --dump-study > study.toml
     freestand run study.toml --out results
-  The built-in study under a record of your own:
+  The built-in study under your own record:
     freestand run --motion record.AT2 --out results
-  What the result owes to each assumption, or to those named:
+  How the result depends on each assumption, or on those named:
     freestand run --vary
     freestand run study.toml --vary \"damping = 2 %, 10 %\" --vary site
-  Both horizontal components, objects tried in every direction:
-    freestand run --motion record.V2 --components both --rotation-step \"10 deg\" --out results")]
+  Both horizontal components, with objects that may rock in any direction:
+    freestand run --motion record.V2 --components both \\
+      --rotation-step \"10 deg\" --out results")]
 pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
-    /// Records in place of the study's ground motions
+    /// Records that replace the ground motions of the study
     #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,
     #[command(flatten)]
-    read: ReadArgs,
+    read: Named<ReadArgs>,
     #[command(flatten)]
     second: SecondArgs,
-    /// Run the study again with one value changed at a time: damping, period, shear_flexure, seed and site over their usual
-    /// values, or those that are named, such as "damping = 2 %, 10 %"
-    #[arg(long, value_name = "KEY[= VALUE, …]", num_args = 0.., action = ArgAction::Append, allow_hyphen_values = false)]
+    /// Run the study again with one value changed at a time: the usual values of damping, period,
+    /// shear_flexure, seed and site, or the values named, such as "damping = 2 %, 10 %"
+    #[arg(long, value_name = "KEY[= VALUE, …]", num_args = 0.., action = ArgAction::Append)]
     vary: Option<Vec<String>>,
     /// Print the built-in study as TOML, ready to edit
     #[arg(long, conflicts_with_all = ["study", "motion", "vary"])]
@@ -65,7 +66,6 @@ pub(crate) struct RunArgs {
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if args.motion.is_empty() {
         args.read.refuse_without_record(|keys| {
-            let keys = keys.replace('-', "_");
             format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
         })?;
         if args.second.names_records() {
@@ -93,36 +93,36 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         ..args.read.files(&args.motion, &mut values)
     });
     let rotation_step_deg = args.second.rotation_step_deg(&mut values);
-    let wishes = args.vary.as_ref().map(|texts| wishes(texts, &mut values));
+    let variations = args.vary.as_ref().map(|texts| variations(texts, &mut values));
     values.finish()?;
     let overrides = Overrides { seed: global.seed, motions, rotation_step_deg };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
     };
-    let out = global.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"));
+    let out = global.folder();
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = Stop::listen();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?;
-    folder.check(&expected_names(&study, wishes.is_some()))?;
+    folder.check(&expected_names(&study, variations.is_some()))?;
 
     let bar = printer.progress_bar(false);
-    let variation = Mutex::new(String::new());
+    let change = Mutex::new(String::new());
     let progress = |step: Step| {
         bar.set_length(step.total as u64);
         bar.set_position(step.done as u64);
-        let variation = variation.lock().map_or_else(|_| String::new(), |words| words.clone());
-        bar.set_message(if variation.is_empty() { step.stage.to_owned() } else { variation });
+        let change = change.lock().map_or_else(|_| String::new(), |words| words.clone());
+        bar.set_message(if change.is_empty() { step.stage.to_owned() } else { change });
         if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let tell = |index: usize, count: usize, words: &str| {
-        if let Ok(mut variation) = variation.lock() {
-            *variation = format!("variation {} of {count}: {words}", index + 1);
+        if let Ok(mut change) = change.lock() {
+            *change = format!("variation {} of {count}: {words}", index + 1);
         }
     };
     let result = run_study(&study, &progress).and_then(|mut result| {
-        if let Some(wishes) = &wishes {
-            result.sensitivity = Some(vary(&study, &result, wishes, &overrides, &tell, &progress)?);
+        if let Some(variations) = &variations {
+            result.sensitivity = Some(vary(&study, &result, variations, &overrides, &tell, &progress)?);
         }
         Ok(result)
     });
@@ -148,18 +148,17 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
             + &format!("{files} files and motions/ in {}\n", out.display())
     })?;
     let varied = result.sensitivity.iter().flat_map(|sensitivity| &sensitivity.rows);
-    let is_failure = |reason: &String| !reason.starts_with(NOTHING_CHANGES);
-    let failed = failed + varied.filter(|row| row.reason.as_ref().is_some_and(is_failure)).count();
+    let failed = failed + varied.filter(|row| matches!(row.reason, Some(NoResult::Failed(_)))).count();
     let exceeded = levels.iter().any(|level| level.exceeded_objects.is_some_and(|objects| objects > 0));
     Ok(Done { criterion_met: failed == 0 && !exceeded })
 }
 
-/// What is to be varied: what is named, or the usual.
-fn wishes(texts: &[String], values: &mut Values) -> Vec<Wish> {
+/// What is varied: what is named, or the default.
+fn variations(texts: &[String], values: &mut Values) -> Vec<Variation> {
     if texts.is_empty() {
-        return usual_wishes();
+        return default_variations();
     }
-    texts.iter().filter_map(|text| values.keep("--vary", parse_wish(text))).collect()
+    texts.iter().filter_map(|text| values.keep("vary", parse_variation(text))).collect()
 }
 
 /// The variations of the highest level; vary.csv has all.

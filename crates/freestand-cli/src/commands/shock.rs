@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::impact::ImpactModel;
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_study::shock::{Energy, Scenario, ShockReport, ShockRequest, boundary_tests, shock};
+use freestand_input::quantity::Dimension;
+use freestand_study::shock::{Energy, Scenario, ShockRequest, Verdict, boundary_tests, shock};
 
 use super::Done;
 use super::block::ShapeArgs;
@@ -13,119 +13,102 @@ use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant};
-use crate::values::Values;
+use crate::printer::{Printer, lines};
+use crate::values::{Choices, Given, Reads, Values, choice, name_of, point};
 
-/// The shock of one landing: acceleration of the edge, pulse, ceiling, verdict
+/// The shock of one landing: acceleration of the edge, pulse, ceiling and verdict
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  Test 1 of the paper's Table I, a cabinet let fall from a rise of its centre of gravity by 16 mm:
-    freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
-  Two pads under each edge, and a component that stands 5 g:
+  Test 1 of Table I in the paper, a cabinet released at a rise of its centre of gravity of 16 mm:
+    freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
+      --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
+  Two pads under each edge, and an object that withstands 5 g:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --pad-stiffness \"2190 N/mm\" --pads-per-edge 2 \\
       --uplift \"30 mm\" --tolerance 5g
-  The same on pads that a laboratory tested, on legs of 9000 N/mm:
+  The same on pads that a laboratory tested, under legs of 9000 N/mm:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --cushion cushion.toml --pads-per-edge 2 \\
       --series-stiffness \"9000 N/mm\" --uplift \"30 mm\"
-  The verdict by shock tests of the object (ASTM D3332), with the columns
+  A verdict from shock tests of the object (ASTM D3332), in a file with the columns
   velocity change [m/s],peak acceleration [g],damaged,method:
     freestand shock --height 2.3m --thickness 0.6m --mass 140kg --stiffness \"4380 N/mm\" --uplift \"30 mm\" \\
       --damage-boundary tests.csv --out shock
-  It falls over onto the floor:
-    freestand shock --height 2.3m --thickness 0.6m --mass 140kg --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
+  The object falls over onto the floor:
+    freestand shock --height 2.3m --thickness 0.6m --mass 140kg \\
+      --scenario overturn-floor --contact-stiffness \"2000 N/mm\"")]
 pub(crate) struct ShockArgs {
     /// Height of the object
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    height: String,
+    #[arg(long, positive = Dimension::Length)]
+    height: Given,
     /// Width of the object in the plane of motion
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    thickness: String,
-    /// Mass
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
-    mass: String,
+    #[arg(long, positive = Dimension::Length)]
+    thickness: Given,
+    /// Mass of the object
+    #[arg(long, positive = Dimension::Mass)]
+    mass: Given,
     #[command(flatten)]
     shape: ShapeArgs,
 
     #[command(flatten)]
     cushion: CushionArgs,
-    /// Stiffness of the object's side on what it falls against
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "The cushion")]
-    contact_stiffness: Option<String>,
-    /// Measured peak acceleration of the same mass dropped by the same rise, in place of a stiffness
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The cushion")]
-    drop_acceleration: Option<String>,
+    /// Stiffness between the side of the object and what it falls onto
+    #[arg(long, positive = Dimension::Stiffness, help_heading = "The cushion")]
+    contact_stiffness: Option<Given>,
+    /// Measured peak acceleration of the same mass dropped by the same rise, instead of a stiffness
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The cushion")]
+    drop_acceleration: Option<Given>,
 
     /// Rise of the centre of gravity
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    cg_rise: Option<String>,
-    /// Lift of the free edge
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    uplift: Option<String>,
-    /// Rotation
-    #[arg(
-        long,
-        value_name = "ANGLE",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    rotation: Option<String>,
-    /// Angular velocity just before the contact
-    #[arg(
-        long,
-        value_name = "SPEED",
-        allow_hyphen_values = true,
-        group = "energy",
-        help_heading = "The fall (one of)"
-    )]
-    angular_velocity: Option<String>,
+    #[arg(long, non_negative = Dimension::Length, group = "energy", help_heading = "The fall (one of)")]
+    cg_rise: Option<Given>,
+    /// Uplift of the free edge
+    #[arg(long, non_negative = Dimension::Length, group = "energy", help_heading = "The fall (one of)")]
+    uplift: Option<Given>,
+    /// Rotation of the object
+    #[arg(long, any = Dimension::Angle, group = "energy", help_heading = "The fall (one of)")]
+    rotation: Option<Given>,
+    /// Angular velocity just before the landing
+    #[arg(long, any = Dimension::AngularVelocity, group = "energy", help_heading = "The fall (one of)")]
+    angular_velocity: Option<Given>,
 
     /// What ends the fall
-    #[arg(long, value_enum, default_value_t, help_heading = "The landing")]
-    scenario: ScenarioName,
-    /// Impact model [default: that of the scenario; a squat object is halted]
-    #[arg(long, value_enum, help_heading = "The landing")]
-    model: Option<ModelName>,
+    #[arg(
+        long,
+        value_parser = choice(SCENARIOS),
+        default_value = name_of(SCENARIOS, Scenario::default()),
+        help_heading = "The landing"
+    )]
+    scenario: Scenario,
+    /// Impact model [default: that of the scenario; halted for a squat object]
+    #[arg(long, value_parser = choice(MODELS), help_heading = "The landing")]
+    model: Option<ImpactModel>,
     /// Distance to the obstacle
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The landing")]
-    gap: Option<String>,
+    #[arg(long, positive = Dimension::Length, help_heading = "The landing")]
+    gap: Option<Given>,
     /// Height of the obstacle [default: taller than the object]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The landing")]
-    obstacle_height: Option<String>,
-    /// Shock at a point: "x, z" from the old pivot and above the base
-    #[arg(long, value_name = "X, Z", allow_hyphen_values = true, help_heading = "The landing")]
-    at: Option<String>,
-    /// Coefficient of friction, for the warning against sliding [default: 0.5]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The landing")]
-    friction: Option<String>,
+    #[arg(long, positive = Dimension::Length, help_heading = "The landing")]
+    obstacle_height: Option<Given>,
+    /// Point whose shock is wanted: "x, z", from the pivot and above the base
+    #[arg(long, value_name = "X, Z", read = point, help_heading = "The landing")]
+    at: Option<Given<(f64, f64)>>,
+    /// Coefficient of friction, used for the warning about sliding [default: 0.5]
+    #[arg(long, positive = Dimension::Ratio, help_heading = "The landing")]
+    friction: Option<Given>,
     /// Gravity [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The landing")]
-    gravity: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The landing")]
+    gravity: Option<Given>,
 
-    /// Peak acceleration that the object stands
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance: Option<String>,
-    /// Duration of the half-sine of that peak that it was shown to stand
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance_duration: Option<String>,
-    /// Velocity change below which no peak does harm
-    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance_velocity_change: Option<String>,
-    /// Shock tests of the object (ASTM D3332): velocity change, peak acceleration and damaged (yes, no) in columns,
-    /// perhaps method (A, B) or a duration
+    /// Peak acceleration that the object withstands
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The verdict")]
+    tolerance: Option<Given>,
+    /// Duration of the half-sine pulse for which that peak was shown
+    #[arg(long, positive = Dimension::Time, help_heading = "The verdict")]
+    tolerance_duration: Option<Given>,
+    /// Velocity change below which no peak damages the object
+    #[arg(long, positive = Dimension::Velocity, help_heading = "The verdict")]
+    tolerance_velocity_change: Option<Given>,
+    /// Shock tests of the object (ASTM D3332): a table with velocity change, peak acceleration and
+    /// damaged (yes, no), and optionally method (A, B) or duration
     #[arg(
         long,
         value_name = "FILE",
@@ -133,108 +116,67 @@ pub(crate) struct ShockArgs {
         help_heading = "The verdict"
     )]
     damage_boundary: Option<PathBuf>,
-    /// Lift of one edge from which the object may fall back (bench handling)
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The verdict")]
-    tolerance_edge_lift: Option<String>,
-    /// Frequency of the most delicate component, with --component-capacity
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true, help_heading = "The verdict")]
-    component_frequency: Option<String>,
-    /// Acceleration that this component itself stands
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The verdict")]
-    component_capacity: Option<String>,
+    /// Uplift of one edge from which the object may fall back (bench handling)
+    #[arg(long, positive = Dimension::Length, help_heading = "The verdict")]
+    tolerance_edge_lift: Option<Given>,
+    /// Natural frequency of the most delicate component; needs --component-capacity
+    #[arg(long, positive = Dimension::Frequency, help_heading = "The verdict")]
+    component_frequency: Option<Given>,
+    /// Acceleration that this component withstands
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The verdict")]
+    component_capacity: Option<Given>,
 }
 
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum ScenarioName {
-    /// The edge lands and the object rocks on
-    #[default]
-    Rocking,
-    /// The edge lands and the object stops
-    Halted,
-    /// It falls over onto the floor
-    OverturnFloor,
-    /// It falls against an obstacle
-    OverturnObstacle,
-}
+const SCENARIOS: Choices<Scenario> = &[
+    (Scenario::Rocking, "rocking", "The edge lands and the object continues to rock"),
+    (Scenario::Halted, "halted", "The edge lands and the object stops"),
+    (Scenario::OverturnFloor, "overturn-floor", "The object falls over onto the floor"),
+    (Scenario::OverturnObstacle, "overturn-obstacle", "The object falls against an obstacle"),
+];
 
-impl From<ScenarioName> for Scenario {
-    fn from(name: ScenarioName) -> Self {
-        match name {
-            ScenarioName::Rocking => Self::Rocking,
-            ScenarioName::Halted => Self::Halted,
-            ScenarioName::OverturnFloor => Self::OverturnFloor,
-            ScenarioName::OverturnObstacle => Self::OverturnObstacle,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum ModelName {
-    /// Eq. (5): no-slip landing edge
-    Paper,
-    /// Eq. (8): the rotation is halted
-    Halted,
-    /// Frictionless landing edge, for comparison
-    FreeCorner,
-}
-
-impl From<ModelName> for ImpactModel {
-    fn from(name: ModelName) -> Self {
-        match name {
-            ModelName::Paper => Self::Paper,
-            ModelName::Halted => Self::Halted,
-            ModelName::FreeCorner => Self::FreeCorner,
-        }
-    }
-}
+const MODELS: Choices<ImpactModel> = &[
+    (ImpactModel::Paper, "paper", "Eq. (5): the landing edge does not slip"),
+    (ImpactModel::Halted, "halted", "Eq. (8): the rotation is halted"),
+    (ImpactModel::FreeCorner, "free-corner", "The landing edge slides without friction; for comparison"),
+];
 
 pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;
-    let inputs: Vec<PathBuf> = args.cushion.inputs().chain(&args.damage_boundary).cloned().collect();
+    let inputs: Vec<PathBuf> = args.cushion.inputs().into_iter().chain(args.damage_boundary.clone()).collect();
     let files = Files::begin(global, &inputs)?;
     let report = shock(&request)?;
-    if let Some(boundary) = report.damage_boundary.filter(|_| files.wanted()) {
-        let figure = boundary
-            .figure(report.damage_boundary_tests.as_ref())
-            .map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("damage-boundary.svg", || figure.svg)?;
-        files.write("damage-boundary.png", || figure.png)?;
+    if let Some(boundary) = report.damage_boundary {
+        files.figure("damage-boundary", || boundary.figure(request.boundary_tests.as_ref()))?;
     }
-    files.print(printer, "freestand.shock/1", &report, &report.warnings, || text(&report))?;
-    Ok(Done { criterion_met: !report.exceeded() })
+    let facts = &report.facts;
+    files.print(printer, "freestand.shock/1", facts, &report.warnings, || lines(facts))?;
+    Ok(Done { criterion_met: report.verdict != Verdict::Exceeded })
 }
 
 fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let mut values = Values::default();
-    let height = values.positive("--height", Some(&args.height), Dimension::Length);
-    let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
-    let mass = values.positive("--mass", Some(&args.mass), Dimension::Mass);
-    let mut positive = |flag: &str, text: &Option<String>, dimension| values.positive(flag, text.as_deref(), dimension);
-    let contact_stiffness_n_m = positive("--contact-stiffness", &args.contact_stiffness, Dimension::Stiffness);
-    let drop_acceleration_m_s2 = positive("--drop-acceleration", &args.drop_acceleration, Dimension::Acceleration);
-    let gap_m = positive("--gap", &args.gap, Dimension::Length);
-    let obstacle_height_m = positive("--obstacle-height", &args.obstacle_height, Dimension::Length);
-    let friction_ratio = positive("--friction", &args.friction, Dimension::Ratio);
-    let gravity_m_s2 = positive("--gravity", &args.gravity, Dimension::Acceleration);
-    let tolerance_m_s2 = positive("--tolerance", &args.tolerance, Dimension::Acceleration);
-    let tolerance_duration_s = positive("--tolerance-duration", &args.tolerance_duration, Dimension::Time);
-    let tolerance_velocity_change_m_s =
-        positive("--tolerance-velocity-change", &args.tolerance_velocity_change, Dimension::Velocity);
-    let tolerance_edge_lift_m = positive("--tolerance-edge-lift", &args.tolerance_edge_lift, Dimension::Length);
-    let component_frequency_hz = positive("--component-frequency", &args.component_frequency, Dimension::Frequency);
-    let component_capacity_m_s2 = positive("--component-capacity", &args.component_capacity, Dimension::Acceleration);
+    let height = values.read(&args.height);
+    let thickness = values.read(&args.thickness);
+    let mass = values.read(&args.mass);
+    let contact_stiffness_n_m = values.read(&args.contact_stiffness);
+    let drop_acceleration_m_s2 = values.read(&args.drop_acceleration);
+    let gap_m = values.read(&args.gap);
+    let obstacle_height_m = values.read(&args.obstacle_height);
+    let friction_ratio = values.read(&args.friction);
+    let gravity_m_s2 = values.read(&args.gravity);
+    let tolerance_m_s2 = values.read(&args.tolerance);
+    let tolerance_duration_s = values.read(&args.tolerance_duration);
+    let tolerance_velocity_change_m_s = values.read(&args.tolerance_velocity_change);
+    let tolerance_edge_lift_m = values.read(&args.tolerance_edge_lift);
+    let component_frequency_hz = values.read(&args.component_frequency);
+    let component_capacity_m_s2 = values.read(&args.component_capacity);
     let cushion = args.cushion.words(&mut values)?;
     // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
-    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some())
-        && let Err(problems) = cushion.resolve(mass)
-    {
-        problems.into_iter().for_each(|(_, problem)| values.push(problem));
+    if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some()) {
+        values.take(freestand_study::cushion::resolve(&cushion, mass));
     }
-    let block = match (height, thickness) {
-        (Some(height_m), Some(thickness_m)) => args.shape.block(height_m, thickness_m, mass, &mut values),
-        _ => None,
-    };
-    let at_m = values.point("--at", args.at.as_deref());
+    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let at_m = values.read(&args.at);
     let energy = energy(args, &mut values);
     values.finish()?;
     let boundary_tests = args.damage_boundary.as_deref().map(boundary_tests).transpose()?;
@@ -247,8 +189,8 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
         contact_stiffness_n_m,
         drop_acceleration_m_s2,
         energy,
-        scenario: args.scenario.into(),
-        model: args.model.map(Into::into),
+        scenario: args.scenario,
+        model: args.model,
         gap_m,
         obstacle_height_m,
         at_m,
@@ -265,75 +207,14 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     })
 }
 
-/// At most one of these is given: the argument parser sees to that.
+/// The argument parser accepts only one of these.
 fn energy(args: &ShockArgs, values: &mut Values) -> Option<Energy> {
-    let rise = values.non_negative("--cg-rise", args.cg_rise.as_deref(), Dimension::Length);
-    let uplift = values.non_negative("--uplift", args.uplift.as_deref(), Dimension::Length);
-    let rotation = values.any("--rotation", args.rotation.as_deref(), Dimension::Angle);
-    let speed = values.any("--angular-velocity", args.angular_velocity.as_deref(), Dimension::AngularVelocity);
+    let rise = values.read(&args.cg_rise);
+    let uplift = values.read(&args.uplift);
+    let rotation = values.read(&args.rotation);
+    let speed = values.read(&args.angular_velocity);
     rise.map(Energy::CgRise)
         .or(uplift.map(Energy::Uplift))
         .or(rotation.map(Energy::Rotation))
         .or(speed.map(Energy::AngularVelocity))
-}
-
-fn text(report: &ShockReport) -> String {
-    let quantity = |value: Option<f64>, dimension| value.map_or_else(|| "-".to_owned(), |v| format_si(v, dimension));
-    let g = |value: Option<f64>| optional(value, 4, "g");
-    let mut rows = vec![
-        ("scenario, model", format!("{}, {}", report.scenario, report.model)),
-        ("shock at the edge", g(Some(report.edge_acceleration_g))),
-        ("drop acceleration", g(Some(report.drop_acceleration_g))),
-        ("ceiling (balance point)", g(report.ceiling_g)),
-        (
-            "models: paper, halted, free corner",
-            format!("{}, {}, {}", g(report.models.paper_g), g(report.models.halted_g), g(report.models.free_corner_g)),
-        ),
-        ("rise of the centre of gravity", quantity(report.cg_rise_m, Dimension::Length)),
-        ("uplift of the edge", quantity(report.uplift_m, Dimension::Length)),
-        ("rotation", quantity(report.rotation_rad, Dimension::Angle)),
-        ("velocity of the edge", optional(report.edge_velocity_m_s, 4, "m/s")),
-        ("velocity change", optional(report.velocity_change_m_s, 4, "m/s")),
-        ("duration of the pulse", quantity(report.pulse_duration_s, Dimension::Time)),
-        ("cushion", report.cushion.clone().unwrap_or_else(|| "-".to_owned())),
-        ("compression of the cushion", quantity(report.compression_m, Dimension::Length)),
-        ("effective mass", optional(Some(report.effective_mass_kg), 4, "kg")),
-        ("landing ratio R_D, Eq. (6)", significant(report.landing_ratio, 4)),
-        ("half diagonal R, angle α", {
-            let alpha = format_si(report.slenderness_angle_rad, Dimension::Angle);
-            format!("{}, {alpha}", format_si(report.half_diagonal_m, Dimension::Length))
-        }),
-    ];
-    if let Some(at) = report.at {
-        rows.push((
-            "shock at the point: horizontal, vertical",
-            format!("{}, {}", g(Some(at.horizontal_g)), g(Some(at.vertical_g))),
-        ));
-    }
-    if let (Some(ratio), Some(governing)) = (report.demand_capacity_ratio, report.governing) {
-        if report.tolerance_g.is_some() {
-            rows.push(("tolerance", g(report.tolerance_g)));
-        }
-        if report.tolerance_edge_lift_m.is_some() {
-            rows.push(("tolerated lift of the edge", quantity(report.tolerance_edge_lift_m, Dimension::Length)));
-        }
-        if let Some(boundary) = report.damage_boundary {
-            let a_c = significant(boundary.critical_acceleration_g, 4);
-            let v_c = significant(boundary.critical_velocity_change_m_s, 4);
-            rows.push(("damage boundary", format!("{a_c} g, {v_c} m/s, from {}", boundary.source)));
-        }
-        if let Some(tests) = &report.damage_boundary_tests {
-            let [v, a] = [tests.critical_velocity_change_m_s, tests.critical_acceleration_g].map(|one| {
-                format!("{} survived, {} damaged", optional(one.survived, 4, ""), optional(one.damaged, 4, ""))
-            });
-            rows.push(("velocity change in m/s, by test", v));
-            rows.push(("peak acceleration in g, by test", a));
-        }
-        rows.push(("demand/capacity", format!("{} by {governing}: {}", significant(ratio, 4), report.verdict)));
-        rows.push(("largest stiffness at this rise", quantity(report.max_stiffness_n_m, Dimension::Stiffness)));
-    }
-    for note in &report.notes {
-        rows.push(("note", note.clone()));
-    }
-    pairs(&rows)
 }

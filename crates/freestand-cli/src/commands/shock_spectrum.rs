@@ -2,149 +2,102 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
-use freestand::shock_response::{Peak, Pulse, PulseShape, ResponseKind};
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::Dimension;
+use clap::Args;
+use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockSpectrumOptions};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse, parse_grid};
 use freestand_study::shock_spectrum::{
     ShockSpectrumReport, ShockSpectrumRequest, acceleration_unit, pulse_shock_spectrum, recorded_shock_spectra,
 };
 
 use super::Done;
-use crate::args::GlobalArgs;
-use crate::failure::Failure;
+use crate::args::{GlobalArgs, Named};
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
-use crate::values::Values;
+use crate::values::{Choices, Given, Reads, Values, choice, name_of};
 
-/// Shock response spectrum of records or of a classical pulse (ISO 18431-4): what a component feels
+/// Shock response spectrum of records or of a classical pulse (ISO 18431-4)
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   A drop test with the columns time [ms] and acceleration [g]:
     freestand shock-spectrum drop.csv --out spectrum
   Pseudo-velocity after the shock, at Q = 25:
-    freestand shock-spectrum drop.csv --kind pseudo-velocity --peak residual --q 25 --frequencies \"10 Hz:2 kHz:24/oct\"
+    freestand shock-spectrum drop.csv --kind pseudo-velocity --peak residual --q 25 \\
+      --frequencies \"10 Hz:2 kHz:24/oct\"
   The pulse of a data sheet:
-    freestand shock-spectrum --pulse half-sine --peak-acceleration \"30 g\" --duration \"11 ms\" --frequencies \"20 Hz, 45 Hz\"
+    freestand shock-spectrum --pulse half-sine --peak-acceleration \"30 g\" --duration \"11 ms\" \\
+      --frequencies \"20 Hz, 45 Hz\"
 
-Values are sizes: negative is the size of the largest negative response. Maximax is during the record or after it.
-Accelerations are in the unit of the input, displacements in m, velocities in m/s. With --out: the spectra as
-shock_spectrum.csv and as a figure.")]
-// The columns of a laboratory's file are columns before they are components.
+Values are magnitudes: a negative peak is given without its sign. Accelerations are in the unit of
+the input, displacements in m, velocities in m/s. --out writes shock_spectrum.csv and a figure.")]
+// The file of a laboratory has columns rather than components.
 #[command(mut_arg("component", |arg| arg.visible_alias("column")))]
 pub(crate) struct ShockSpectrumArgs {
     /// Record files
     #[arg(value_name = "FILE", required_unless_present = "pulse", conflicts_with = "pulse")]
     files: Vec<PathBuf>,
-    /// A classical pulse in place of files
-    #[arg(long, value_enum, requires = "peak_acceleration", requires = "duration", help_heading = "A pulse")]
-    pulse: Option<PulseShapeName>,
-    /// Its peak; the spectrum is in the same unit
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, requires = "pulse", help_heading = "A pulse")]
-    peak_acceleration: Option<String>,
-    /// Its duration
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true, requires = "pulse", help_heading = "A pulse")]
-    duration: Option<String>,
+    /// A classical pulse instead of files
+    #[arg(
+        long,
+        value_parser = choice(SHAPES),
+        requires = "peak_acceleration",
+        requires = "duration",
+        help_heading = "A pulse"
+    )]
+    pulse: Option<PulseShape>,
+    /// Peak of the pulse; the spectrum has the same unit
+    #[arg(long, value_name = "ACCELERATION", read = peak, requires = "pulse", help_heading = "A pulse")]
+    peak_acceleration: Option<Given<(f64, &'static str)>>,
+    /// Duration of the pulse
+    #[arg(long, positive = Dimension::Time, requires = "pulse", help_heading = "A pulse")]
+    duration: Option<Given>,
     /// Damping ratio of the oscillators [default: 5 %]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, conflicts_with = "q")]
-    damping: Option<String>,
-    /// Quality factor Q = 1/(2 damping), in place of it [default: 10]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
-    q: Option<String>,
-    /// Their frequencies: from:to:N/oct, from:to:count or a list
-    #[arg(long, value_name = "GRID", default_value = "1 Hz:10 kHz:12/oct", allow_hyphen_values = true)]
-    frequencies: String,
-    /// What is looked at in them
-    #[arg(long, value_enum, default_value_t)]
-    kind: KindName,
-    /// Which peak of it
-    #[arg(long, value_enum, default_value_t)]
-    peak: PeakName,
-    /// Peaks at the samples as they are, without the band-limited curve between them
+    #[arg(long, non_negative = Dimension::Ratio, conflicts_with = "q")]
+    damping: Option<Given>,
+    /// Quality factor Q = 1/(2 damping), instead of the damping ratio [default: 10]
+    #[arg(long, positive = Dimension::Ratio)]
+    q: Option<Given>,
+    /// Frequencies of the oscillators: from:to:N/oct, from:to:count or a list
+    #[arg(long, value_name = "GRID", read = frequencies, default_value = "1 Hz:10 kHz:12/oct")]
+    frequencies: Given<Vec<f64>>,
+    /// Response of the oscillators
+    #[arg(long, value_parser = choice(KINDS), default_value = name_of(KINDS, ResponseKind::default()))]
+    kind: ResponseKind,
+    /// Peak of that response
+    #[arg(long, value_parser = choice(PEAKS), default_value = name_of(PEAKS, Peak::default()))]
+    peak: Peak,
+    /// Find peaks at the samples only, not on the band-limited curve through them
     #[arg(long, conflicts_with = "pulse")]
     no_upsample: bool,
     #[command(flatten)]
-    read: ReadArgs,
+    read: Named<ReadArgs>,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum PulseShapeName {
-    /// A sin(πt/T)
-    HalfSine,
-    /// A sin²(πt/T)
-    Haversine,
-    /// From A down to 0
-    InitialPeakSawtooth,
-    /// From 0 up to A
-    TerminalPeakSawtooth,
-    /// A
-    Rectangle,
-    /// A, with a tenth of the duration to rise and to fall
-    Trapezoid,
-}
+const SHAPES: Choices<PulseShape> = &[
+    (PulseShape::HalfSine, "half-sine", "A sin(πt/T)"),
+    (PulseShape::Haversine, "haversine", "A sin²(πt/T)"),
+    (PulseShape::InitialPeakSawtooth, "initial-peak-sawtooth", "From A down to 0"),
+    (PulseShape::TerminalPeakSawtooth, "terminal-peak-sawtooth", "From 0 up to A"),
+    (PulseShape::Rectangle, "rectangle", "A"),
+    (PulseShape::Trapezoid, "trapezoid", "A, with a tenth of the duration to rise and to fall"),
+];
 
-impl From<PulseShapeName> for PulseShape {
-    fn from(name: PulseShapeName) -> Self {
-        match name {
-            PulseShapeName::HalfSine => Self::HalfSine,
-            PulseShapeName::Haversine => Self::Haversine,
-            PulseShapeName::InitialPeakSawtooth => Self::InitialPeakSawtooth,
-            PulseShapeName::TerminalPeakSawtooth => Self::TerminalPeakSawtooth,
-            PulseShapeName::Rectangle => Self::Rectangle,
-            PulseShapeName::Trapezoid => Self::Trapezoid,
-        }
-    }
-}
+const KINDS: Choices<ResponseKind> = &[
+    (ResponseKind::AbsoluteAcceleration, "absolute-acceleration", "Acceleration of the component"),
+    (ResponseKind::RelativeDisplacement, "relative-displacement", "Displacement of the component relative to its base"),
+    (ResponseKind::PseudoVelocity, "pseudo-velocity", "That displacement times ω"),
+];
 
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum KindName {
-    /// Acceleration of the component
-    #[default]
-    AbsoluteAcceleration,
-    /// Its displacement against its base
-    RelativeDisplacement,
-    /// That displacement times ω
-    PseudoVelocity,
-}
-
-impl From<KindName> for ResponseKind {
-    fn from(name: KindName) -> Self {
-        match name {
-            KindName::AbsoluteAcceleration => Self::AbsoluteAcceleration,
-            KindName::RelativeDisplacement => Self::RelativeDisplacement,
-            KindName::PseudoVelocity => Self::PseudoVelocity,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
-enum PeakName {
-    /// The largest of either sign, during the record or after it
-    #[default]
-    Maximax,
-    /// The largest positive one
-    Positive,
-    /// The largest negative one, as its size
-    Negative,
-    /// The largest of either sign while the record lasts
-    Primary,
-    /// The largest of either sign after it
-    Residual,
-}
-
-impl From<PeakName> for Peak {
-    fn from(name: PeakName) -> Self {
-        match name {
-            PeakName::Maximax => Self::Maximax,
-            PeakName::Positive => Self::Positive,
-            PeakName::Negative => Self::Negative,
-            PeakName::Primary => Self::Primary,
-            PeakName::Residual => Self::Residual,
-        }
-    }
-}
+const PEAKS: Choices<Peak> = &[
+    (Peak::Maximax, "maximax", "The largest of either sign, during the record or after it"),
+    (Peak::Positive, "positive", "The largest positive value"),
+    (Peak::Negative, "negative", "The magnitude of the largest negative value"),
+    (Peak::Primary, "primary", "The largest of either sign during the record"),
+    (Peak::Residual, "residual", "The largest of either sign after the record"),
+];
 
 pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
@@ -162,51 +115,54 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
             (recorded_shock_spectra(&motions, &request)?, Files::begin(global, &inputs)?)
         }
     };
-    if files.wanted() {
-        let (columns, figure) = (report.csv()?, report.figure());
-        let figure = figure.map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("shock_spectrum.csv", || columns)?;
-        files.write("shock_spectrum.svg", || figure.svg)?;
-        files.write("shock_spectrum.png", || figure.png)?;
-    }
+    let columns = report.csv()?;
+    files.write("shock_spectrum.csv", || columns)?;
+    files.figure("shock_spectrum", || report.figure())?;
     files.print(printer, "freestand.shock-spectrum/1", &report, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
 fn request(args: &ShockSpectrumArgs, values: &mut Values) -> ShockSpectrumRequest {
-    let damping = values.non_negative("--damping", args.damping.as_deref(), Dimension::Ratio);
-    let q = values.positive("--q", args.q.as_deref(), Dimension::Ratio);
-    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(0.05);
+    let damping = values.read(&args.damping);
+    let q = values.read(&args.q);
+    let damping_ratio = damping.or(q.map(|q| 0.5 / q)).unwrap_or(ShockSpectrumOptions::default().damping_ratio);
     if damping_ratio >= 1.0 {
         let flag = if q.is_some() { "--q" } else { "--damping" };
-        let problem =
-            Problem::new(ProblemKind::Value, format!("{flag}: a damping ratio of {damping_ratio} is not below 1"));
-        values.push(problem.hint("5 % of critical is usual, Q = 10; Q must be above 0.5"));
+        let message = format!("{flag}: a damping ratio of {damping_ratio} is not below 1");
+        values.push(problem(message, "5 % of critical is usual, Q = 10; Q must be above 0.5"));
     }
-    let frequencies_hz = values.grid("--frequencies", &args.frequencies, Dimension::Frequency).unwrap_or_default();
-    if let Some(wrong) = frequencies_hz.iter().find(|f| **f <= 0.0) {
-        let problem = Problem::new(ProblemKind::Value, format!("--frequencies: {wrong} Hz is not above zero"));
-        values.push(problem.hint("such as \"1 Hz:10 kHz:12/oct\" or \"20 Hz, 45 Hz\""));
-    }
+    let frequencies_hz = values.read(&args.frequencies).unwrap_or_default();
     ShockSpectrumRequest {
-        kind: args.kind.into(),
-        peak: args.peak.into(),
+        kind: args.kind,
+        peak: args.peak,
         damping_ratio,
         frequencies_hz,
         upsample: !args.no_upsample,
     }
 }
 
+fn frequencies(text: &str) -> Result<Vec<f64>, Problem> {
+    let frequencies_hz = parse_grid(text, Dimension::Frequency)?;
+    let hint = "such as \"1 Hz:10 kHz:12/oct\" or \"20 Hz, 45 Hz\"";
+    match frequencies_hz.iter().find(|f| **f <= 0.0) {
+        Some(wrong) => Err(problem(format!("{wrong} Hz is not above zero"), hint)),
+        None => Ok(frequencies_hz),
+    }
+}
+
+/// The peak \[m/s²\] and the unit that it is given in.
+fn peak(text: &str) -> Result<(f64, &'static str), Problem> {
+    Ok((parse(text, Dimension::Acceleration)?, acceleration_unit(text)))
+}
+
 /// The pulse and the unit that its peak is given in.
 fn pulse(args: &ShockSpectrumArgs, values: &mut Values) -> Option<(Pulse, &'static str)> {
-    let peak = values.any("--peak-acceleration", args.peak_acceleration.as_deref(), Dimension::Acceleration);
-    let duration_s = values.positive("--duration", args.duration.as_deref(), Dimension::Time);
-    let pulse = Pulse::new(args.pulse?.into(), peak?, duration_s?);
-    let wrong = |error: freestand::shock_response::PulseError| {
-        Problem::new(ProblemKind::Value, error.to_string()).hint("such as --peak-acceleration \"30 g\"")
-    };
-    let pulse = values.keep("--pulse", pulse.map_err(wrong))?;
-    Some((pulse, acceleration_unit(args.peak_acceleration.as_deref()?)))
+    let peak = values.read(&args.peak_acceleration);
+    let duration_s = values.read(&args.duration);
+    let (shape, (peak_m_s2, unit)) = (args.pulse?, peak?);
+    let wrong = |error: PulseError| problem(error.to_string(), "such as --peak-acceleration \"30 g\"");
+    let pulse = values.keep("pulse", Pulse::new(shape, peak_m_s2, duration_s?).map_err(wrong))?;
+    Some((pulse, unit))
 }
 
 fn text(report: &ShockSpectrumReport) -> String {
@@ -224,13 +180,14 @@ fn text(report: &ShockSpectrumReport) -> String {
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut text = table(&headings, &rows);
     for one in &report.spectra {
-        if let Some(pulse) = one.enveloping_half_sine {
+        if let Some(pulse) = &one.enveloping_half_sine {
+            let words = |name, unit| format!("{} {unit}", pulse.cell(name, unit, 4));
             text += &format!(
-                "{}: enveloped by a half-sine of {} g and {} ms, {} m/s\n",
+                "{}: enveloped by a half-sine of {} and {}, with a velocity change of {}\n",
                 one.name,
-                significant(pulse.peak_acceleration_g, 4),
-                significant(1e3 * pulse.duration_s, 4),
-                significant(pulse.velocity_change_m_s, 4),
+                words("peak_acceleration_g", "g"),
+                words("duration_s", "ms"),
+                words("velocity_change_m_s", "m/s"),
             );
         }
     }

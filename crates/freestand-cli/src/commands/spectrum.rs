@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand::block::Block;
 use freestand::impact::{Impact, ValidityWarning, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::rocking::{RockingError, RockingOptions};
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
-use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
+use freestand_study::restitution::checked;
 use freestand_study::rock::problem;
 use freestand_study::spectrum::{
     Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming, chunk_objects, spectrum,
@@ -20,35 +21,36 @@ use super::block::RockingArgs;
 use super::spectrum_text::Seen;
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
-use crate::failure::Failure;
+use crate::failure::{self, Failure};
 use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::{ReadArgs, VerticalArgs, path_text};
 use crate::rows::{ROWS, Rows};
 use crate::stop::Stop;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
 const SCHEMA: &str = "freestand.spectrum/1";
 
-/// Uplift and shock spectra (URS, SRS): a grid of objects under records
+/// Uplift and shock spectra: a grid of objects under one or more records
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   Uplift of 64 × 64 objects:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:64\" --thicknesses \"0.1 m:1 m:64\" --json
-  Shock of three cabinets on their pads, two records:
+  Shock of four cabinets on their pads under two records:
     freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" --thicknesses \"300 mm, 400 mm\" \\
       --mass 150kg --stiffness \"4380 N/mm\"
-  A million objects to a file, with what each makes of an error in the motion:
+  A million objects in a file, each with its sensitivity to an error of the motion:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" --thicknesses \"0.1 m:1 m:1000\" \\
       --accuracy fast --sensitivity --csv rows.csv
 
-Rows are written as they are computed and never kept: a large grid needs time and disk, not memory.")]
+Rows are written as they are computed: a large grid needs time and disk space, not memory.")]
 pub(crate) struct SpectrumArgs {
-    /// Records of the base's horizontal acceleration
+    /// Records of the horizontal acceleration of the floor
     #[arg(long, value_name = "FILE", required = true, num_args = 1..)]
     motion: Vec<PathBuf>,
-    /// Records of the base's vertical acceleration, positive upward: one for each --motion, of the same step and length
+    /// Records of the vertical acceleration of the floor, positive upward: one for each --motion,
+    /// with the same step and length
     #[arg(long, value_name = "FILE", num_args = 1..)]
     vertical: Vec<PathBuf>,
     #[command(flatten)]
@@ -56,29 +58,31 @@ pub(crate) struct SpectrumArgs {
     #[command(flatten)]
     read: ReadArgs,
     /// Heights: a grid "from:to:count" or a list
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true, help_heading = "The objects")]
-    heights: String,
+    #[arg(long, grid = Dimension::Length, help_heading = "The objects")]
+    heights: Given<Vec<f64>>,
     /// Thicknesses: a grid "from:to:count" or a list
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true, help_heading = "The objects")]
-    thicknesses: String,
-    /// Mass, for the shock
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, help_heading = "The objects")]
-    mass: Option<String>,
+    #[arg(long, grid = Dimension::Length, help_heading = "The objects")]
+    thicknesses: Given<Vec<f64>>,
+    /// Mass of each object; needed for the shock
+    #[arg(long, positive = Dimension::Mass, help_heading = "The objects")]
+    mass: Option<Given>,
     #[command(flatten)]
     cushion: CushionArgs,
     #[command(flatten)]
     rocking: RockingArgs,
-    /// Tell how many times each object amplifies an error of the motion
+    /// Report how strongly each object amplifies an error of the motion
     ///
-    /// Every object is followed again under 1.000001 times the horizontal motion, which doubles the work.
-    /// `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6: 1 to some tens are usual, and
-    /// with 1000 an error of 0.1 % in the record leaves nothing of the result. An object is `sensitive` if the ratio is above 10
-    /// (the peak changes by more than 1e-5), if its fastest impacts change as much, or if it overturns, rocks or stays under one
-    /// of the two motions only; the ratio is then empty, as it is for objects that do not rock or that overturn under both.
-    /// One that overturns under both is `sensitive` if what it did before differs by more than 0.1 %.
+    /// Every object is calculated again under 1.000001 times the horizontal motion, which doubles
+    /// the work. `sensitivity_ratio` is the relative change of its peak rotation, divided by 1e-6:
+    /// 1 to a few tens is usual; with 1000, an error of 0.1 % in the record makes the result
+    /// meaningless. An object is `sensitive` if the ratio is above 10 (the peak changes by more
+    /// than 1e-5), if its fastest impacts change as much, or if its outcome differs between the two
+    /// motions; the ratio is then empty, as it is for objects that do not rock or that overturn
+    /// under both. An object that overturns under both is `sensitive` if its history before that
+    /// differs by more than 0.1 %.
     #[arg(long, help_heading = "The rocking")]
     sensitivity: bool,
-    /// File for the rows (CSV)
+    /// File to write the rows to (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
 }
@@ -111,11 +115,11 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     warnings.extend(validity_warnings(&request));
 
     let stop = Stop::listen();
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut rows = Rows::begin(SCHEMA, printer, &files, args.csv.as_deref(), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
-    let mut seen = Seen::new(reading.motions.len(), total);
+    let mut seen = Seen::new(reading.motions.len(), total, request.sensitivity);
     let bar = printer.progress_bar(printer.json());
     bar.set_length(total as u64);
     bar.set_message("rocking histories");
@@ -158,18 +162,18 @@ fn deeper(one: Option<Impact>, other: Option<Impact>) -> Option<Impact> {
 
 fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let mut values = Values::default();
-    let heights = values.grid("--heights", &args.heights, Dimension::Length).unwrap_or_default();
-    let thicknesses = values.grid("--thicknesses", &args.thicknesses, Dimension::Length).unwrap_or_default();
-    let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
+    let heights = values.read(&args.heights).unwrap_or_default();
+    let thicknesses = values.read(&args.thicknesses).unwrap_or_default();
+    let mass = values.read(&args.mass);
     let cushion = args.cushion.edge(mass, &mut values)?;
     if args.mass.is_some() != args.cushion.is_given() {
-        let problem = Problem::new(ProblemKind::Value, "the shock needs both the mass and the cushion of the objects");
-        values.push(problem.hint("give --mass and --stiffness (or another cushion), or neither"));
+        let message = "the shock needs both the mass and the cushion of the objects";
+        values.push(failure::problem(message, "give --mass and --stiffness (or another cushion), or neither"));
     }
     let options = RockingOptions {
-        model: args.rocking.model(),
-        restitution: args.rocking.restitution(&mut values),
-        accuracy: args.rocking.accuracy(),
+        model: args.rocking.model,
+        restitution: args.rocking.restitution(&[], &mut values),
+        accuracy: args.rocking.accuracy,
         ..RockingOptions::default()
     };
     values.finish()?;
@@ -181,9 +185,8 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         ));
     }
     let grid = Grid::new(heights, thicknesses)?;
-    for block in grid.blocks(0..grid.objects()) {
-        options.restitution.ratios(&block).map_err(problem)?;
-    }
+    let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
+    checked(options.restitution, &blocks)?;
     Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity })
 }
 
@@ -201,7 +204,8 @@ fn validity_warnings(request: &SpectrumRequest) -> Vec<String> {
     squat.into_iter().chain(soft.iter().map(ToString::to_string)).collect()
 }
 
-/// Reads all records before any work: the fault of the last one is found at once. They are what stays in memory.
+/// Reads all records before any work: the fault of the last one is found at once. They are what
+/// stays in memory.
 fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     let mut reading = Reading::default();
     for read in args.read.read_all(&args.motion)? {

@@ -1,18 +1,32 @@
-//! What `freestand spectrum` shows to people: all rows of a small grid; of a large one the first few, where the others
-//! are, and each motion summed up.
+//! The text of `freestand spectrum`: all rows of a small grid; of a large one the first few, the
+//! place of the others, and a summary of each motion.
 
-use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumRow, SpectrumTally, SpectrumTiming};
+use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumTally, SpectrumTiming};
 
-use crate::printer::{optional, significant, table};
+use crate::printer::{Column, cells, headings, optional, significant, table};
 
-/// Most rows that are shown in full; of more, the first few are.
-const SHOWN_ROWS: usize = 200;
+/// The largest number of rows that is shown in full; of more, the first few are shown.
+const MAX_SHOWN_ROWS: usize = 200;
 const FIRST_ROWS: usize = 10;
 
-/// Most motions that are summed up.
-const SHOWN_MOTIONS: usize = 50;
+/// The largest number of motions that is summarised.
+const MAX_SHOWN_MOTIONS: usize = 50;
 
-/// What is remembered of the rows that went by.
+/// The last two are those of the sensitivity.
+const COLUMNS: [Column; 10] = [
+    ("motion", "motion", 0),
+    ("height_m", "height [m]", 4),
+    ("thickness_m", "thickness [m]", 4),
+    ("outcome", "outcome", 0),
+    ("uplift_m", "uplift [mm]", 4),
+    ("edge_acceleration_g", "shock, uplift [g]", 4),
+    ("edge_acceleration_impact_velocity_g", "shock, impact velocity [g]", 4),
+    ("ceiling_g", "ceiling [g]", 4),
+    ("sensitivity_ratio", "sensitivity", 3),
+    ("sensitive", "sensitive", 0),
+];
+
+/// What is kept of the rows for the text.
 #[derive(Debug)]
 pub(crate) struct Seen {
     /// One for each motion.
@@ -24,40 +38,29 @@ pub(crate) struct Seen {
 
 impl Seen {
     /// For `total` rows of so many motions.
-    pub(crate) fn new(motions: usize, total: usize) -> Self {
-        Self { tallies: vec![SpectrumTally::default(); motions], rows: Vec::new(), total, sensitivity: false }
+    pub(crate) fn new(motions: usize, total: usize, sensitivity: bool) -> Self {
+        Self { tallies: vec![SpectrumTally::default(); motions], rows: Vec::new(), total, sensitivity }
+    }
+
+    fn columns(&self) -> &'static [Column] {
+        if self.sensitivity { &COLUMNS } else { &COLUMNS[..COLUMNS.len() - 2] }
     }
 
     pub(crate) fn add(&mut self, chunk: &SpectrumChunk) {
-        let keep = if self.total > SHOWN_ROWS { FIRST_ROWS } else { self.total };
-        for row in chunk.rows() {
-            self.tallies[chunk.motion].add(&row);
-            if self.rows.len() < keep {
-                self.sensitivity |= row.sensitivity.is_some();
-                self.rows.push(cells(&row));
-            }
-        }
+        let keep = if self.total > MAX_SHOWN_ROWS { FIRST_ROWS } else { self.total };
+        chunk.add_to(&mut self.tallies[chunk.motion]);
+        let (columns, missing) = (self.columns(), keep - self.rows.len().min(keep));
+        self.rows.extend(chunk.rows().take(missing).map(|row| cells(&row, columns)));
     }
 
     /// The text; `place` is the file with all rows.
     pub(crate) fn text(&self, motions: &[SpectrumMotion], place: Option<&str>, timing: &SpectrumTiming) -> String {
-        let mut headings = vec![
-            "motion",
-            "height m",
-            "thickness m",
-            "outcome",
-            "uplift mm",
-            "shock g (uplift)",
-            "shock g (impact velocity)",
-            "ceiling g",
-        ];
-        headings.extend(self.sensitivity.then_some("sensitivity"));
-        let mut text = table(&headings, &self.rows);
+        let mut text = table(&headings(self.columns()), &self.rows);
         let more = self.total - self.rows.len();
         if more > 0 {
             let place = place.map_or_else(
-                || "--csv FILE or --json gives them all".to_owned(),
-                |path| format!("all of them are in {path}"),
+                || "--csv FILE or --json writes all rows".to_owned(),
+                |path| format!("all rows are in {path}"),
             );
             text += &format!("… and {more} more rows: {place}\n\n");
             text += &self.motions(motions);
@@ -78,11 +81,11 @@ impl Seen {
             "rocked",
             "overturned",
             "failed",
-            "largest uplift mm",
-            "largest shock g (uplift)",
+            "largest uplift [mm]",
+            "largest shock, uplift [g]",
         ];
         headings.extend(self.sensitivity.then_some("sensitive"));
-        let rows = motions.iter().zip(&self.tallies).take(SHOWN_MOTIONS).map(|(motion, tally)| {
+        let rows = motions.iter().zip(&self.tallies).take(MAX_SHOWN_MOTIONS).map(|(motion, tally)| {
             let mut row = vec![motion.name.clone()];
             row.extend([tally.objects, tally.rocked, tally.overturned, tally.failed].map(|count| count.to_string()));
             row.push(millimetres(tally.largest_uplift_m));
@@ -91,29 +94,11 @@ impl Seen {
             row
         });
         let mut text = table(&headings, &rows.collect::<Vec<_>>());
-        if motions.len() > SHOWN_MOTIONS {
-            text += &format!("… and {} more motions\n", motions.len() - SHOWN_MOTIONS);
+        if motions.len() > MAX_SHOWN_MOTIONS {
+            text += &format!("… and {} more motions\n", motions.len() - MAX_SHOWN_MOTIONS);
         }
         text
     }
-}
-
-fn cells(row: &SpectrumRow) -> Vec<String> {
-    let mut cells = vec![
-        row.motion.to_owned(),
-        significant(row.height_m, 4),
-        significant(row.thickness_m, 4),
-        row.outcome.to_owned(),
-        millimetres(row.uplift_m),
-        optional(row.edge_acceleration_g, 4, ""),
-        optional(row.edge_acceleration_impact_velocity_g, 4, ""),
-        optional(row.ceiling_g, 4, ""),
-    ];
-    cells.extend(row.sensitivity.map(|sensitivity| match sensitivity.ratio {
-        None if sensitivity.sensitive => "another outcome".to_owned(),
-        ratio => optional(ratio, 3, ""),
-    }));
-    cells
 }
 
 fn millimetres(value: Option<f64>) -> String {

@@ -1,11 +1,11 @@
-//! `freestand tolerance`: what things stand, each number with its source.
+//! `freestand tolerance`: what objects withstand, each number with its source.
 
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
-use freestand_assess::library::{Library, ToleranceEntry, to_tolerance};
+use freestand_assess::library::{ToleranceEntry, ToleranceLibrary, to_tolerance};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
+use freestand_input::words::{counted, number};
 use serde::Serialize;
 
 use super::Done;
@@ -14,11 +14,12 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 
-/// The tolerance library: what kinds of things stand, each number with its source
+/// Shows the tolerance library: what objects withstand, each number with its source
 ///
-/// An entry that is recalled (no source with a page or a clause) may be shown but never decides a verdict; a fragility is the
-/// median of a floor motion at which such things fail, never a tolerance. A library of your own, --library FILE.csv with the same
-/// columns, adds to it and overrides it by id.
+/// A recalled entry (without a source that has a page or a clause) may be shown but never decides a
+/// verdict. A fragility is the median of the floor motion at which such objects fail, and never a
+/// tolerance. Your own library, --library FILE.csv with the same columns, adds entries and replaces
+/// those with the same id.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -38,7 +39,7 @@ pub(crate) struct ToleranceArgs {
 
 #[derive(Debug, Subcommand)]
 enum ToleranceCommand {
-    /// All entries
+    /// Lists all entries
     #[command(
         after_help = "Examples:\n  freestand tolerance list\n  freestand tolerance list --library ours.csv --json"
     )]
@@ -46,16 +47,17 @@ enum ToleranceCommand {
         #[command(flatten)]
         library: LibraryArgs,
     },
-    /// One entry with all its fields and its notice
+    /// Shows one entry with all its fields and its notice
     #[command(after_help = "Examples:\n  freestand tolerance show p58-bookcase-5-shelves")]
     Show {
-        /// The entry's id
+        /// Id of the entry
         #[arg(value_name = "ID")]
         id: String,
         #[command(flatten)]
         library: LibraryArgs,
     },
-    /// Entries that have all of these words in id, class, kind, state, source or note
+    /// Lists entries that contain all of these words in id, class, kind, state, source, clause or
+    /// note
     #[command(after_help = "Examples:\n  freestand tolerance search disk operating")]
     Search {
         /// Words
@@ -66,10 +68,10 @@ enum ToleranceCommand {
     },
 }
 
-/// A library of the user's.
+/// The user's own library.
 #[derive(Debug, Args)]
 pub(crate) struct LibraryArgs {
-    /// A library of your own over the built-in one: entries of the same id take their place
+    /// Your own library: adds to the built-in one and replaces entries with the same id
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) library: Option<PathBuf>,
 }
@@ -85,10 +87,7 @@ pub(crate) fn run(args: &ToleranceArgs, global: &GlobalArgs, printer: &Printer) 
         | ToleranceCommand::Show { library, .. }
         | ToleranceCommand::Search { library, .. } => &library.library,
     };
-    let library = match from {
-        Some(path) => Library::with_file(path)?,
-        None => Library::builtin(),
-    };
+    let library = ToleranceLibrary::builtin().with_file(from.as_deref())?;
     let entries = match &args.command {
         ToleranceCommand::List { .. } => library.entries().iter().collect(),
         ToleranceCommand::Show { id, .. } => vec![library.get(id)?],
@@ -97,7 +96,7 @@ pub(crate) fn run(args: &ToleranceArgs, global: &GlobalArgs, printer: &Printer) 
     let files = Files::begin(global, from.as_slice())?;
     let text = || match (&args.command, entries.first()) {
         (ToleranceCommand::Show { .. }, Some(entry)) => shown(entry),
-        (_, None) => "nothing has all of these words\n".to_owned(),
+        (_, None) => "no entry contains all of these words\n".to_owned(),
         _ => listed(&entries),
     };
     files.print(printer, "freestand.tolerance/1", &Listed { entries: &entries }, &library.warnings, text)?;
@@ -115,8 +114,9 @@ fn listed(entries: &[&ToleranceEntry]) -> String {
             entry.source_words(),
         ]
     };
-    let headings = ["id", "stands", "state", "confidence", "class", "source"];
-    let end = format!("{} entries; those that are recalled decide nothing, medians are no tolerances\n", entries.len());
+    let headings = ["id", "withstands", "state", "confidence", "class", "source"];
+    let count = counted(entries.len(), "entry");
+    let end = format!("{count}; recalled entries decide no verdict, and medians are not tolerances\n");
     table(&headings, &entries.iter().map(row).collect::<Vec<_>>()) + &end
 }
 
@@ -126,7 +126,7 @@ fn shown(entry: &ToleranceEntry) -> String {
     let decides = match (entry.decides, to_tolerance(entry)) {
         (true, Some(_)) => "a verdict may rest on it",
         (false, Some(_)) => "no verdict rests on it",
-        (_, None) => "no tolerance: shown beside a verdict only",
+        (_, None) => "not a tolerance: shown for comparison only",
     };
     let rows = [
         ("id", text(&entry.id)),
@@ -140,7 +140,7 @@ fn shown(entry: &ToleranceEntry) -> String {
         ("shape", entry.shape.map(str::to_owned)),
         ("velocity change of the pulse", entry.pulse_velocity_change_m_s.map(|v| format!("{} m/s", number(v, 3)))),
         ("critical velocity change", si(entry.velocity_change_m_s, Dimension::Velocity)),
-        ("edge lift", si(entry.edge_lift_m, Dimension::Length)),
+        ("uplift", si(entry.edge_lift_m, Dimension::Length)),
         ("median peak floor acceleration", si(entry.pfa_median_m_s2, Dimension::Acceleration)),
         ("median peak floor velocity", si(entry.pfv_median_m_s, Dimension::Velocity)),
         ("beta", entry.beta.map(|beta| number(beta, 4))),

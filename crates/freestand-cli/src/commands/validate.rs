@@ -1,4 +1,4 @@
-//! `freestand validate`: the paper's table and every closed form.
+//! `freestand validate`: Table I of the paper and the closed forms.
 
 use clap::Args;
 use freestand_assess::validate::validate;
@@ -10,10 +10,10 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 
-/// Hold the models against the paper's Table I and every closed form that is built in
+/// Check the models against Table I of the paper and all built-in closed forms
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Exit status 1 when a check does not hold.
+The exit status is 1 if a check fails.
 
 Examples:
   freestand validate

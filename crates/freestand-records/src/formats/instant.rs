@@ -1,33 +1,27 @@
-//! Points in time of the records of one file, and of the epochs of a station's description.
+//! Points in time: of the records of one file, and of the epochs in the description of a station.
 
 use std::fmt;
 
+use chrono::{DateTime, Datelike, NaiveDate, NaiveDateTime, NaiveTime};
+
 const SECOND_NS: i128 = 1_000_000_000;
-const DAY_S: i128 = 86_400;
 
-/// Nanoseconds since 1970-01-01 in UTC without leap seconds: a record that runs through one is off by a second behind it.
+/// Nanoseconds since 1970-01-01 in UTC without leap seconds. After a leap second in a record, its
+/// times are off by 1 s.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Instant(pub(super) i128);
-
-/// Days from 1970-01-01 to the first of January of a year from 1 on.
-fn days_to_year(year: i128) -> i128 {
-    let before = year - 1;
-    365 * before + before / 4 - before / 100 + before / 400 - 719_162
-}
-
-fn is_leap(year: i128) -> bool {
-    year % 4 == 0 && (year % 100 != 0 || year % 400 == 0)
-}
-
-fn month_lengths(year: i128) -> [i128; 12] {
-    [31, if is_leap(year) { 29 } else { 28 }, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31]
-}
+pub(super) struct Instant(i128);
 
 impl Instant {
+    fn of(time: NaiveDateTime) -> Self {
+        let time = time.and_utc();
+        Self(i128::from(time.timestamp()) * SECOND_NS + i128::from(time.timestamp_subsec_nanos()))
+    }
+
     /// From a year, its day from 1, a second of that day and nanoseconds.
     pub(super) fn from_day(year: u16, day: u16, second: u32, nanosecond: u32) -> Self {
-        let days = days_to_year(i128::from(year.max(1))) + i128::from(day) - 1;
-        Self((days * DAY_S + i128::from(second)) * SECOND_NS + i128::from(nanosecond))
+        let first = NaiveDate::from_ymd_opt(i32::from(year.max(1)), 1, 1).unwrap_or_default();
+        let seconds = (i128::from(day) - 1) * 86_400 + i128::from(second);
+        Self::of(first.into()).later_by_ns(seconds * SECOND_NS + i128::from(nanosecond))
     }
 
     /// Seconds since 1970, to a quarter of a microsecond today.
@@ -36,79 +30,50 @@ impl Instant {
     }
 
     pub(super) fn later_by_ns(self, ns: i128) -> Self {
-        Self(self.0 + ns)
+        Self(self.0.saturating_add(ns))
     }
 
     pub(super) fn later_by_s(self, seconds: f64) -> Self {
-        Self(self.0 + (seconds * 1e9).round() as i128)
+        self.later_by_ns((seconds * 1e9).round() as i128)
     }
 
-    /// Seconds from `earlier` to here.
+    /// Seconds from `earlier` to this instant.
     pub(super) fn seconds_since(self, earlier: Self) -> f64 {
-        // Divided before it is added up: the difference of two records is small, but that of two epochs is not.
+        // Divided before it is added up: the difference of two records is small, but that of two
+        // epochs is not.
         let ns = self.0 - earlier.0;
         (ns / SECOND_NS) as f64 + (ns % SECOND_NS) as f64 / 1e9
     }
 
-    /// `2012-04-13T17:28:00`, with a fraction, with `Z` or an offset such as `+01:00`, or the date alone.
+    /// `2012-04-13T17:28:00`, with a fraction, with `Z` or an offset such as `+01:00`, or the date
+    /// alone.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         let (date, time) = text.split_once(['T', ' ']).unwrap_or((text, "00:00:00"));
-        let mut parts = date.split('-').map(digits);
-        let (year, month, day) = (parts.next()??, parts.next()??, parts.next()??);
-        let length = *month_lengths(year).get(usize::try_from(month).ok()?.checked_sub(1)?)?;
-        if parts.next().is_some() || !(1..=9999).contains(&year) || !(1..=length).contains(&day) {
-            return None;
+        let date = NaiveDate::parse_from_str(date, "%Y-%m-%d").ok().filter(|date| (1..=9999).contains(&date.year()))?;
+        // XML allows the end of a day to be written as its hour 24; chrono does not.
+        if let Some(zone) = time.strip_prefix("24:00:00") {
+            let midnight = Self::parse(&format!("{date}T00:00:00{zone}"))?;
+            return Some(midnight.later_by_ns(86_400 * SECOND_NS));
         }
-        let day_of_year: i128 = month_lengths(year).iter().take(usize::try_from(month).ok()? - 1).sum::<i128>() + day;
-        let (time, offset_s) = split_offset(time)?;
-        let (time, fraction) = time.split_once('.').unwrap_or((time, "0"));
-        let mut parts = time.split(':').map(digits);
-        let (hour, minute, second) = (parts.next()??, parts.next()??, parts.next().unwrap_or(Some(0))?);
-        if parts.next().is_some() || hour > 24 || minute > 59 || second > 60 || fraction.is_empty() {
-            return None;
-        }
-        let ns = digits(&format!("{:0<9}", fraction).chars().take(9).collect::<String>())?;
-        let days = days_to_year(year) + day_of_year - 1;
-        Some(Self((days * DAY_S + 3600 * hour + 60 * minute + second - offset_s) * SECOND_NS + ns))
+        let with_zone = || DateTime::parse_from_str(&format!("{date}T{time}"), "%Y-%m-%dT%H:%M:%S%.f%#z").ok();
+        let time = match NaiveTime::parse_from_str(time, "%H:%M:%S%.f") {
+            Ok(time) => date.and_time(time),
+            Err(_) => with_zone()?.naive_utc(),
+        };
+        Some(Self::of(time))
     }
-}
-
-fn digits(text: &str) -> Option<i128> {
-    let all = (1..=9).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_digit());
-    all.then(|| text.parse().ok()).flatten()
-}
-
-/// The time of day and its offset from UTC \[s\].
-fn split_offset(time: &str) -> Option<(&str, i128)> {
-    if let Some(time) = time.strip_suffix(['Z', 'z']) {
-        return Some((time, 0));
-    }
-    let Some(at) = time.rfind(['+', '-']) else { return Some((time, 0)) };
-    let (hours, minutes) = time[at + 1..].split_once(':').unwrap_or((&time[at + 1..], "0"));
-    let offset_s = 3600 * digits(hours)? + 60 * digits(minutes)?;
-    Some((&time[..at], if time[at..].starts_with('-') { -offset_s } else { offset_s }))
 }
 
 impl fmt::Display for Instant {
     /// ISO 8601 with milliseconds.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ms = self.0.div_euclid(SECOND_NS / 1000);
-        let (days, ms) = (ms.div_euclid(DAY_S * 1000), ms.rem_euclid(DAY_S * 1000));
-        // A year has 365.2425 days; the quotient is off by one at most.
-        let guess = 1970 + days * 400 / 146_097;
-        let year = (guess - 1..=guess + 1).rev().find(|&year| days_to_year(year) <= days).unwrap_or(guess);
-        let mut day = days - days_to_year(year);
-        let mut month = 1;
-        for length in month_lengths(year) {
-            if day < length {
-                break;
-            }
-            day -= length;
-            month += 1;
+        let (seconds, ns) = (self.0.div_euclid(SECOND_NS), self.0.rem_euclid(SECOND_NS));
+        let time = i64::try_from(seconds).ok().and_then(|seconds| DateTime::from_timestamp(seconds, ns as u32));
+        match time {
+            Some(time) => write!(f, "{}", time.format("%Y-%m-%dT%H:%M:%S%.3f")),
+            None => write!(f, "a time beyond the calendar"),
         }
-        let (hour, minute, second) = (ms / 3_600_000, ms / 60_000 % 60, ms / 1000 % 60);
-        write!(f, "{year:04}-{month:02}-{:02}T{hour:02}:{minute:02}:{second:02}.{:03}", day + 1, ms % 1000)
     }
 }
 
@@ -118,15 +83,24 @@ mod tests {
 
     #[test]
     fn dates_are_counted_as_the_calendar_has_them() {
-        // Seconds since 1970 from the table of POSIX time: 2000-03-01 is day 11017, 2019-07-06 is day 18083.
+        // Seconds since 1970 from the table of POSIX time: 2000-03-01 is day 11017, 2019-07-06 is
+        // day 18083.
         for (text, days) in [("1970-01-01", 0), ("2000-03-01", 11_017), ("2019-07-06", 18_083), ("1969-12-31", -1)] {
-            assert_eq!(Instant::parse(text), Some(Instant(days * DAY_S * SECOND_NS)), "{text}");
-            assert_eq!(Instant(days * DAY_S * SECOND_NS).to_string(), format!("{text}T00:00:00.000"));
+            let instant = Instant(days * 86_400 * SECOND_NS);
+            assert_eq!(Instant::parse(text), Some(instant), "{text}");
+            assert_eq!(instant.to_string(), format!("{text}T00:00:00.000"));
         }
         let start = Instant::from_day(2019, 187, 3 * 3600 + 19 * 60 + 23, 38_300_000);
         assert_eq!(start.to_string(), "2019-07-06T03:19:23.038");
         assert_eq!(Instant::parse("2019-07-06T03:19:23.0383Z"), Some(start));
-        assert_eq!(Instant::parse("2019-07-06T05:19:23.0383+02:00"), Some(start));
+        for text in ["2019-07-06T05:19:23.0383+02:00", "2019-07-06 05:19:23.038300000+02", "2019-07-06T03:19:23.0383"] {
+            assert_eq!(Instant::parse(text), Some(start), "{text}");
+        }
+        assert_eq!(Instant::parse("2019-07-06T24:00:00Z"), Instant::parse("2019-07-07"));
+        assert_eq!(Instant::parse("2016-12-31T23:59:60"), Instant::parse("2017-01-01"));
+        // A day of the year that there is not, and times that no calendar has.
+        assert_eq!(Instant::from_day(2019, 366, 0, 0), Instant::from_day(2020, 1, 0, 0));
+        assert_eq!(start.later_by_s(f64::MAX).to_string(), "a time beyond the calendar");
         // 38.3 ms before the second, exactly.
         assert_eq!(start.seconds_since(Instant::parse("2019-07-06T03:19:23").unwrap()), 0.0383);
         assert!(Instant::parse("3000-01-01T00:00:00").unwrap() > start);
@@ -139,6 +113,8 @@ mod tests {
             "",
             "2019",
             "2019-13-01",
+            "2019-01-01T00:00:00Zx",
+            "2019-01-01T24:30:00",
             "2019-02-29",
             "2019-1-1T",
             "2019-01-01T25:00",

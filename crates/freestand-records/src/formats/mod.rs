@@ -1,146 +1,51 @@
-//! Ground and floor motions from record files: which format a file has is told from its content, never from its name.
+//! Formats of record files. The content of a file decides which format it has, never its name.
+//!
+//! A family of formats is one module with a function that recognises its files and a function that
+//! reads them. To add one, write the module and add a line to `FAMILIES` below. Several families
+//! share a module: `volumes` is the layout of `csmip` and `usc`, `binary` and `instant` are numbers
+//! and times of `mseed` and `sac`.
 
 mod at2;
 mod bhrc;
 mod binary;
-mod building;
-mod cells;
 mod columns;
 mod cosmos;
 mod csmip;
-mod cushion_curve;
 mod cwa;
-mod damage_points;
-mod dialect;
-mod direction;
 mod dyna;
-mod even_grid;
-mod format;
-mod fortran;
-mod found;
-mod gaps;
 mod geonet;
-mod head;
-mod headings;
 mod instant;
-mod keyed;
 mod knet;
-pub mod laboratory;
-mod lines;
 mod mseed;
 mod nsmn;
-mod pairs;
-mod prints;
-mod rows;
 mod sac;
-mod sampling;
-mod setting;
 mod sigma;
 mod smc;
-mod spectrum;
-mod stated_step;
-mod station_xml;
-mod table;
 mod unam;
-mod units;
 mod usc;
 mod volumes;
-mod write;
 
-pub use building::{load_table, read_modes, read_storeys};
-pub use cushion_curve::load_curve;
-pub use damage_points::{DamageRow, load_damage_points};
-pub use direction::Direction;
-pub use found::check_step;
-pub use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};
-pub use write::{write_at2, write_csv, write_pair_csv};
+pub use crate::motion_file::{Component, Direction, MotionFile, ReadOptions, check_step};
+pub use crate::write::{write_at2, write_csv, write_pair_csv};
 
-use found::{Found, channels_note, end_note, extreme_note, length_note, motion, peak_note, tell_apart};
-use freestand::motion::Motion;
-use freestand_input::file::InputFile;
+use std::path::Path;
+
+use crate::motion_file::{Reading, extreme_note};
+use crate::text::lines::check_text;
 use freestand_input::file::load;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::quantity::shorten;
-use std::path::{Path, PathBuf};
-
-/// What the user says about a file that may not say it itself.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct ReadOptions {
-    /// Unit of acceleration, such as `g` or `cm/s2`. A file that states another one is refused.
-    pub unit: Option<String>,
-    /// Time step \[s\]. Columns without a header are then all components; otherwise the first is the time.
-    pub dt_s: Option<f64>,
-    /// Step \[s\] at which the straight lines between unevenly spaced samples are read; without it they are refused. Evenly
-    /// spaced samples stay as they are: their step is changed by
-    /// [`Processing::resample_dt_s`](crate::processing::Processing::resample_dt_s), on a band-limited curve.
-    pub uneven_dt_s: Option<f64>,
-    /// StationXML with the sensitivity of a miniSEED file; without it one is looked for beside the file.
-    pub station_xml: Option<PathBuf>,
-    /// A shock and no motion of the ground or a floor: hundreds of g in it are nothing to be noted.
-    pub is_shock: bool,
-}
-
-impl ReadOptions {
-    /// Whether they can be meant, whatever the file.
-    ///
-    /// # Errors
-    /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
-    pub fn check(&self) -> Result<(), Problem> {
-        units::requested(self.unit.as_deref())?;
-        let steps = [self.dt_s, self.uneven_dt_s];
-        steps.into_iter().flatten().try_for_each(|dt_s| check_step(dt_s, ProblemKind::Value))
-    }
-}
-
-/// A record file, read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MotionFile {
-    /// Where it was read.
-    pub path: PathBuf,
-    /// What it is, such as `PEER AT2`, `COSMOS V1`, `columns` or `CSV`.
-    pub format: &'static str,
-    /// Its motions, in the order of the file; never empty.
-    pub components: Vec<Component>,
-    /// What was concluded or left out that a reader of results should know.
-    pub notes: Vec<String>,
-}
-
-/// One motion of a file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Component {
-    /// Direction or column name, as the file has it; else the name of the file, or `component 2`.
-    pub name: String,
-    /// Station, where the file names it.
-    pub station: Option<String>,
-    /// Which way it points, where the file says so.
-    pub direction: Option<Direction>,
-    /// The unit in the file; the motion itself is in m/s².
-    pub unit: &'static str,
-    /// Whether these are an instrument's own values, with its offset in them: K-NET, miniSEED, SAC, COSMOS V0. Their mean
-    /// is removed before use, unless the user keeps it.
-    pub is_raw: bool,
-    /// Time of the first value \[s\] where the file has one: since 1970 in files with dates for each component, else on
-    /// the clock of their time column. The motion itself begins at 0.
-    pub start_s: Option<f64>,
-    /// The StationXML with the sensitivity of its counts, where they were scaled by one.
-    pub station_xml: Option<InputFile>,
-    /// The motion, as the file has it.
-    pub motion: Motion,
-    /// Line of the first value, counted from 1; 1 in a binary file.
-    pub line_of_first_value: usize,
-}
+use freestand_input::problem::{Problem, Problems};
 
 /// Reads a record file.
 ///
 /// # Errors
-/// A file that cannot be read, whose format is not known, that is broken or has gaps, or that leaves the unit or the time
-/// step open where the options do too. Nothing is guessed from the size of values.
+/// A file that cannot be read, is of an unknown format, is broken or has gaps. A unit or time step
+/// that neither the file nor the options state: nothing is guessed from the size of values.
 pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, Problems> {
     parse_motions(load(path)?, path, options)
 }
 
-/// As [`read_motions`], from bytes in memory; `path` names them in messages, and a miniSEED file's StationXML is looked for
-/// beside it.
+/// As [`read_motions`], from bytes in memory; `path` names them in messages. The StationXML of a
+/// miniSEED file is looked for next to it.
 ///
 /// # Errors
 /// As [`read_motions`].
@@ -153,7 +58,7 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, Pr
 /// # Ok::<(), freestand_input::problem::Problems>(())
 /// ```
 pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> Result<MotionFile, Problems> {
-    // A wrong flag is no fault of the file.
+    // Checked first, because a wrong option is not a fault of the file.
     options.check()?;
     let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
@@ -165,40 +70,20 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     Ok(file.with_unused(options))
 }
 
-/// What a reader finds in a file.
-struct Reading {
-    format: &'static str,
-    components: Vec<Component>,
-    notes: Vec<String>,
-}
-
-impl Reading {
-    /// # Errors
-    /// No component: every file has one at least, whichever reader it had.
-    fn with_components(self) -> Result<Self, Problem> {
-        if self.components.is_empty() {
-            return Err(Problem::new(ProblemKind::Format, "holds no acceleration record").hint(
-                "the file may be cut off or damaged: fetch it again, or use the acceleration file of the same record",
-            ));
-        }
-        Ok(self)
-    }
-}
-
 /// A family of formats that share a layout.
 struct Family {
-    /// Looks at the first lines; the first family that says yes reads the file.
+    /// Looks at the first lines. The first family that recognises the file reads it.
     recognises: fn(&[u8]) -> bool,
     read: Reader,
 }
 
 type Reader = fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>;
 
-/// Formats that are no text. They are asked first: what they do not recognise must be text.
+/// Binary formats. They come first: what they do not recognise must be text.
 const BINARY: &[Family] =
     &[Family { recognises: mseed::is_mseed, read: mseed::read }, Family { recognises: sac::is_sac, read: sac::read }];
 
-/// From the most particular signature to the least; what none recognises is columns.
+/// From the most specific signature to the least. What no family recognises is read as columns.
 const FAMILIES: &[Family] = &[
     Family { recognises: smc::is_smc, read: smc::read },
     Family { recognises: cosmos::is_cosmos, read: cosmos::read },
@@ -216,97 +101,18 @@ const FAMILIES: &[Family] = &[
     Family { recognises: at2::is_at2, read: at2::read },
 ];
 
-/// How much of a text is looked at to tell its format: more than the longest header, 300 lines of 80 characters. A file of
-/// one endless line must not be searched for each signature.
+/// How much of a text is searched for signatures: more than the longest header, which has 300 lines
+/// of 80 characters. A file of one endless line would take long to search.
 const SNIFFED_BYTES: usize = 64 << 10;
 
-/// The reader of the format that the content shows; what is not binary is made sure to be text.
+/// The reader for the content. What is not binary must be text.
 fn reader(bytes: &mut Vec<u8>) -> Result<Reader, Problem> {
     if let Some(family) = BINARY.iter().find(|family| (family.recognises)(bytes)) {
         return Ok(family.read);
     }
-    lines::check_text(bytes)?;
+    check_text(bytes)?;
     let head = &bytes[..bytes.len().min(SNIFFED_BYTES)];
     Ok(FAMILIES.iter().find(|family| (family.recognises)(head)).map_or(columns::read, |family| family.read))
-}
-
-impl MotionFile {
-    /// The StationXML that its components were scaled by, each once.
-    pub fn station_xml(&self) -> Vec<InputFile> {
-        let mut files: Vec<InputFile> = Vec::new();
-        for file in self.components.iter().filter_map(|component| component.station_xml.as_ref()) {
-            if !files.contains(file) {
-                files.push(file.clone());
-            }
-        }
-        files
-    }
-
-    /// Notes a StationXML that was named and had no use.
-    fn with_unused(mut self, options: &ReadOptions) -> Self {
-        if let Some(xml) = options.station_xml.as_ref().filter(|_| self.station_xml().is_empty()) {
-            self.notes.push(format!("{} is not used: a {} record needs no StationXML", xml.display(), self.format));
-        }
-        self
-    }
-
-    /// The component called for: by name (capitals do not matter), or by number counted from 1; the only one where
-    /// nothing is called for.
-    ///
-    /// # Errors
-    /// Several components and no choice, or a choice that is not there; the message lists what is.
-    pub fn select(&self, component: Option<&str>) -> Result<&Component, Problem> {
-        let problem = match (component.map(str::trim), self.components.as_slice()) {
-            (None, [only]) => return Ok(only),
-            (None, all) => format!("has {} components: {}", all.len(), self.listing()),
-            (Some(wanted), all) => {
-                // A name may be copied from the header with its unit: "a [g]".
-                let bare = wanted.split(['[', '(']).next().unwrap_or(wanted).trim();
-                let called = |name: &str| -> Vec<&Component> {
-                    all.iter()
-                        .filter(|one| !name.is_empty() && one.name.to_lowercase() == name.to_lowercase())
-                        .collect()
-                };
-                let named =
-                    [called(wanted), called(bare)].into_iter().find(|found| !found.is_empty()).unwrap_or_default();
-                match (named.as_slice(), wanted.parse::<usize>()) {
-                    ([one], _) => return Ok(one),
-                    ([], Ok(number)) if (1..=all.len()).contains(&number) => return Ok(&all[number - 1]),
-                    ([], _) => format!("has no component \"{}\": {}", shorten(wanted), self.listing()),
-                    _ => format!("has several components \"{}\": {}", shorten(wanted), self.listing()),
-                }
-            }
-        };
-        Err(Problem::new(ProblemKind::Value, problem)
-            .in_file(&self.path)
-            .hint("choose one by name or number (--component, or component in the study)"))
-    }
-
-    fn listing(&self) -> String {
-        const MOST: usize = 12;
-        let mut listed: Vec<String> = self
-            .components
-            .iter()
-            .take(MOST)
-            .enumerate()
-            .map(|(i, one)| format!("{} {}", i + 1, shorten(&one.name)))
-            .collect();
-        if self.components.len() > MOST {
-            listed.push(format!("and {} more", self.components.len() - MOST));
-        }
-        listed.join(", ")
-    }
-}
-
-/// In a binary file nothing stands on a line.
-fn without_line(mut problem: Problem) -> Problem {
-    problem.line = None;
-    problem
-}
-
-/// The file's name without folder and extension, as the name of what is in it.
-fn file_stem(path: &Path) -> String {
-    path.file_stem().map_or_else(|| "motion".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What can be meant of no record: known before one is read.
+//! Checks of options that do not need a record.
 
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
 use freestand::signal::filter::MAX_ORDER;
@@ -8,7 +8,7 @@ use super::{Processing, Scale, TargetSpectrum};
 use freestand_input::problem::{Problem, ProblemKind};
 
 impl Processing {
-    /// What can be meant of no record, each with the name of the field as flags and studies have it (`low_cut`).
+    /// What no record allows, each problem with its key (`low_cut`).
     pub fn problems(&self) -> Vec<(&'static str, Problem)> {
         let mut found = Vec::new();
         let mut check = |key, holds: bool, message: String, hint: &str| {
@@ -18,7 +18,7 @@ impl Processing {
         };
         if let Some(azimuth_deg) = self.azimuth_deg {
             let message = format!("must be a finite angle, not {azimuth_deg} degrees");
-            check("azimuth", azimuth_deg.is_finite(), message, "clockwise from north, such as 30 deg");
+            check("azimuth", azimuth_deg.is_finite(), message, "give it clockwise from north, such as 30 deg");
         }
         if let Some(share) = self.taper_ratio {
             let holds = share > 0.0 && share <= 0.5;
@@ -27,7 +27,7 @@ impl Processing {
         for (key, corner_hz) in [("low_cut", self.low_cut_hz), ("high_cut", self.high_cut_hz)] {
             if let Some(hz) = corner_hz {
                 let holds = is_positive(hz);
-                check(key, holds, format!("must be above 0 Hz, not {hz} Hz"), "leave it out for no such filter");
+                check(key, holds, format!("must be above 0 Hz, not {hz} Hz"), "leave it out to omit the filter");
             }
         }
         if let (Some(low), Some(high)) = (self.low_cut_hz, self.high_cut_hz)
@@ -35,7 +35,7 @@ impl Processing {
             && high > 0.0
         {
             let message = format!("{low} Hz is not below the high cut of {high} Hz");
-            check("low_cut", low < high, message, "what is between the two cuts is kept");
+            check("low_cut", low < high, message, "frequencies between the two cuts are kept");
         }
         let message = format!("must be 1 to {MAX_ORDER}, not {}", self.filter_order);
         check("filter_order", (1..=MAX_ORDER).contains(&self.filter_order), message, "4 is usual");
@@ -47,7 +47,7 @@ impl Processing {
     }
 }
 
-/// A degree and times that some record allows.
+/// Checks a degree and times that some record may allow.
 fn check_baseline(baseline: Baseline) -> Result<(), Problem> {
     let degree = |degree: usize, least: usize| {
         let message = format!("the degree must be {least} to {MAX_DEGREE}, not {degree}");
@@ -57,13 +57,13 @@ fn check_baseline(baseline: Baseline) -> Result<(), Problem> {
         Baseline::Mean => Ok(()),
         Baseline::PreEvent { until_s } => {
             let message = format!("the quiet time must be above 0 s, not {until_s} s");
-            require(is_positive(until_s), message, "how long the record is quiet at its start")
+            require(is_positive(until_s), message, "state how long the record is quiet at its start")
         }
         Baseline::Polynomial { degree: n } => degree(n, 0),
         Baseline::Graizer { degree: n, from_s } => {
             degree(n, 1)?;
             let message = format!("the start of the fit must be 0 s or later, not {from_s} s");
-            require(is_zero_or_more(from_s), message, "when the baseline begins to wander")
+            require(is_zero_or_more(from_s), message, "state when the baseline begins to wander")
         }
         Baseline::Boore2001 { t1_s, t2_s } => {
             let message = format!("the times must be 0 s or later and one after the other, not {t1_s} s and {t2_s} s");
@@ -73,7 +73,7 @@ fn check_baseline(baseline: Baseline) -> Result<(), Problem> {
     }
 }
 
-/// A factor or a target that some record can be taken to, with the name of its field.
+/// Checks a factor or target that some record may allow; returns the key with the result.
 fn check_target(scale: &Scale) -> (&'static str, Result<(), Problem>) {
     match *scale {
         Scale::Factor(factor) => ("scale", check_scale(factor)),
@@ -82,9 +82,9 @@ fn check_target(scale: &Scale) -> (&'static str, Result<(), Problem>) {
             ("scale_to", require(is_positive(target_m_s2), message, "write it as 0.3 g"))
         }
         Scale::Sa { target_m_s2, period_s, damping_ratio } => {
-            let message = format!("{target_m_s2} m/s2 at {period_s} s, damping {damping_ratio}, is no target");
+            let message = format!("{target_m_s2} m/s2 at {period_s} s, damping {damping_ratio}, is not a target");
             let holds = is_positive(target_m_s2) && is_zero_or_more(period_s) && (0.0..1.0).contains(&damping_ratio);
-            let hint = "an acceleration above 0, a period of 0 s or more, damping from 0 to below 100 %";
+            let hint = "give an acceleration above 0, a period of 0 s or more, and damping from 0 to below 100 %";
             ("scale_to_sa", require(holds, message, hint))
         }
         Scale::Spectrum(ref target) => ("scale_to_spectrum", check_spectrum(target)),
@@ -94,7 +94,7 @@ fn check_target(scale: &Scale) -> (&'static str, Result<(), Problem>) {
 fn check_spectrum(target: &TargetSpectrum) -> Result<(), Problem> {
     let (periods, targets, damping_ratio) = (target.periods_s.len(), target.psa_m_s2.len(), target.damping_ratio);
     let message = format!("the target spectrum has {targets} accelerations for {periods} periods");
-    require(periods > 0 && periods == targets, message, "at least one period, and one acceleration for each")?;
+    require(periods > 0 && periods == targets, message, "give at least one period, and one acceleration for each")?;
     let message = format!("the damping must be from 0 to below 100 %, not {damping_ratio}");
     require((0.0..1.0).contains(&damping_ratio), message, "5 % is usual")?;
     fault(&target.periods_s, &target.psa_m_s2).map_or(Ok(()), |(_, problem)| Err(problem))
@@ -116,11 +116,11 @@ fn wrong(message: String, hint: &str) -> Problem {
     Problem::new(ProblemKind::Value, message).hint(hint)
 }
 
-/// Whether a factor on the samples leaves a motion; a negative one turns it round.
+/// Checks a factor on the samples; a negative factor inverts the motion.
 ///
 /// # Errors
 /// Zero, or a factor that is not finite.
 pub fn check_scale(scale_ratio: f64) -> Result<(), Problem> {
     let message = format!("scale must be a number other than 0, not {scale_ratio}");
-    require(scale_ratio != 0.0 && scale_ratio.is_finite(), message, "leave it out for the record as it is")
+    require(scale_ratio != 0.0 && scale_ratio.is_finite(), message, "leave it out to use the record as it is")
 }

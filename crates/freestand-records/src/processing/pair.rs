@@ -26,15 +26,15 @@ pub fn horizontal_pair(file: &MotionFile) -> Result<(Bearing<'_>, Bearing<'_>), 
     let message = match horizontal.len() {
         count if count > 2 => {
             let all: Vec<&Component> = horizontal.iter().map(|one| one.0).collect();
-            format!("has {count} horizontal components, two are turned: {}", names(&all))
+            format!("has {count} horizontal components, but two are needed: {}", names(&all))
         }
-        _ if !silent.is_empty() => format!("the file does not say which way it points: {}", names(&silent)),
-        1 => "has 1 horizontal component, two are turned".to_owned(),
-        count => format!("has {count} horizontal components, two are turned"),
+        _ if !silent.is_empty() => format!("the file does not state the direction of {}", names(&silent)),
+        1 => "has 1 horizontal component, but two are needed".to_owned(),
+        count => format!("has {count} horizontal components, but two are needed"),
     };
     Err(Problem::new(ProblemKind::Value, message)
         .in_file(&file.path)
-        .hint("freestand motion rotate takes two files, or two components of one, and their azimuths"))
+        .hint("use freestand motion rotate with two files, or two components of one, and their azimuths"))
 }
 
 fn azimuth_of(component: &Component) -> Option<f64> {
@@ -45,16 +45,16 @@ fn azimuth_of(component: &Component) -> Option<f64> {
 }
 
 fn names(components: &[&Component]) -> String {
-    const MOST: usize = 8;
-    let listed: Vec<String> = components.iter().take(MOST).map(|one| shorten(&one.name)).collect();
-    listed.join(", ") + if components.len() > MOST { ", …" } else { "" }
+    const MAX: usize = 8;
+    let listed: Vec<String> = components.iter().take(MAX).map(|one| shorten(&one.name)).collect();
+    listed.join(", ") + if components.len() > MAX { ", …" } else { "" }
 }
 
-/// Two components of one file: those that are called for by name or number, else the only two that have an azimuth, else
-/// the only two that do not point up.
+/// Two components of one file: those requested by name or number, else the only two that have an
+/// azimuth, else the only two that do not point up.
 ///
 /// # Errors
-/// No such two.
+/// No such pair.
 pub fn pair_of_one<'f>(
     file: &'f MotionFile,
     called: Option<(&str, &str)>,
@@ -74,10 +74,10 @@ pub fn pair_of_one<'f>(
         ([first, second], _) | (_, [first, second]) => Ok((first, second)),
         _ => {
             let all: Vec<&Component> = file.components.iter().collect();
-            let message = format!("it is not clear which two components are meant: {}", names(&all));
+            let message = format!("more than two components could be meant: {}", names(&all));
             Err(Problem::new(ProblemKind::Value, message)
                 .in_file(&file.path)
-                .hint("name two (--components, or components in a study), or give two files"))
+                .hint("name two with `components`, or give two files"))
         }
     }
 }
@@ -97,43 +97,46 @@ pub fn with_azimuths<'f>(
     let bearing = |component: &'f Component| {
         azimuth_of(component).map(|azimuth_deg| (component, azimuth_deg)).ok_or_else(|| {
             let name = shorten(&component.name);
-            Problem::new(ProblemKind::Value, format!("the file does not say which way it points: {name}"))
-                .hint("give the azimuths of both, such as --azimuths \"0 deg, 90 deg\"")
+            Problem::new(ProblemKind::Value, format!("the file does not state the direction of {name}"))
+                .hint("give both azimuths, such as `azimuths = \"0 deg, 90 deg\"`")
         })
     };
     Ok((bearing(first)?, bearing(second)?))
 }
 
-/// Both components of a pair, each processed by itself. `names` are what they are called in words; what concerns both
-/// stands with the first.
+/// Both components of a pair, each processed separately. `names` are their names in words; what
+/// concerns both is with the first.
 ///
 /// # Errors
-/// A scale that is found from the record, which would not be the same for both; otherwise as [`super::process`].
+/// A scale that depends on the record, which would differ between the two; otherwise as
+/// [`super::process`].
 pub fn process_pair(
     (first, second): (&Component, &Component),
     names: (&str, &str),
     processing: &Processing,
 ) -> Result<(Processed, Processed), Problem> {
     if !matches!(processing.scale, Scale::Factor(_)) {
-        return Err(Problem::new(ProblemKind::Value, "two components have no one factor to a target")
-            .hint("give the factor itself: --scale"));
+        return Err(Problem::new(ProblemKind::Value, "two components cannot share one factor to a target")
+            .hint("give the factor itself with `scale`"));
     }
     let [one, two] = aligned((first, second), names, processing.keep_mean)?;
     let finished = |one: Aligned| finish(one.motion, one.steps, None, processing);
     Ok((finished(one)?, finished(two)?))
 }
 
-/// What must be said of components that are taken as perpendicular but point otherwise.
+/// A warning if components that are treated as perpendicular are not.
 pub fn not_perpendicular(first: &Component, second: &Component) -> Option<String> {
     let turn = (azimuth_of(first)? - azimuth_of(second)?).rem_euclid(180.0);
     let between = turn.min(180.0 - turn);
     (between < 89.0).then(|| {
-        format!("the components are {between} degrees apart: spectra over all directions take them as perpendicular")
+        format!(
+            "the components are {between} degrees apart, but spectra over all directions treat them as perpendicular"
+        )
     })
 }
 
-/// The component at an azimuth, of two others, processed. The means of raw ones are removed before; where one is longer,
-/// what the other does not have is left out. `names` are what they are called in words.
+/// The component at an azimuth, from two others, processed. The means of raw ones are removed
+/// first; the times that only one has are left out. `names` are their names in words.
 ///
 /// # Errors
 /// Different time steps, components nearly parallel; otherwise as [`super::process`].
@@ -150,7 +153,7 @@ pub fn turned(
     let motion = rotated.map_err(|error| {
         let hint = match error {
             RotateError::Steps { .. } => {
-                "resample one of them to the step of the other first: freestand motion convert"
+                "first resample one of them to the step of the other with freestand motion convert"
             }
             _ => "give the two horizontal components of one record, and their azimuths",
         };

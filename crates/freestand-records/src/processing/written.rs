@@ -1,5 +1,6 @@
-//! Processing as people write it, in flags and in studies.
+//! Processing as people write it.
 
+use freestand::oscillator::DAMPING_RATIO;
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
 
 use super::{Scale, TargetSource};
@@ -8,11 +9,11 @@ use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
 
 const KNOWN: &str = "known: mean, pre-event:5s, linear, quadratic, cubic, poly:4, graizer, graizer:2:5s, boore:10s:25s";
 
-/// A baseline, as `mean`, `pre-event:5s`, `linear`, `quadratic`, `cubic`, `poly:4`, `graizer` (degree 2 from 0 s),
-/// `graizer:3:5s`, `boore:10s:25s`.
+/// A baseline, as `mean`, `pre-event:5s`, `linear`, `quadratic`, `cubic`, `poly:4`, `graizer`
+/// (degree 2 from 0 s), `graizer:3:5s`, `boore:10s:25s`.
 ///
 /// # Errors
-/// An unknown word, a part that is missing or too many, a time without its unit, a degree above 10.
+/// An unknown word, too few or too many parts, a time without its unit, a degree above 10.
 ///
 /// # Example
 /// ```
@@ -48,7 +49,7 @@ pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
             }
             Err(wrong(text, "ends before it begins").hint("the shaking lasts from the first time to the second"))
         }
-        ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is not complete").hint(KNOWN)),
+        ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is incomplete").hint(KNOWN)),
         _ => Err(wrong(text, "is not a baseline").hint(KNOWN)),
     }
 }
@@ -56,11 +57,13 @@ pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
 fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
     let degree = text.parse::<usize>().ok().filter(|degree| (least..=MAX_DEGREE).contains(degree));
     degree.ok_or_else(|| {
-        wrong(text, "is not a degree").hint(format!("a whole number from {least} to {MAX_DEGREE}, such as poly:4"))
+        wrong(text, "is not a degree")
+            .hint(format!("write a whole number from {least} to {MAX_DEGREE}, such as poly:4"))
     })
 }
 
-/// A target of scaling, as `0.4 g at 1.2 s`, or with another damping than 5 % `0.4 g at 1.2 s, 2 %`.
+/// A target for scaling, such as `0.4 g at 1.2 s`, or for a damping other than 5 % `0.4 g at 1.2 s,
+/// 2 %`.
 ///
 /// # Errors
 /// Anything else, a target that is not positive, a negative period, damping of 100 % or more.
@@ -73,17 +76,17 @@ fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
-    const HINT: &str = "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for another damping than 5 %";
+    const HINT: &str = "write \"0.4 g at 1.2 s\", or \"0.4 g at 1.2 s, 2 %\" for a damping other than 5 %";
     let Some((target, rest)) = text.split_once(" at ") else {
-        return Err(wrong(text, "is no acceleration at a period").hint(HINT));
+        return Err(wrong(text, "is not an acceleration at a period").hint(HINT));
     };
     let (period, damping) = rest.split_once(',').map_or((rest, None), |(period, damping)| (period, Some(damping)));
     let damping_ratio = match damping {
         Some(damping) => parse(damping, Dimension::Ratio)?,
-        None => 0.05,
+        None => DAMPING_RATIO,
     };
     if !(0.0..1.0).contains(&damping_ratio) {
-        return Err(wrong(text, "has no damping from 0 to below 100 %").hint(HINT));
+        return Err(wrong(text, "does not have a damping from 0 to below 100 %").hint(HINT));
     }
     Ok(Scale::Sa {
         target_m_s2: parse_positive(target, Dimension::Acceleration, "the acceleration")?,
@@ -92,11 +95,11 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
     })
 }
 
-/// A file with a target spectrum, as `target.csv`, and behind commas a range of periods and a damping that is not the file's,
-/// `target.csv, 0.1 s to 2 s, 2 %`. The path stays as it is written.
+/// A file with a target spectrum, such as `target.csv`, and after commas a range of periods and
+/// another damping, `target.csv, 0.1 s to 2 s, 2 %`. The path is kept as it is written.
 ///
 /// # Errors
-/// No file, a range that ends before it begins, damping of 100 % or more, a part too many.
+/// No file, a range that ends before it begins, damping of 100 % or more, too many parts.
 ///
 /// # Example
 /// ```
@@ -107,8 +110,7 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
-    const HINT: &str =
-        "write the name of a file, and behind commas periods and damping: \"target.csv, 0.1 s to 2 s, 2 %\"";
+    const HINT: &str = "write a file name, then periods and damping after commas: \"target.csv, 0.1 s to 2 s, 2 %\"";
     let mut parts = text.split(',').map(str::trim);
     let path = parts.next().filter(|path| !path.is_empty()).ok_or_else(|| wrong(text, "names no file").hint(HINT))?;
     let mut source = TargetSource { path: path.into(), range_s: None, damping_ratio: None };
@@ -122,9 +124,9 @@ pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
             source.range_s.replace((from_s, to_s)).is_some()
         } else {
             let ratio = parse(part, Dimension::Ratio)
-                .map_err(|_| wrong(part, "is no range of periods and no damping").hint(HINT))?;
+                .map_err(|_| wrong(part, "is neither a range of periods nor a damping").hint(HINT))?;
             if !(0.0..1.0).contains(&ratio) {
-                return Err(wrong(part, "is no damping from 0 to below 100 %").hint(HINT));
+                return Err(wrong(part, "is not a damping from 0 to below 100 %").hint(HINT));
             }
             source.damping_ratio.replace(ratio).is_some()
         };
@@ -135,7 +137,7 @@ pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
     Ok(source)
 }
 
-/// Radians to degrees, without the last bits that the way there and back leaves: 30 degrees are 30.
+/// Radians to degrees, rounded so that 30 degrees converted to radians come back as 30.
 pub fn azimuth_deg(azimuth_rad: f64) -> f64 {
     (azimuth_rad.to_degrees() * 1e9).round() / 1e9
 }

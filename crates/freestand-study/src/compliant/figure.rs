@@ -1,12 +1,13 @@
-//! The landing of an object on its cushions: accelerations of both edges and forces under them, as an accelerometer over the
-//! corner would write them.
+//! The landing of an object on its cushions: accelerations of both edges as accelerometers above them
+//! would record them, and the forces under them.
 
 use kuva::render::annotations::ReferenceLine;
 
 use freestand::G0_M_S2;
 use freestand::compliant::CompliantPoint;
 
-use freestand_input::words::number;
+use crate::compliant::CompliantReport;
+use freestand_input::words::{number, significant};
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{Axis, DARK, curve_style, line, plain, round_step};
@@ -16,33 +17,33 @@ use freestand_output::figure::{Figure, FigureError};
 /// Heights of the panels; the lowest carries the label of the axis \[px\].
 const PANELS_PX: [f64; 3] = [230.0, 150.0, 186.0];
 
-/// The left edge and the right one: they differ in more than colour, and dashes are lost in steep lines \[px\].
+/// Line widths of the left and the right edge: they must differ in more than colour, and dashes are
+/// lost in steep lines \[px\].
 const WIDTHS_PX: [f64; 2] = [2.4, 1.0];
 
-/// What a landing is drawn from.
-#[derive(Debug, Clone, Copy)]
-pub struct Trace<'a> {
-    /// The history.
-    pub points: &'a [CompliantPoint],
-    /// When to begin and to end \[s\].
-    pub window_s: (f64, f64),
-    /// a_edge by Eq. (5) at the same rise \[g\].
-    pub paper_g: Option<f64>,
-    /// What the object is and stands on, in a line.
-    pub about: &'a str,
-}
+/// How much of the history is shown before and after the first impact, over the duration of its
+/// contact.
+const SHOWN_BEFORE: f64 = 2.0;
+const SHOWN_AFTER: f64 = 14.0;
 
-pub(crate) fn trace_page(trace: &Trace<'_>) -> Page {
-    let (from, to) = trace.window_s;
+/// The first impact of a history that was sampled; all of it where there was none.
+fn trace_page(report: &CompliantReport) -> Page {
+    let (rocking, base) = (&report.rocking, &report.base);
+    let (from, to) = rocking.touches.first().map_or((0.0, rocking.end_s), |first| {
+        let contact_s = first.end_s.unwrap_or(rocking.end_s) - first.time_s;
+        let from = (first.time_s - SHOWN_BEFORE * contact_s).max(0.0);
+        (from, (first.time_s + SHOWN_AFTER * contact_s).min(rocking.end_s))
+    });
+    let paper_g = report.facts.number("edge_acceleration_paper_g");
     let within = |p: &&CompliantPoint| (from..=to).contains(&p.time_s);
     let curve = |value: &dyn Fn(&CompliantPoint) -> f64| {
-        thin(trace.points.iter().filter(within).map(|p| (p.time_s, value(p))), from, to)
+        thin(report.history.iter().filter(within).map(|p| (p.time_s, value(p))), from, to)
     };
     let edges = [0, 1].map(|edge| curve(&|p| p.edge_accelerations_m_s2[edge] / G0_M_S2));
     let under = |forces: Option<&(f64, f64)>| forces.map_or(0.0, |f| 1e-3 * f.1);
     let forces = [curve(&|p| under(p.contact_forces_n.first())), curve(&|p| under(p.contact_forces_n.last()))];
     let rotation = curve(&|p| p.theta_rad.to_degrees());
-    let mut first = panel(&edges, trace.paper_g, "Edge accel. (g)", time_axis(from, to), false);
+    let mut first = panel(&edges, paper_g, "Edge accel. (g)", time_axis(from, to), false);
     let mut legend = vec![
         Entry {
             sign: Sign::Line { colour: curve_style(0).colour, width_px: WIDTHS_PX[0], dash: None },
@@ -53,7 +54,7 @@ pub(crate) fn trace_page(trace: &Trace<'_>) -> Page {
             words: "right edge".into(),
         },
     ];
-    if let Some(paper_g) = trace.paper_g {
+    if let Some(paper_g) = paper_g {
         let mark = ReferenceLine::horizontal(paper_g).with_color(DARK).with_stroke_width(1.2).with_dasharray("2 4");
         first.layout = first.layout.with_reference_line(mark);
         let sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some("2 4") };
@@ -65,11 +66,14 @@ pub(crate) fn trace_page(trace: &Trace<'_>) -> Page {
         panel(std::slice::from_ref(&rotation), None, "Rotation (deg)", time_axis(from, to), true),
     ];
     let caption = format!(
-        "{}. Above: vertical acceleration of the two lower corners in the ground's frame, upward positive, what \
-         accelerometers above the corners write; between: forces of the cushions under them; below: rotation. In the \
-         plane of the motion the two corners of one edge move alike, so the mean of two accelerometers on that edge is \
-         this line.",
-        trace.about
+        "{} kg on cushions ({}, tangential stiffness {} times the normal one, {}). Top: vertical acceleration of the two \
+         lower corners in the ground's frame, upward positive, as accelerometers above the corners would record it. Middle: \
+         forces of the cushions under them. Bottom: rotation. In the plane of the motion both corners of one edge move \
+         alike, so each line also stands for the mean of two accelerometers on that edge.",
+        significant(base.mass_kg, 4),
+        base.cushion.law().name(),
+        significant(base.tangential_stiffness_ratio, 3),
+        base.friction_ratio.map_or_else(|| "no sliding".to_owned(), |mu| format!("friction {}", significant(mu, 3))),
     );
     Page {
         name: "trace".to_owned(),
@@ -101,10 +105,10 @@ fn panel(curves: &[Vec<(f64, f64)>], also: Option<f64>, label: &str, x: Axis, lo
     Panel { plots, layout: stacked(x, y, lowest) }
 }
 
-/// Draws a landing on cushions: edge accelerations, forces and rotation against time.
+/// Draws the first impact on the cushions: edge accelerations, forces and rotation against time.
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.
-pub fn trace_figure(trace: &Trace<'_>) -> Result<Figure, FigureError> {
-    draw(trace_page(trace))
+pub fn trace_figure(report: &CompliantReport) -> Result<Figure, FigureError> {
+    draw(trace_page(report))
 }

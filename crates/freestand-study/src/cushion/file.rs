@@ -1,78 +1,61 @@
-//! Cushion files: one pad as a laboratory found it, in TOML.
+//! Cushion files: one pad as a laboratory measured it, in TOML.
 
-use freestand_input::keys::KeyStyle;
-use std::fs;
 use std::path::Path;
 
-use super::{CushionWords, KeyProblem};
-use crate::options::{CushionOptions, parse_cushion};
-use freestand_input::file::InputFile;
+use freestand_input::file::{InputFile, load_up_to};
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 
-/// A cushion file is a few lines; a table of forces some thousand.
-const LARGEST: u64 = 1 << 20;
+use crate::options::parse_cushion;
 
-/// Reads a cushion file: the keys of [`CUSHION_KEYS`](super::CUSHION_KEYS), with `stiffness` (and all else) of one pad.
+/// A cushion file is a few lines; a table of forces some thousand.
+const MAX_BYTES: u64 = 1 << 20;
+
+/// Reads a cushion file: the keys of [`CUSHION_KEYS`](super::CUSHION_KEYS), with `stiffness` (and
+/// all else) of one pad, which the words call `pad_stiffness`.
 ///
 /// # Errors
-/// A file that cannot be read, is no TOML, or has unknown keys.
-pub fn read_cushion_file(path: &Path) -> Result<(CushionWords, InputFile), Problems> {
-    let unreadable = |message: String| {
-        let problem = Problem::new(ProblemKind::Io, message).in_file(path);
-        Problems::from(problem.hint("name a cushion file, such as the cushion.toml that freestand cushion drop writes"))
-    };
-    match fs::metadata(path) {
-        Err(error) => return Err(unreadable(format!("cannot read the cushion: {error}"))),
-        Ok(facts) if facts.is_dir() => return Err(unreadable("is a folder, not a cushion file".to_owned())),
-        Ok(facts) if facts.len() > LARGEST => return Err(unreadable("is too large for a cushion file".to_owned())),
-        Ok(_) => {}
-    }
-    let bytes = fs::read(path).map_err(|error| unreadable(format!("cannot read the cushion: {error}")))?;
+/// A file that cannot be read, is not TOML, or has unknown keys.
+pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
+    const HINT: &str = "name a cushion file, such as the cushion.toml that the command cushion drop writes";
+    let unreadable = |message: &str| Problem::new(ProblemKind::Io, message).in_file(path).hint(HINT);
+    let bytes =
+        load_up_to(path, MAX_BYTES, "is too large for a cushion file", HINT).map_err(|problem| problem.hint(HINT))?;
     let input = InputFile::new(path, &bytes);
-    let text = String::from_utf8(bytes).map_err(|_| unreadable("is not text (UTF-8)".to_owned()))?;
+    let text = String::from_utf8(bytes).map_err(|_| unreadable("is not text (UTF-8)"))?;
     let (options, mut problems) = parse_cushion(&text, path);
-    if let Some((key, written)) = options.iter().find(|(key, _)| matches!(*key, "cushion" | "pad_stiffness")) {
-        let problem = Problem::new(ProblemKind::Value, format!("{key} has no place in a cushion file"));
+    let stranger = options.lines().find(|(key, _)| matches!(*key, "cushion" | "pad_stiffness"));
+    if let Some((key, Some(line))) = stranger {
         let hint = "a cushion file describes one pad: its stiffness is that of the pad";
-        problems.push(problem.hint(hint).at_line(written.line).in_file(path));
+        problems
+            .push(Problem::value(format!("{key} does not belong in a cushion file"), hint).at_line(line).in_file(path));
     }
-    if problems.is_empty() { Ok((of_one_pad(&options), input)) } else { Err(Problems { problems }) }
+    let of_one_pad = |key| if key == "stiffness" { "pad_stiffness" } else { key };
+    problems.finish(Some((options.entries().map(|(key, text)| (of_one_pad(key), text)).collect(), input)))
 }
 
-fn of_one_pad(options: &CushionOptions) -> CushionWords {
-    let mut words = CushionWords::new(KeyStyle::File);
-    for (key, written) in options {
-        words.set(if *key == "stiffness" { "pad_stiffness" } else { key }, written.value.clone());
-    }
-    words
-}
-
-impl CushionWords {
-    /// The words of the cushion file that these words name, with what they add to it: pads per edge, layers in series,
-    /// the thickness of the pad. Words that name no file stay as they are.
-    ///
-    /// # Errors
-    /// Words that describe the pad once more.
-    pub fn with_file(&self, file: CushionWords) -> Result<Self, KeyProblem> {
-        let mut words = file;
-        words.style = self.style;
-        for (key, text) in &self.entries {
-            match *key {
-                "cushion" => {}
-                "pads_per_edge" | "series_stiffness" | "pad_thickness" => words.set(key, text.clone()),
-                key => {
-                    let message = format!("{} and {} exclude each other", self.name("cushion"), self.name(key));
-                    let hint = "the file describes the pad: change it there";
-                    return Err((key, Problem::new(ProblemKind::Value, message).hint(hint)));
-                }
+/// The words of the cushion file that some words name, with what these add to it: pads per edge,
+/// layers in series, the thickness of the pad.
+///
+/// # Errors
+/// Words that describe the pad again, or do not say how many pads are under an edge.
+pub fn with_file(words: &Words, file: Words) -> Result<Words, Problem> {
+    let mut joined = file;
+    for (key, text) in words.entries() {
+        match key {
+            "cushion" => {}
+            "pads_per_edge" | "pad_thickness" => joined.set(key, text),
+            "series_stiffness" => joined.add(key, text, None),
+            key => {
+                let message = format!("`cushion` and `{key}` exclude each other");
+                return Err(Problem::value(message, "the file describes the pad: change it there").of(&[key]));
             }
         }
-        if words.get("pads_per_edge").is_none() {
-            let message = format!("{} needs {}", self.name("cushion"), self.name("pads_per_edge"));
-            let hint =
-                "the file describes one pad: how many share the landing of one edge? A cabinet on four feet has 2";
-            return Err(("cushion", Problem::new(ProblemKind::Value, message).hint(hint)));
-        }
-        Ok(words)
     }
+    if joined.get("pads_per_edge").is_none() {
+        let hint = "the file describes one pad: give the number of pads that share the landing of one edge, 2 for a \
+                    cabinet on four feet";
+        return Err(Problem::value("`cushion` needs `pads_per_edge`", hint).of(&["cushion"]));
+    }
+    Ok(joined)
 }

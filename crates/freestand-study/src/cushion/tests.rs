@@ -1,21 +1,16 @@
 use super::*;
-use freestand_input::keys::KeyStyle;
 
-fn words(entries: &[(&'static str, &str)]) -> CushionWords {
-    let mut words = CushionWords::new(KeyStyle::Flag);
-    for (key, text) in entries {
-        words.set(key, *text);
-    }
-    words
+fn words(entries: &[(&'static str, &str)]) -> Words {
+    entries.iter().copied().collect()
 }
 
 fn resolved(entries: &[(&'static str, &str)]) -> EdgeCushion {
-    words(entries).resolve(Some(140.0)).unwrap()
+    resolve(&words(entries), Some(140.0)).unwrap()
 }
 
 fn refused(entries: &[(&'static str, &str)]) -> String {
-    let problems = words(entries).resolve(None).unwrap_err();
-    problems.iter().map(|(_, problem)| problem.message.clone()).collect::<Vec<_>>().join("; ")
+    let problems = resolve(&words(entries), None).unwrap_err();
+    problems.into_iter().map(|problem| problem.message).collect::<Vec<_>>().join("; ")
 }
 
 #[test]
@@ -43,14 +38,15 @@ fn every_law_has_its_words() {
     );
 }
 
-/// 2 × 2190 N/mm with 2 × 150 N s/m; a ratio is of the mass on the whole edge: 2 · 0.05 · √(4.38e6 · 140) = 2476.2875.
+/// 2 × 2190 N/mm with 2 × 150 N s/m; a ratio is of the mass on the whole edge: 2 · 0.05 · √(4.38e6
+/// · 140) = 2476.2875.
 #[test]
 fn pads_bring_their_damping_with_them() {
     let pads = [("law", "kelvin-voigt"), ("pad_stiffness", "2190 N/mm"), ("pads_per_edge", "2")];
     let with = |damping: &str| {
         let mut words = words(&pads);
         words.set("damping", damping);
-        words.resolve(Some(140.0)).unwrap()
+        resolve(&words, Some(140.0)).unwrap()
     };
     let edge = |damping_n_s_m| ContactLaw::KelvinVoigt { stiffness_n_m: 4.38e6, damping_n_s_m };
     assert_eq!(*with("150 N s/m").cushion.law(), edge(300.0));
@@ -60,7 +56,7 @@ fn pads_bring_their_damping_with_them() {
     assert!(with("5 %").notes[1].contains("5 % of 140 kg"));
     let mut without_mass = words(&pads);
     without_mass.set("damping", "5%");
-    assert!(without_mass.resolve(None).unwrap_err()[0].1.message.contains("needs the mass"));
+    assert!(resolve(&without_mass, None).unwrap_err().problems[0].message.contains("needs the mass"));
 }
 
 #[test]
@@ -76,19 +72,19 @@ fn layers_are_told() {
 }
 
 #[test]
-fn what_does_not_belong_together_is_refused_by_its_flag() {
+fn what_does_not_belong_together_is_refused_by_its_key() {
     let cases: [(&[(&'static str, &str)], &str); 12] = [
         (&[], "the stiffness of the cushion is missing"),
         (&[("stiffness", "4380")], "needs a unit"),
-        (&[("stiffness", "4380 N/mm"), ("exponent", "2")], "--exponent is no part of a linear law"),
+        (&[("stiffness", "4380 N/mm"), ("exponent", "2")], "`exponent` is not part of a linear law"),
         (&[("stiffness", "4380 N/mm"), ("pad_stiffness", "1 N/mm")], "exclude each other"),
-        (&[("stiffness", "4380 N/mm"), ("pads_per_edge", "2")], "--pads-per-edge goes with --pad-stiffness"),
-        (&[("pad_stiffness", "4380 N/mm")], "needs --pads-per-edge"),
+        (&[("stiffness", "4380 N/mm"), ("pads_per_edge", "2")], "`pads_per_edge` needs `pad_stiffness`"),
+        (&[("pad_stiffness", "4380 N/mm")], "needs `pads_per_edge`"),
         (&[("pad_stiffness", "4380 N/mm"), ("pads_per_edge", "0")], "at least 1"),
-        (&[("law", "spring"), ("stiffness", "1 N/mm")], "is not a contact law"),
-        (&[("law", "kelvin-voigt"), ("stiffness", "1 N/mm")], "needs its damping"),
-        (&[("law", "tangent"), ("stiffness", "1 N/mm")], "bottoms"),
-        (&[("law", "tabulated"), ("stiffness", "1 N/mm")], "no part of a tabulated law"),
+        (&[("law", "spring"), ("stiffness", "1 N/mm")], "`law` \"spring\" is not known"),
+        (&[("law", "kelvin-voigt"), ("stiffness", "1 N/mm")], "a kelvin-voigt law needs `damping`"),
+        (&[("law", "tangent"), ("stiffness", "1 N/mm")], "a tangent law needs `bottoming`"),
+        (&[("law", "tabulated"), ("stiffness", "1 N/mm")], "`stiffness` is not part of a tabulated law"),
         (
             &[("law", "kelvin-voigt"), ("stiffness", "1 N/mm"), ("damping", "1 N s/m"), ("series_stiffness", "1 N/mm")],
             "inner state",
@@ -108,12 +104,12 @@ fn a_cushion_file_is_one_pad() {
     std::fs::write(&path, "law = \"kelvin-voigt\"\nstiffness_n_mm = 2190\ndamping = \"150 N s/m\"\n").unwrap();
     let (file, _) = read_cushion_file(&path).unwrap();
     let flags = words(&[("cushion", "pad.toml"), ("pads_per_edge", "2")]);
-    let edge = flags.with_file(file.clone()).unwrap().resolve(None).unwrap();
+    let edge = resolve(&with_file(&flags, file.clone()).unwrap(), None).unwrap();
     assert_eq!(*edge.cushion.law(), ContactLaw::KelvinVoigt { stiffness_n_m: 4.38e6, damping_n_s_m: 300.0 });
-    let without_pads = words(&[("cushion", "pad.toml")]).with_file(file.clone()).unwrap_err();
-    assert!(without_pads.1.message.contains("--cushion needs --pads-per-edge"));
+    let without_pads = with_file(&words(&[("cushion", "pad.toml")]), file.clone()).unwrap_err();
+    assert_eq!(without_pads.message, "`cushion` needs `pads_per_edge`");
     let twice = words(&[("cushion", "pad.toml"), ("pads_per_edge", "2"), ("stiffness", "1 N/mm")]);
-    assert!(twice.with_file(file).unwrap_err().1.message.contains("--cushion and --stiffness exclude each other"));
+    assert_eq!(with_file(&twice, file).unwrap_err().message, "`cushion` and `stiffness` exclude each other");
     std::fs::write(&path, "stifness = \"2190 N/mm\"\n").unwrap();
     assert!(read_cushion_file(&path).unwrap_err().to_string().contains("stifness"));
     std::fs::remove_dir_all(&folder).unwrap();

@@ -17,7 +17,7 @@ use freestand_output::figure::style::{Axis, BAND_OPACITY, DARK, GREY, axes, curv
 
 const PANEL_PX: f64 = 310.0;
 /// More motions than this are drawn as a band from 16 to 84 %.
-const MOST_LINES: usize = 40;
+const MAX_LINES: usize = 40;
 /// Modes whose periods are marked.
 const MARKED_MODES: usize = 3;
 const TARGET_DASH: &str = "8 6";
@@ -46,7 +46,7 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let columns = columns(panels.len());
     let mut legend = Vec::new();
     let n = result.motions.len();
-    if n > MOST_LINES {
+    if n > MAX_LINES {
         legend.push(Entry { sign: Sign::Band, words: "16–84 % of motions".into() });
     } else if n > 1 {
         legend
@@ -91,7 +91,7 @@ fn panel(name: &str, spectra: &[&PseudoSpectrum], target: Option<&[(f64, f64)]>,
     let curves: Vec<Vec<(f64, f64)>> = spectra.iter().map(|s| points(s)).collect();
     let [low, median, high] = quantiles(&curves);
     let mut plots: Vec<Plot> = Vec::new();
-    if curves.len() > MOST_LINES {
+    if curves.len() > MAX_LINES {
         let band = BandPlot::new(low.iter().map(|p| p.0), low.iter().map(|p| p.1), high.iter().map(|p| p.1));
         plots.push(band.with_color(DARK).with_opacity(BAND_OPACITY).into());
     } else if curves.len() > 1 {

@@ -39,10 +39,10 @@ pub enum FigureKind {
 }
 
 /// Recorded ground motions that a study draws; with more of them, the first.
-pub const MOST_RECORDS: usize = 6;
+pub const MAX_RECORDS: usize = 6;
 
 /// Motions that were made for a study and are drawn: they are all of one kind.
-pub const MOST_SYNTHETIC: usize = 2;
+pub const MAX_SYNTHETIC: usize = 2;
 
 impl FigureKind {
     /// Its name for files.
@@ -61,7 +61,7 @@ impl FigureKind {
 }
 
 /// The figures that a result has, in the order of the report: `history` only where an object uplifted, and the first
-/// [`MOST_RECORDS`] of recorded ground motions.
+/// [`MAX_RECORDS`] of recorded ground motions.
 pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     let mut kinds = Vec::new();
     if !result.levels.is_empty() {
@@ -76,7 +76,7 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     if result.history.as_ref().is_some_and(|h| h.time_s.len() > 1) {
         kinds.push(FigureKind::History);
     }
-    let drawn = if matches!(study.ground, Ground::Recorded(_)) { MOST_RECORDS } else { MOST_SYNTHETIC };
+    let drawn = if matches!(study.ground, Ground::Recorded(_)) { MAX_RECORDS } else { MAX_SYNTHETIC };
     kinds.extend((0..result.ground.len().min(drawn)).map(FigureKind::Record));
     if result.sensitivity.as_ref().is_some_and(|sensitivity| sensitivity.rows.len() > result.levels.len()) {
         kinds.push(FigureKind::Vary);

@@ -26,7 +26,7 @@ const INSIDE_PX: f64 = PANEL_PX - TITLE_PX - LABELS_PX;
 const STRIP_TITLE_PX: f64 = 18.0;
 const STRIP_ROW_PX: f64 = 10.0;
 /// More thicknesses than this, and bands would cover each other.
-const MOST_BANDS: usize = 6;
+const MAX_BANDS: usize = 6;
 /// About how many markers a curve carries.
 const MARKERS_ON_CURVE: usize = 7;
 
@@ -105,7 +105,7 @@ pub(crate) fn overturning(study: &Study, result: &StudyResult) -> Page {
         title: "Share of the motions that overturn the object".into(),
         caption:
             "Share of the ground motions under which an object of this height and thickness overturns. Overturning \
-                  does not grow steadily with height or with the strength of shaking; a share of a few motions is a \
+             does not grow steadily with height or with the strength of shaking; a share of a few motions is a \
                   coarse estimate."
                 .into(),
         panels,
@@ -116,7 +116,7 @@ pub(crate) fn overturning(study: &Study, result: &StudyResult) -> Page {
 }
 
 const OVERTURNED_WORDS: &str = "Where the median falls among the overturned the curve ends and crosses in the strip at the top mark those heights, \
-     a row for each thickness with its sign at the left; nothing is extrapolated.";
+                                a row for each thickness with its sign at the left; nothing is extrapolated.";
 
 fn median_words(result: &StudyResult) -> String {
     match result.motions.len() {
@@ -177,7 +177,7 @@ fn grid(panels: usize, height_px: f64) -> (usize, Vec<f64>) {
 }
 
 fn with_bands(study: &Study, result: &StudyResult) -> bool {
-    result.motions.len() > 1 && thicknesses(study).len() <= MOST_BANDS
+    result.motions.len() > 1 && thicknesses(study).len() <= MAX_BANDS
 }
 
 fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: &str) -> Panel {
@@ -194,7 +194,7 @@ fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: 
                 .collect()
         })
         .collect();
-    let bands = thicknesses.len() <= MOST_BANDS;
+    let bands = thicknesses.len() <= MAX_BANDS;
     let highest = curves
         .iter()
         .flatten()

@@ -21,7 +21,7 @@ use crate::recorded::ReadMotion;
 use crate::statistics::{QUANTILES, ranked_quantile};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::significant;
-use freestand_output::rows::records_csv;
+use freestand_output::facts::{Facts, table_csv};
 use freestand_records::horizontal::HorizontalMotion;
 
 mod spectra;
@@ -41,13 +41,13 @@ pub struct FloorRequest {
     pub levels_ratio: Vec<f64>,
     /// Whether each level is the floor above the one before it, so that their drifts are those of storeys.
     pub is_storeys: bool,
-    /// Zeros behind the record \[s\].
+    /// Zeros appended to the record \[s\].
     pub tail_s: f64,
-    /// Points at which peaks are looked for in each sample interval; the ground is linear between its samples.
+    /// Points in each sample interval at which peaks are taken; the ground is linear between samples.
     pub upsample: usize,
-    /// Response spectra of the floors, where they are asked for.
+    /// Response spectra of the floors, where requested.
     pub spectra: Option<SpectraRequest>,
-    /// A code, whose accelerations of rigid parts stand beside those of the floors.
+    /// A code, whose accelerations of rigid parts are compared with those of the floors.
     pub code: Option<CodeSpectrum>,
 }
 
@@ -59,7 +59,8 @@ pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
     }
 }
 
-/// Accelerations of rigid parts by a code, `building_period_s` the shorter of the two axes; `None` for a spectrum that is not of a code.
+/// Accelerations of rigid parts by a code, with `building_period_s` the shorter of the two axes; `None`
+/// for a spectrum that is not from a code.
 pub fn code_parts(
     code: &CodeSpectrum,
     building_height_m: f64,
@@ -77,13 +78,13 @@ pub fn code_parts(
 /// The floors under one motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionFloors {
-    /// What is reported of them.
+    /// Their report.
     pub report: MotionReport,
     /// The motions of the levels, as long as the record and its tail.
     pub floors: Vec<HorizontalMotion>,
-    /// Pseudo-accelerations, `[level][damping][period]` \[g\]; empty where none are asked for.
+    /// Pseudo-accelerations, `[level][damping][period]` \[g\]; empty where not requested.
     pub spectra_g: Vec<Vec<Vec<f64>>>,
-    /// What is to be said.
+    /// What the user should know.
     pub warnings: Vec<String>,
 }
 
@@ -99,7 +100,7 @@ pub struct FloorReport {
     pub damping_ratio: Option<f64>,
     pub shear_flexure_ratio: Option<f64>,
     pub pga_g: f64,
-    pub modes: Vec<ModeReport>,
+    pub modes: Vec<Facts<'static>>,
     pub across: Option<AxisReport>,
     pub levels: Vec<LevelReport>,
     pub motions: Vec<MotionReport>,
@@ -108,43 +109,22 @@ pub struct FloorReport {
     pub code_clause: Option<&'static str>,
 }
 
-/// The second axis, where it is not as the first.
+/// The second axis, where it differs from the first.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct AxisReport {
     pub model: String,
     pub damping: String,
-    pub modes: Vec<ModeReport>,
-}
-
-/// One mode.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
-pub struct ModeReport {
-    pub period_s: f64,
-    pub damping_ratio: f64,
-    pub participation_ratio: f64,
-    pub effective_mass_ratio: Option<f64>,
-    /// Γφ at the roof.
-    pub roof_share_ratio: f64,
+    pub modes: Vec<Facts<'static>>,
 }
 
 /// One level over all motions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct LevelReport {
-    pub level_ratio: f64,
-    pub height_m: f64,
-    pub pfa_g: f64,
-    /// 16 and 84 % over the motions; null for one motion.
-    pub pfa_g_p16: Option<f64>,
-    pub pfa_g_p84: Option<f64>,
-    pub pfv_m_s: f64,
-    pub pfd_m: f64,
-    pub drift_ratio: Option<f64>,
-    /// What a code gives a rigid part there, where one was named.
-    pub code_part_g: Option<f64>,
-    /// The floor's motion, where there is one and it was written.
+    /// A row of the profile.
+    #[serde(flatten)]
+    pub facts: Facts<'static>,
+    /// The file of the floor motion, where there is one motion and it was written.
     pub path: Option<String>,
 }
 
@@ -159,8 +139,8 @@ pub struct MotionReport {
     pub levels: Vec<MotionLevel>,
 }
 
-/// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest in whatever direction; displacement
-/// (relative to the ground) and drift are the larger of the two axes.
+/// One level under one motion. Of two components `pfa_g` and `pfv_m_s` are the largest over all
+/// directions; displacement (relative to the ground) and drift are the larger of the two axes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct MotionLevel {
@@ -179,7 +159,7 @@ pub struct MotionLevel {
 /// The floors under one motion.
 ///
 /// # Errors
-/// A tail or a number of samples that no memory holds; floors that overflow.
+/// A tail or a number of samples that does not fit in memory; floors that overflow.
 pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors, Problem> {
     let recorded = &read.motion;
     let along = AxisFloors::new(&recorded.motion, &request.along.building, request)?;
@@ -228,10 +208,10 @@ fn pairs(along: Vec<Motion>, across: Option<Vec<Motion>>) -> Vec<HorizontalMotio
 /// The levels along one axis.
 struct AxisFloors {
     floors: Vec<Motion>,
-    /// With more samples in each interval; the same where none are asked for.
+    /// With more samples in each interval, where requested.
     fine: Vec<Motion>,
     peaks: Vec<FloorPeaks>,
-    /// Peaks at the samples of the record, and those with the building's ring-down behind it.
+    /// Peaks at the samples of the record, and those with the building's ring-down after it.
     within_m_s2: Vec<f64>,
     later_m_s2: Vec<f64>,
 }
@@ -262,12 +242,12 @@ impl AxisFloors {
     }
 }
 
-/// The motion and its zeros; a tail that no memory holds is refused.
+/// The motion with its tail of zeros; a tail that does not fit in memory is refused.
 fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Problem> {
     motion.with_zero_tail(tail_s).map_err(|error| {
         let message = format!("{tail_s} s of zeros at steps of {} s: {error}", motion.dt_s());
         Problem::new(ProblemKind::Value, message)
-            .hint("check --tail, --period and the time step of the record; ten periods of the building are enough")
+            .hint("check `tail`, `period` and the time step of the record; ten periods of the building are enough")
     })
 }
 
@@ -314,12 +294,12 @@ fn largest(histories: &[&[f64]]) -> (f64, Option<f64>) {
     }
 }
 
-/// The floor goes on moving when the record ends; say so where its peak is still to come.
+/// A warning where the floor reaches its peak only after the end of the record.
 fn late_peak_warning(motion: &str, level_ratio: f64, axes: &[&AxisFloors], index: usize) -> Option<String> {
     let later = axes.iter().filter_map(|axis| Some((axis.within_m_s2.get(index)?, *axis.later_m_s2.get(index)?)));
     let late = later.filter(|(within, later)| later > within).map(|(_, later)| later).reduce(f64::max)?;
     Some(format!(
-        "{motion}, level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with --tail",
+        "{motion}, level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with `tail`",
         significant(late / G0_M_S2, 4)
     ))
 }
@@ -343,18 +323,18 @@ impl FloorReport {
                 quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))
             };
             let [p16, median, p84] = of(|level| Some(level.pfa_g));
-            LevelReport {
-                level_ratio,
-                height_m: level_ratio * request.height_m,
-                pfa_g: median.unwrap_or_default(),
-                pfa_g_p16: p16.filter(|_| several),
-                pfa_g_p84: p84.filter(|_| several),
-                pfv_m_s: of(|level| Some(level.pfv_m_s))[1].unwrap_or_default(),
-                pfd_m: of(|level| Some(level.pfd_m))[1].unwrap_or_default(),
-                drift_ratio: of(|level| level.drift_ratio)[1],
-                code_part_g: code.as_ref().and_then(|code| code.accel_g.get(i)).copied(),
-                path: first.levels.get(i).and_then(|level| level.path.clone()).filter(|_| !several),
-            }
+            let facts = Facts::default()
+                .key("level_ratio", level_ratio)
+                .key("height_m", level_ratio * request.height_m)
+                .key("pfa_g", median.unwrap_or_default())
+                .key("pfa_g_p16", p16.filter(|_| several))
+                .key("pfa_g_p84", p84.filter(|_| several))
+                .key("pfv_m_s", of(|level| Some(level.pfv_m_s))[1].unwrap_or_default())
+                .key("pfd_m", of(|level| Some(level.pfd_m))[1].unwrap_or_default())
+                .key("drift_ratio", of(|level| level.drift_ratio)[1])
+                .key("code_part_g", code.as_ref().and_then(|code| code.accel_g.get(i)).copied());
+            let path = first.levels.get(i).and_then(|level| level.path.clone()).filter(|_| !several);
+            LevelReport { facts, path }
         });
         let levels = levels.collect();
         Some(Self {
@@ -379,45 +359,24 @@ impl FloorReport {
         })
     }
 
-    /// The profile up the height as CSV.
+    /// The profile over the height as CSV.
     ///
     /// # Errors
-    /// None in practice: see [`records_csv`].
+    /// None in practice: see [`table_csv`].
     pub fn profile_csv(&self) -> Result<Vec<u8>, Problem> {
-        #[derive(Serialize)]
-        struct Row {
-            level_ratio: f64,
-            height_m: f64,
-            pfa_g: f64,
-            pfa_g_p16: Option<f64>,
-            pfa_g_p84: Option<f64>,
-            pfv_m_s: f64,
-            pfd_m: f64,
-            drift_ratio: Option<f64>,
-            code_part_g: Option<f64>,
-        }
-        let rows = self.levels.iter().map(|level| Row {
-            level_ratio: level.level_ratio,
-            height_m: level.height_m,
-            pfa_g: level.pfa_g,
-            pfa_g_p16: level.pfa_g_p16,
-            pfa_g_p84: level.pfa_g_p84,
-            pfv_m_s: level.pfv_m_s,
-            pfd_m: level.pfd_m,
-            drift_ratio: level.drift_ratio,
-            code_part_g: level.code_part_g,
-        });
-        records_csv(&rows.collect::<Vec<_>>())
+        table_csv(self.levels.iter().map(|level| level.facts.clone()))
     }
 }
 
-fn mode_reports(building: &Building) -> Vec<ModeReport> {
-    let report = |mode: &Mode| ModeReport {
-        period_s: mode.period_s(),
-        damping_ratio: mode.damping_ratio(),
-        participation_ratio: mode.participation_ratio(),
-        effective_mass_ratio: mode.effective_mass_ratio(),
-        roof_share_ratio: mode.share_ratio(1.0),
+fn mode_reports(building: &Building) -> Vec<Facts<'static>> {
+    let report = |mode: &Mode| {
+        Facts::default()
+            .key("period_s", mode.period_s())
+            .key("damping_ratio", mode.damping_ratio())
+            .key("participation_ratio", mode.participation_ratio())
+            .key("effective_mass_ratio", mode.effective_mass_ratio())
+            // Γφ at the roof.
+            .key("roof_share_ratio", mode.share_ratio(1.0))
     };
     building.modes().iter().map(report).collect()
 }

@@ -8,7 +8,8 @@ use serde::Serialize;
 
 use crate::statistics::{QUANTILES, ranked_quantile};
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_output::rows::records_csv;
+use freestand_output::facts;
+use freestand_output::facts::table_csv;
 use freestand_records::horizontal::HorizontalMotion;
 
 /// Response spectra to compute for every level.
@@ -44,7 +45,7 @@ pub struct LevelSpectra {
 /// Pseudo-accelerations of a motion \[m/s²\]; of two components, the largest over all directions (RotD100).
 ///
 /// # Errors
-/// Damping outside 0 ≤ ζ < 1, a negative period, components that are no pair.
+/// Damping outside 0 ≤ ζ < 1, a negative period, components that are not a pair.
 pub fn largest_psa_m_s2(
     motion: &HorizontalMotion,
     damping_ratio: f64,
@@ -68,7 +69,7 @@ pub(super) fn of_floor(floor: &HorizontalMotion, request: &SpectraRequest) -> Re
             largest_psa_m_s2(floor, damping_ratio, &request.periods_s).map_err(|error| refused(error.to_string()))?;
         Ok(psa_m_s2.iter().map(|a| a / G0_M_S2).collect())
     };
-    // The first error in the order of the dampings, whichever thread met one first.
+    // The first error in the order of the dampings, not in that of the threads.
     let all: Vec<Result<Vec<f64>, Problem>> = request.damping_ratios.par_iter().map(one).collect();
     all.into_iter().collect()
 }
@@ -111,27 +112,18 @@ impl SpectraReport {
 /// The spectra as CSV, level by level and damping by damping.
 ///
 /// # Errors
-/// None in practice: see [`records_csv`].
+/// None in practice: see [`table_csv`].
 pub fn spectra_csv(report: &SpectraReport) -> Result<Vec<u8>, Problem> {
-    #[derive(Serialize)]
-    struct Row {
-        level_ratio: f64,
-        damping_ratio: f64,
-        period_s: f64,
-        psa_g: f64,
-        psa_g_p16: Option<f64>,
-        psa_g_p84: Option<f64>,
-    }
     let mut rows = Vec::new();
     for level in &report.levels {
         for (damping, &damping_ratio) in report.damping_ratios.iter().enumerate() {
             for (period, &period_s) in report.periods_s.iter().enumerate() {
                 let at = |of: &[Vec<f64>]| of.get(damping).and_then(|row| row.get(period)).copied();
-                let (psa_g_p16, psa_g_p84) = (at(&level.psa_g_p16), at(&level.psa_g_p84));
-                let psa_g = at(&level.psa_g).unwrap_or_default();
-                rows.push(Row { level_ratio: level.level_ratio, damping_ratio, period_s, psa_g, psa_g_p16, psa_g_p84 });
+                let row = facts!(level; level_ratio).key("damping_ratio", damping_ratio).key("period_s", period_s);
+                let row = row.key("psa_g", at(&level.psa_g).unwrap_or_default());
+                rows.push(row.key("psa_g_p16", at(&level.psa_g_p16)).key("psa_g_p84", at(&level.psa_g_p84)));
             }
         }
     }
-    records_csv(&rows)
+    table_csv(rows)
 }

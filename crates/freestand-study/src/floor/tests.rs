@@ -25,14 +25,14 @@ fn request(along: Axis, across: Option<Axis>) -> FloorRequest {
 
 /// AS 1170.4, section 8, Melbourne on De: 0.08 · 1.1 g at the ground, twice that at mid-height, three times at the roof.
 #[test]
-fn a_codes_parts_stand_beside_the_floors() {
-    let target = crate::target::Target::resolve(&crate::target::TargetWords::default(), "".as_ref()).unwrap();
+fn a_codes_parts_are_listed_with_the_floors() {
+    let target = crate::target::Target::resolve(&freestand_input::keys::Words::default(), "".as_ref()).unwrap();
     let request = FloorRequest { code: Some(target.spectrum), ..request(beam(1.0), None) };
     let motions = vec![floors(&read(1, 1.0), &request).unwrap().report];
     let report = FloorReport::new(&request, motions, None).unwrap();
     for (level, expected_g) in report.levels.iter().zip([0.088, 0.176, 0.264]) {
         // Three roundings of decimal factors.
-        assert!((level.code_part_g.unwrap() - expected_g).abs() < 1e-15, "{level:?}");
+        assert!((level.facts.number("code_part_g").unwrap() - expected_g).abs() < 1e-15, "{level:?}");
     }
     assert!(report.code_clause.unwrap().starts_with("AS 1170.4"));
     assert!(
@@ -97,15 +97,14 @@ fn of_several_motions_medians_are_reported() {
     for (i, level) in report.levels.iter().enumerate() {
         // All is linear: the median is that of the factor 2, and 16 and 84 % of 1, 2, 3 are 1.32 and 2.68.
         let one = report.motions[0].levels[i].pfa_g;
-        for (value, factor) in [(level.pfa_g, 2.0), (level.pfa_g_p16.unwrap(), 1.32), (level.pfa_g_p84.unwrap(), 2.68)]
-        {
-            assert!((value / one - factor).abs() < 1e-12);
+        for (name, factor) in [("pfa_g", 2.0), ("pfa_g_p16", 1.32), ("pfa_g_p84", 2.68)] {
+            assert!((level.facts.number(name).unwrap() / one - factor).abs() < 1e-12);
         }
     }
-    let drifts: Vec<Option<f64>> = report.levels.iter().map(|level| level.drift_ratio).collect();
+    let drifts: Vec<Option<f64>> = report.levels.iter().map(|level| level.facts.number("drift_ratio")).collect();
     assert!(drifts[0].is_none() && drifts[1].is_some_and(|drift| drift > 0.0));
     // From the ground to half-way: the displacement over 15 m.
-    assert!((drifts[1].unwrap() * 15.0 / report.levels[1].pfd_m - 1.0).abs() < 1e-12);
+    assert!((drifts[1].unwrap() * 15.0 / report.levels[1].facts.number("pfd_m").unwrap() - 1.0).abs() < 1e-12);
 }
 
 #[test]

@@ -5,19 +5,18 @@ use std::path::{Path, PathBuf};
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::measures::{measures, rocking_measures, spectral_measures};
+use freestand::measures::{RockingMeasures, measures, rocking_measures, spectral_measures};
 use freestand::motion::Motion;
 use rayon::prelude::*;
-use serde::Serialize;
-use serde_json::{Map, Value};
 
 use super::failed::{Failed, Found};
 use crate::inspect::{Words, record_figure};
 use crate::recorded::{MotionFiles, name_of, unique};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
+use freestand_output::facts;
+use freestand_output::facts::{Facts, table_csv};
 use freestand_output::figure::{Figure, FigureError};
-use freestand_output::rows::records_csv;
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
 use freestand_records::processing::{Processed, process};
 
@@ -26,98 +25,47 @@ use freestand_records::processing::{Processed, process};
 pub struct InfoRequest {
     /// The files; without a choice of component every one of each file is taken.
     pub files: MotionFiles,
-    /// The block that the rocking measures are of.
+    /// The block of the rocking measures.
     pub block: Option<Block>,
     /// Whether the report keeps the motions, for figures.
     pub keep_motions: bool,
 }
 
 /// What is in record files.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct InfoReport {
     /// One for each component, in the order of the files and within them.
     pub motions: Vec<MotionInfo>,
-    /// What could not be read or processed, in the order of the files.
+    /// Files that could not be read or processed, in their order.
     pub failed: Vec<Failed>,
-    /// What readers concluded or left out.
-    #[serde(skip)]
+    /// What readers concluded or ignored.
     pub warnings: Vec<String>,
 }
 
-/// One component of a file. First, last, mean and sum are of the values as the file has them; the measures, and the values
-/// that are called processed, are of the motion after `processing`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+/// One component of a file.
+#[derive(Debug, Clone, PartialEq)]
 pub struct MotionInfo {
-    pub path: String,
+    path: String,
     /// A name for outputs, different for each motion.
     pub name: String,
-    pub format: &'static str,
+    /// The component.
     pub component: String,
-    pub station: Option<String>,
-    /// `horizontal` or `up`, where the file says so.
-    pub direction: Option<&'static str>,
-    /// Of a horizontal component, clockwise from north.
-    pub azimuth_deg: Option<f64>,
-    /// The unit in the file.
-    pub unit: &'static str,
-    pub is_raw: bool,
-    pub dt_s: f64,
-    pub npts: usize,
-    pub duration_s: f64,
-    pub pga_m_s2: f64,
-    pub pga_g: f64,
-    pub pga_signed_m_s2: f64,
-    pub pga_index: usize,
-    pub pga_time_s: f64,
-    pub pgv_m_s: f64,
-    pub pgd_m: f64,
-    pub rms_m_s2: f64,
-    pub arias_m_s: f64,
-    pub cav_m_s: f64,
-    pub cav_std_m_s: f64,
-    pub specific_energy_density_m2_s: f64,
-    pub d5_75_s: f64,
-    pub d5_95_s: f64,
-    pub bracketed_duration_s: f64,
-    pub uniform_duration_s: f64,
-    /// Housner's spectrum intensity.
-    pub housner_m: f64,
-    pub asi_m_s: f64,
-    pub mean_period_s: Option<f64>,
-    pub predominant_period_s: Option<f64>,
-    /// g tan α of the block, in g; `None` without a block, as the four that follow.
-    pub uplift_threshold_g: Option<f64>,
-    /// PGA/(g tan α).
-    pub pga_over_threshold_ratio: Option<f64>,
-    /// p·PGV/(g tan α).
-    pub pgv_over_threshold_ratio: Option<f64>,
-    pub time_above_threshold_s: Option<f64>,
-    pub excursions_above_threshold: Option<usize>,
-    pub mean_m_s2: f64,
-    pub sum_abs_m_s2: f64,
-    /// The first five.
-    pub first_values_m_s2: Vec<f64>,
-    /// The last two.
-    pub last_values_m_s2: Vec<f64>,
-    /// The first five after `processing`.
-    pub processed_first_values_m_s2: Vec<f64>,
-    /// The last two after `processing`.
-    pub processed_last_values_m_s2: Vec<f64>,
-    /// The factor on the samples, with every digit.
-    pub scale_ratio: f64,
-    /// What was done to the samples, one step each, in words.
-    pub processing: Vec<String>,
+    /// Format, component and station, for a figure.
+    description: String,
+    /// What was done to the samples, one step each.
+    processing: Vec<String>,
+    /// What is in it and its measures. First and last values, mean and sum are those of the file; the
+    /// measures, and the values called processed, those of the motion after `processing`.
+    facts: Facts<'static>,
     /// The motion, where it was to be kept.
-    #[serde(skip)]
-    pub motion: Option<Motion>,
+    motion: Option<Motion>,
 }
 
-/// Looks into the files, on the threads of the current pool; the report does not depend on them.
+/// Reads the files, on the threads of the current pool; the report does not depend on their number.
 ///
 /// # Errors
-/// Everything that is wrong with the only file, or with all of several; of others the report has what is right, and
-/// lists what failed.
+/// Everything that is wrong with the only file, or with all of several; otherwise the report lists the
+/// files that failed.
 pub fn info(request: &InfoRequest) -> Result<InfoReport, Vec<Problem>> {
     let each: Vec<_> = request.files.paths.par_iter().map(|path| info_of_file(path, request)).collect();
     let mut report = InfoReport { motions: Vec::new(), failed: Vec::new(), warnings: Vec::new() };
@@ -187,63 +135,61 @@ fn info_of_component(
         Some(Direction::Azimuth(degrees)) => (Some("horizontal"), Some(degrees)),
         None => (None, None),
     };
+    let of_block = |value: fn(&RockingMeasures) -> f64| rocking.as_ref().map(value);
+    let facts = Facts::default()
+        .fact("format", "format", file.format)
+        .fact("component", "component", component.name.clone())
+        .fact("station", "station", component.station.clone())
+        .fact("direction", "direction", direction)
+        .fact("azimuth_deg", "azimuth", azimuth_deg)
+        .fact("unit", "unit in the file", component.unit)
+        .fact("is_raw", "raw", component.is_raw)
+        .fact("dt_s", "time step", motion.dt_s())
+        .fact("npts", "samples", motion.accel_m_s2().len())
+        .fact("duration_s", "duration", motion.duration_s())
+        .key("pga_m_s2", m.pga_m_s2)
+        .fact("pga_g", "PGA", m.pga_m_s2 / G0_M_S2)
+        .fact("pga_signed_m_s2", "  with its sign", m.pga_signed_m_s2)
+        .key("pga_index", m.pga_index)
+        .fact("pga_time_s", "  at", m.pga_index as f64 * motion.dt_s())
+        .and(facts!(m; pgv_m_s "PGV", pgd_m "PGD", rms_m_s2 "RMS acceleration", arias_m_s "Arias intensity",
+            cav_m_s "CAV", cav_std_m_s "CAV, standardised", specific_energy_density_m2_s "specific energy density",
+            d5_75_s "significant duration D5-75", d5_95_s "significant duration D5-95",
+            bracketed_duration_s "bracketed duration, 0.05 g", uniform_duration_s "uniform duration, 0.05 g"))
+        .and(facts!(spectral; housner_m "Housner intensity", asi_m_s "ASI", mean_period_s "mean period",
+            predominant_period_s "predominant period"))
+        .fact("uplift_threshold_g", "uplift threshold g tan α", of_block(|r| r.uplift_threshold_m_s2 / G0_M_S2))
+        .fact("pga_over_threshold_ratio", "PGA/(g tan α)", of_block(|r| r.pga_ratio))
+        .fact("pgv_over_threshold_ratio", "p PGV/(g tan α)", of_block(|r| r.pgv_ratio))
+        .fact("time_above_threshold_s", "time above the threshold", of_block(|r| r.time_above_s))
+        .fact("excursions_above_threshold", "  excursions", rocking.map(|r| r.excursions))
+        .key("mean_m_s2", component.motion.mean_m_s2())
+        .key("sum_abs_m_s2", raw.iter().map(|a| a.abs()).sum::<f64>())
+        .key("first_values_m_s2", first(raw))
+        .key("last_values_m_s2", last(raw))
+        .key("processed_first_values_m_s2", first(motion.accel_m_s2()))
+        .key("processed_last_values_m_s2", last(motion.accel_m_s2()))
+        .key("scale_ratio", scale_ratio)
+        .fact("processing", "processing", steps.clone());
+    let station = component.station.as_ref().map_or(String::new(), |station| format!(", {station}"));
     let info = MotionInfo {
         path: file.path.to_string_lossy().into_owned(),
         name: motion_name(file, component),
-        format: file.format,
         component: component.name.clone(),
-        station: component.station.clone(),
-        direction,
-        azimuth_deg,
-        unit: component.unit,
-        is_raw: component.is_raw,
-        dt_s: motion.dt_s(),
-        npts: motion.accel_m_s2().len(),
-        duration_s: motion.duration_s(),
-        pga_m_s2: m.pga_m_s2,
-        pga_g: m.pga_m_s2 / G0_M_S2,
-        pga_signed_m_s2: m.pga_signed_m_s2,
-        pga_index: m.pga_index,
-        pga_time_s: m.pga_index as f64 * motion.dt_s(),
-        pgv_m_s: m.pgv_m_s,
-        pgd_m: m.pgd_m,
-        rms_m_s2: m.rms_m_s2,
-        arias_m_s: m.arias_m_s,
-        cav_m_s: m.cav_m_s,
-        cav_std_m_s: m.cav_std_m_s,
-        specific_energy_density_m2_s: m.specific_energy_density_m2_s,
-        d5_75_s: m.d5_75_s,
-        d5_95_s: m.d5_95_s,
-        bracketed_duration_s: m.bracketed_duration_s,
-        uniform_duration_s: m.uniform_duration_s,
-        housner_m: spectral.housner_m,
-        asi_m_s: spectral.asi_m_s,
-        mean_period_s: spectral.mean_period_s,
-        predominant_period_s: spectral.predominant_period_s,
-        uplift_threshold_g: rocking.map(|r| r.uplift_threshold_m_s2 / G0_M_S2),
-        pga_over_threshold_ratio: rocking.map(|r| r.pga_ratio),
-        pgv_over_threshold_ratio: rocking.map(|r| r.pgv_ratio),
-        time_above_threshold_s: rocking.map(|r| r.time_above_s),
-        excursions_above_threshold: rocking.map(|r| r.excursions),
-        mean_m_s2: component.motion.mean_m_s2(),
-        sum_abs_m_s2: raw.iter().map(|a| a.abs()).sum(),
-        first_values_m_s2: first(raw),
-        last_values_m_s2: last(raw),
-        processed_first_values_m_s2: first(motion.accel_m_s2()),
-        processed_last_values_m_s2: last(motion.accel_m_s2()),
-        scale_ratio,
+        description: format!("{}, component {}{station}", file.format, component.name),
         processing: steps,
+        facts,
         motion: request.keep_motions.then_some(motion),
     };
     Ok((info, notes))
 }
 
-fn first(values: &[f64]) -> Vec<f64> {
-    values.iter().take(5).copied().collect()
+fn first(values: &[f64]) -> &[f64] {
+    &values[..values.len().min(5)]
 }
 
-fn last(values: &[f64]) -> Vec<f64> {
-    values.iter().skip(values.len().saturating_sub(2)).copied().collect()
+fn last(values: &[f64]) -> &[f64] {
+    &values[values.len().saturating_sub(2)..]
 }
 
 /// The file's name, with the component's where there are several.
@@ -256,41 +202,39 @@ fn motion_name(file: &MotionFile, component: &Component) -> String {
 }
 
 impl InfoReport {
+    /// The document of `freestand motion info`.
+    pub fn facts(&self) -> Facts<'_> {
+        let motions = Facts::default().key("motions", self.motions.iter().map(MotionInfo::facts).collect::<Vec<_>>());
+        motions.key("failed", self.failed.iter().map(Failed::facts).collect::<Vec<_>>())
+    }
+
     /// The measures as CSV, one row for each component; the header states the units.
     ///
     /// # Errors
-    /// None in practice: see [`records_csv`].
+    /// None in practice: see [`table_csv`].
     pub fn measures_csv(&self) -> Result<Vec<u8>, Problem> {
-        let rows: Vec<Map<String, Value>> = self
-            .motions
-            .iter()
-            .map(|one| {
-                // A list is no field of a table, and a table holds names, never paths.
-                let mut row = Map::new();
-                row.insert("motion".to_owned(), Value::from(one.name.clone()));
-                if let Ok(Value::Object(all)) = serde_json::to_value(one) {
-                    row.extend(
-                        all.into_iter().filter(|(key, value)| !value.is_array() && key != "path" && key != "name"),
-                    );
-                }
-                row.insert("processing".to_owned(), Value::from(one.processing.join("; ")));
-                row
-            })
-            .collect();
-        records_csv(&rows)
+        // A table holds names, never paths.
+        table_csv(self.motions.iter().map(|one| {
+            let row = Facts::default().key("motion", one.name.as_str()).and(one.facts.clone());
+            row.key("processing", one.processing.join("; "))
+        }))
     }
 }
 
 impl MotionInfo {
+    /// Its part of the document.
+    pub fn facts(&self) -> Facts<'_> {
+        let named = Facts::default().fact("path", "file", self.path.as_str()).key("name", self.name.as_str());
+        named.and(self.facts.clone())
+    }
+
     /// The motion as a figure; nothing where it was not kept.
     ///
     /// # Errors
     /// What the plot library says when it cannot draw.
     pub fn figure(&self) -> Result<Option<Figure>, FigureError> {
         let Some(motion) = &self.motion else { return Ok(None) };
-        let station = self.station.as_ref().map_or(String::new(), |station| format!(", {station}"));
-        let description = format!("{}, component {}{station}", self.format, self.component);
-        let words = Words { name: &self.name, description: &description, processing: &self.processing };
+        let words = Words { name: &self.name, description: &self.description, processing: &self.processing };
         record_figure(words, motion).map(Some)
     }
 }

@@ -1,22 +1,23 @@
-//! Cushion curves of packaging: from drops on a foam (ASTM D1596) to one stress–energy curve, and from it to the thickness
-//! and the load that keep a shock below a limit.
+//! Cushion curves of packaging: from drops on a foam (ASTM D1596) to one stress–energy curve, and from
+//! it to the thickness and the load that keep a shock below a limit.
 
 use std::cell::RefCell;
 use std::path::Path;
 
 use freestand::G0_M_S2;
 use freestand::cushion::{CurveError, StressEnergy, StressEnergyFit};
-use serde::Serialize;
 
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_records::formats::load_curve;
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_output::facts::Facts;
+use freestand_records::tables::load_curve;
 
-/// What is asked; `None` where nobody says.
+/// A design; `None` where a value is not given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CurveRequest {
-    /// Drop height, of the tests that do not state theirs and of the design \[m\].
+    /// Drop height of the design, and of tests that do not state theirs \[m\].
     pub drop_height_m: Option<f64>,
-    /// Thickness, of the tests that do not state theirs and of the design \[m\].
+    /// Thickness of the design, and of tests that do not state theirs \[m\].
     pub thickness_m: Option<f64>,
     /// Static stress of the design, mg/A \[Pa\].
     pub static_stress_pa: Option<f64>,
@@ -24,56 +25,30 @@ pub struct CurveRequest {
     pub limit_m_s2: Option<f64>,
 }
 
-/// One test beside the curve.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
-pub struct CurvePoint {
-    pub static_stress_pa: f64,
-    pub drop_height_m: f64,
-    pub thickness_m: f64,
-    pub energy_j_m3: f64,
-    pub peak_acceleration_g: f64,
-    pub curve_g: f64,
-}
-
-/// The curve and what follows from it: the keys of `freestand cushion curve --json`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
+/// The curve and its consequences.
+#[derive(Debug, Clone, PartialEq)]
 pub struct CurveReport {
-    pub stress_pa: f64,
-    pub exponent_m3_j: f64,
-    pub r_squared_ratio: f64,
-    pub tested_energies_j_m3: [f64; 2],
-    pub tests: Vec<CurvePoint>,
-    /// Static stress of the least peak at the drop height and thickness asked for, and that peak.
-    pub best_static_stress_pa: Option<f64>,
-    pub best_peak_acceleration_g: Option<f64>,
-    /// Peak at the drop height, thickness and static stress asked for.
-    pub peak_acceleration_g: Option<f64>,
-    /// Thickness for the limit at the static stress asked for.
-    pub thickness_m: Option<f64>,
-    /// The least thickness for the limit, and the static stress that it takes.
-    pub optimum_thickness_m: Option<f64>,
-    pub optimum_static_stress_pa: Option<f64>,
-    #[serde(skip)]
+    /// The document of `freestand cushion curve`.
+    pub facts: Facts<'static>,
+    /// What the user should know.
     pub warnings: Vec<String>,
 }
 
-/// Reads the tests of a cushion and answers with its curve.
+/// Reads the tests of a cushion and fits its curve.
 ///
 /// # Errors
-/// A file without such tests, tests that do not say from where they were dropped or on how much, or that give no curve.
+/// A file without such tests, tests without a drop height or a thickness, or tests that give no curve.
 pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport, Problem> {
     let mut tests = Vec::new();
     for row in load_curve(path)? {
-        let stated = |value: Option<f64>, asked: Option<f64>, what: &str, flag: &str| {
+        let stated = |value: Option<f64>, asked: Option<f64>, what: &str, key: &str| {
             value.or(asked).ok_or_else(|| {
                 let problem = Problem::new(ProblemKind::Value, format!("the {what} of the tests is not known"));
-                problem.in_file(path).hint(format!("give it as {flag}, or as a column"))
+                problem.in_file(path).hint(format!("give {key}, or a column with it"))
             })
         };
-        let drop_height_m = stated(row.drop_height_m, request.drop_height_m, "drop height", "--drop-height")?;
-        let thickness_m = stated(row.thickness_m, request.thickness_m, "thickness", "--thickness")?;
+        let drop_height_m = stated(row.drop_height_m, request.drop_height_m, "drop height", "drop_height")?;
+        let thickness_m = stated(row.thickness_m, request.thickness_m, "thickness", "thickness")?;
         let sizes = [row.static_stress_pa, drop_height_m, thickness_m, row.peak_acceleration_m_s2];
         if sizes.iter().any(|&size| !(size > 0.0 && size.is_finite())) {
             let problem = Problem::new(ProblemKind::Value, "stress, height, thickness and peak must be positive");
@@ -101,7 +76,7 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
         let energy = stress_pa * height_m / thickness_m;
         if !(least * 0.999..=most * 1.001).contains(&energy) {
             warn(format!(
-                "{what} asks the curve for {energy:.4e} J/m³, the tests reach from {least:.4e} to {most:.4e}: it is a guess"
+                "{what} needs the curve at {energy:.4e} J/m³, but the tests cover {least:.4e} to {most:.4e}: it is extrapolated"
             ));
         }
     };
@@ -119,7 +94,7 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     match needed {
         Some((Some(t), s, h)) => within("the thickness", s, h, t),
         Some((None, ..)) => warn(
-            "no thickness keeps the limit at this static stress: the load is too light for this cushion; give it less area"
+            "no thickness keeps the limit at this static stress: the load is too light for this cushion; reduce its area"
                 .to_owned(),
         ),
         None => {}
@@ -133,34 +108,37 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     }
     if fit.r_squared_ratio < 0.9 {
         warn(format!(
-            "the tests scatter about one stress-energy curve (R² = {:.3}): heights and thicknesses may not reduce to it",
+            "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not hold for all heights and \
+             thicknesses",
             fit.r_squared_ratio
         ));
     }
-    CurveReport {
-        stress_pa: curve.stress_pa,
-        exponent_m3_j: curve.exponent_m3_j,
-        r_squared_ratio: fit.r_squared_ratio,
-        tested_energies_j_m3: [least, most],
-        tests: tests
-            .iter()
-            .map(|&(s, h, t, g)| CurvePoint {
-                static_stress_pa: s,
-                drop_height_m: h,
-                thickness_m: t,
-                energy_j_m3: s * h / t,
-                peak_acceleration_g: g,
-                curve_g: curve.peak_acceleration_g(s, h, t),
-            })
-            .collect(),
-        best_static_stress_pa: best.map(|(s, ..)| s),
-        best_peak_acceleration_g: best.map(|(s, h, t)| curve.peak_acceleration_g(s, h, t)),
-        peak_acceleration_g: asked.map(|((h, t), s)| curve.peak_acceleration_g(s, h, t)),
-        thickness_m: needed.and_then(|(t, ..)| t),
-        optimum_thickness_m: optimum.map(|(t, ..)| t),
-        optimum_static_stress_pa: optimum.map(|(_, s, _)| s),
-        warnings: warnings.into_inner(),
-    }
+    let test = |&(s, h, t, g): &(f64, f64, f64, f64)| {
+        Facts::default()
+            .key("static_stress_pa", s)
+            .key("drop_height_m", h)
+            .key("thickness_m", t)
+            .key("energy_j_m3", s * h / t)
+            .key("peak_acceleration_g", g)
+            .key("curve_g", curve.peak_acceleration_g(s, h, t))
+    };
+    let peak_g = |s, h, t| curve.peak_acceleration_g(s, h, t);
+    let asked_g = asked.map(|((h, t), s)| peak_g(s, h, t));
+    let facts = Facts::default()
+        .fact("stress_pa", "dynamic stress at no energy", curve.stress_pa)
+        .fact("exponent_m3_j", "  exponent over energy", curve.exponent_m3_j)
+        .fact("r_squared_ratio", "  R²", fit.r_squared_ratio)
+        .fact("tested_energies_j_m3", "  energies of the tests", [least, most])
+        .key("tests", tests.iter().map(test).collect::<Vec<_>>())
+        .fact("best_static_stress_pa", "best static stress", best.map(|(s, ..)| s))
+        .fact("best_peak_acceleration_g", "  peak", best.map(|(s, h, t)| peak_g(s, h, t)))
+        .line("given static stress", stress.map(|stress| format_si(stress, Dimension::Pressure)))
+        .fact("peak_acceleration_g", "  peak", asked_g)
+        .line("given limit", request.limit_m_s2.map(|limit| format_si(limit, Dimension::Acceleration)))
+        .fact("thickness_m", "  thickness at the given static stress", needed.and_then(|(t, ..)| t))
+        .fact("optimum_thickness_m", "  least thickness", optimum.map(|(t, ..)| t))
+        .fact("optimum_static_stress_pa", "  static stress of the least thickness", optimum.map(|(_, s, _)| s));
+    CurveReport { facts, warnings: warnings.into_inner() }
 }
 
 #[cfg(test)]
@@ -185,11 +163,12 @@ mod tests {
         request.static_stress_pa = Some(30e3);
         let report = cushion_curve(&path, &request).unwrap();
         std::fs::remove_file(&path).unwrap();
-        assert!((report.best_static_stress_pa.unwrap() / 10e3 - 1.0).abs() < 1e-9);
-        assert!((report.best_peak_acceleration_g.unwrap() - 27.1828).abs() < 1e-4);
+        let number = |name: &str| report.facts.number(name).unwrap();
+        assert!((number("best_static_stress_pa") / 10e3 - 1.0).abs() < 1e-9);
+        assert!((number("best_peak_acceleration_g") - 27.1828).abs() < 1e-4);
         // Four decimals of the limit are known.
-        assert!((report.optimum_thickness_m.unwrap() / 0.02 - 1.0).abs() < 1e-5);
+        assert!((number("optimum_thickness_m") / 0.02 - 1.0).abs() < 1e-5);
         // 30 kPa asks for 1.5 times the energy of the hardest test.
-        assert!(report.warnings.iter().any(|warning| warning.starts_with("the peak asks")), "{:?}", report.warnings);
+        assert!(report.warnings.iter().any(|warning| warning.starts_with("the peak needs")), "{:?}", report.warnings);
     }
 }

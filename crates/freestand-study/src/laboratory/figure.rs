@@ -1,4 +1,4 @@
-//! Tests of cushions: loops of drop tests in the manner of the paper's Figs. 5 and 6, static curves as its Fig. 4.
+//! Tests of cushions: loops of drop tests as in the paper's Figs. 5 and 6, static curves as in Fig. 4.
 
 use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion};
@@ -16,12 +16,12 @@ type Drawn = fn(f64, f64) -> f64;
 
 /// Height of a panel \[px\].
 const PANEL_PX: f64 = 430.0;
-/// Tests that get a line of their own in the legend.
-const MOST_NAMES: usize = 8;
+/// The largest number of tests that have a line of their own in the legend.
+const MAX_NAMES: usize = 8;
 
 /// Force against compression, and acceleration against compression, of all drops, with the fitted laws.
 pub(crate) fn drops(report: &DropsReport) -> Vec<Page> {
-    let has_loop = |test: &&DropReport| test.test.as_ref().is_some_and(|test| test.points.len() > 1);
+    let has_loop = |drop: &&DropReport| drop.test.points.len() > 1;
     let tests: Vec<&DropReport> = report.tests.iter().filter(has_loop).collect();
     let force: Drawn = |_, force_n| force_n;
     let accel: Drawn = |a, _| a / G0_M_S2;
@@ -34,8 +34,8 @@ pub(crate) fn drops(report: &DropsReport) -> Vec<Page> {
 fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Drawn) -> Page {
     let mut curves = Vec::new();
     let mut fits = Vec::new();
-    for (drop, test) in tests.iter().filter_map(|drop| Some((drop, drop.test.as_ref()?))) {
-        let points = test.points.iter();
+    for drop in tests {
+        let (points, test) = (drop.test.points.iter(), &drop.test);
         curves.push(
             points.map(|p| (1e3 * p.compression_m, value(p.acceleration_m_s2, p.force_n))).collect::<Vec<(f64, f64)>>(),
         );
@@ -51,10 +51,11 @@ fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Draw
     Page {
         name: name.to_owned(),
         title: plain(title),
-        caption: "Loops of the drop tests: compression by integrating the acceleration twice over the contact, force \
-                  from mass times acceleration above the zero line. The dashed line is the law that was fitted to the \
-                  pulse, over one landing."
-            .to_owned(),
+        caption:
+            "Loops of the drop tests. Compression: the acceleration integrated twice over the contact; force: mass \
+                  times acceleration above the zero line. The dashed line is the law that was fitted to the pulse, \
+                  over one landing."
+                .to_owned(),
         panels: vec![panel],
         columns: 1,
         row_heights_px: vec![PANEL_PX],
@@ -81,7 +82,7 @@ fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Entry> {
     let file = |path: &str| path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned();
     let mut entries: Vec<Entry> = names
         .iter()
-        .take(MOST_NAMES)
+        .take(MAX_NAMES)
         .enumerate()
         .map(|(i, path)| {
             let style = curve_style(i);
@@ -91,8 +92,8 @@ fn legend<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Entry> {
             }
         })
         .collect();
-    if names.len() > MOST_NAMES {
-        let words = format!("and {} more", names.len() - MOST_NAMES);
+    if names.len() > MAX_NAMES {
+        let words = format!("and {} more", names.len() - MAX_NAMES);
         entries.push(Entry { sign: Sign::Line { colour: DARK, width_px: 1.0, dash: None }, words });
     }
     entries
@@ -111,12 +112,12 @@ fn panel(curves: &[Vec<(f64, f64)>], fits: &[Vec<(f64, f64)>], label: &str) -> P
     Panel { plots, layout: axes(x, y) }
 }
 
-/// Dashes cannot be seen between points that are closer than they are long.
-const MOST_POINTS: usize = 80;
+/// Dashes would be invisible between points that are closer than a dash is long.
+const MAX_POINTS: usize = 80;
 
-/// A static curve in mm, with few enough points, its turn and its end among them.
+/// A static curve in mm, thinned; its turning point and its end remain.
 fn thinned(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let every = curve.len().div_ceil(MOST_POINTS).max(1);
+    let every = curve.len().div_ceil(MAX_POINTS).max(1);
     let top = curve.iter().enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map_or(0, |(i, _)| i);
     let kept = |i: usize| i.is_multiple_of(every) || i == top || i + 1 == curve.len();
     curve.iter().enumerate().filter(|(i, _)| kept(*i)).map(|(_, (d, f))| (1e3 * d, *f)).collect()
@@ -129,6 +130,7 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
         .tests
         .iter()
         .map(|test| {
+            let test = &test.test;
             let at_m = test.load_n / test.secant_stiffness_n_m;
             let reach_m = 0.5 * test.load_n / test.tangent_stiffness_n_m;
             [-reach_m, reach_m].map(|x| (1e3 * (at_m + x), test.load_n + test.tangent_stiffness_n_m * x)).to_vec()
@@ -141,7 +143,7 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
         name: "static".to_owned(),
         title: plain("Static force and compression"),
         caption:
-            "Static tests after machine and toe: the way in and the way out, and the tangents at the working load."
+            "Static tests, corrected for machine and toe: loading and unloading, and the tangents at the working load."
                 .to_owned(),
         panels: vec![panel(&curves, &tangents, "Force (N)")],
         columns: 1,
@@ -154,7 +156,7 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.
-pub fn drop_figures(report: &crate::laboratory::drop_test::DropsReport) -> Result<Vec<Figure>, FigureError> {
+pub fn drop_figures(report: &DropsReport) -> Result<Vec<Figure>, FigureError> {
     drops(report).into_iter().map(draw).collect()
 }
 
@@ -162,6 +164,6 @@ pub fn drop_figures(report: &crate::laboratory::drop_test::DropsReport) -> Resul
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.
-pub fn static_figure(report: &crate::laboratory::static_test::StaticsReport) -> Result<Figure, FigureError> {
+pub fn static_figure(report: &StaticsReport) -> Result<Figure, FigureError> {
     draw(statics(report))
 }

@@ -15,7 +15,7 @@ use freestand_output::figure::{Figure, FigureError};
 /// Height of the panel \[px\].
 const PANEL_PX: f64 = 380.0;
 /// So many motions are drawn one by one; the mean is that of all.
-const MOST_DRAWN: usize = 100;
+const MAX_DRAWN: usize = 100;
 
 /// What is compared.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +42,7 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
     let mean: Vec<f64> = (0..periods_s.len())
         .map(|i| (psa_g.iter().map(|psa| psa[i].ln()).sum::<f64>() / psa_g.len().max(1) as f64).exp())
         .collect();
-    let drawn = psa_g.iter().take(MOST_DRAWN);
+    let drawn = psa_g.iter().take(MAX_DRAWN);
     let highest = drawn.clone().flatten().chain(picture.target_sa_g).copied().fold(0.0, f64::max);
     let points =
         |values: &[f64]| -> Vec<(f64, f64)> { periods_s.iter().copied().zip(values.iter().copied()).collect() };

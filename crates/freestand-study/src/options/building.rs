@@ -10,7 +10,7 @@ use freestand_input::quantity::Dimension;
 pub(crate) struct BuildingOptions {
     pub(crate) storeys: Option<Written<u64>>,
     pub(crate) storey_height_m: Option<Written<f64>>,
-    /// What is said of the first axis.
+    /// The first axis.
     pub(crate) along: AxisOptions,
     pub(crate) across: Option<Written<AxisOptions>>,
     pub(crate) levels: Option<Written<Vec<LevelOptions>>>,

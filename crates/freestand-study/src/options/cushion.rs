@@ -1,14 +1,13 @@
-//! The keys that describe a cushion, in `[objects]` and in a cushion file: kept as texts, each with its line.
+//! The keys that describe a cushion, in `[objects]` and in a cushion file: kept as texts, each with
+//! its line.
 
 use toml::de::DeValue;
 
-use super::{Reader, Section, Written, bare_number};
+use super::{Reader, Section, Written, bare_number, words};
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
-/// The words on a cushion and their lines.
-pub(crate) type CushionOptions = Vec<(&'static str, Written<String>)>;
-
-/// Keys whose value may be a bare number where they end in a unit.
+/// Keys with a unit: if the key ends in one, the value may be a bare number.
 const QUANTITIES: [(&str, Dimension); 7] = [
     ("stiffness", Dimension::Stiffness),
     ("pad_stiffness", Dimension::Stiffness),
@@ -20,12 +19,12 @@ const QUANTITIES: [(&str, Dimension); 7] = [
 ];
 
 /// Keys that hold a name or a pure number.
-const WORDS: [&str; 6] = ["law", "cushion", "pads_per_edge", "exponent", "damping", "dissipation"];
+const NAMES: [&str; 6] = ["law", "cushion", "pads_per_edge", "exponent", "damping", "dissipation"];
 
-pub(super) fn cushion(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> CushionOptions {
-    let quantities = QUANTITIES.map(|(key, dimension)| Some((key, texts(reader, table, key, dimension)?)));
-    let words = WORDS.map(|key| Some((key, table.name_or_number(reader, key)?)));
-    quantities.into_iter().chain(words).flatten().collect()
+pub(super) fn cushion(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Words {
+    let quantities = QUANTITIES.map(|(key, dimension)| (key, texts(reader, table, key, dimension)));
+    let names = NAMES.map(|key| (key, table.name_or_number(reader, key)));
+    words(quantities.into_iter().chain(names))
 }
 
 /// One quantity or a list of them, as one text with units.

@@ -4,16 +4,17 @@ use toml::de::DeValue;
 
 use super::point_source::{PointSourceOptions, point_source};
 use super::processing::{ProcessingOptions, processing};
-use super::target::{TargetOptions, target};
+use super::target::target;
 use super::{Reader, Section, Written, bare_number};
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
 /// `[ground]`, as written. A `None` is a key that is missing or that was refused.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct GroundOptions {
     pub(crate) line: Option<usize>,
-    /// The words on the spectrum of synthetic motions.
-    pub(crate) target: TargetOptions,
+    /// The values of [`crate::target::TARGET_KEYS`].
+    pub(crate) target: Words,
     pub(crate) count: Option<Written<u64>>,
     pub(crate) seed: Option<Written<u64>>,
     pub(crate) point_source: Option<PointSourceOptions>,
@@ -28,7 +29,7 @@ pub(crate) struct GroundOptions {
     pub(crate) station_xml: Option<Written<String>>,
     pub(crate) scale: Option<Written<f64>>,
     pub(crate) processing: Option<ProcessingOptions>,
-    /// Some key was refused: files cannot be read as they were meant to be.
+    /// A key was refused, so that files cannot be read as intended.
     pub(crate) is_incomplete: bool,
 }
 
@@ -54,7 +55,7 @@ pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOpti
     }
 }
 
-/// `components`: both of a file, or two by name or number.
+/// `components`: both components of a file, or two by name or number.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum ComponentsOption {
     Both,

@@ -1,7 +1,7 @@
-//! The study as written: a TOML text, read key by key with the line of each value.
+//! Reads a study: a TOML text, key by key, with the line of each value.
 //!
-//! Nothing stops at the first problem: every reader takes what it can, notes what is wrong and goes on, so that a file
-//! is put right in one round. Unknown keys are found because each reader says which keys it knows.
+//! No reader stops at a problem: it notes the problem and continues, so that a person can correct a
+//! file in one go. Unknown keys are found because each reader states the keys that it knows.
 
 mod assessment;
 mod building;
@@ -19,7 +19,8 @@ use toml::de::DeTable;
 
 use assessment::assessment;
 use building::building;
-use freestand_input::problem::Problem;
+use freestand_input::keys::Words;
+use freestand_input::problem::Problems;
 use freestand_input::toml_reader::{Reader, Section, Written, bare_number, example};
 use ground::ground;
 use objects::objects;
@@ -27,14 +28,13 @@ use outputs::outputs;
 
 pub(crate) use assessment::AssessmentOptions;
 pub(crate) use building::{AxisOptions, BuildingOptions, LevelOptions};
-pub(crate) use cushion::CushionOptions;
 pub(crate) use ground::{ComponentsOption, GroundOptions};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};
 pub(crate) use outputs::{HistoryOptions, OutputsOptions};
 pub(crate) use point_source::PointSourceOptions;
 pub(crate) use processing::ProcessingOptions;
 
-/// A study as written.
+/// A study as a person wrote it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Options {
     pub(crate) ground: GroundOptions,
@@ -51,8 +51,8 @@ pub(crate) fn has_table_of_ours(text: &str) -> bool {
         .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
 }
 
-/// Reads a study; what is wrong goes into the problems, what could be read into the options.
-pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>) {
+/// Reads a study: what can be read, and all problems.
+pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     let mut reader = Reader::new(text, source);
     let mut options = Options::default();
     let Some(document) = reader.document(text) else { return (options, reader.problems) };
@@ -82,10 +82,21 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Vec<Problem>
     (options, reader.problems)
 }
 
-/// Reads a cushion file, in which the keys stand at the top.
-pub(crate) fn parse_cushion(text: &str, source: &Path) -> (CushionOptions, Vec<Problem>) {
+/// Texts by key, with their lines; a key that is missing or that was refused has none.
+fn words(entries: impl Iterator<Item = (&'static str, Option<Written<String>>)>) -> Words {
+    let mut words = Words::default();
+    for (key, written) in entries {
+        if let Some(Written { value, line }) = written {
+            words.add(key, value, Some(line));
+        }
+    }
+    words
+}
+
+/// Reads a cushion file, in which the keys belong to no table.
+pub(crate) fn parse_cushion(text: &str, source: &Path) -> (Words, Problems) {
     let mut reader = Reader::new(text, Some(source));
-    let Some(document) = reader.document(text) else { return (CushionOptions::new(), reader.problems) };
+    let Some(document) = reader.document(text) else { return (Words::default(), reader.problems) };
     let mut top = Section::new("", document.get_ref(), 1);
     let options = cushion::cushion(&mut reader, &mut top);
     top.finish(&mut reader);
@@ -98,25 +109,23 @@ mod tests {
 
     fn problems(text: &str) -> Vec<String> {
         let (_, problems) = parse(text, Some(Path::new("s.toml")));
-        problems.iter().map(|p| format!("{p} | {}", p.hint.as_deref().unwrap_or("-"))).collect()
+        problems.problems.iter().map(|p| format!("{p} | {}", p.hint.as_deref().unwrap_or("-"))).collect()
     }
 
     #[test]
     fn quantities_take_strings_with_units_or_keys_that_state_them() {
         let (options, problems) = parse(
-            "[building]\nstorey_height_mm = 3200\nperiod = \"1.92 s\"\ndamping = \"5 %\"\n[objects]\nheights = [\"0.5 m\", \"700 mm\"]\nthicknesses_mm = [200, 300.5]\nstiffness_n_mm = 4380\n",
+            "[building]\nstorey_height_mm = 3200\nperiod = \"1.92 s\"\ndamping = \"5 %\"\n[objects]\nheights = \
+             [\"0.5 m\", \"700 mm\"]\nthicknesses_mm = [200, 300.5]\nstiffness_n_mm = 4380\n",
             None,
         );
-        assert_eq!(problems, []);
+        assert!(problems.is_empty(), "{problems}");
         assert_eq!(options.building.storey_height_m, Some(Written { value: 3.2, line: 2 }));
         assert_eq!(options.building.along.period_s, Some(Written { value: 1.92, line: 3 }));
         assert_eq!(options.building.along.damping, Some(Written { value: 0.05, line: 4 }));
         assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
         assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
-        assert_eq!(
-            (options.objects.cushion[0].0, options.objects.cushion[0].1.value.as_str()),
-            ("stiffness", "4380 N/mm")
-        );
+        assert_eq!(options.objects.cushion.entries().next(), Some(("stiffness", "4380 N/mm")));
     }
 
     #[test]
@@ -130,13 +139,13 @@ mod tests {
             ("\"500:1000:3\"", &[0.5, 0.75, 1.0]),
         ] {
             let (options, problems) = parse(&format!("[objects]\nheights_mm = {value}\n"), None);
-            assert_eq!(problems, []);
+            assert!(problems.is_empty(), "{problems}");
             assert_eq!(options.objects.heights_m.unwrap().value, expected, "{value}");
         }
         assert_eq!(
             problems("[objects]\nheights_mm = \"500 mm, 1 m\"\n"),
             [
-                "s.toml:2: heights_mm: \"500 mm\" is not a number | the unit is stated already (mm): write the number alone"
+                "s.toml:2: heights_mm: \"500 mm\" is not a number | the unit is already stated (mm): write only the number"
             ]
         );
     }
@@ -144,7 +153,8 @@ mod tests {
     #[test]
     fn every_problem_is_reported_with_its_line() {
         let got = problems(
-            "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nstorey_height = 3.2\nlevels = 4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\n",
+            "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nstorey_height = 3.2\nlevels = \
+             4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\n",
         );
         assert_eq!(
             got,
@@ -154,7 +164,7 @@ mod tests {
                 "s.toml:7: storey_height: \"3.2\" needs a unit | write \"3.2 m\" or \"3.2 mm\"",
                 "s.toml:8: levels must be a list, not 4 | write levels = [{ name = \"roof\", level_ratio = 1.0 }]",
                 "s.toml:11: mass and mass_kg both state the same value | keep one of them",
-                "s.toml:10: mass: \"3 m\" is a length, a mass is expected | known units: kg, t",
+                "s.toml:10: mass: \"3 m\" is a length, not a mass | known units: kg, t",
                 "s.toml:4: unknown table [bulding] | did you mean [building]?",
             ]
         );
@@ -164,7 +174,8 @@ mod tests {
     fn text_that_is_not_toml_is_one_message_with_its_line() {
         let got = problems("[ground]\ncount = = 3\n");
         assert!(got[0].starts_with("s.toml:2: not TOML: "), "{got:?}");
-        // One fault is one message: no key without a value, no table cut short, is reported beside it.
+        // One fault is one message: no key without a value, no table cut short, is reported beside
+        // it.
         for text in [
             "[ground]\nseed=\n",
             "[ground]\nseed = \n[objects]\nmass = 3\n",

@@ -1,7 +1,8 @@
 //! The keys of `[objects]`.
 
-use super::cushion::{CushionOptions, cushion};
+use super::cushion::cushion;
 use super::{Reader, Section, Written};
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 use freestand_input::toml_reader::{describe, value_problem};
 
@@ -11,7 +12,8 @@ pub(crate) struct ObjectsOptions {
     pub(crate) heights_m: Option<Written<Vec<f64>>>,
     pub(crate) thicknesses_m: Option<Written<Vec<f64>>>,
     pub(crate) mass_kg: Option<Written<f64>>,
-    pub(crate) cushion: CushionOptions,
+    /// The values of [`crate::cushion::CUSHION_KEYS`].
+    pub(crate) cushion: Words,
     pub(crate) restitution: Option<Written<RestitutionOption>>,
     pub(crate) restitution_factor: Option<Written<f64>>,
     pub(crate) accuracy: Option<Written<String>>,

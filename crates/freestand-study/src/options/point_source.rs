@@ -1,7 +1,8 @@
 //! `point_source` of `[ground]`: kept as texts, each with its line.
 
 use super::cushion::texts;
-use super::{Reader, Section, Written};
+use super::{Reader, Section, Written, words};
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
 /// `point_source` of `[ground]`, as written.
@@ -9,8 +10,8 @@ use freestand_input::quantity::Dimension;
 pub(crate) struct PointSourceOptions {
     pub(crate) line: usize,
     pub(crate) pairs: Option<Written<bool>>,
-    /// The words of [`crate::simulated::SOURCE_KEYS`] and their lines.
-    pub(crate) words: Vec<(&'static str, Written<String>)>,
+    /// The values of [`crate::simulated::SOURCE_KEYS`].
+    pub(crate) words: Words,
 }
 
 const QUANTITIES: [(&str, Dimension); 5] = [
@@ -25,11 +26,11 @@ const NAMES: [&str; 4] = ["preset", "source_spectrum", "path_duration", "window"
 pub(super) fn point_source(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<PointSourceOptions> {
     let mut entry = table.table(reader, "point_source")?;
     let pairs = entry.boolean(reader, "pairs");
-    let magnitude = entry.name_or_number(reader, "magnitude").map(|text| ("magnitude", text));
-    let quantities = QUANTITIES.map(|(key, dimension)| Some((key, texts(reader, &mut entry, key, dimension)?)));
-    let names = NAMES.map(|key| Some((key, entry.string(reader, key)?)));
-    let hard_rock = entry.boolean(reader, "hard_rock").map(|flag| ("hard_rock", flag.map(|flag| flag.to_string())));
-    let words = quantities.into_iter().chain(names).chain([magnitude, hard_rock]).flatten().collect();
+    let magnitude = ("magnitude", entry.name_or_number(reader, "magnitude"));
+    let quantities = QUANTITIES.map(|(key, dimension)| (key, texts(reader, &mut entry, key, dimension)));
+    let names = NAMES.map(|key| (key, entry.string(reader, key)));
+    let hard_rock = entry.boolean(reader, "hard_rock").map(|flag| flag.map(|flag| flag.to_string()));
+    let words = words(quantities.into_iter().chain(names).chain([magnitude, ("hard_rock", hard_rock)]));
     let line = entry.line;
     entry.finish(reader);
     Some(PointSourceOptions { line, pairs, words })

@@ -1,13 +1,11 @@
 //! The keys of `[ground]` that describe a spectrum: kept as texts, each with its line.
 
 use super::cushion::texts;
-use super::{Reader, Section, Written};
+use super::{Reader, Section, words};
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
-/// The words on a spectrum and their lines.
-pub(crate) type TargetOptions = Vec<(&'static str, Written<String>)>;
-
-/// Keys whose value may be a bare number where they end in a unit.
+/// Keys with a unit: if the key ends in one, the value may be a bare number.
 const QUANTITIES: [(&str, Dimension); 8] = [
     ("ground_acceleration", Dimension::Acceleration),
     ("sds", Dimension::Acceleration),
@@ -34,9 +32,9 @@ const NUMBERS: [&str; 8] = [
     "fv",
 ];
 
-pub(super) fn target(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> TargetOptions {
-    let names = NAMES.map(|key| Some((key, table.string(reader, key)?)));
-    let numbers = NUMBERS.map(|key| Some((key, table.name_or_number(reader, key)?)));
-    let quantities = QUANTITIES.map(|(key, dimension)| Some((key, texts(reader, table, key, dimension)?)));
-    names.into_iter().chain(numbers).chain(quantities).flatten().collect()
+pub(super) fn target(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Words {
+    let names = NAMES.map(|key| (key, table.string(reader, key)));
+    let numbers = NUMBERS.map(|key| (key, table.name_or_number(reader, key)));
+    let quantities = QUANTITIES.map(|(key, dimension)| (key, texts(reader, table, key, dimension)));
+    words(names.into_iter().chain(numbers).chain(quantities))
 }

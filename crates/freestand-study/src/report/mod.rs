@@ -1,4 +1,4 @@
-//! `report.html`: one file that loads nothing, for the screen and for A4.
+//! `report.html`: one file that loads nothing, for the screen and for paper.
 
 mod inputs;
 mod overview;
@@ -7,7 +7,7 @@ mod reading;
 mod results;
 mod sensitivity;
 
-use freestand_output::html::{self, CSS};
+use freestand_output::html;
 use std::fmt::Write;
 
 use crate::result::StudyResult;
@@ -32,15 +32,7 @@ pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenanc
         ("provenance", "Provenance", provenance::provenance_section(study, provenance)),
     ];
     let sections = sections.into_iter().filter(|(_, _, content)| !content.is_empty()).collect::<Vec<_>>();
-    let mut document = String::from(
-        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\" />\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n",
-    );
-    let title = overview::title(study);
-    let _ = write!(document, "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n", escape(&title), CSS);
-    let _ = write!(document, "<header>\n<h1>{}</h1>\n", escape(&title));
-    let _ = writeln!(document, "<p class=\"sub\">{}</p>\n</header>", escape(&overview::subtitle(study, provenance)));
-    document.push_str("<main>\n");
+    let mut document = html::opening(&overview::title(study), &overview::subtitle(study, provenance), "");
     document.push_str(&overview::overview(study, result));
     document.push_str("<nav aria-label=\"Contents\">\n");
     for (id, heading, _) in &sections {
@@ -50,7 +42,7 @@ pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenanc
     for (id, heading, content) in &sections {
         document.push_str(&html::section(id, heading, content));
     }
-    document.push_str("</main>\n</body>\n</html>\n");
+    document.push_str(html::CLOSING);
     document
 }
 

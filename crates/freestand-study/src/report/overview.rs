@@ -205,10 +205,10 @@ fn failures(result: &StudyResult) -> String {
         return String::new();
     }
     reasons.sort_by_key(|&(_, count)| std::cmp::Reverse(count));
-    let more = reasons.len().saturating_sub(MOST_REASONS);
+    let more = reasons.len().saturating_sub(MAX_REASONS);
     let rows: Vec<_> = reasons
         .iter()
-        .take(MOST_REASONS)
+        .take(MAX_REASONS)
         .map(|(reason, count)| vec![words(reason), figure(count.to_string())])
         .collect();
     let mut html = table("Histories that could not be followed", &[vec![words("Reason"), figure("Histories")]], &rows);
@@ -218,4 +218,4 @@ fn failures(result: &StudyResult) -> String {
     html
 }
 
-const MOST_REASONS: usize = 12;
+const MAX_REASONS: usize = 12;

@@ -1,6 +1,6 @@
 //! Figures, and a table of every object for each level.
 
-use crate::figures::MOST_RECORDS;
+use crate::figures::MAX_RECORDS;
 use crate::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
 use crate::study::{Ground, Study};
 use freestand_input::words::{fixed, number, percent};
@@ -10,7 +10,7 @@ use freestand_output::html::escape;
 use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
 
 /// More thicknesses than this do not fit side by side on A4.
-const MOST_COLUMNS: usize = 5;
+const MAX_COLUMNS: usize = 5;
 
 /// Figures first, then the numbers.
 pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -> String {
@@ -24,7 +24,7 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
         html.push_str(&heading(&format!("Median edge shock at the level {}", level.level.name)));
         let mut thicknesses = study.objects.thicknesses_m.clone();
         thicknesses.sort_by(f64::total_cmp);
-        for some in thicknesses.chunks(MOST_COLUMNS) {
+        for some in thicknesses.chunks(MAX_COLUMNS) {
             html.push_str(&level_table(study, level, some));
         }
     }
@@ -34,8 +34,8 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
 /// Which of the recorded motions were drawn, where not all of them were.
 fn records_words(study: &Study) -> String {
     match &study.ground {
-        Ground::Recorded(records) if records.len() > MOST_RECORDS => paragraph(&format!(
-            "Of the {} recorded ground motions the first {MOST_RECORDS} are drawn; freestand motion info --plot draws any.",
+        Ground::Recorded(records) if records.len() > MAX_RECORDS => paragraph(&format!(
+            "Of the {} recorded ground motions the first {MAX_RECORDS} are drawn; freestand motion info --plot draws any.",
             records.len()
         )),
         _ => String::new(),

@@ -45,7 +45,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
 
 /// Why there is no result, or what this variation is warned of besides.
 fn remark(row: &VariedLevel) -> Option<String> {
-    let why = row.reason.as_ref().or(row.warnings.as_ref())?;
+    let why = row.reason.as_ref().map(ToString::to_string).or_else(|| row.warnings.clone())?;
     Some(format!("{}: {why}", row.words()))
 }
 

@@ -1,3 +1,6 @@
+#[path = "../../../freestand-output/tests/print/check.rs"]
+mod print_check;
+
 use super::*;
 use crate::figures::figures;
 use crate::fixture;
@@ -102,6 +105,7 @@ fn the_same_result_gives_the_same_report() {
 fn report_holds_figures_tables_and_definitions() {
     let (figures, html) = rendered(false);
     check(&html);
+    print_check::check_print(&html, "Free-standing objects in a 500-year earthquake: Melbourne, site class De", "");
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document = roxmltree::Document::parse_with_options(&html, options).unwrap();
     let count = |tag: &str| document.descendants().filter(|n| n.tag_name().name() == tag).count();

@@ -1,4 +1,4 @@
-//! `[assessment]` as meant.
+//! Resolves `[assessment]`.
 
 use std::path::PathBuf;
 
@@ -7,8 +7,8 @@ use crate::options::AssessmentOptions;
 use crate::study::assessment::{Accepted, Settings, Spread};
 use freestand_input::toml_reader::Written;
 
-/// Most draws of the uncertain values for each motion.
-const MOST_DRAWS: u64 = 10_000;
+/// Largest number of draws of the uncertain values for each motion.
+const MAX_DRAWS: u64 = 10_000;
 
 impl Resolver<'_> {
     pub(super) fn assessment(&mut self, written: &AssessmentOptions) -> Settings {
@@ -54,7 +54,7 @@ impl Resolver<'_> {
         };
         if settings.most_draws < settings.draws {
             let line = written.most_draws.as_ref().or(written.draws.as_ref()).map(|one| one.line);
-            self.note(line, "most_draws is less than draws", "most_draws is where doubling of draws ends");
+            self.note(line, "most_draws is less than draws", "draws are doubled until they reach most_draws");
         }
         settings
     }
@@ -64,14 +64,14 @@ impl Resolver<'_> {
         or(written, default)
     }
 
-    /// Beyond 1 a value is not known at all, and its draws leave what the models are made for.
+    /// Above 1 a value is practically unknown, and its draws leave the range of the models.
     fn spread(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
         self.require(written, |value| (0.0..=1.0).contains(&value), key, "from 0 (certain) to 1");
         or(written, default)
     }
 
     fn draws(&mut self, key: &str, written: &Option<Written<u64>>, default: u32) -> u32 {
-        self.require(written, |count| (1..=MOST_DRAWS).contains(&count), key, &format!("from 1 to {MOST_DRAWS}"));
+        self.require(written, |count| (1..=MAX_DRAWS).contains(&count), key, &format!("from 1 to {MAX_DRAWS}"));
         u32::try_from(or(written, u64::from(default))).unwrap_or(default)
     }
 
@@ -117,7 +117,8 @@ mod tests {
 
     #[test]
     fn everything_that_is_wrong_is_said_with_its_line() {
-        let text = "[assessment]\naccepted = 1.5\ndraws = 0\nmost_draws = 4\nmass_spread = -1\nfriction_low = 0.9\npad_strain = 2\nscren = true\n";
+        let text = "[assessment]\naccepted = 1.5\ndraws = 0\nmost_draws = 4\nmass_spread = -1\nfriction_low = \
+                    0.9\npad_strain = 2\nscren = true\n";
         let problems = resolve(text, None, "".as_ref()).unwrap_err().problems;
         let lines: Vec<Option<usize>> = problems.iter().map(|problem| problem.line).collect();
         assert_eq!(lines, [2, 3, 5, 6, 7, 8].map(Some), "{problems:?}");

@@ -1,17 +1,20 @@
-//! The building of `[building]` along each horizontal axis, as meant.
+//! Resolves the building of `[building]` along each horizontal axis.
 
 use freestand::building::Damping;
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 
 use super::{MAX_STOREYS, Resolver, or};
-use crate::building::{Axis, AxisModel, AxisRequest, MOST_MODES, axis};
+use crate::building::{
+    Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
+    DEFAULT_STOREYS, MAX_MODES, axis,
+};
 use crate::options::{AxisOptions, BuildingOptions};
 use crate::study::BuildingInput;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si, shorten};
 use freestand_input::toml_reader::Written;
 
-/// The height that both axes share, and where it is from.
+/// The height that both axes share.
 #[derive(Debug, Clone, Copy)]
 struct Stated {
     storeys: usize,
@@ -33,8 +36,8 @@ impl Resolver<'_> {
             self.exclusive((key, table), ("storey_height", &written.storey_height_m));
         }
         let mut stated = Stated {
-            storeys: usize::try_from(or(&written.storeys, 30)).unwrap_or(usize::MAX),
-            storey_height_m: or(&written.storey_height_m, 3.2),
+            storeys: usize::try_from(or(&written.storeys, DEFAULT_STOREYS.into())).unwrap_or(usize::MAX),
+            storey_height_m: or(&written.storey_height_m, DEFAULT_STOREY_HEIGHT_M),
         };
         let first = self.axis(along, stated, before);
         if let Some((Axis { height_m: Some(height_m), building, .. }, _)) = &first {
@@ -42,7 +45,7 @@ impl Resolver<'_> {
             stated = Stated { storeys: floors, storey_height_m: height_m / floors as f64 };
         }
         let height_m = stated.storeys as f64 * stated.storey_height_m;
-        // Tried whatever became of the first, so that what is wrong with either is said at once.
+        // Resolved even if the first is wrong, so that the problems of both are reported at once.
         let across = written.across.as_ref();
         let second = across.map(|across| self.axis(&inherited(&across.value, along), stated, before));
         self.check_damping_counts(along, first.as_ref());
@@ -59,13 +62,17 @@ impl Resolver<'_> {
             && (other_m - height_m).abs() > 1e-3 * height_m
         {
             let (here, there) = (format_si(height_m, Dimension::Length), format_si(*other_m, Dimension::Length));
-            let message = format!("the building is {there} high across and {here} along");
-            self.note(Some(across.line), message, "levels are shares of one height: check both tables");
+            let message = format!("the building is {there} high across, but {here} along");
+            self.note(
+                Some(across.line),
+                message,
+                "both tables must have the same height, because levels are shares of it",
+            );
             return None;
         }
         let (second, across_note) = second.unzip();
         let mut tables = Vec::from_iter(first.table.clone().map(|table| (false, table)));
-        // A table that the second axis only inherits is that of the first.
+        // A table that the second axis inherits is listed once, with the first.
         let names_its_own =
             across.is_some_and(|axis| axis.value.storey_table.is_some() || axis.value.mode_table.is_some());
         let own = second.as_ref().and_then(|axis| axis.table.clone()).filter(|_| names_its_own);
@@ -84,12 +91,12 @@ impl Resolver<'_> {
         })
     }
 
-    /// Notes what is wrong with the keys of one axis as they are written.
+    /// Notes what is wrong with the keys of one axis.
     fn check_axis(&mut self, written: &AxisOptions) {
         self.positive(&written.period_s, "period", Dimension::Time);
         self.require(&written.damping, |zeta| (0.0..1.0).contains(&zeta), "damping", "a ratio from 0 to below 1");
         self.require(&written.shear_flexure, |a| a >= 0.0 && a.is_finite(), "shear_flexure", "0 or more");
-        self.require(&written.modes, |n| (1..=MOST_MODES).contains(&n), "modes", "a whole number from 1 to 50");
+        self.require(&written.modes, |n| (1..=MAX_MODES).contains(&n), "modes", "a whole number from 1 to 50");
         self.exclusive(("period", &written.period_s), ("frame", &written.frame));
         self.exclusive(("storey_table", &written.storey_table), ("mode_table", &written.mode_table));
         self.exclusive(("modes", &written.modes), ("mode_table", &written.mode_table));
@@ -106,7 +113,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Notes damping that no mode would have, since the table says that of each.
+    /// Notes damping keys that have no effect because the table states the damping of every mode.
     fn check_damping_counts(&mut self, written: &AxisOptions, axis: Option<&(Axis, String)>) {
         if !axis.is_some_and(|(axis, _)| axis.table.as_ref().is_some_and(|table| table.states_damping)) {
             return;
@@ -117,19 +124,15 @@ impl Resolver<'_> {
         ];
         for (key, line) in keys {
             if line.is_some() {
-                let message = format!("{key} is not used: every mode of the table has its own damping");
-                self.note(
-                    line,
-                    message,
-                    format!("leave {key} out, or empty the cells of the modes that it is meant for"),
-                );
+                let message = format!("{key} is not used: the table states the damping of every mode");
+                self.note(line, message, format!("leave {key} out, or clear the cells of the modes that it is for"));
             }
         }
     }
 
-    /// One axis, and where its period is from. `before`: how many problems there were before the building.
+    /// One axis, and the source of its period. `before`: the number of problems before the building
+    /// was read.
     fn axis(&mut self, written: &AxisOptions, stated: Stated, before: usize) -> Option<(Axis, String)> {
-        let table = written.storey_table.as_ref().or(written.mode_table.as_ref());
         let (model, note) = match (&written.storey_table, &written.mode_table) {
             (Some(name), _) => {
                 (AxisModel::StoreyTable(self.base_dir.join(&name.value)), "from the storeys of the table".to_owned())
@@ -137,10 +140,16 @@ impl Resolver<'_> {
             (None, Some(name)) => (AxisModel::ModeTable(self.base_dir.join(&name.value)), "from the table".to_owned()),
             (None, None) => {
                 let (period_s, note) = self.period(written, stated.storeys as f64 * stated.storey_height_m)?;
-                (AxisModel::Beam { period_s, shear_flexure_ratio: or(&written.shear_flexure, 5.0) }, note)
+                (
+                    AxisModel::Beam {
+                        period_s,
+                        shear_flexure_ratio: or(&written.shear_flexure, DEFAULT_SHEAR_FLEXURE_RATIO),
+                    },
+                    note,
+                )
             }
         };
-        let damping_ratio = or(&written.damping, 0.05);
+        let damping_ratio = or(&written.damping, DEFAULT_DAMPING_RATIO);
         let damping = match &written.rayleigh_modes {
             None => Damping::Uniform(damping_ratio),
             Some(modes) => {
@@ -150,44 +159,37 @@ impl Resolver<'_> {
         };
         let modes = written.modes.as_ref().map(|modes| usize::try_from(modes.value).unwrap_or(usize::MAX));
         if self.problems.len() > before {
-            // What was refused above would be refused again.
+            // Values that were refused above would be refused again.
             return None;
         }
         match axis(&AxisRequest { model, damping, modes }) {
             Ok(axis) => Some((axis, note)),
             Err(problem) => {
-                self.axis_problem(problem, table, written);
+                self.axis_fault(written, problem);
                 None
             }
         }
     }
 
-    /// A fault with a line of the table stands there; any other is the fault of the study's line.
-    fn axis_problem(&mut self, problem: Problem, table: Option<&Written<String>>, written: &AxisOptions) {
-        if problem.line.is_some() {
-            self.problems.push(problem);
-            return;
-        }
-        let hint = problem.hint.clone().unwrap_or_default();
-        match table {
-            Some(table) => {
-                let message = format!("\"{}\": {}", shorten(&table.value), problem.message);
-                self.note(Some(table.line), message, hint);
+    fn axis_fault(&mut self, written: &AxisOptions, problem: Problem) {
+        let line_of = |name: &Option<Written<String>>| name.as_ref().map(|name| name.line);
+        let (key, line) = match (line_of(&written.storey_table), line_of(&written.mode_table)) {
+            (None, None) => {
+                let line = written.rayleigh_modes.as_ref().map(|modes| modes.line);
+                ("building", line.or(written.period_s.as_ref().map(|period| period.line)))
             }
-            None => {
-                let line = written.rayleigh_modes.as_ref().map(|w| w.line);
-                let line = line.or(written.period_s.as_ref().map(|w| w.line));
-                self.note(line, problem.message, format!("check the table [building]: {hint}"));
-            }
-        }
+            (Some(line), _) => ("storey_table", Some(line)),
+            (None, line) => ("mode_table", line),
+        };
+        self.fault(line, key, problem);
     }
 
-    /// The fundamental period, and where it is from.
+    /// The fundamental period and its source.
     fn period(&self, written: &AxisOptions, height_m: f64) -> Option<(f64, String)> {
         if let Some(period) = &written.period_s {
             return Some((period.value, "as given".to_owned()));
         }
-        // A frame that is not known was noted.
+        // A frame that does not exist was noted above.
         let kind = written.frame.as_ref().map_or(Some(FrameKind::Other), |frame| FrameKind::parse(&frame.value))?;
         let period_s = fundamental_period_s(kind, height_m).ok()?;
         let (kt, name, height) = (kind.period_factor(), kind.name(), format_si(height_m, Dimension::Length));
@@ -195,7 +197,8 @@ impl Resolver<'_> {
     }
 }
 
-/// What `across` does not say is as along; but another kind of model takes nothing but the damping from there.
+/// Values that `across` does not state are those along the first axis; but where it describes
+/// another kind of model, it takes only the damping from there.
 fn inherited(across: &AxisOptions, along: &AxisOptions) -> AxisOptions {
     let has_table = across.storey_table.is_some() || across.mode_table.is_some();
     let has_period = across.period_s.is_some() || across.frame.is_some();

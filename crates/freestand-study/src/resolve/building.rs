@@ -1,4 +1,4 @@
-//! The levels of `[building]` as meant.
+//! Resolves the levels of `[building]`.
 
 use std::collections::HashSet;
 
@@ -29,8 +29,8 @@ impl Resolver<'_> {
                 if !names.insert(level.name.to_lowercase()) {
                     self.note(
                         Some(entry.line),
-                        format!("two levels are called \"{}\"", level.name),
-                        "give each its own name",
+                        format!("two levels have the name \"{}\"", level.name),
+                        "give each level its own name",
                     );
                 }
                 levels.push(level);
@@ -43,7 +43,7 @@ impl Resolver<'_> {
         self.require(&entry.level_ratio, |x| (0.0..=1.0).contains(&x), "level_ratio", "from 0 (ground) to 1 (roof)");
         let ratio = entry.level_ratio.as_ref().map(|ratio| ratio.value);
         if ratio.is_none() && entry.motions.is_none() {
-            // A bare entry that is no number was noted when it was read.
+            // A bare entry that is not a number was noted when it was read.
             if entry.name.is_some() {
                 self.note(
                     Some(entry.line),
@@ -67,8 +67,11 @@ impl Resolver<'_> {
         if !is_file_name(&name) {
             self.note(
                 Some(entry.line),
-                format!("\"{}\" cannot name a level: a folder of the outputs has its name", shorten(&name)),
-                "use letters, digits, spaces and - _ . only, and no \".csv\" at the end",
+                format!(
+                    "\"{}\" cannot be the name of a level, because an output folder has the same name",
+                    shorten(&name)
+                ),
+                "use only letters, digits, spaces and - _ . and do not end it with \".csv\"",
             );
         }
         let motions = match &entry.motions {
@@ -96,7 +99,8 @@ pub(super) fn model_keys(written: &BuildingOptions) -> [(&'static str, Option<us
     ]
 }
 
-/// Whether a name can be that of a folder on every system, and never that of a motion's file beside it.
+/// Whether a name can be that of a folder on every system and differs from all names of motion
+/// files.
 fn is_file_name(name: &str) -> bool {
     let allowed = |c: char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_' | '.');
     !name.is_empty()
@@ -108,7 +112,7 @@ fn is_file_name(name: &str) -> bool {
         && !is_device(name)
 }
 
-/// Names that Windows keeps for devices, whatever follows a dot.
+/// Names that Windows reserves for devices, with any extension.
 fn is_device(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or(name).trim_end().to_lowercase();
     let numbered = |prefix| stem.strip_prefix(prefix).is_some_and(|n: &str| matches!(n.as_bytes(), [b'1'..=b'9']));

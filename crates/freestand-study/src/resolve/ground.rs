@@ -1,4 +1,4 @@
-//! `[ground]` as meant.
+//! Resolves `[ground]`.
 
 use freestand::synthesis::{MatchedMotion, Resemblance};
 use rayon::prelude::*;
@@ -7,12 +7,14 @@ use super::recorded::reading_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::GroundOptions;
-use crate::study::{Ground, RecordedMotion, SyntheticGround};
-use crate::target::{Target, TargetProblem, TargetWords};
+use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, Ground, RecordedMotion, SyntheticGround};
+use crate::target::Target;
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::ProblemKind;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
-const ONE_COMPONENT: &str = "a record is matched by one component";
+const ONE_COMPONENT: &str = "only one component of a record is matched";
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -22,12 +24,16 @@ impl Resolver<'_> {
         let Some(motions) = &written.motions else {
             for (key, line) in reading_keys(written) {
                 if line.is_some() {
-                    self.note(line, format!("{key} goes with motions"), "name the files: motions = [\"record.AT2\"]");
+                    self.note(
+                        line,
+                        format!("{key} needs motions"),
+                        "name the files, such as motions = [\"record.AT2\"]",
+                    );
                 }
             }
             if let Some(by) = &written.match_by {
-                let hint = "name the records: motions = [\"record.AT2\"]; without any, motions are made for the target";
-                self.note(Some(by.line), "match goes with motions", hint);
+                let hint = "name the records, such as motions = [\"record.AT2\"]; synthetic motions need no match";
+                self.note(Some(by.line), "match needs motions", hint);
             }
             return match &written.point_source {
                 Some(source) => self.simulated(written, source, overrides).map(Ground::Simulated),
@@ -42,7 +48,7 @@ impl Resolver<'_> {
                 let message = format!("{key} and motions exclude each other");
                 let hint = match key {
                     "count" | "seed" | "point_source" => "keep one of them",
-                    _ => "keep one of them, or bring the records to the spectrum with match = \"wavelet\"",
+                    _ => "keep one of them, or match the records to the spectrum with match = \"wavelet\"",
                 };
                 self.note(Some(line.max(motions.line)), message, hint);
             }
@@ -50,7 +56,7 @@ impl Resolver<'_> {
         self.motions(written, motions, &written.across).map(Ground::Recorded)
     }
 
-    /// Records, each brought to the target.
+    /// Records, each matched to the target.
     fn matched(
         &mut self,
         written: &GroundOptions,
@@ -81,13 +87,13 @@ impl Resolver<'_> {
                     record.motion = motion;
                     record.matched = Some(matched);
                 }
-                Err(problem) => self.problems.push(problem.in_file(&record.path)),
+                Err(problem) => self.problems.push(problem.in_file(&record.path).shown(KeyStyle::File)),
             }
         }
         (self.problems.len() == before).then_some(records)
     }
 
-    /// Notes what says nothing, or something else, where records are brought to a target.
+    /// Notes keys that have no meaning, or contradict the target, where records are matched.
     fn match_problems(&mut self, written: &GroundOptions, by: &Written<String>) {
         let scale_to = written.processing.as_ref().map(|processing| {
             let sa = processing.scale_to_sa.as_ref().map(|w| w.line);
@@ -97,7 +103,7 @@ impl Resolver<'_> {
         for (key, line, why) in [
             ("count", written.count.as_ref().map(|w| w.line), "each record gives one motion"),
             ("seed", written.seed.as_ref().map(|w| w.line), "there are no random numbers in a record"),
-            ("point_source", written.point_source.as_ref().map(|w| w.line), "the records are in its place"),
+            ("point_source", written.point_source.as_ref().map(|w| w.line), "the records replace it"),
             ("scale", written.scale.as_ref().map(|w| w.line), "the target sets the amplitudes"),
             ("scale_to", scale_to.flatten(), "the target sets the amplitudes"),
             ("across", written.across.as_ref().map(|w| w.line), ONE_COMPONENT),
@@ -106,7 +112,8 @@ impl Resolver<'_> {
             if let Some(line) = line {
                 let message = format!("{key} and match exclude each other: {why}");
                 let hint = if why == ONE_COMPONENT {
-                    "name one of them with component, or match each with freestand motion match and give the files"
+                    "name one of them with component; or match each component with the command motion match and \
+                     give the files"
                 } else {
                     "keep one of them"
                 };
@@ -125,55 +132,42 @@ impl Resolver<'_> {
         let target = self.target(written)?;
         self.warnings.extend(target.warnings.iter().cloned());
         // Beyond, the count was refused above; its names are still listed.
-        let count = usize::try_from(or(&written.count, 10).min(MAX_MOTIONS)).unwrap_or_default();
-        Some(Ground::Synthetic(SyntheticGround { target, count, seed: overrides.seed.unwrap_or(or(&written.seed, 1)) }))
+        let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS)).unwrap_or_default();
+        Some(Ground::Synthetic(SyntheticGround {
+            target,
+            count,
+            seed: overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED)),
+        }))
     }
 
     pub(super) fn target(&mut self, written: &GroundOptions) -> Option<Target> {
-        let mut words = TargetWords::default();
-        for (key, text) in &written.target {
-            words.set(key, text.value.clone());
-        }
-        let resolved = Target::resolve(&words, self.base_dir).and_then(|target| {
-            let hold = words.example("beyond", "hold");
-            let short = |problem| vec![TargetProblem { keys: vec!["spectrum"], problem, is_missing: false }];
-            target.check_matched_band(&hold).map_err(short).map(|()| target)
+        let resolved = Target::resolve(&written.target, self.base_dir).and_then(|target| {
+            target.check_matched_band().map_err(|problem| problem.of(&["spectrum"]))?;
+            Ok(target)
         });
         match resolved {
             Ok(target) => Some(target),
             Err(problems) => {
-                // A key that was refused when it was read is missing here, and was noted there.
-                let mut problems = problems;
-                problems.retain(|problem| !(written.is_incomplete && problem.is_missing));
-                problems.into_iter().for_each(|problem| self.target_problem(written, problem));
+                for problem in problems {
+                    // A key that was refused when it was read is missing here, and was noted there.
+                    if written.is_incomplete && problem.kind == ProblemKind::Missing {
+                        continue;
+                    }
+                    let line = written.target.line_of(&problem.keys).or(written.line);
+                    self.fault(line, "spectrum", problem);
+                }
                 None
             }
         }
     }
-
-    /// A fault in the file of a table has its own line there; all else is the fault of a line of the study.
-    fn target_problem(&mut self, written: &GroundOptions, TargetProblem { keys, problem, .. }: TargetProblem) {
-        if problem.line.is_some() {
-            self.problems.push(problem);
-            return;
-        }
-        let lines = written.target.iter().filter(|(key, _)| keys.contains(key)).map(|(_, text)| text.line);
-        let message = match &problem.path {
-            Some(_) => format!("spectrum: {problem}"),
-            None => problem.message.clone(),
-        };
-        let line = lines.max().or(written.line);
-        self.note(line, message, problem.hint.unwrap_or_default());
-    }
 }
 
-/// The keys of `[ground]` that describe motions without a record, with their lines.
+/// The keys of `[ground]` that describe motions other than records, with their lines.
 pub(super) fn synthetic_keys(written: &GroundOptions) -> Vec<(&'static str, Option<usize>)> {
-    let target = written.target.iter().map(|(key, text)| (*key, Some(text.line)));
     let others = [
         ("count", written.count.as_ref().map(|w| w.line)),
         ("seed", written.seed.as_ref().map(|w| w.line)),
         ("point_source", written.point_source.as_ref().map(|w| w.line)),
     ];
-    target.chain(others).collect()
+    written.target.lines().chain(others).collect()
 }

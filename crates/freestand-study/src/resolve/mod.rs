@@ -1,4 +1,5 @@
-//! The study as meant: defaults filled in, everything checked, files loaded; all problems at once.
+//! Resolves a study: fills in defaults, checks everything and loads files; reports all problems at
+//! once.
 
 mod assessment;
 mod axis;
@@ -11,13 +12,13 @@ mod processing;
 mod recorded;
 mod simulated;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::options::{self, Options};
 use crate::recorded::MotionFiles;
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
+use freestand_input::file::load_up_to;
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::toml_reader::Written;
@@ -33,18 +34,19 @@ pub const MAX_STOREYS: u64 = 500;
 /// Most levels of a study.
 pub const MAX_LEVELS: usize = 100;
 
-/// What the command line puts in place of what the study says.
+/// Values that take precedence over those of the study.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Overrides {
     /// Seed of the synthetic motions.
     pub seed: Option<u64>,
-    /// Files in place of the study's ground motions, which are then not looked at.
+    /// Files that replace the study's ground motions, which are then not read.
     pub motions: Option<MotionFiles>,
-    /// Step between the directions in which objects are tried, for motions with two components \[degrees\].
+    /// Step between the directions in which objects are tried, for motions with two components
+    /// \[degrees\].
     pub rotation_step_deg: Option<f64>,
 }
 
-/// The built-in study as TOML, with comments: what `--dump-study` prints.
+/// The built-in study as TOML, with comments.
 pub fn builtin_toml() -> &'static str {
     include_str!("../builtin.toml")
 }
@@ -52,7 +54,7 @@ pub fn builtin_toml() -> &'static str {
 /// The built-in study.
 ///
 /// # Errors
-/// None without overrides; with them those of the motion files.
+/// Without overrides, none; with them, the errors of the motion files.
 pub fn builtin(overrides: &Overrides) -> Result<Study, Problems> {
     resolve_with(builtin_toml(), None, Path::new(""), overrides)
 }
@@ -60,38 +62,23 @@ pub fn builtin(overrides: &Overrides) -> Result<Study, Problems> {
 /// Reads a study from a file; paths in it are relative to its folder.
 ///
 /// # Errors
-/// A file that cannot be read, or whatever [`resolve`] finds wrong with it.
+/// A file that cannot be read, or the errors of [`resolve`].
 pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, Problems> {
     resolve_with(&read_text(path)?, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
 }
 
-/// Whether a file is a study by its name and what it holds, so that one given for a record can be told.
+/// Whether a file is a study by its name and its content: some people give a study as a record.
 pub fn is_study_file(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
         && read_text(path).is_ok_and(|text| options::has_table_of_ours(&text))
 }
 
-fn read_text(path: &Path) -> Result<String, Problems> {
-    const LARGEST: u64 = 16 << 20;
-    let unreadable =
-        |message: String, hint: &str| Problems::from(Problem::new(ProblemKind::Io, message).in_file(path).hint(hint));
-    let failed = |error: std::io::Error| {
-        unreadable(format!("cannot read the study: {error}"), "check the path and its permissions")
-    };
-    let file = File::open(path).map_err(failed)?;
-    if file.metadata().is_ok_and(|facts| facts.is_dir()) {
-        return Err(unreadable("is a folder, not a study".to_owned(), "name the TOML file in it"));
-    }
-    // A pipe or a device does not say how long it is: count what comes.
-    let mut bytes = Vec::new();
-    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
-    if bytes.len() as u64 > LARGEST {
-        return Err(unreadable("is too large for a study".to_owned(), "a study is a TOML text of some lines"));
-    }
-    String::from_utf8(bytes).map_err(|_| {
-        let problem = Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path);
-        Problems::from(problem.hint("a study is a TOML text; freestand run --dump-study prints one to start from"))
-    })
+fn read_text(path: &Path) -> Result<String, Problem> {
+    const MAX_BYTES: u64 = 16 << 20;
+    const HINT: &str = "name a study, a TOML text of some lines";
+    let bytes = load_up_to(path, MAX_BYTES, "is too large for a study", HINT)?;
+    String::from_utf8(bytes)
+        .map_err(|_| Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path).hint(HINT))
 }
 
 /// The study of a TOML text; `source` names it in messages, paths in it are relative to `base_dir`.
@@ -113,7 +100,7 @@ pub fn resolve(text: &str, source: Option<&Path>, base_dir: &Path) -> Result<Stu
     resolve_with(text, source, base_dir, &Overrides::default())
 }
 
-/// As [`resolve`], with what the command line puts in place.
+/// As [`resolve`], with values that take precedence.
 ///
 /// # Errors
 /// As [`resolve`].
@@ -138,7 +125,7 @@ pub fn resolve_with(
     if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
         && !two
     {
-        resolver.warnings.push("[building] across is not used: the motions have one component".to_owned());
+        resolver.warnings.push("[building] across is not used, because the motions have one component".to_owned());
     }
     let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
     let objects = resolver.objects(&objects);
@@ -159,8 +146,8 @@ pub fn resolve_with(
             warnings: resolver.warnings,
         }),
         _ => {
-            resolver.problems.sort_by_key(|problem| problem.line);
-            Err(Problems { problems: resolver.problems })
+            resolver.problems.problems.sort_by_key(|problem| problem.line);
+            Err(resolver.problems)
         }
     }
 }
@@ -168,27 +155,39 @@ pub fn resolve_with(
 struct Resolver<'a> {
     source: Option<&'a Path>,
     base_dir: &'a Path,
-    problems: Vec<Problem>,
+    problems: Problems,
     warnings: Vec<String>,
     /// No key was refused when the text was read.
     is_complete: bool,
 }
 
-/// The value, or the default where the key is missing. A key that was refused also comes here as the default: its
-/// problem is noted already, and the study with it is never used.
+/// The value, or the default where the key is missing. A key that was refused also gets the
+/// default: its problem is already noted, so the study is never used.
 fn or<T: Clone>(written: &Option<Written<T>>, default: T) -> T {
     written.as_ref().map_or(default, |written| written.value.clone())
 }
 
 impl Resolver<'_> {
     fn note(&mut self, line: Option<usize>, message: impl Into<String>, hint: impl Into<String>) {
-        let mut problem = Problem::new(ProblemKind::Value, message).hint(hint);
-        problem.line = line;
-        problem.path = self.source.map(Path::to_path_buf);
+        self.fault(line, "", Problem::value(message, hint));
+    }
+
+    /// Notes a problem that was found elsewhere. A problem with a line belongs to a file of its
+    /// own. Any other belongs to a line of the study; `key` is the key of that line that names the
+    /// problem's file.
+    fn fault(&mut self, line: Option<usize>, key: &str, problem: Problem) {
+        let mut problem = problem.shown(KeyStyle::File);
+        if problem.line.is_none() {
+            if problem.path.is_some() {
+                problem.message = format!("{key}: {problem}");
+            }
+            problem.line = line;
+            problem.path = self.source.map(Path::to_path_buf);
+        }
         self.problems.push(problem);
     }
 
-    /// Notes a value for which `accept` does not hold.
+    /// Notes a value that `accept` refuses.
     fn require<T: Copy + std::fmt::Display>(
         &mut self,
         written: &Option<Written<T>>,
@@ -225,8 +224,7 @@ impl Resolver<'_> {
     }
 }
 
-/// The paths of the files that a study's motions were read from, those of StationXML and of target spectra among them,
-/// and of its building's tables.
+/// The paths of all files that a study's motions, target spectrum and building were read from.
 pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
     let recorded: Vec<&RecordedMotion> = study.ground.recorded(&study.levels).collect();
     let target = match &study.ground {

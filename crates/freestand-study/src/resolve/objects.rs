@@ -1,4 +1,4 @@
-//! `[objects]` as meant.
+//! Resolves `[objects]`.
 
 use freestand::block::Block;
 use freestand::impact::{ValidityWarning, stiffness_warnings};
@@ -6,6 +6,7 @@ use freestand::rocking::{Accuracy, Restitution};
 
 use super::{MAX_OBJECTS, Resolver, or};
 use crate::options::{ObjectsOptions, RestitutionOption};
+use crate::restitution::checked;
 use crate::study::Objects;
 use freestand_input::quantity::{Dimension, format_si, shorten};
 use freestand_input::toml_reader::Written;
@@ -34,7 +35,7 @@ impl Resolver<'_> {
             self.note(
                 line,
                 format!("the grid has more than {MAX_OBJECTS} objects"),
-                "take fewer heights or thicknesses",
+                "give fewer heights or thicknesses",
             );
             return None;
         }
@@ -83,44 +84,19 @@ impl Resolver<'_> {
     }
 
     fn restitution(&mut self, written: &ObjectsOptions, blocks: &[Block]) -> Option<Restitution> {
-        if let Some(Written { value: factor, line }) = &written.restitution_factor {
-            let largest = blocks.iter().map(Block::landing_ratio).fold(0.0, f64::max) * factor;
-            if !(*factor > 0.0 && factor.is_finite()) {
-                self.note(
-                    Some(*line),
-                    format!("restitution_factor must be positive, not {factor}"),
-                    "0.95 on concrete, 0.67 on rubber were measured",
-                );
-                return None;
+        let (restitution, line) = match (&written.restitution_factor, &written.restitution) {
+            (Some(factor), _) => (Restitution::Factor(factor.value), Some(factor.line)),
+            (None, Some(Written { value: RestitutionOption::Value(value), line })) => {
+                (Restitution::Value(*value), Some(*line))
             }
-            if largest > 1.0 {
-                self.note(
-                    Some(*line),
-                    format!("restitution_factor = {factor} makes the restitution of an object {largest:.4}: it would gain energy"),
-                    "the product with Housner's ratio must not exceed 1",
-                );
-                return None;
-            }
-            return Some(Restitution::Factor(*factor));
-        }
-        match &written.restitution {
-            None | Some(Written { value: RestitutionOption::Housner, .. }) => Some(Restitution::Housner),
-            Some(Written { value: RestitutionOption::Value(r), .. }) if *r > 0.0 && *r <= 1.0 => {
-                Some(Restitution::Value(*r))
-            }
-            Some(Written { value: RestitutionOption::Value(r), line }) => {
-                self.note(
-                    Some(*line),
-                    format!("restitution must be in (0, 1], not {r}"),
-                    "\"housner\", or a value in (0, 1]",
-                );
-                None
-            }
-        }
+            (None, _) => (Restitution::Housner, None),
+        };
+        checked(restitution, blocks).map_err(|problem| self.fault(line, "restitution", problem)).ok()
     }
 }
 
-/// From `from` to `to`, both included, as [`freestand_input::quantity::parse_grid`] makes them.
+/// From `from` to `to`, both included, with the same rounding as
+/// [`freestand_input::quantity::parse_grid`].
 fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
     freestand_input::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! `[outputs]` as meant.
+//! Resolves `[outputs]`.
 
 use super::{Resolver, or};
 use crate::options::{HistoryOptions, OutputsOptions};
@@ -24,7 +24,7 @@ impl Resolver<'_> {
         objects: Option<&Objects>,
         motions: Option<&[String]>,
     ) -> Option<HistoryChoice> {
-        // What it names may be what was refused.
+        // It may name a level or an object that was refused.
         if !self.is_complete {
             return None;
         }
@@ -39,7 +39,7 @@ impl Resolver<'_> {
             let names: Vec<&str> = levels.iter().map(|level| level.name.as_str()).collect();
             self.note(
                 Some(level.line),
-                format!("history: no level is called \"{}\"", shorten(&level.value)),
+                format!("history: no level has the name \"{}\"", shorten(&level.value)),
                 format!("levels: {}", names.join(", ")),
             );
         }
@@ -49,7 +49,8 @@ impl Resolver<'_> {
             for (key, value, grid) in
                 [("height", height, &objects.heights_m), ("thickness", thickness, &objects.thicknesses_m)]
             {
-                // Grid points are interpolated, so 1.5 m of the grid may differ from "1.5 m" by rounding.
+                // Grid points are interpolated, so that 1.5 m in the grid may differ from "1.5 m"
+                // by rounding.
                 if !grid.iter().any(|point| (point - value.value).abs() <= 1e-9 * value.value.abs()) {
                     let message =
                         format!("history: the grid has no {key} of {}", format_si(value.value, Dimension::Length));
@@ -67,7 +68,7 @@ impl Resolver<'_> {
             let names = &names[..names.len().min(10)];
             self.note(
                 Some(motion.line),
-                format!("history: no motion is called \"{}\"", shorten(&motion.value)),
+                format!("history: no motion has the name \"{}\"", shorten(&motion.value)),
                 format!("motions: {}", names.join(", ")),
             );
         }

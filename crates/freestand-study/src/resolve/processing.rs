@@ -1,4 +1,4 @@
-//! `processing` of `[ground]`, as meant.
+//! Resolves `processing` of `[ground]`.
 
 use super::{Resolver, or};
 use crate::options::{GroundOptions, ProcessingOptions};
@@ -8,13 +8,13 @@ use freestand_records::processing::{
 };
 
 impl Resolver<'_> {
-    /// What is done to the records; what cannot be meant is noted.
+    /// What is done to the records; contradictions are noted.
     pub(super) fn processing(&mut self, ground: &GroundOptions) -> Processing {
         let factor = Scale::Factor(or(&ground.scale, 1.0));
         if let Some(scale) = &ground.scale
             && let Err(problem) = check_scale(scale.value)
         {
-            self.note(Some(scale.line), problem.message, problem.hint.unwrap_or_default());
+            self.fault(Some(scale.line), "scale", problem);
         }
         let Some(written) = &ground.processing else {
             return Processing { scale: factor, ..Processing::default() };
@@ -48,30 +48,22 @@ impl Resolver<'_> {
             && processing.low_cut_hz.is_none()
             && processing.high_cut_hz.is_none()
         {
-            self.note(Some(order.line), "filter_order goes with low_cut or high_cut", "give a cut, such as \"0.1 Hz\"");
+            self.note(
+                Some(order.line),
+                "filter_order needs low_cut or high_cut",
+                "give one of them, such as low_cut = \"0.1 Hz\"",
+            );
         }
         for (key, problem) in processing.problems().into_iter().filter(|(key, _)| *key != "scale") {
-            let message = format!("{key}: {}", problem.message);
-            self.note(Some(line_of(written, key)), message, problem.hint.unwrap_or_default());
+            self.fault(Some(line_of(written, key)), key, problem.named(key));
         }
         processing
     }
 
-    /// Reads a target; a file that is missing is a fault of the study's line, one that is broken of the file's.
     fn target_spectrum(&mut self, written: &Written<TargetSource>) -> Option<TargetSpectrum> {
         let source = TargetSource { path: self.base_dir.join(&written.value.path), ..written.value.clone() };
-        match read_target(&source) {
-            Ok(target) => Some(target),
-            Err(problem) if problem.line.is_some() => {
-                self.problems.push(problem);
-                None
-            }
-            Err(problem) => {
-                let message = format!("scale_to_spectrum: {problem}");
-                self.note(Some(written.line), message, problem.hint.unwrap_or_default());
-                None
-            }
-        }
+        let read = read_target(&source);
+        read.map_err(|problem| self.fault(Some(written.line), "scale_to_spectrum", problem)).ok()
     }
 }
 

@@ -1,4 +1,4 @@
-//! Motions from files: those of the ground, and those of floors. The keys of `[ground]` say how both are read.
+//! Reads motions of the ground and of floors from files, as the keys of `[ground]` say.
 
 use crate::options::{BuildingOptions, ComponentsOption, GroundOptions};
 use crate::recorded::{MotionFiles, Second, read_recorded};
@@ -11,12 +11,13 @@ use super::building::model_keys;
 use super::ground::synthetic_keys;
 use super::{Overrides, Resolver};
 
-/// Directions in which an object is tried, unless the study says otherwise \[degrees\].
+/// Step between the directions in which every object is tried, unless the study states one
+/// \[degrees\].
 const ROTATION_STEP_DEG: f64 = 15.0;
-/// The finest step: each direction costs as much as a study with one component.
+/// Smallest step: each direction costs as much as a study with one component.
 const FINEST_STEP_DEG: f64 = 1.0;
 
-/// A list of files as written.
+/// A list of files.
 type Files = Written<Vec<Written<String>>>;
 
 /// The keys that say how files are read, with their lines.
@@ -40,7 +41,7 @@ pub(super) fn has_measured_floors(building: &BuildingOptions) -> bool {
 }
 
 impl Resolver<'_> {
-    /// Reads `motions`, and `across` with their second components, as the keys of `[ground]` say.
+    /// Reads `motions`, and their second components from `across`, as the keys of `[ground]` say.
     pub(super) fn motions(
         &mut self,
         written: &GroundOptions,
@@ -53,7 +54,7 @@ impl Resolver<'_> {
         let lines = [written.unit.as_ref().map(|w| w.line), written.dt_s.as_ref().map(|w| w.line)];
         for ((key, line), options) in ["unit", "dt"].into_iter().zip(lines).zip([&unit_only, &dt_only]) {
             if let Err(problem) = options.check() {
-                self.note(line, format!("{key}: {}", problem.message), problem.hint.unwrap_or_default());
+                self.fault(line, key, problem.named(key));
             }
         }
         let processing = self.processing(written);
@@ -68,10 +69,10 @@ impl Resolver<'_> {
             self.note(
                 Some(across.line),
                 format!("across has {second} files, and motions {first}"),
-                "name one file across for each motion, in their order",
+                "name one file in across for each motion, in the same order",
             );
         }
-        // Files read without what was refused would only be refused for the lack of it.
+        // Without the keys that were refused, the files would be refused as well.
         if written.is_incomplete || self.problems.len() > before {
             return None;
         }
@@ -100,19 +101,16 @@ impl Resolver<'_> {
         self.read(&files, Some(&lines))
     }
 
-    /// Reads files; a file that is missing is a fault of the study's line, one that is broken of the file's.
+    /// Reads files. `lines`: where the study names them; `None` for files that replace those of the
+    /// study.
     pub(super) fn read(&mut self, files: &MotionFiles, lines: Option<&[usize]>) -> Option<Vec<RecordedMotion>> {
         let (motions, failures) = read_recorded(files);
         let all_read = failures.is_empty();
-        for (index, mut problem) in failures {
-            if let (Some(line), Some(source), None) =
-                (lines.and_then(|lines| lines.get(index)), self.source, problem.line)
-            {
-                problem.message = format!("motions: {problem}");
-                problem.path = Some(source.to_path_buf());
-                problem.line = Some(*line);
+        for (index, problem) in failures {
+            match lines {
+                Some(lines) => self.fault(lines.get(index).copied(), "motions", problem),
+                None => self.problems.push(problem),
             }
-            self.problems.push(problem);
         }
         for motion in &motions {
             self.warnings.extend(motion.notes.iter().map(|note| format!("{}: {note}", motion.motion.name)));
@@ -120,8 +118,9 @@ impl Resolver<'_> {
         all_read.then(|| motions.into_iter().map(|read| read.motion).collect())
     }
 
-    /// Where the motions of floors are given there is no ground and no building: what is said of them is noted. Every
-    /// level has as many motions as the others, and second components where the others have them.
+    /// Notes all keys of the ground and the building where the motions of floors are given, since
+    /// there is then neither. Every level must have as many motions as the others, and second
+    /// components if the others have them.
     pub(super) fn check_measured(
         &mut self,
         ground: &GroundOptions,
@@ -136,19 +135,18 @@ impl Resolver<'_> {
         ];
         for (key, line) in synthetic_keys(ground).into_iter().chain(motions).chain(model_keys(building)) {
             if line.is_some() {
-                let message =
-                    format!("{key}: the motions of the floors are given, so there is no ground and no building");
-                self.note(line, message, format!("leave {key} out, or the motions of the levels"));
+                let message = format!("{key} has no effect: the study gives the motions of its floors");
+                self.note(line, message, format!("leave {key} or the motions of the levels out"));
             }
         }
         if overrides.motions.is_some() {
-            let message = "--motion: the study gives the motions of its floors, and has no ground";
-            self.note(None, message, "name the files in the study's levels");
+            let message = "the motions of the ground cannot be replaced: the study gives the motions of its floors";
+            self.note(None, message, "name the files in the levels of the study");
         }
         let written = building.levels.iter().flat_map(|levels| &levels.value);
         for entry in written.filter(|entry| entry.motions.is_none()) {
-            let hint = "give every level its motions, or none";
-            self.note(Some(entry.line), "the level has no motions, and others do", hint);
+            let hint = "give every level its motions, or no level";
+            self.note(Some(entry.line), "this level has no motions, but others do", hint);
         }
         let line = building.levels.as_ref().map(|levels| levels.line);
         let Some((first, others)) = levels.split_first() else { return };
@@ -157,17 +155,19 @@ impl Resolver<'_> {
             self.note(
                 line,
                 format!("level \"{}\" has {one} motions, and \"{}\" {two}", level.name, first.name),
-                "give every level the same number: those of one earthquake stand in the same place",
+                "give every level the same number of motions, with those of one earthquake at the same place in the \
+                 lists",
             );
         }
         let all = || levels.iter().flat_map(|level| &level.motions);
         if all().any(|motion| motion.across.is_some()) && all().any(|motion| motion.across.is_none()) {
             let hint = "give across to every level, or to none";
-            self.note(line, "some motions have a second component and some have none", hint);
+            self.note(line, "some motions have a second component and others do not", hint);
         }
     }
 
-    /// Directions in which every object is tried: one, or those of half a turn where motions have two components.
+    /// Directions in which every object is tried: one, or those of half a turn if motions have two
+    /// components.
     pub(super) fn directions(&mut self, written: &GroundOptions, overrides: &Overrides, two: bool) -> Vec<f64> {
         let line = written.rotation_step_rad.as_ref().map(|w| w.line);
         let given = written.rotation_step_rad.as_ref().map(|step| azimuth_deg(step.value));
@@ -176,19 +176,23 @@ impl Resolver<'_> {
         };
         if !(FINEST_STEP_DEG..=90.0).contains(&step_deg) {
             let message = format!("rotation_step must be from {FINEST_STEP_DEG} to 90 degrees, not {step_deg}");
-            self.note(line, message, "15 deg tries twelve directions");
+            self.note(line, message, "a step of 15 deg gives twelve directions");
             return vec![0.0];
         }
         if !two {
             let message = "rotation_step needs motions with two horizontal components";
-            self.note(line, message, "write components = \"both\", or name the second files with across");
+            self.note(
+                line,
+                message,
+                "write components = \"both\", or name the files with the second components in across",
+            );
             return vec![0.0];
         }
         half_turn(step_deg)
     }
 }
 
-/// 0 to below 180 degrees: a direction and its opposite are one, since objects rock both ways.
+/// 0 to below 180 degrees: opposite directions are the same, because objects rock both ways.
 fn half_turn(step_deg: f64) -> Vec<f64> {
     (0u32..).map(|i| f64::from(i) * step_deg).take_while(|direction_deg| *direction_deg < 180.0 - 1e-9).collect()
 }

@@ -1,16 +1,15 @@
-//! `point_source` of `[ground]` as meant.
+//! Resolves `point_source` of `[ground]`.
 
 use freestand::code_spectrum::SiteClass;
 use freestand::synthesis::PAIR_MAGNITUDES;
 
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::options::{GroundOptions, PointSourceOptions};
-use crate::simulated::{Earthquakes, SimulatedRequest, SourceInput, SourceProblem, SourceWords, find_earthquakes};
-use crate::study::SimulatedGround;
+use crate::simulated::{DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source};
+use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, SimulatedGround};
 use crate::target::Target;
-
-/// Where nothing is said: the rock that the source's motions are for, as in `motion simulate`.
-const SITE: SiteClass = SiteClass::Be;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
 
 impl Resolver<'_> {
     pub(super) fn simulated(
@@ -21,43 +20,40 @@ impl Resolver<'_> {
     ) -> Option<SimulatedGround> {
         let before = self.problems.len();
         let pairs = or(&source.pairs, false);
-        let mut words = SourceWords::default();
-        for (key, text) in &source.words {
-            words.set(key, text.value.clone());
-        }
-        let input =
-            words.resolve().map_err(|all| all.into_iter().for_each(|one| self.source_problem(source, one))).ok();
+        let input = read_source(&source.words)
+            .map_err(|problems| problems.into_iter().for_each(|problem| self.source_fault(source, problem)))
+            .ok();
         let hazard = if pairs { self.hazard(written) } else { None };
         let site = if pairs { None } else { self.site_of_one(written) };
         let each = input.map_or(1, |input| if pairs && input.magnitude.is_none() { PAIR_MAGNITUDES.len() } else { 1 });
         let count = self.count_of_each(written, each as u64);
         let earthquakes = input.and_then(|input| self.earthquakes((written, source), &input, hazard.as_ref(), pairs));
-        // Distances that are looked for without what was refused would be those of another study.
+        // Distances found without the keys that were refused would belong to another study.
         if written.is_incomplete || self.problems.len() > before {
             return None;
         }
         let SourceInput { preset, changes, options, .. } = input?;
         let site = hazard.as_ref().map_or(site, |target| SiteClass::parse(target.spectrum.site_name()?).ok());
-        let seed = overrides.seed.unwrap_or(or(&written.seed, 1));
+        let seed = overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED));
         let request = SimulatedRequest {
             preset,
             changes,
             earthquakes: earthquakes?,
-            site: site.unwrap_or(SITE),
+            site: site.unwrap_or(DEFAULT_SITE),
             count,
             seed,
             options,
         };
-        let earthquakes = find_earthquakes(&request).map_err(|problem| self.source_problem(source, problem)).ok()?;
+        let earthquakes = find_earthquakes(&request).map_err(|problem| self.source_fault(source, problem)).ok()?;
         self.warnings.extend(hazard.iter().flat_map(|target| target.warnings.iter().cloned()));
         self.warnings.extend(request.limits(&earthquakes));
         self.warnings.extend(request.assumptions());
         Some(SimulatedGround { request, earthquakes, hazard })
     }
 
-    fn source_problem(&mut self, source: &PointSourceOptions, SourceProblem { key, problem }: SourceProblem) {
-        let line = source.words.iter().find(|(name, _)| Some(*name) == key).map_or(source.line, |(_, text)| text.line);
-        self.note(Some(line), problem.message, problem.hint.unwrap_or_default());
+    fn source_fault(&mut self, source: &PointSourceOptions, problem: Problem) {
+        let line = source.words.line_of(&problem.keys).unwrap_or(source.line);
+        self.fault(Some(line), "point_source", problem);
     }
 
     fn earthquakes(
@@ -68,9 +64,9 @@ impl Resolver<'_> {
         pairs: bool,
     ) -> Option<Earthquakes> {
         if pairs {
-            if let Some((_, distance)) = source.words.iter().find(|(key, _)| *key == "distance") {
-                let hint = "leave it out: it is looked for; or leave pairs out";
-                self.note(Some(distance.line), "distance and pairs exclude each other", hint);
+            if let Some(line) = source.words.line_of(&["distance"]) {
+                let hint = "leave distance out: it is searched for; or leave pairs out";
+                self.note(Some(line), "distance and pairs exclude each other", hint);
             }
             let kpz_g = hazard?.kpz_g()?;
             return Some(Earthquakes::Pairs { kpz_g, magnitudes: input.magnitude.into_iter().collect() });
@@ -84,39 +80,38 @@ impl Resolver<'_> {
         Some(Earthquakes::One { magnitude: input.magnitude?, distance_m: input.distance_m? })
     }
 
-    /// The code's spectrum whose rock spectrum the earthquakes are to meet.
+    /// The code spectrum, whose rock spectrum the earthquakes are to fit.
     fn hazard(&mut self, written: &GroundOptions) -> Option<Target> {
         let mut at_site = written.clone();
-        if !at_site.target.iter().any(|(key, _)| *key == "site") {
-            let site = freestand_input::toml_reader::Written { value: SITE.name().to_owned(), line: 0 };
-            at_site.target.push(("site", site));
+        if at_site.target.get("site").is_none() {
+            at_site.target.set("site", DEFAULT_SITE.name());
         }
         let other = |key: &str, value: &str| key == "spectrum" || (key == "code" && !is_as1170_4(value));
-        if let Some((key, text)) = written.target.iter().find(|(key, text)| other(key, &text.value)) {
-            let hint = "take another code for synthetic or matched motions, or a magnitude and a distance";
-            self.note(Some(text.line), format!("{key}: pairs are looked for by AS 1170.4 only"), hint);
+        if let Some((key, _)) = written.target.entries().find(|(key, text)| other(key, text)) {
+            let hint = "use another code for synthetic or matched motions, or give a magnitude and a distance";
+            let message = format!("{key}: pairs are searched for by AS 1170.4 only");
+            self.note(written.target.line_of(&[key]), message, hint);
             return None;
         }
         self.target(&at_site)
     }
 
-    /// Of what describes a spectrum, one earthquake takes the ground at the site alone.
+    /// One earthquake needs no spectrum, only the ground at the site.
     fn site_of_one(&mut self, written: &GroundOptions) -> Option<SiteClass> {
-        let mut site = Some(SITE);
-        for (key, text) in &written.target {
-            if *key == "site" {
-                site = SiteClass::parse(&text.value).ok();
+        let mut site = Some(DEFAULT_SITE);
+        for (key, text) in written.target.entries() {
+            let line = written.target.line_of(&[key]);
+            if key == "site" {
+                site = SiteClass::parse(text).ok();
                 if site.is_none() {
-                    let message = format!(
-                        "site \"{}\" is not a class of AS 1170.4",
-                        freestand_input::quantity::shorten(&text.value)
-                    );
-                    self.note(Some(text.line), message, "Ae, Be, Ce, De or Ee; left out, Be: rock");
+                    let message = format!("site \"{}\" is not a class of AS 1170.4", shorten(text));
+                    self.note(line, message, "Ae, Be, Ce, De or Ee; without site, Be (rock) is used");
                 }
             } else {
-                let hint = format!("leave {key} out, or look for earthquakes with pairs = true in place of a distance");
-                let message = format!("{key} goes with pairs = true: one magnitude and distance need no code");
-                self.note(Some(text.line), message, hint);
+                let hint =
+                    format!("leave {key} out, or search for earthquakes with pairs = true instead of a distance");
+                let message = format!("{key} needs pairs = true: one magnitude and distance need no code");
+                self.note(line, message, hint);
             }
         }
         site
@@ -124,7 +119,7 @@ impl Resolver<'_> {
 
     /// Motions of each earthquake.
     fn count_of_each(&mut self, written: &GroundOptions, earthquakes: u64) -> u64 {
-        let count = or(&written.count, 10);
+        let count = or(&written.count, DEFAULT_MOTIONS);
         let most = MAX_MOTIONS / earthquakes;
         if !(1..=most).contains(&count) {
             let line = written.count.as_ref().map(|count| count.line);

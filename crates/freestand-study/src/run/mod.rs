@@ -1,4 +1,5 @@
-//! From a study to its result: ground motions, floor motions, every object on every floor under every motion.
+//! From a study to its result: ground motions, floor motions, every object on every floor under
+//! every motion.
 
 mod motions;
 mod warnings;
@@ -16,17 +17,18 @@ use crate::cushion::BOTTOMED;
 use crate::result::{ExampleHistory, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
 use crate::study::{Level, Study};
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 use motions::{floor_profile, floors, spectrum_of};
 pub use motions::{floors_under, ground_motions};
 use warnings::result_warnings;
 
-/// Longest wait for a block to settle after the motion \[s\]; only a restitution of nearly 1 needs more.
+/// Longest time after the motion in which a block may settle \[s\]; only a restitution of nearly 1
+/// needs more.
 pub const LONGEST_TAIL_S: f64 = 120.0;
 
-/// Damping of every spectrum that is shown.
-pub const SPECTRUM_DAMPING_RATIO: f64 = 0.05;
+/// Damping of all spectra in figures.
+pub use freestand::oscillator::DAMPING_RATIO as SPECTRUM_DAMPING_RATIO;
 
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,10 +41,10 @@ pub struct Step {
     pub total: usize,
 }
 
-/// Hears of every step; `Break` stops the run.
+/// Called after each step; `Break` stops the run.
 pub type Progress<'a> = &'a (dyn Fn(Step) -> ControlFlow<()> + Sync);
 
-/// A [`Progress`] that listens to nothing.
+/// A [`Progress`] that does nothing.
 pub fn no_progress(_: Step) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
@@ -53,11 +55,11 @@ pub fn spectrum_periods_s() -> Vec<f64> {
     (0..count).map(|i| first * (last / first).powf(f64::from(i) / f64::from(count - 1))).collect()
 }
 
-/// Runs `study` on the current thread pool; the result does not depend on its size.
+/// Runs `study` on the current thread pool; the result does not depend on the number of threads.
 ///
 /// # Errors
-/// A motion that cannot be made or filtered, or a run that was stopped. An object that cannot be followed is a row with
-/// its reason, not an error.
+/// A motion that cannot be made or filtered, or a run that was stopped. An object that cannot be
+/// followed is a row with its reason, not an error.
 pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let names = study.ground.names(&study.levels);
     let directions = study.directions_deg.len();
@@ -66,7 +68,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
         progress(Step { stage, done, total })
             .is_continue()
             .then_some(())
-            .ok_or_else(|| Problems::from(Problem::new(ProblemKind::Computation, "the run was stopped before its end")))
+            .ok_or_else(|| Problems::from(Problem::stopped()))
     };
     let ground = ground_motions(&study.ground, || tell("ground motions", 0))?;
     let floors = floors(study, &ground, || tell("floor motions", 0))?;
@@ -98,7 +100,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let mut warnings = study.warnings.clone();
     warnings.extend(result_warnings(study, &ground, &levels));
     let history = example_history(study, &names, &levels).unwrap_or_else(|error| {
-        warnings.push(format!("the rocking history that was asked for cannot be drawn: {error}"));
+        warnings.push(format!("the requested rocking history cannot be drawn: {error}"));
         None
     });
     let modes = study.building.as_ref().map_or_else(Vec::new, |building| building.along.modes().to_vec());
@@ -137,9 +139,10 @@ fn object_responses(study: &Study, floor: &HorizontalMotion, direction_deg: f64)
         .collect()
 }
 
-/// Object by object the response that governs: a history that failed, since it may have been the worst; then the one that
-/// overturns, then the one whose centre of gravity rises higher, on which the shock hangs. Equal ones leave the first. The
-/// shock from the impact velocity is the largest of all directions, which may be another one's.
+/// The governing response of each object. A failed history governs, since it may have been the
+/// worst; then one that overturns; then the one with the larger rise of the centre of gravity,
+/// which determines the shock. Of equals the first governs. The shock from the impact velocity is
+/// the largest of all directions, so it may belong to another direction.
 fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<ObjectResponse> {
     let rank = |response: &ObjectResponse| match response {
         ObjectResponse::Failed(_) => (2, 0.0),
@@ -180,8 +183,8 @@ fn level_result(
     Ok(LevelResult { level: level.clone(), floors, spectra, responses, statistics })
 }
 
-/// The history that is drawn: the study's choice, or else the survivor with the largest shock on the highest floor
-/// under the first motion under which anything rocks.
+/// The history that is drawn: the study's choice; otherwise, on the highest floor and for the first
+/// motion that makes any object rock, the object with the largest shock that does not overturn.
 fn example_history(
     study: &Study,
     names: &[String],
@@ -215,7 +218,8 @@ fn example_history(
     }))
 }
 
-/// The direction that governs an object of the grid; sizes of a grid are interpolated, so they agree to rounding.
+/// The governing direction of an object of the grid. Sizes of a grid are interpolated, so they
+/// agree only up to rounding.
 fn governing_direction(study: &Study, row: &[ObjectResponse], block: &Block) -> Option<f64> {
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b;
     let is_it = |one: &Block| near(one.height_m(), block.height_m()) && near(one.thickness_m(), block.thickness_m());

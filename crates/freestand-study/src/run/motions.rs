@@ -14,7 +14,7 @@ use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 
-/// Asks before each motion whether to `go_on`: a thousand of them take minutes.
+/// Calls `go_on` before each motion, since a thousand of them take minutes.
 pub fn ground_motions(
     ground: &Ground,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
@@ -47,7 +47,8 @@ pub fn ground_motions(
     }
 }
 
-/// Earthquake by earthquake, each motion from the streams of random numbers that `motion simulate` takes.
+/// Earthquake by earthquake, each motion from the same streams of random numbers as in `motion
+/// simulate`.
 fn simulated_motions(
     simulated: &SimulatedGround,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
@@ -70,7 +71,7 @@ fn simulated_motions(
     Ok(motions)
 }
 
-/// The 5 % spectrum that is shown.
+/// The spectrum for figures, at 5 % damping.
 pub(super) fn spectrum_of(motion: &HorizontalMotion) -> Result<PseudoSpectrum, Problems> {
     let periods_s = spectrum_periods_s();
     let psa_m_s2 =
@@ -82,8 +83,8 @@ fn failed<E: std::fmt::Display>(what: impl std::fmt::Display) -> impl Fn(E) -> P
     move |error| Problem::new(ProblemKind::Computation, format!("{what} cannot be computed: {error}")).into()
 }
 
-/// Floor motions, `[level][motion]`: those that are given, or those of the building, with its ring-down behind the
-/// ground motion.
+/// Floor motions, `[level][motion]`: those that are given, or those of the building, with its free
+/// vibration after the ground motion.
 pub(super) fn floors(
     study: &Study,
     ground: &[GroundMotion],
@@ -116,7 +117,8 @@ pub(super) fn floors(
     Ok(by_level)
 }
 
-/// Peak accelerations of every floor under every motion, with what the code gives a rigid part there.
+/// Peak accelerations of every floor for every motion, and those of the code's clause for rigid
+/// parts.
 pub(super) fn floor_profile(
     study: &Study,
     ground: &[GroundMotion],

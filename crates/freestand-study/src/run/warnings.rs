@@ -1,4 +1,4 @@
-//! What the reader of a result must know, from what came out.
+//! Warnings that follow from a result.
 
 use freestand::G0_M_S2;
 use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings, impact_friction_needed_ratio};
@@ -18,16 +18,18 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
         && most > 1.1
     {
         warnings.push(format!(
-            "the matched motions have up to {most:.2} times the target's zero-period acceleration as PGA: their spectra are \
-             matched from {} s up, and a motion with this plateau cannot have so small a peak",
+            "the matched motions have up to {most:.2} times the target's zero-period acceleration as PGA: their \
+             spectra are matched only from {} s on, and a motion with this plateau cannot have such a small peak",
             synthesis::SHORTEST_PERIOD_S
         ));
     }
     let rows = || levels.iter().flat_map(|level| level.responses.iter().flatten());
     let failed = rows().filter(|response| matches!(response, ObjectResponse::Failed(_))).count();
     if failed > 0 {
-        warnings
-            .push(format!("{failed} of {} histories could not be followed: see `reason` in srs.csv", rows().count()));
+        warnings.push(format!(
+            "{failed} of {} histories could not be followed: see the column reason of srs.csv",
+            rows().count()
+        ));
     }
 
     let unsettled = rows()
@@ -35,8 +37,8 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
         .count();
     if unsettled > 0 {
         warnings.push(format!(
-            "{unsettled} of {} histories still rocked when they were stopped behind the motion: their impacts are not all \
-             counted",
+            "{unsettled} of {} histories were still rocking when they were stopped after the motion: their last \
+             impacts are not counted",
             rows().count()
         ));
     }
@@ -47,8 +49,8 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
     let squat = objects.blocks.iter().filter(|b| RockingModel::Rigid.uplift_threshold_ratio(b) > friction).count();
     if squat > 0 {
         warnings.push(format!(
-            "{squat} of {} objects have t/h above a friction of {friction}{assumed}: they slide before they uplift, which \
-             the model leaves out",
+            "{squat} of {} objects have a t/h above the friction of {friction}{assumed}: they slide before they \
+             uplift, which the model neglects",
             objects.blocks.len()
         ));
     }
@@ -62,7 +64,8 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
         .count();
     if slipping > 0 {
         warnings.push(format!(
-            "{slipping} of {} objects need more friction than {friction}{assumed} in an impact: their landing edge may slip",
+            "{slipping} of {} objects need more friction in an impact than {friction}{assumed}: the edge that lands \
+             may slip",
             objects.blocks.len()
         ));
     }

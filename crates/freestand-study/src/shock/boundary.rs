@@ -1,31 +1,23 @@
-//! The damage boundary of an object with the demand of a landing on it.
+//! The damage boundary of an object, with the demand of a landing.
 
 use freestand::G0_M_S2;
 use freestand::damage_boundary::{DamageBoundary, KNEE_RATIO};
 use freestand::impact::Impact;
-use serde::Serialize;
 
 use super::verdict::boundary;
 use super::{BoundaryTests, ShockRequest};
 use crate::shock_spectrum::{BoundaryPicture, damage_boundary_figure};
+use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 
-/// A damage boundary and a demand; the keys of the JSON document.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+/// A damage boundary and a demand.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DamageBoundaryReport {
-    /// `test points` of a file, `tests` as stated, or `component` where it follows from a frequency and a capacity.
-    pub source: &'static str,
-    /// A_c \[g\].
-    pub critical_acceleration_g: f64,
-    /// V_c \[m/s\].
-    pub critical_velocity_change_m_s: f64,
-    /// The velocity change from which the critical acceleration holds alone, (π/2) V_c \[m/s\].
-    pub knee_velocity_change_m_s: f64,
-    /// min(A/A_c, Δv/V_c).
-    pub demand_ratio: f64,
-    #[serde(skip)]
+    /// `test points` of a file, `tests` as stated, or `component` where it follows from a frequency
+    /// and a capacity.
+    source: &'static str,
     boundary: DamageBoundary,
-    #[serde(skip)]
+    /// Velocity change \[m/s\] and peak \[m/s²\].
     demand: (f64, f64),
 }
 
@@ -41,15 +33,23 @@ impl DamageBoundaryReport {
         };
         let tests = if request.boundary_tests.is_some() { "test points" } else { "tests" };
         let (source, boundary) = boundary(request).map(|one| (tests, one)).or_else(of_component)?;
-        Some(Self {
-            source,
-            critical_acceleration_g: boundary.acceleration_m_s2() / G0_M_S2,
-            critical_velocity_change_m_s: boundary.velocity_change_m_s(),
-            knee_velocity_change_m_s: KNEE_RATIO * boundary.velocity_change_m_s(),
-            demand_ratio: boundary.demand_ratio(edge_m_s2, impact.velocity_change_m_s),
-            boundary,
-            demand: (impact.velocity_change_m_s, edge_m_s2 / G0_M_S2),
-        })
+        Some(Self { source, boundary, demand: (impact.velocity_change_m_s, edge_m_s2) })
+    }
+
+    /// min(A/A_c, Δv/V_c).
+    fn demand_ratio(&self) -> f64 {
+        self.boundary.demand_ratio(self.demand.1, self.demand.0)
+    }
+
+    /// Its part of the document; the critical acceleration holds alone from the knee on, at (π/2) V_c.
+    pub(super) fn facts(&self) -> Facts<'static> {
+        let (a_c_g, v_c_m_s) = (self.boundary.acceleration_m_s2() / G0_M_S2, self.boundary.velocity_change_m_s());
+        Facts::default()
+            .fact("source", "damage boundary from", self.source)
+            .fact("critical_acceleration_g", "  critical acceleration", a_c_g)
+            .fact("critical_velocity_change_m_s", "  critical velocity change", v_c_m_s)
+            .key("knee_velocity_change_m_s", KNEE_RATIO * v_c_m_s)
+            .key("demand_ratio", self.demand_ratio())
     }
 
     /// Peak against velocity change, with the shocks of a test.
@@ -57,7 +57,7 @@ impl DamageBoundaryReport {
     /// # Errors
     /// What the plot library says when it cannot draw.
     pub fn figure(&self, tests: Option<&BoundaryTests>) -> Result<Figure, FigureError> {
-        let v_c = self.critical_velocity_change_m_s;
+        let v_c = self.boundary.velocity_change_m_s();
         let curve = (1..=CURVE_POINTS).filter_map(|i| {
             // Close together near V_c, where the curve is steep.
             let share = (f64::from(i) / f64::from(CURVE_POINTS)).powi(3);
@@ -70,12 +70,12 @@ impl DamageBoundaryReport {
             of.map(|point| (point.velocity_change_m_s, point.peak_acceleration_g)).collect()
         };
         damage_boundary_figure(&BoundaryPicture {
-            corner: (v_c, self.critical_acceleration_g),
+            corner: (v_c, self.boundary.acceleration_m_s2() / G0_M_S2),
             curve: curve.collect(),
             survived: points(false),
             damaged: points(true),
-            demand: self.demand,
-            safe: self.demand_ratio <= 1.0,
+            demand: (self.demand.0, self.demand.1 / G0_M_S2),
+            safe: self.demand_ratio() <= 1.0,
         })
     }
 }

@@ -1,7 +1,8 @@
-//! What an edge, or a side, lands on: a cushion from all the ways to describe it, or a measured drop.
+//! What an edge or a side lands on: a cushion, in any of its descriptions, or a measured drop.
 
 use super::{ShockRequest, problem};
-use crate::cushion::{CushionWords, EdgeCushion};
+use crate::cushion::{self, EdgeCushion};
+use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
 
 /// What the edge lands on.
@@ -15,43 +16,43 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Vec<Problem>) -> Op
     if request.scenario.overturns() {
         if request.drop_acceleration_m_s2.is_some() {
             problems.push(problem(
-                "a drop acceleration belongs to the object's own cushion, on which it does not land when it falls over",
-                "give the stiffness of its side on the floor or obstacle as --contact-stiffness",
+                "a drop acceleration belongs to the object's own cushion, but an object that falls over does not land on it",
+                "give contact_stiffness, the stiffness of its side on the floor or obstacle",
             ));
             return None;
         }
         let Some(value_n_m) = request.contact_stiffness_n_m else {
             problems.push(problem(
-                format!("the scenario {} needs --contact-stiffness", request.scenario.name()),
-                "the stiffness of the object's side on what it hits, such as --contact-stiffness \"2000 N/mm\"",
+                format!("the scenario {} needs contact_stiffness", request.scenario.name()),
+                "give the stiffness of the object's side on what it hits, such as contact_stiffness = \"2000 N/mm\"",
             ));
             return None;
         };
-        let mut side = CushionWords::spring(value_n_m);
-        for (key, text) in request.cushion.entries().iter().filter(|(key, _)| *key == "series_stiffness") {
-            side.set(key, text.clone());
+        let mut side = cushion::spring(value_n_m);
+        for text in request.cushion.all("series_stiffness") {
+            side.add("series_stiffness", text, None);
         }
         return resolved(&side, request, problems);
     }
     if request.contact_stiffness_n_m.is_some() {
         problems.push(problem(
-            "--contact-stiffness belongs to the scenarios overturn-floor and overturn-obstacle",
-            "give the stiffness of the cushion under one edge as --stiffness",
+            "contact_stiffness belongs to the scenarios overturn-floor and overturn-obstacle",
+            "give stiffness, that of the cushion under one edge",
         ));
     }
-    let hint = "give one of --stiffness (all the cushion under one edge), --pad-stiffness with --pads-per-edge, a \
-                --cushion file, or a measured --drop-acceleration";
+    let hint = "give one of stiffness (the whole cushion under one edge), pad_stiffness with pads_per_edge, a cushion file, \
+                or a measured drop_acceleration";
     let says = |key: &str| request.cushion.get(key).is_some();
     let has_stiffness = says("stiffness") || says("pad_stiffness") || says("cushion") || says("compressions");
     match request.drop_acceleration_m_s2 {
         Some(_) if has_stiffness => {
-            problems.push(problem("--stiffness, --pad-stiffness and --drop-acceleration exclude each other", hint));
+            problems.push(problem("stiffness, pad_stiffness and drop_acceleration exclude each other", hint));
             None
         }
         Some(_) if says("series_stiffness") => {
             problems.push(problem(
-                "--series-stiffness needs a stiffness that it acts in series with",
-                "a measured drop acceleration already contains everything that was under the mass",
+                "series_stiffness needs a stiffness with which it acts in series",
+                "a measured drop acceleration already includes everything that was under the mass",
             ));
             None
         }
@@ -64,12 +65,7 @@ pub(super) fn contact(request: &ShockRequest, problems: &mut Vec<Problem>) -> Op
     }
 }
 
-fn resolved(words: &CushionWords, request: &ShockRequest, problems: &mut Vec<Problem>) -> Option<Contact> {
-    match words.resolve(Some(request.mass_kg)) {
-        Ok(cushion) => Some(Contact::Cushion(cushion)),
-        Err(wrong) => {
-            problems.extend(wrong.into_iter().map(|(_, problem)| problem));
-            None
-        }
-    }
+fn resolved(words: &Words, request: &ShockRequest, problems: &mut Vec<Problem>) -> Option<Contact> {
+    let edge = cushion::resolve(words, Some(request.mass_kg));
+    edge.map(Contact::Cushion).map_err(|wrong| problems.extend(wrong)).ok()
 }

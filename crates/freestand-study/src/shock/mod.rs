@@ -1,4 +1,4 @@
-//! One landing, from what is known of the object to the shock and the verdict.
+//! One landing, from the known properties of the object to the shock and the verdict.
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
@@ -8,7 +8,6 @@ use freestand::impact::{
     stiffness_warnings,
 };
 use freestand::spectra::BEYOND_ALL_G;
-use serde::Serialize;
 
 mod boundary;
 mod cushion;
@@ -18,12 +17,14 @@ mod verdict;
 pub use boundary::DamageBoundaryReport;
 use cushion::{Contact, contact};
 pub use test_points::{BoundaryTests, Bracket, TestPoint, boundary_tests};
-pub use verdict::DemandCapacity;
-use verdict::{max_stiffness, verdict};
+use verdict::{Compared, compared, max_stiffness};
 
-use crate::cushion::{CushionWords, cushion_words};
+use crate::cushion::cushion_words;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
+use freestand_output::facts;
+use freestand_output::facts::Facts;
 
 /// What ends the fall, Fig. 1 of Al Abadi et al.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -40,7 +41,7 @@ pub enum Scenario {
 }
 
 impl Scenario {
-    /// The name in flags and outputs.
+    /// The name in inputs and outputs.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rocking => "rocking",
@@ -55,7 +56,7 @@ impl Scenario {
     }
 }
 
-/// The name of a model in flags and outputs: `paper`, `halted`, `free-corner`.
+/// The name of a model in inputs and outputs: `paper`, `halted`, `free-corner`.
 pub fn model_name(model: ImpactModel) -> &'static str {
     match model {
         ImpactModel::Paper => "paper",
@@ -77,15 +78,15 @@ pub enum Energy {
     AngularVelocity(f64),
 }
 
-/// A landing to be evaluated: SI units, `None` where nobody says.
+/// A landing to be evaluated: SI units, `None` where a value is not given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShockRequest {
     /// The object; it tilts to the left and lands on its right edge.
     pub block: Block,
     /// Its mass \[kg\].
     pub mass_kg: f64,
-    /// What stands under one edge.
-    pub cushion: CushionWords,
+    /// The cushion under one edge.
+    pub cushion: Words,
     /// Stiffness of the side on the floor or the obstacle, when the object falls over \[N/m\].
     pub contact_stiffness_n_m: Option<f64>,
     /// A measured drop acceleration (same mass, same rise) in place of the stiffness \[m/s²\].
@@ -106,29 +107,29 @@ pub struct ShockRequest {
     pub gravity_m_s2: f64,
     /// Coefficient of friction, for the guard against sliding.
     pub friction_ratio: Option<f64>,
-    /// Peak acceleration that the object stands \[m/s²\].
+    /// Peak acceleration that the object withstands \[m/s²\].
     pub tolerance_m_s2: Option<f64>,
-    /// Duration of the half-sine of that peak that it stands \[s\].
+    /// Duration of the half-sine of that peak that it withstands \[s\].
     pub tolerance_duration_s: Option<f64>,
-    /// Velocity change below which no peak does harm \[m/s\].
+    /// Velocity change below which no peak does damage \[m/s\].
     pub tolerance_velocity_change_m_s: Option<f64>,
-    /// Tests of the object, in place of the peak and the velocity change that it stands.
+    /// Tests of the object, in place of the peak and the velocity change that it withstands.
     pub boundary_tests: Option<BoundaryTests>,
-    /// Lift of one edge from which it may fall back: bench handling \[m\].
+    /// Uplift from which it may fall back: bench handling \[m\].
     pub tolerance_edge_lift_m: Option<f64>,
     /// Frequency of its most delicate component \[Hz\], with [`ShockRequest::component_capacity_m_s2`].
     pub component_frequency_hz: Option<f64>,
-    /// Acceleration that this component itself stands \[m/s²\].
+    /// Acceleration that this component itself withstands \[m/s²\].
     pub component_capacity_m_s2: Option<f64>,
 }
 
 impl ShockRequest {
-    /// An object and its mass; everything else is not yet said.
+    /// An object and its mass; everything else is open.
     pub fn new(block: Block, mass_kg: f64) -> Self {
         Self {
             block,
             mass_kg,
-            cushion: CushionWords::default(),
+            cushion: Words::default(),
             contact_stiffness_n_m: None,
             drop_acceleration_m_s2: None,
             energy: None,
@@ -150,119 +151,39 @@ impl ShockRequest {
     }
 }
 
-/// The shock of each model for the same landing \[g\]; `None` where a model does not apply.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ModelShocks {
-    /// Eq. (5).
-    pub paper_g: Option<f64>,
-    /// Eq. (8).
-    pub halted_g: Option<f64>,
-    /// The frictionless landing edge, for comparison only.
-    pub free_corner_g: Option<f64>,
+/// Whether the object withstands the landing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// No tolerance is exceeded.
+    Ok,
+    /// One is exceeded.
+    Exceeded,
+    /// No tolerance was given that this landing can be compared with.
+    None,
 }
 
-/// Shock at a point of the object.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct PointShock {
-    /// From the old pivot \[m\].
-    pub x_m: f64,
-    /// Above the base \[m\].
-    pub z_m: f64,
-    /// Horizontal part \[g\].
-    pub horizontal_g: f64,
-    /// Vertical part \[g\].
-    pub vertical_g: f64,
+impl Verdict {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::Exceeded => "exceeded",
+            Self::None => "no-verdict",
+        }
+    }
 }
 
-/// The shock of a landing; the keys of the JSON document.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// The shock of a landing.
+#[derive(Debug, Clone, PartialEq)]
 pub struct ShockReport {
-    /// What ends the fall.
-    pub scenario: &'static str,
-    /// The model that was used: a squat object is halted.
-    pub model: &'static str,
-    /// Where the energy comes from: `uplift`, `impact-velocity`, `fall-from-balance`, `measured`.
-    pub energy_source: &'static str,
-    /// a, Eq. (7), or as measured \[g\].
-    pub drop_acceleration_g: f64,
-    /// a_edge \[g\].
-    pub edge_acceleration_g: f64,
-    /// a_edge \[m/s²\].
-    pub edge_acceleration_m_s2: f64,
-    /// a_edge/a.
-    pub amplification_ratio: f64,
-    /// R_D, Eq. (6).
-    pub landing_ratio: f64,
-    /// m_eff \[kg\].
-    pub effective_mass_kg: f64,
-    /// Velocity of the contact point before the contact \[m/s\].
-    pub edge_velocity_m_s: Option<f64>,
-    /// Angular velocity before the contact \[rad/s\].
-    pub angular_velocity_rad_s: Option<f64>,
-    /// d \[m\].
-    pub contact_distance_m: f64,
-    /// R \[m\].
-    pub half_diagonal_m: f64,
-    /// α \[rad\].
-    pub slenderness_angle_rad: f64,
-    /// Δh that feeds the landing \[m\].
-    pub cg_rise_m: Option<f64>,
-    /// Lift of the free base edge at that rise \[m\].
-    pub uplift_m: Option<f64>,
-    /// Rotation at that rise \[rad\].
-    pub rotation_rad: Option<f64>,
-    /// Stiffness that acted, given or implied by the measured drop acceleration; `None` for a law that has none \[N/m\].
-    pub stiffness_n_m: Option<f64>,
-    /// The law of the cushion: `linear`, `power`, …
-    pub law: Option<&'static str>,
-    /// The cushion in words.
-    pub cushion: Option<String>,
-    /// Duration of the contact, π√(m_eff/k) on a spring \[s\].
-    pub pulse_duration_s: Option<f64>,
-    /// (1 + e)v, 2v on a spring \[m/s\].
-    pub velocity_change_m_s: Option<f64>,
-    /// Largest compression of the cushion \[m\].
-    pub compression_m: Option<f64>,
-    /// R(1 − cos α): the largest rise before the object falls \[m\].
-    pub balance_rise_m: f64,
-    /// Shock from that rise \[g\].
-    pub ceiling_g: Option<f64>,
-    /// Friction without which the landing edge slips; `None` where the object does not rock through.
-    pub impact_friction_needed_ratio: Option<f64>,
-    /// All models side by side.
-    pub models: ModelShocks,
-    /// Shock at the point that was asked for.
-    pub at: Option<PointShock>,
-    /// Peak that the object stands \[g\].
-    pub tolerance_g: Option<f64>,
-    /// Lift of one edge that the object stands \[m\].
-    pub tolerance_edge_lift_m: Option<f64>,
-    /// The test points of a damage boundary and what they say of it.
-    pub damage_boundary_tests: Option<BoundaryTests>,
+    /// The document of `freestand shock`.
+    pub facts: Facts<'static>,
+    /// Whether the object withstands it.
+    pub verdict: Verdict,
     /// The damage boundary of tests or of the component, with the demand.
     pub damage_boundary: Option<DamageBoundaryReport>,
-    /// Demand over capacity for each kind of tolerance.
-    pub demand_capacity: Option<DemandCapacity>,
-    /// The one that governs.
-    pub demand_capacity_ratio: Option<f64>,
-    /// `damage-boundary`, `spectrum`, `component`, `edge-lift`, or `peak` where nothing else is known.
-    pub governing: Option<&'static str>,
-    /// `ok`, `exceeded` or `no-verdict`.
-    pub verdict: &'static str,
-    /// The largest stiffness that keeps a_edge within the tolerance at this rise \[N/m\].
-    pub max_stiffness_n_m: Option<f64>,
-    /// How the input was read.
-    pub notes: Vec<String>,
     /// Validity warnings.
-    #[serde(skip)]
     pub warnings: Vec<String>,
-}
-
-impl ShockReport {
-    /// Whether a tolerance was given and exceeded.
-    pub fn exceeded(&self) -> bool {
-        self.demand_capacity_ratio.is_some_and(|ratio| ratio > 1.0)
-    }
 }
 
 fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
@@ -272,20 +193,20 @@ fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
 /// Evaluates a landing.
 ///
 /// # Errors
-/// Dimensions that are no object, keys that contradict each other or are missing, a rise beyond the balance point of a
-/// rocking object. All of them at once.
+/// Values that contradict each other or are missing, a rise beyond the balance point of a rocking
+/// object. All of them at once.
 ///
 /// # Example
 /// Test 1 of Table I of Al Abadi et al., with g = 9.81 m/s² as the paper has it:
 /// ```
-/// use freestand_study::cushion::CushionWords;
+/// use freestand_study::cushion::spring;
 /// use freestand_study::shock::{Energy, ShockRequest, shock};
 /// let mut cabinet = ShockRequest::new(freestand::block::Block::uniform(2.3, 0.6)?, 140.0);
-/// cabinet.cushion = CushionWords::spring(4.38e6);
+/// cabinet.cushion = spring(4.38e6);
 /// cabinet.energy = Some(Energy::CgRise(0.016));
 /// let report = shock(&cabinet)?;
-/// assert!((report.edge_acceleration_g - 4.526).abs() < 1e-3);
-/// assert_eq!(report.verdict, "no-verdict");
+/// let shock_g = report.facts.number("edge_acceleration_g").expect("a shock");
+/// assert!((shock_g - 4.526).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn shock(request: &ShockRequest) -> Result<ShockReport, Problems> {
@@ -306,15 +227,15 @@ fn keep<T>(problems: &mut Vec<Problem>, result: Result<T, Problem>) -> Option<T>
     result.map_err(|problem| problems.push(problem)).ok()
 }
 
-/// The request with the peak and the velocity change that its tests say.
+/// The request with the peak and the velocity change of its tests.
 fn with_tests(request: &ShockRequest, problems: &mut Vec<Problem>) -> ShockRequest {
     let mut request = request.clone();
     let Some(tests) = &request.boundary_tests else { return request };
     let stated = [request.tolerance_m_s2, request.tolerance_velocity_change_m_s, request.tolerance_duration_s];
     if stated.iter().any(Option::is_some) {
         problems.push(problem(
-            "the test points of --damage-boundary take the place of --tolerance and what goes with it",
-            "leave --tolerance, --tolerance-velocity-change and --tolerance-duration out",
+            "the test points of damage_boundary replace tolerance, tolerance_velocity_change and tolerance_duration",
+            "leave these three out",
         ));
     }
     if let Some((acceleration_m_s2, velocity_change_m_s)) = tests.critical() {
@@ -326,7 +247,7 @@ fn with_tests(request: &ShockRequest, problems: &mut Vec<Problem>) -> ShockReque
 
 fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
     if !(request.mass_kg > 0.0 && request.mass_kg.is_finite()) {
-        problems.push(problem("the mass must be positive and finite", "give --mass in kg or t"));
+        problems.push(problem("the mass must be positive and finite", "give mass in kg or t"));
     }
     let halted_only = request.scenario != Scenario::Rocking;
     if let Some(model) = request.model
@@ -335,28 +256,28 @@ fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
     {
         problems.push(problem(
             format!("the scenario {} is always halted, not {}", request.scenario.name(), model_name(model)),
-            "leave --model out",
+            "leave model out",
         ));
     }
     if request.scenario != Scenario::OverturnObstacle
         && (request.gap_m.is_some() || request.obstacle_height_m.is_some())
     {
         problems.push(problem(
-            "--gap and --obstacle-height belong to the scenario overturn-obstacle",
-            "add --scenario overturn-obstacle, or leave them out",
+            "gap and obstacle_height belong to the scenario overturn-obstacle",
+            "use the scenario overturn-obstacle, or leave them out",
         ));
     }
     let kinds = [request.tolerance_duration_s, request.tolerance_velocity_change_m_s];
     if request.tolerance_m_s2.is_none() && kinds.iter().flatten().next().is_some() {
         problems.push(problem(
-            "--tolerance-duration and --tolerance-velocity-change go with --tolerance",
-            "give the peak acceleration that the object stands, such as --tolerance \"5 g\"",
+            "tolerance_duration and tolerance_velocity_change need tolerance",
+            "give the peak acceleration that the object withstands, such as tolerance = \"5 g\"",
         ));
     }
     if request.component_frequency_hz.is_some() != request.component_capacity_m_s2.is_some() {
         problems.push(problem(
-            "--component-frequency and --component-capacity go together",
-            "such as --component-frequency \"100 Hz\" --component-capacity \"40 g\"",
+            "component_frequency and component_capacity go together",
+            "give both, such as component_frequency = \"100 Hz\" and component_capacity = \"40 g\"",
         ));
     }
     if request.tolerance_m_s2.is_some()
@@ -366,7 +287,7 @@ fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
     {
         problems.push(problem(
             "a drop acceleration alone gives neither duration nor velocity change to compare with the tolerance",
-            "give the rise at which it was measured as well, such as --cg-rise \"16 mm\"",
+            "give the rise at which it was measured as well, such as cg_rise = \"16 mm\"",
         ));
     }
 }
@@ -379,19 +300,40 @@ fn landing(request: &ShockRequest, block: &Block) -> Result<Landing, Problem> {
         Scenario::OverturnObstacle => {
             let gap_m = request.gap_m.ok_or_else(|| {
                 problem(
-                    "the scenario overturn-obstacle needs --gap",
-                    "the distance to the obstacle, such as --gap \"0.5 m\"",
+                    "the scenario overturn-obstacle needs a gap",
+                    "give the distance to the obstacle, such as gap = \"0.5 m\"",
                 )
             })?;
             Landing::overturning_onto_obstacle(block, gap_m, request.obstacle_height_m)
-                .map_err(|error| problem(error.to_string(), "use --scenario overturn-floor"))
+                .map_err(|error| problem(error.to_string(), "use the scenario overturn-floor"))
+        }
+    }
+}
+
+/// How the energy of the landing is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum EnergySource {
+    Uplift,
+    ImpactVelocity,
+    FallFromBalance,
+    Measured,
+}
+
+impl EnergySource {
+    /// The name in outputs.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Uplift => "uplift",
+            Self::ImpactVelocity => "impact-velocity",
+            Self::FallFromBalance => "fall-from-balance",
+            Self::Measured => "measured",
         }
     }
 }
 
 /// The energy of the landing, as a fall of the centre of gravity.
 struct Fall {
-    source: &'static str,
+    source: EnergySource,
     rise_m: Option<f64>,
     rotation_rad: Option<f64>,
     warning: Option<String>,
@@ -401,43 +343,44 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
     let pivot = landing.pivot;
     if let Some(Energy::AngularVelocity(omega)) = request.energy {
         let rise_m = Some(landing.equivalent_rise_m(omega, request.gravity_m_s2));
-        return Ok(Fall { source: "impact-velocity", rise_m, rotation_rad: None, warning: None });
+        return Ok(Fall { source: EnergySource::ImpactVelocity, rise_m, rotation_rad: None, warning: None });
     }
     if request.scenario.overturns() {
         return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
             Some(fall) => Ok(Fall {
-                source: "fall-from-balance",
+                source: EnergySource::FallFromBalance,
                 rise_m: Some(fall),
                 rotation_rad: None,
                 warning: Some(
-                    "the fall starts from rest at the balance point: a lower estimate; the speed that a rocking history still has there comes on top"
+                    "the fall starts from rest at the balance point: this is a lower estimate, because a rocking history \
+                     still has some speed there"
                         .to_owned(),
                 ),
             }),
             None if request.scenario == Scenario::OverturnFloor => Err(problem(
-                "the centre of gravity lies higher on its side than at the balance point: there is no fall to take the energy from",
-                "check the centre of gravity and the feet, or give the speed of the contact as --angular-velocity",
+                "on its side the centre of gravity is higher than at the balance point: there is no fall to provide the energy",
+                "check the centre of gravity and the base width, or give the angular_velocity of the contact",
             )),
             None => Err(problem(
-                "the object touches the obstacle before it reaches its balance point: there is no fall to take the energy from",
-                "give the speed of the contact from a rocking history, such as --angular-velocity \"1.2 rad/s\"",
+                "the object touches the obstacle before it reaches its balance point: there is no fall to provide the energy",
+                "give the speed of the contact from a rocking history, such as angular_velocity = \"1.2 rad/s\"",
             )),
         };
     }
     let alpha = pivot.slenderness_angle_rad;
     let rotation = match request.energy {
         None if request.drop_acceleration_m_s2.is_some() => {
-            return Ok(Fall { source: "measured", rise_m: None, rotation_rad: None, warning: None });
+            return Ok(Fall { source: EnergySource::Measured, rise_m: None, rotation_rad: None, warning: None });
         }
         None => {
             return Err(problem(
-                "nothing says how far the object was lifted or how fast it lands",
-                "give one of --cg-rise, --uplift, --rotation, --angular-velocity or --drop-acceleration",
+                "neither the rise of the object nor its speed at the landing is given",
+                "give one of cg_rise, uplift, rotation, angular_velocity or drop_acceleration",
             ));
         }
         Some(Energy::CgRise(rise_m)) if rise_m <= pivot.balance_rise_m() => {
             let rotation_rad = pivot.rotation_at_rise_rad(rise_m);
-            return Ok(Fall { source: "uplift", rise_m: Some(rise_m), rotation_rad, warning: None });
+            return Ok(Fall { source: EnergySource::Uplift, rise_m: Some(rise_m), rotation_rad, warning: None });
         }
         Some(Energy::Rotation(theta)) => Some(theta.abs()),
         Some(Energy::Uplift(uplift_m)) if uplift_m <= block.base_width_m() => {
@@ -447,7 +390,7 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
     };
     if let Some(theta) = rotation.filter(|&theta| theta <= alpha) {
         let rise_m = Some(pivot.cg_rise_m(theta));
-        return Ok(Fall { source: "uplift", rise_m, rotation_rad: Some(theta), warning: None });
+        return Ok(Fall { source: EnergySource::Uplift, rise_m, rotation_rad: Some(theta), warning: None });
     }
     let balance = format!(
         "balance point (a rise of the centre of gravity of {}, a rotation of {:.4} rad, an uplift of {})",
@@ -460,12 +403,12 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
             Some(Energy::CgRise(rise_m)) => rise_m,
             _ => pivot.balance_rise_m(),
         };
-        let warning = Some(format!("the object was taken beyond its {balance}: left alone it would overturn"));
-        return Ok(Fall { source: "uplift", rise_m: Some(rise_m), rotation_rad: rotation, warning });
+        let warning = Some(format!("the object is beyond its {balance}: if released, it would overturn"));
+        return Ok(Fall { source: EnergySource::Uplift, rise_m: Some(rise_m), rotation_rad: rotation, warning });
     }
     Err(problem(
-        format!("the object does not come back from beyond its {balance}"),
-        "for the fall itself use --scenario overturn-floor or overturn-obstacle",
+        format!("beyond its {balance} the object does not come back"),
+        "for the fall itself use the scenario overturn-floor or overturn-obstacle",
     ))
 }
 
@@ -500,11 +443,11 @@ fn report(
     };
     let edge_m_s2 = edge_of(landing);
     let overturns = request.scenario.overturns();
-    // A law that is driven into its end gives numbers of any size before it gives none.
+    // A law close to its end gives numbers of any size before it gives none.
     let largest_m_s2 = edge_m_s2.max(drop_m_s2);
     if edge_m_s2.is_nan() || largest_m_s2 > BEYOND_ALL_G * G0_M_S2 {
         return Err(problem(
-            "the shock is beyond all numbers",
+            "the shock is too large to calculate",
             "check the sizes, the mass and the cushion: one that bottoms must hold the energy of the landing",
         ));
     }
@@ -519,10 +462,8 @@ fn report(
     if overturns && edge_keys.iter().any(|key| request.cushion.get(key).is_some()) {
         warnings.push("an object that falls over lands on its side: the stiffness of its edge is not used".to_owned());
     }
-    if overturns && request.energy.is_some() && fall.source == "fall-from-balance" {
-        warnings.push(
-            "an object that falls over starts from its balance point: the rise that was given is not used".to_owned(),
-        );
+    if overturns && request.energy.is_some() && fall.source == EnergySource::FallFromBalance {
+        warnings.push("an object that falls over starts from its balance point: the given rise is not used".to_owned());
     }
     if let Some(cushion) = cushion {
         warnings.extend(stiffness_warnings(mass_kg, cushion, pad_thickness_m).iter().map(ToString::to_string));
@@ -542,77 +483,92 @@ fn report(
     }
 
     let uplift_m = fall.rotation_rad.map(|theta| block.base_width_m() * theta.sin());
-    let verdict = verdict(request, edge_m_s2, uplift_m, impact.as_ref());
+    let compared = compared(request, edge_m_s2, uplift_m, impact.as_ref());
     warnings.extend(request.boundary_tests.iter().flat_map(|tests| tests.warnings.iter().cloned()));
     let damage_boundary = impact.as_ref().and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
     let share = request.at_m.map(|(x_m, z_m)| (x_m, z_m, landing.shock_share_at(x_m, z_m)));
     if let Some((x_m, z_m, _)) = share
         && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
     {
-        warnings.push("the point of --at lies outside the object".to_owned());
+        warnings.push("the point lies outside the object".to_owned());
     }
-    // The advice is about springs: of another law it would not be the stiffness that was stated.
+    // The advice is about springs: for another law it would not be the stiffness that was stated.
     let rise_on_a_spring_m = fall.rise_m.filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
     let (max_stiffness_n_m, stiffness_note) =
         rise_on_a_spring_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
     notes.extend(stiffness_note.map(str::to_owned));
-    warnings.extend(not_compared(request, verdict.map(|verdict| verdict.0)));
-    Ok(ShockReport {
-        scenario: request.scenario.name(),
-        model: model_name(landing.model),
-        energy_source: fall.source,
-        drop_acceleration_g: drop_m_s2 / G0_M_S2,
-        edge_acceleration_g: edge_m_s2 / G0_M_S2,
-        edge_acceleration_m_s2: edge_m_s2,
-        amplification_ratio: landing.amplification_ratio(),
-        landing_ratio: block.landing_ratio(),
-        effective_mass_kg: landing.effective_mass_ratio * mass_kg,
-        edge_velocity_m_s: fall.rise_m.map(|rise| landing.edge_velocity_m_s(rise, gravity)),
-        angular_velocity_rad_s: fall.rise_m.map(|rise| landing.omega_rad_s(rise, gravity)),
-        contact_distance_m: landing.contact_distance_m,
-        half_diagonal_m: landing.pivot.half_diagonal_m,
-        slenderness_angle_rad: landing.pivot.slenderness_angle_rad,
-        cg_rise_m: fall.rise_m,
-        uplift_m,
-        rotation_rad: fall.rotation_rad,
-        stiffness_n_m: cushion.and_then(Cushion::linear_stiffness_n_m),
-        law: cushion.map(|cushion| cushion.law().name()),
-        cushion: cushion.map(cushion_words),
-        pulse_duration_s: impact.map(|impact| impact.pulse_duration_s),
-        velocity_change_m_s: impact.map(|impact| impact.velocity_change_m_s),
-        compression_m: impact.map(|impact| impact.compression_m),
-        balance_rise_m: landing.pivot.balance_rise_m(),
-        ceiling_g: cushion
-            .filter(|_| !overturns)
-            .map(|cushion| {
-                landing.edge_acceleration_m_s2(mass_kg, cushion, landing.pivot.balance_rise_m(), gravity) / G0_M_S2
-            })
-            .filter(|ceiling_g| ceiling_g.is_finite()),
-        impact_friction_needed_ratio: friction_needed,
-        models: models(request, block, landing, &edge_of),
-        at: share.map(|(x_m, z_m, (horizontal, vertical))| PointShock {
-            x_m,
-            z_m,
-            horizontal_g: horizontal * edge_m_s2 / G0_M_S2,
-            vertical_g: vertical * edge_m_s2 / G0_M_S2,
-        }),
-        tolerance_g: request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2),
-        tolerance_edge_lift_m: request.tolerance_edge_lift_m,
-        damage_boundary_tests: request.boundary_tests.clone(),
-        damage_boundary,
-        demand_capacity: verdict.map(|verdict| verdict.0),
-        demand_capacity_ratio: verdict.map(|verdict| verdict.1),
-        governing: verdict.map(|verdict| verdict.2),
-        verdict: verdict.map_or("no-verdict", |(_, ratio, _)| if ratio > 1.0 { "exceeded" } else { "ok" }),
-        max_stiffness_n_m,
-        notes,
-        warnings,
-    })
+    warnings.extend(not_compared(request, compared.as_ref()));
+    let at = share.map(|(x_m, z_m, (horizontal, vertical))| {
+        let at = Facts::default().key("x_m", x_m).key("z_m", z_m);
+        at.fact("horizontal_g", "shock at the point, horizontal", horizontal * edge_m_s2 / G0_M_S2).fact(
+            "vertical_g",
+            "shock at the point, vertical",
+            vertical * edge_m_s2 / G0_M_S2,
+        )
+    });
+    let pivot = landing.pivot;
+    let ceiling_m_s2 = cushion
+        .filter(|_| !overturns)
+        .map(|cushion| landing.edge_acceleration_m_s2(mass_kg, cushion, pivot.balance_rise_m(), gravity));
+    let ceiling_g = ceiling_m_s2.map(|a| a / G0_M_S2).filter(|ceiling_g| ceiling_g.is_finite());
+    let omega_rad_s = fall.rise_m.map(|rise_m| landing.omega_rad_s(rise_m, gravity));
+    let governing = compared.as_ref().map(|compared| compared.governing);
+    // Without a tolerance there is no verdict to read.
+    let label = if compared.is_some() { "verdict" } else { "" };
+    let ratio = compared.as_ref().map(|compared| compared.ratio);
+    let verdict = match ratio {
+        Some(ratio) if ratio > 1.0 => Verdict::Exceeded,
+        Some(_) => Verdict::Ok,
+        None => Verdict::None,
+    };
+    let facts = Facts::default()
+        .fact("scenario", "scenario", request.scenario.name())
+        .fact("model", "model", model_name(landing.model))
+        .key("energy_source", fall.source.name())
+        .fact("drop_acceleration_g", "drop acceleration", drop_m_s2 / G0_M_S2)
+        .fact("edge_acceleration_g", "shock", edge_m_s2 / G0_M_S2)
+        .key("edge_acceleration_m_s2", edge_m_s2)
+        .key("amplification_ratio", landing.amplification_ratio())
+        .fact("landing_ratio", "landing ratio R_D, Eq. (6)", block.landing_ratio())
+        .fact("effective_mass_kg", "effective mass", landing.effective_mass_ratio * mass_kg)
+        .fact(
+            "edge_velocity_m_s",
+            "velocity of the edge",
+            fall.rise_m.map(|rise| landing.edge_velocity_m_s(rise, gravity)),
+        )
+        .key("angular_velocity_rad_s", omega_rad_s)
+        .key("contact_distance_m", landing.contact_distance_m)
+        .and(facts!(pivot; half_diagonal_m "half diagonal R", slenderness_angle_rad "slenderness angle α"))
+        .fact("cg_rise_m", "rise of the centre of gravity", fall.rise_m)
+        .fact("uplift_m", "uplift", uplift_m)
+        .fact("rotation_rad", "rotation", fall.rotation_rad)
+        .key("stiffness_n_m", cushion.and_then(Cushion::linear_stiffness_n_m))
+        .key("law", cushion.map(|cushion| cushion.law().name()))
+        .fact("cushion", "cushion", cushion.map(cushion_words))
+        .fact("pulse_duration_s", "duration of the pulse", impact.map(|impact| impact.pulse_duration_s))
+        .fact("velocity_change_m_s", "velocity change", impact.map(|impact| impact.velocity_change_m_s))
+        .fact("compression_m", "compression of the cushion", impact.map(|impact| impact.compression_m))
+        .key("balance_rise_m", pivot.balance_rise_m())
+        .fact("ceiling_g", "ceiling of the shock", ceiling_g)
+        .key("impact_friction_needed_ratio", friction_needed)
+        .key("models", models(request, block, landing, &edge_of))
+        .key("at", at)
+        .fact("tolerance_g", "tolerance", request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2))
+        .fact("tolerance_edge_lift_m", "tolerance, uplift", request.tolerance_edge_lift_m)
+        .key("damage_boundary_tests", request.boundary_tests.as_ref().map(BoundaryTests::facts))
+        .key("damage_boundary", damage_boundary.map(|boundary| boundary.facts()))
+        .key("demand_capacity", compared.as_ref().map(|compared| compared.demand_capacity.facts()))
+        .fact("demand_capacity_ratio", "demand/capacity", ratio)
+        .fact("governing", "  governed by", governing)
+        .fact("verdict", label, verdict.name())
+        .fact("max_stiffness_n_m", "largest stiffness at this rise", max_stiffness_n_m)
+        .fact("notes", "note", notes);
+    Ok(ShockReport { facts, verdict, damage_boundary, warnings })
 }
 
-/// Tolerances that were given and that nothing of this landing can be held against.
-fn not_compared(request: &ShockRequest, compared: Option<DemandCapacity>) -> Vec<String> {
-    let compared = compared.unwrap_or_default();
+/// Warnings for tolerances that were given but with which this landing cannot be compared.
+fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<String> {
+    let compared = compared.map(|compared| compared.demand_capacity).unwrap_or_default();
     let kinds = [
         (
             request.component_frequency_hz.is_some() && compared.component.is_none(),
@@ -621,7 +577,7 @@ fn not_compared(request: &ShockRequest, compared: Option<DemandCapacity>) -> Vec
         ),
         (
             request.tolerance_edge_lift_m.is_some() && compared.edge_lift.is_none(),
-            "the lift that was survived is not compared: it needs --uplift, --rotation or --cg-rise",
+            "the survived uplift is not compared: it needs uplift, rotation or cg_rise",
         ),
     ];
     kinds.into_iter().filter(|(is_left, _)| *is_left).map(|(_, words)| words.to_owned()).collect()
@@ -644,26 +600,24 @@ fn implied_spring(
     Ok(Some(spring))
 }
 
-/// The same landing through every model that applies.
+/// The shock of the same landing by each model; missing where a model does not apply.
 fn models(
     request: &ShockRequest,
     block: &Block,
     landing: &Landing,
     edge_m_s2: &dyn Fn(&Landing) -> f64,
-) -> ModelShocks {
-    let shock_g = |landing: &Landing| edge_m_s2(landing) / G0_M_S2;
-    if request.scenario.overturns() {
-        return ModelShocks { paper_g: None, halted_g: Some(shock_g(landing)), free_corner_g: None };
-    }
+) -> Facts<'static> {
     let of = |model: ImpactModel| {
-        let landing = Landing::rocking(block, model);
-        (landing.model == model).then(|| shock_g(&landing))
+        let other = Landing::rocking(block, model);
+        match request.scenario.overturns() {
+            true => (model == ImpactModel::Halted).then(|| edge_m_s2(landing) / G0_M_S2),
+            false => (other.model == model).then(|| edge_m_s2(&other) / G0_M_S2),
+        }
     };
-    ModelShocks {
-        paper_g: of(ImpactModel::Paper),
-        halted_g: of(ImpactModel::Halted),
-        free_corner_g: of(ImpactModel::FreeCorner),
-    }
+    Facts::default()
+        .fact("paper_g", "shock by the paper's model, Eq. (5)", of(ImpactModel::Paper))
+        .fact("halted_g", "shock by the halted model, Eq. (8)", of(ImpactModel::Halted))
+        .fact("free_corner_g", "shock by the free-corner model", of(ImpactModel::FreeCorner))
 }
 
 #[cfg(test)]

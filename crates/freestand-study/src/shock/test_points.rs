@@ -1,20 +1,21 @@
-//! A damage boundary from the shocks of a test, ASTM D3332: Method A (short pulses) gives the critical velocity change,
-//! Method B (long ones) the critical acceleration.
+//! A damage boundary from the shocks of a test, ASTM D3332: Method A (short pulses) gives the critical
+//! velocity change, Method B (long ones) the critical acceleration.
 
 use std::path::Path;
 
 use freestand::G0_M_S2;
 use freestand::damage_boundary::KNEE_RATIO;
-use serde::Serialize;
 
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_records::formats::{DamageRow, load_damage_points};
+use freestand_output::facts;
+use freestand_output::facts::Facts;
+use freestand_records::tables::{DamageRow, load_damage_points};
 
-/// Longest pulse of Method A \[s\].
-const LONGEST_OF_METHOD_A_S: f64 = 3e-3;
+/// The longest pulse of Method A \[s\].
+const MAX_METHOD_A_S: f64 = 3e-3;
 
 /// One shock of a test.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TestPoint {
     /// `A` or `B`.
     pub method: char,
@@ -22,14 +23,14 @@ pub struct TestPoint {
     pub velocity_change_m_s: f64,
     /// A \[g\].
     pub peak_acceleration_g: f64,
-    /// Whether it did harm.
+    /// Whether it damaged the object.
     pub damaged: bool,
     /// Its line in the file, from 1.
     pub line: usize,
 }
 
-/// What was survived and, above it, what first did harm; `None` where no test says.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+/// The largest value that was survived and the smallest that damaged; `None` where no test tells.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Bracket {
     /// The largest that was survived below the first damage: the critical value.
     pub survived: Option<f64>,
@@ -37,8 +38,8 @@ pub struct Bracket {
     pub damaged: Option<f64>,
 }
 
-/// The tests of an object and what they say of its damage boundary; part of the JSON document.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+/// The tests of an object and what they tell of its damage boundary.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct BoundaryTests {
     /// V_c, by Method A.
     pub critical_velocity_change_m_s: Bracket,
@@ -46,8 +47,7 @@ pub struct BoundaryTests {
     pub critical_acceleration_g: Bracket,
     /// All points, in the order of the file.
     pub points: Vec<TestPoint>,
-    /// What is missing or to be doubted.
-    #[serde(skip)]
+    /// What is missing or doubtful.
     pub warnings: Vec<String>,
 }
 
@@ -57,20 +57,36 @@ impl BoundaryTests {
         let acceleration_m_s2 = G0_M_S2 * self.critical_acceleration_g.survived?;
         Some((acceleration_m_s2, self.critical_velocity_change_m_s.survived?))
     }
+
+    /// Their part of the document.
+    pub(super) fn facts(&self) -> Facts<'static> {
+        let point = |point: &TestPoint| {
+            let method = Facts::default().key("method", point.method.to_string());
+            method.and(facts!(point; velocity_change_m_s, peak_acceleration_g, damaged, line))
+        };
+        let (v, a) = (self.critical_velocity_change_m_s, self.critical_acceleration_g);
+        let v = facts!(v; survived "velocity change that was survived", damaged "velocity change that damaged");
+        let a = facts!(a; survived "peak that was survived", damaged "peak that damaged");
+        Facts::default()
+            .key("critical_velocity_change_m_s", v)
+            .key("critical_acceleration_g", a)
+            .key("points", self.points.iter().map(point).collect::<Vec<_>>())
+    }
 }
 
-/// Reads the tests of an object: columns of velocity change, peak acceleration and `damaged`, perhaps `method` (A or B) or
-/// a duration.
+/// Reads the tests of an object: columns of velocity change, peak acceleration and `damaged`, perhaps
+/// `method` (A or B) or a duration.
 ///
-/// Where the method is not stated a duration tells it: up to 3 ms is Method A. Where neither is, velocity change and peak do:
-/// a pulse lasts between Δv/A (a rectangle) and 2Δv/A (a sawtooth); where 3 ms lies between the two, nobody can tell.
+/// Where the method is not stated, it follows from the duration: up to 3 ms is Method A. Where neither
+/// is stated, it follows from velocity change and peak: a pulse lasts between Δv/A (a rectangle) and
+/// 2Δv/A (a sawtooth). Where 3 ms lies between the two, the row is refused.
 ///
 /// # Reference
-/// ASTM D3332, in own words: V_c and A_c are the last that was survived before the first damage; Method B is run at 1.57 V_c
-/// or more, so that what is survived below that says nothing of A_c.
+/// ASTM D3332, in our own words: V_c and A_c are the last values that were survived before the first
+/// damage; Method B is run at 1.57 V_c or more, so a shock survived below that says nothing of A_c.
 ///
 /// # Errors
-/// A file without such columns, a point whose method is not known, damage at or below what was survived.
+/// A file without such columns, a point whose method is not known, damage at or below a survived value.
 pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
     let rows = load_damage_points(path)?;
     let mut problems = Vec::new();
@@ -96,7 +112,7 @@ pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
     Err(Problems { problems: problems.into_iter().map(|problem| problem.in_file(path)).collect() })
 }
 
-/// What a method makes larger from shock to shock.
+/// The quantity that a method increases from shock to shock.
 type Size = fn(&TestPoint) -> f64;
 
 fn velocity_change(point: &TestPoint) -> f64 {
@@ -114,29 +130,29 @@ fn method(row: &DamageRow) -> Result<char, Problem> {
     let rectangle_s = row.velocity_change_m_s / row.peak_acceleration_m_s2;
     let (shortest_s, longest_s) =
         row.duration_s.map_or((rectangle_s, 2.0 * rectangle_s), |duration_s| (duration_s, duration_s));
-    if longest_s <= LONGEST_OF_METHOD_A_S {
+    if longest_s <= MAX_METHOD_A_S {
         Ok('A')
-    } else if shortest_s > LONGEST_OF_METHOD_A_S {
+    } else if shortest_s > MAX_METHOD_A_S {
         Ok('B')
     } else {
-        let message = "whether this shock is of Method A or B cannot be told from its velocity change and peak";
+        let message = "velocity change and peak do not tell whether this shock belongs to Method A or B";
         let problem = Problem::new(ProblemKind::Value, message).at_line(row.line);
         Err(problem.hint("add a column \"method\" with A or B, or one of durations, such as \"duration [ms]\""))
     }
 }
 
-/// The least damage of a method and what was survived at or above it.
+/// A problem where a shock of a method was survived at or above the first damage.
 fn contradiction(points: &[TestPoint], method: char, what: &str, size: Size) -> Option<Problem> {
     let of = |damaged: bool| points.iter().filter(move |point| point.method == method && point.damaged == damaged);
     let first = of(true).min_by(|a, b| size(a).total_cmp(&size(b)))?;
     let last = of(false).max_by(|a, b| size(a).total_cmp(&size(b)))?;
     (size(last) >= size(first)).then(|| {
         let message = format!(
-            "Method {method}: damage at a {what} of no more than line {} survived; the tests contradict each other",
+            "Method {method}: this {what} damaged, but line {} survived no smaller one; the tests contradict each other",
             last.line
         );
         let problem = Problem::new(ProblemKind::Value, message).at_line(first.line);
-        problem.hint("test on new specimens each time, and leave out what was weakened by an earlier shock")
+        problem.hint("use a new specimen for each test, and leave out specimens weakened by an earlier shock")
     })
 }
 
@@ -161,11 +177,13 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
                 warnings.push(format!("no damage boundary: no shock of Method {method}, which gives the {what}"));
             }
             (None, Some(_)) => warnings.push(format!(
-                "no damage boundary: no shock of Method {method} below the first damage was survived, so that the {what} is not known"
+                "no damage boundary: no shock of Method {method} below the first damage was survived, so the {what} is \
+                 not known"
             )),
             (None, None) => warnings.push(format!("no damage boundary: no shock of Method {method} counts")),
-            (Some(_), None) => warnings
-                .push(format!("no shock of Method {method} did harm: the {what} is at least the largest survived one")),
+            (Some(_), None) => warnings.push(format!(
+                "no shock of Method {method} did damage: the {what} is at least the largest survived one"
+            )),
             (Some(_), Some(_)) => {}
         }
     }
@@ -176,8 +194,8 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     };
     if let Some(found) = lines(&|point| point.method == 'B' && !point.damaged && !beyond_knee(point)) {
         warnings.push(format!(
-            "shocks of Method B below 1.57 times the critical velocity change say nothing of the critical acceleration and do \
-             not count: line {found}"
+            "shocks of Method B below 1.57 times the critical velocity change say nothing of the critical acceleration \
+             and do not count: line {found}"
         ));
     }
     // Below A_c every velocity change is survived.
@@ -189,8 +207,8 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     };
     if let Some(found) = lines(&says_nothing) {
         warnings.push(format!(
-            "the critical velocity change rests on a peak that the object stands at any velocity change: line {found}; use \
-             shorter pulses for Method A"
+            "the critical velocity change is based on a peak that the object withstands at any velocity change: line \
+             {found}; use shorter pulses for Method A"
         ));
     }
     BoundaryTests { critical_velocity_change_m_s: v, critical_acceleration_g: a, points, warnings }
@@ -250,8 +268,11 @@ mod tests {
     #[test]
     fn contradictions_are_refused_with_their_lines() {
         let said = read(&format!("{NAMES}1.1,180,no,A\n0.9,150,yes,A\n1.6,20,no,B\n1.6,20,yes,B\n")).unwrap_err();
-        assert!(said.contains(":3: Method A: damage") && said.contains("line 2 survived"), "{said}");
-        assert!(said.contains(":5: Method B: damage") && said.contains("line 4 survived"), "{said}");
+        assert!(
+            said.contains(":3: Method A: this velocity change damaged") && said.contains("line 2 survived"),
+            "{said}"
+        );
+        assert!(said.contains(":5: Method B: this peak damaged") && said.contains("line 4 survived"), "{said}");
         // A peak above the first damage of the other method is no contradiction.
         assert!(read(&format!("{NAMES}{POINTS}0.5,400,no,A\n")).is_ok());
     }

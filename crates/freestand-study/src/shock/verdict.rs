@@ -1,4 +1,4 @@
-//! Demand over capacity of one landing, by all that is known of what the object stands.
+//! Demand over capacity of one landing, by everything that is known of the object's tolerance.
 
 use freestand::cushion::Cushion;
 use freestand::damage_boundary::{DamageBoundary, half_sine_duration_s};
@@ -6,30 +6,31 @@ use freestand::impact::{Impact, Landing};
 use freestand::shock_response::{
     HalfSine, Peak, Pulse, PulseShape, ResponseKind, half_sine_severity_ratio, pulse_spectrum,
 };
-use serde::Serialize;
+use freestand_output::facts;
+use freestand_output::facts::Facts;
 
 use super::ShockRequest;
 
-/// What was known of the tolerance, each as demand over capacity.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct DemandCapacity {
+/// Demand over capacity by each kind of tolerance that is known.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct DemandCapacity {
     /// A/A_c.
-    pub peak: Option<f64>,
+    pub(super) peak: Option<f64>,
     /// Δv/V_c.
-    pub velocity_change: Option<f64>,
+    pub(super) velocity_change: Option<f64>,
     /// min(A/A_c, Δv/V_c): the damage boundary is an AND.
-    pub damage_boundary: Option<f64>,
+    pub(super) damage_boundary: Option<f64>,
     /// The largest ratio of the two shock response spectra over frequency.
-    pub spectrum: Option<f64>,
-    /// The response of the component over the acceleration that it stands.
-    pub component: Option<f64>,
-    /// The lift of the edge over the one that was survived.
-    pub edge_lift: Option<f64>,
+    pub(super) spectrum: Option<f64>,
+    /// The response of the component over the acceleration that it withstands.
+    pub(super) component: Option<f64>,
+    /// The uplift over the one that the object survived.
+    pub(super) edge_lift: Option<f64>,
 }
 
 impl DemandCapacity {
-    /// The largest of those that apply, and its name. A peak that is part of a boundary or of a pulse does not apply on
-    /// its own.
+    /// The largest of those that apply, and its name. A peak that is part of a boundary or of a pulse
+    /// does not apply on its own.
     fn governing(&self) -> Option<(f64, &'static str)> {
         let is_part = self.damage_boundary.is_some() || self.spectrum.is_some();
         let kinds = [
@@ -42,15 +43,28 @@ impl DemandCapacity {
         let known = kinds.into_iter().filter_map(|(ratio, name)| Some((ratio?, name)));
         known.reduce(|most, next| if next.0 > most.0 { next } else { most })
     }
+
+    pub(super) fn facts(&self) -> Facts<'static> {
+        facts!(self; peak, velocity_change, damage_boundary, spectrum, component, edge_lift)
+    }
 }
 
-/// Damping of a component where a verdict looks at one: Q = 10.
-const COMPONENT_DAMPING_RATIO: f64 = 0.05;
+/// All kinds, with the one that governs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Compared {
+    pub(super) demand_capacity: DemandCapacity,
+    pub(super) ratio: f64,
+    pub(super) governing: &'static str,
+}
 
-/// What a component of this frequency feels of the half-sine of the same peak and velocity change \[m/s²\].
+/// Damping of a component: Q = 10.
+const COMPONENT_DAMPING_RATIO: f64 = freestand::oscillator::DAMPING_RATIO;
+
+/// The response of a component of this frequency to the half-sine of the same peak and velocity
+/// change \[m/s²\].
 fn component_m_s2(frequency_hz: f64, edge_m_s2: f64, velocity_change_m_s: f64) -> Option<f64> {
     let duration_s = half_sine_duration_s(edge_m_s2, velocity_change_m_s);
-    // From a hundred periods in the pulse on the response is the pulse, to 3e-5: no need to follow thousands.
+    // With a hundred periods or more in the pulse the response is the pulse, to 3e-5.
     let frequency_hz = frequency_hz.min(100.0 / duration_s);
     let pulse = Pulse::new(PulseShape::HalfSine, edge_m_s2, duration_s).ok()?;
     let kind = ResponseKind::AbsoluteAcceleration;
@@ -58,21 +72,21 @@ fn component_m_s2(frequency_hz: f64, edge_m_s2: f64, velocity_change_m_s: f64) -
     Some(spectrum.peaks.first()?.peak(Peak::Maximax))
 }
 
-/// The damage boundary that is known: A_c and V_c of tests.
+/// The damage boundary of tests, A_c and V_c; `None` where it is not known.
 pub(super) fn boundary(request: &ShockRequest) -> Option<DamageBoundary> {
     DamageBoundary::new(request.tolerance_m_s2?, request.tolerance_velocity_change_m_s?).ok()
 }
 
-/// Demand over capacity for each kind of tolerance, the one that governs, and its name; `None`: nothing to compare.
+/// Compares the landing with every kind of tolerance; `None`: there is nothing to compare.
 ///
-/// The kinds are alternatives by kind of data. A velocity change makes the peak part of a damage boundary, a duration
-/// makes it part of a spectrum; without both it stands for itself. A lift is compared without any model of the impact.
-pub(super) fn verdict(
+/// A velocity change makes the peak part of a damage boundary, a duration makes it part of a
+/// spectrum; without both it is a kind of its own. An uplift is compared without any impact model.
+pub(super) fn compared(
     request: &ShockRequest,
     edge_m_s2: f64,
     uplift_m: Option<f64>,
     impact: Option<&Impact>,
-) -> Option<(DemandCapacity, f64, &'static str)> {
+) -> Option<Compared> {
     let peak = request.tolerance_m_s2.map(|tolerance| edge_m_s2 / tolerance);
     let velocity_change =
         request.tolerance_velocity_change_m_s.zip(impact).map(|(limit, impact)| impact.velocity_change_m_s / limit);
@@ -80,7 +94,7 @@ pub(super) fn verdict(
         boundary(request).zip(impact).map(|(one, impact)| one.demand_ratio(edge_m_s2, impact.velocity_change_m_s));
     let survived = request.tolerance_m_s2.zip(request.tolerance_duration_s);
     let spectrum = survived.zip(impact).map(|((peak_acceleration, duration_s), impact)| {
-        // The half-sine of the same peak and velocity change: on a spring that is the pulse itself.
+        // The half-sine of the same peak and velocity change: on a spring it is the pulse itself.
         let demand_s = half_sine_duration_s(edge_m_s2, impact.velocity_change_m_s);
         half_sine_severity_ratio(
             HalfSine { peak_acceleration: edge_m_s2, duration_s: demand_s },
@@ -92,15 +106,16 @@ pub(super) fn verdict(
         Some(component_m_s2(frequency_hz, edge_m_s2, impact.velocity_change_m_s)? / capacity_m_s2)
     });
     let edge_lift = request.tolerance_edge_lift_m.zip(uplift_m).map(|(survived_m, uplift_m)| uplift_m / survived_m);
-    let all = DemandCapacity { peak, velocity_change, damage_boundary, spectrum, component, edge_lift };
-    all.governing().map(|(ratio, name)| (all, ratio, name))
+    let demand_capacity = DemandCapacity { peak, velocity_change, damage_boundary, spectrum, component, edge_lift };
+    demand_capacity.governing().map(|(ratio, governing)| Compared { demand_capacity, ratio, governing })
 }
 
-/// The largest stiffness at which the verdict still is `ok` for this rise, or why there is none.
+/// The largest stiffness at which the verdict is still `ok` for this rise, or why there is none.
 ///
-/// By the peak alone it is m_eff (a/v)². The other criteria grow with the stiffness too (the peak rises, the pulse
-/// shortens, the velocity change stays), so their limit is found by bisection of the verdict's own ratio. A lift does not
-/// depend on the stiffness, and a component may feel less of a shorter pulse: its limit is the first one from below.
+/// By the peak alone it is m_eff (a/v)². The other criteria grow with the stiffness too (the peak
+/// rises, the pulse shortens, the velocity change stays), so bisection of demand/capacity finds
+/// their limit. An uplift does not depend on the stiffness, and a component may respond less to a
+/// shorter pulse: its limit is the first one from below.
 pub(super) fn max_stiffness(
     request: &ShockRequest,
     landing: &Landing,
@@ -124,28 +139,28 @@ pub(super) fn max_stiffness(
     let exceeded = |log_k: f64| {
         let Ok(spring) = Cushion::linear(log_k.exp()) else { return false };
         let impact = landing.impact(mass_kg, &spring, rise_m, gravity);
-        let found = verdict(request, impact.edge_acceleration_m_s2, uplift_m, Some(&impact));
-        found.is_some_and(|(_, ratio, _)| ratio > 1.0)
+        compared(request, impact.edge_acceleration_m_s2, uplift_m, Some(&impact)).is_some_and(|found| found.ratio > 1.0)
     };
-    // From a feather to a thousand times the stiffest steel column.
+    // From far below any pad to a thousand times the stiffest steel column.
     let (mut low, mut high) = (1e-2f64.ln(), 1e14f64.ln());
     if exceeded(low) {
         let lift = request.tolerance_edge_lift_m.zip(uplift_m).is_some_and(|(survived_m, lift_m)| lift_m > survived_m);
         let note = if lift {
-            "no stiffness brings the verdict to ok: the lift does not depend on it"
+            "no stiffness brings the verdict to ok: the uplift does not depend on it"
         } else {
             "no stiffness brings the verdict to ok: the velocity change does not depend on it"
         };
         return (None, Some(note));
     }
-    // The first stiffness that exceeds, in steps of a factor 1.3: no response curve has a narrower top.
+    // The first stiffness that exceeds, in steps of a factor of 1.3: no peak of a response curve is
+    // narrower.
     let steps = 128;
     let grid = |i: usize| low + (high - low) * i as f64 / f64::from(steps);
     let Some(first) = (1..=steps as usize).find(|&i| exceeded(grid(i))) else {
         let note = if request.tolerance_velocity_change_m_s.is_some() {
-            "no stiffness takes the verdict beyond ok: the velocity change is below its limit"
+            "at any stiffness the verdict is ok: the velocity change is below its limit"
         } else {
-            "no stiffness takes the verdict beyond ok"
+            "at any stiffness the verdict is ok"
         };
         return (None, Some(note));
     };

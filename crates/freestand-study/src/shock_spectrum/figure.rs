@@ -36,7 +36,7 @@ pub struct BoundaryPicture {
 /// Height of the panel \[px\].
 const PANEL_PX: f64 = 420.0;
 /// Curves that the legend names; with more it says how many there are.
-const MOST_NAMED: usize = 12;
+const MAX_NAMED: usize = 12;
 /// So many decades are shown below the largest value: further down is rounding.
 const DECADES: f64 = 6.0;
 
@@ -77,17 +77,17 @@ pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
         let mut points: Vec<(f64, f64)> = curve.points.iter().copied().filter(|p| p.1 >= y.from).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         plots.push(line(&points, style.colour, 2.0, style.dash));
-        if points.len() <= MOST_NAMED {
+        if points.len() <= MAX_NAMED {
             plots.push(markers(&points, style.colour, style.marker, 3.5));
         }
-        if i < MOST_NAMED {
+        if i < MAX_NAMED {
             let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
             legend.push(Entry { sign, words: freestand_input::quantity::shorten(&curve.name) });
         }
     }
-    if curves.len() > MOST_NAMED {
+    if curves.len() > MAX_NAMED {
         let sign = Sign::Line { colour: DARK, width_px: 1.0, dash: Some("2 3") };
-        legend.push(Entry { sign, words: format!("and {} more", curves.len() - MOST_NAMED) });
+        legend.push(Entry { sign, words: format!("and {} more", curves.len() - MAX_NAMED) });
     }
     Page {
         name: "shock_spectrum".to_owned(),
@@ -145,7 +145,7 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
         title: "Damage boundary".to_owned(),
         caption:
             "A shock does harm only if both its peak and its velocity change are too large: above and to the right of \
-                  the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped component under \
+             the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped component under \
                   rectangular pulses, which begins at the same velocity change and ends on the same peak."
                 .to_owned(),
         panels: vec![panel(plots, x, y)],

@@ -1,14 +1,14 @@
 //! Shock response spectra of records and of classical pulses: request → report.
 //!
-//! Not the paper's "SRS", which is the edge shock against the size of the object ([`crate::spectrum`]).
+//! These are not the paper's "SRS", the shock against the size of the object ([`crate::spectrum`]).
 
 mod figure;
 
 pub use figure::{BoundaryPicture, ShockCurve, damage_boundary_figure, shock_spectrum_figure};
 use freestand::G0_M_S2;
 use freestand::shock_response::{
-    Peak, Pulse, PulseShape, ResponseKind, SAMPLES_PER_PERIOD, ShockResponseError, ShockSpectrum, ShockSpectrumOptions,
-    enveloping_half_sine, pulse_spectrum, shock_spectrum,
+    HalfSine, Peak, Pulse, PulseShape, ResponseKind, SAMPLES_PER_PERIOD, ShockResponseError, ShockSpectrum,
+    ShockSpectrumOptions, enveloping_half_sine, pulse_spectrum, shock_spectrum,
 };
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -18,13 +18,13 @@ use crate::recorded::ReadMotion;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, find_unit};
 use freestand_input::words::number;
+use freestand_output::facts::{Facts, table_csv};
 use freestand_output::figure::{Figure, FigureError};
-use freestand_output::rows::records_csv;
 
 /// A shock response spectrum to compute.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShockSpectrumRequest {
-    /// What is looked at in the oscillator.
+    /// The response quantity.
     pub kind: ResponseKind,
     /// Which peak of it.
     pub peak: Peak,
@@ -32,11 +32,11 @@ pub struct ShockSpectrumRequest {
     pub damping_ratio: f64,
     /// Frequencies of the oscillators \[Hz\].
     pub frequencies_hz: Vec<f64>,
-    /// More samples where an oscillator has few in a period.
+    /// Add samples where an oscillator has few in a period.
     pub upsample: bool,
 }
 
-/// The name in flags and outputs.
+/// The name in inputs and outputs.
 pub fn kind_name(kind: ResponseKind) -> &'static str {
     match kind {
         ResponseKind::AbsoluteAcceleration => "absolute-acceleration",
@@ -45,7 +45,7 @@ pub fn kind_name(kind: ResponseKind) -> &'static str {
     }
 }
 
-/// The name in flags and outputs.
+/// The name in inputs and outputs.
 pub fn peak_name(peak: Peak) -> &'static str {
     match peak {
         Peak::Maximax => "maximax",
@@ -56,7 +56,7 @@ pub fn peak_name(peak: Peak) -> &'static str {
     }
 }
 
-/// The name in flags and outputs.
+/// The name in inputs and outputs.
 pub fn pulse_name(shape: PulseShape) -> &'static str {
     match shape {
         PulseShape::HalfSine => "half-sine",
@@ -66,28 +66,6 @@ pub fn pulse_name(shape: PulseShape) -> &'static str {
         PulseShape::Rectangle => "rectangle",
         PulseShape::Trapezoid => "trapezoid",
     }
-}
-
-/// The half-sine of the smallest peak whose spectrum lies on or above the one beside it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
-pub struct Enveloping {
-    pub rule: &'static str,
-    pub peak_acceleration_g: f64,
-    pub peak_acceleration_m_s2: f64,
-    pub duration_s: f64,
-    pub velocity_change_m_s: f64,
-}
-
-/// A classical pulse as it was meant.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
-pub struct PulseWords {
-    pub shape: &'static str,
-    pub peak_acceleration_g: f64,
-    pub peak_acceleration_m_s2: f64,
-    pub duration_s: f64,
-    pub velocity_change_m_s: f64,
 }
 
 /// One spectrum.
@@ -103,7 +81,7 @@ pub struct OneShockSpectrum {
     pub values: Vec<f64>,
     /// The unit of the input for accelerations, `m` or `m/s`.
     pub unit: &'static str,
-    /// Samples in a period from which the peak of each was taken.
+    /// Samples in a period of each oscillator, among which its peak was found.
     pub samples_per_period: Vec<f64>,
     /// Time between the samples of the input \[s\]; `None` for a pulse.
     pub dt_s: Option<f64>,
@@ -112,9 +90,10 @@ pub struct OneShockSpectrum {
     /// What was done to the samples.
     pub processing: Vec<String>,
     /// The pulse, where it is one.
-    pub pulse: Option<PulseWords>,
-    /// For the maximax of the absolute acceleration.
-    pub enveloping_half_sine: Option<Enveloping>,
+    pub pulse: Option<Facts<'static>>,
+    /// The half-sine of the smallest peak whose spectrum envelopes this one: for the maximax of the
+    /// absolute acceleration.
+    pub enveloping_half_sine: Option<Facts<'static>>,
     /// The values in SI.
     #[serde(skip)]
     values_si: Vec<f64>,
@@ -130,7 +109,7 @@ pub struct Timing {
 /// The spectra; the keys of the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ShockSpectrumReport {
-    /// What was looked at.
+    /// The response quantity.
     pub kind: &'static str,
     /// Which peak.
     pub peak: &'static str,
@@ -138,13 +117,13 @@ pub struct ShockSpectrumReport {
     pub damping_ratio: f64,
     /// Q = 1/(2ζ); `None` without damping.
     pub quality_factor_ratio: Option<f64>,
-    /// Whether oscillators with few samples in a period got more.
+    /// Whether samples were added for oscillators with few in a period.
     pub upsample: bool,
     /// One for each file, in their order, or that of the pulse.
     pub spectra: Vec<OneShockSpectrum>,
     /// Where the time went.
     pub timing: Timing,
-    /// What a reader of the results should know.
+    /// What the user should know.
     #[serde(skip)]
     pub warnings: Vec<String>,
     #[serde(skip)]
@@ -154,7 +133,7 @@ pub struct ShockSpectrumReport {
 /// Computes the spectra of motions.
 ///
 /// # Errors
-/// Frequencies or a damping that no oscillator has, accelerations beyond all numbers.
+/// Invalid frequencies or damping, accelerations that overflow.
 pub fn recorded_shock_spectra(
     motions: &[ReadMotion],
     request: &ShockSpectrumRequest,
@@ -181,7 +160,7 @@ pub fn recorded_shock_spectra(
     Ok(report(request, spectra, solve_s, warnings))
 }
 
-/// Computes the spectrum of a pulse; `unit` is the one of accelerations in the result.
+/// Computes the spectrum of a pulse; `unit` is that of accelerations in the result.
 ///
 /// # Errors
 /// As [`recorded_shock_spectra`].
@@ -194,20 +173,16 @@ pub fn pulse_shock_spectrum(
     let found = pulse_spectrum(pulse, &request.frequencies_hz, request.kind, request.damping_ratio).map_err(refused)?;
     let solve_s = began.elapsed().as_secs_f64();
     let mut one = one(pulse_name(pulse.shape()).to_owned(), unit, &found, request)?;
-    one.pulse = Some(PulseWords {
-        shape: pulse_name(pulse.shape()),
-        peak_acceleration_g: pulse.peak_acceleration_m_s2() / G0_M_S2,
-        peak_acceleration_m_s2: pulse.peak_acceleration_m_s2(),
-        duration_s: pulse.duration_s(),
-        velocity_change_m_s: pulse.velocity_change_m_s(),
-    });
+    let (peak_m_s2, duration_s) = (pulse.peak_acceleration_m_s2(), pulse.duration_s());
+    let shape = Facts::default().key("shape", pulse_name(pulse.shape()));
+    one.pulse = Some(shape.and(pulse_facts(peak_m_s2, duration_s, pulse.velocity_change_m_s())));
     let few = found.samples_per_period.iter().any(|samples| *samples < SAMPLES_PER_PERIOD);
     let warning =
-        "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be low";
+        "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be too low";
     Ok(report(request, vec![one], solve_s, few.then(|| warning.to_owned()).into_iter().collect()))
 }
 
-/// The unit in which a quantity such as `30 g` is written; its spelling in outputs.
+/// The unit in which a quantity such as `30 g` is written, as spelled in outputs.
 pub fn acceleration_unit(text: &str) -> &'static str {
     let unit = text.trim().trim_start_matches(|c: char| c.is_ascii_digit() || "+-.,eE_ ".contains(c));
     find_unit(unit, Dimension::Acceleration).map_or(SI_ACCELERATION, |unit| unit.symbol)
@@ -259,15 +234,21 @@ fn one(
         samples: None,
         processing: Vec::new(),
         pulse: None,
-        enveloping_half_sine: enveloping.map(|pulse| Enveloping {
-            rule: "smallest-peak",
-            peak_acceleration_g: pulse.peak_acceleration / G0_M_S2,
-            peak_acceleration_m_s2: pulse.peak_acceleration,
-            duration_s: pulse.duration_s,
-            velocity_change_m_s: 2.0 / PI * pulse.peak_acceleration * pulse.duration_s,
+        enveloping_half_sine: enveloping.map(|HalfSine { peak_acceleration, duration_s }| {
+            let velocity_change_m_s = 2.0 / PI * peak_acceleration * duration_s;
+            let rule = Facts::default().key("rule", "smallest-peak");
+            rule.and(pulse_facts(peak_acceleration, duration_s, velocity_change_m_s))
         }),
         values_si,
     })
+}
+
+fn pulse_facts(peak_m_s2: f64, duration_s: f64, velocity_change_m_s: f64) -> Facts<'static> {
+    Facts::default()
+        .key("peak_acceleration_g", peak_m_s2 / G0_M_S2)
+        .key("peak_acceleration_m_s2", peak_m_s2)
+        .key("duration_s", duration_s)
+        .key("velocity_change_m_s", velocity_change_m_s)
 }
 
 fn report(
@@ -290,30 +271,31 @@ fn report(
     }
 }
 
-/// Samples in a period below which a record says little of what an oscillator feels: ISO 18431-4 asks for ten.
+/// Samples in a period below which the response of an oscillator is uncertain: ISO 18431-4 requires ten.
 const FEW_SAMPLES: f64 = 10.0;
 
-/// What is said of frequencies that the record does not reach, or whose peaks lie between samples.
+/// A warning about frequencies above those of the record, or whose peaks lie between samples.
 fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpectrum) -> Option<String> {
     let highest_hz = request.frequencies_hz.iter().copied().fold(0.0, f64::max);
     let in_hz = |f: f64| format!("{} Hz", number(f, 4));
     if highest_hz * dt_s > 0.5 {
         return Some(format!(
-            "the record holds nothing above half its sampling rate, {}: above it the spectrum is that of what is below",
+            "the record contains nothing above half its sampling rate, {}: higher oscillators respond to what is below",
             in_hz(0.5 / dt_s)
         ));
     }
     let least = found.samples_per_period.iter().copied().fold(f64::INFINITY, f64::min);
     if !request.upsample && least < FEW_SAMPLES {
         return Some(format!(
-            "without upsampling the peaks above {} are taken from fewer than ten samples in a period and may be {} % low",
+            "without upsampling, peaks above {} come from fewer than ten samples in a period and may be {} % too low",
             in_hz(1.0 / (FEW_SAMPLES * dt_s)),
             number(100.0 * (1.0 - (PI / least).cos()), 2),
         ));
     }
     (request.upsample && least < SAMPLES_PER_PERIOD).then(|| {
         format!(
-            "the record is too long to get {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks may be {} % low",
+            "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks may be {} % \
+             too low",
             in_hz(highest_hz),
             number(least, 3),
             number(100.0 * (1.0 - (PI / least).cos()), 2),
@@ -321,35 +303,24 @@ fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpec
     })
 }
 
-/// One row of the table; what was not asked for is empty.
-#[derive(Debug, Serialize)]
-struct Row<'a> {
-    name: &'a str,
-    frequency_hz: f64,
-    absolute_acceleration_g: Option<f64>,
-    absolute_acceleration_m_s2: Option<f64>,
-    relative_displacement_m: Option<f64>,
-    pseudo_velocity_m_s: Option<f64>,
-}
-
 impl ShockSpectrumReport {
     /// The spectra as CSV, one below the other: the columns are always the same.
     ///
     /// # Errors
-    /// None in practice: see [`records_csv`].
+    /// None in practice: see [`table_csv`].
     pub fn csv(&self) -> Result<Vec<u8>, Problem> {
         let only = |kind: ResponseKind, value: f64| (self.response == kind).then_some(value);
-        let rows = self.spectra.iter().flat_map(|one| {
-            one.frequencies_hz.iter().zip(&one.values_si).map(|(&frequency_hz, &value)| Row {
-                name: &one.name,
-                frequency_hz,
-                absolute_acceleration_g: only(ResponseKind::AbsoluteAcceleration, value / G0_M_S2),
-                absolute_acceleration_m_s2: only(ResponseKind::AbsoluteAcceleration, value),
-                relative_displacement_m: only(ResponseKind::RelativeDisplacement, value),
-                pseudo_velocity_m_s: only(ResponseKind::PseudoVelocity, value),
+        table_csv(self.spectra.iter().flat_map(|one| {
+            one.frequencies_hz.iter().zip(&one.values_si).map(|(&frequency_hz, &value)| {
+                Facts::default()
+                    .key("name", one.name.as_str())
+                    .key("frequency_hz", frequency_hz)
+                    .key("absolute_acceleration_g", only(ResponseKind::AbsoluteAcceleration, value / G0_M_S2))
+                    .key("absolute_acceleration_m_s2", only(ResponseKind::AbsoluteAcceleration, value))
+                    .key("relative_displacement_m", only(ResponseKind::RelativeDisplacement, value))
+                    .key("pseudo_velocity_m_s", only(ResponseKind::PseudoVelocity, value))
             })
-        });
-        records_csv(&rows.collect::<Vec<_>>())
+        }))
     }
 
     /// The spectra as a figure.

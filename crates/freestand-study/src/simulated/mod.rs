@@ -17,22 +17,12 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use self::assumptions::{assumptions, outside_limits};
-use crate::target::{Target, TargetWords};
-use freestand_input::keys::KeyStyle;
-use freestand_input::problem::{Problem, ProblemKind};
+use crate::target::Target;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
 use freestand_output::rows::columns_csv;
 
-pub use words::{SOURCE_KEYS, SourceInput, SourceWords};
-
-/// What is wrong, and with which of [`SOURCE_KEYS`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct SourceProblem {
-    /// The key; `None` where it is several or none.
-    pub key: Option<&'static str>,
-    /// What is wrong.
-    pub problem: Problem,
-}
+pub use words::{SOURCE_KEYS, SourceInput, read_source};
 
 /// What is changed in a preset; `None` leaves it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -50,6 +40,9 @@ pub struct SourceChanges {
     /// No amplification by the crust.
     pub hard_rock: bool,
 }
+
+/// The ground at the site, where nobody says it: the rock that the presets are for.
+pub const DEFAULT_SITE: SiteClass = SiteClass::Be;
 
 /// Which earthquakes.
 #[derive(Debug, Clone, PartialEq)]
@@ -221,7 +214,7 @@ impl FoundEarthquake {
 ///
 /// # Errors
 /// Parameters out of range, a magnitude that meets the spectrum at no distance from 2 to 300 km.
-pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquake>, SourceProblem> {
+pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquake>, Problem> {
     let source = |magnitude, distance_m| changed(request.preset.source(magnitude, distance_m), &request.changes);
     let found = match &request.earthquakes {
         Earthquakes::One { magnitude, distance_m } => {
@@ -264,7 +257,7 @@ pub fn simulator(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<
 /// # Errors
 /// As [`find_earthquakes`].
 pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> {
-    let found = find_earthquakes(request).map_err(|fault| fault.problem)?;
+    let found = find_earthquakes(request)?;
     let kpz_g = match request.earthquakes {
         Earthquakes::One { .. } => None,
         Earthquakes::Pairs { kpz_g, .. } => Some(kpz_g),
@@ -273,7 +266,7 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
         .iter()
         .map(|found| earthquake(request, found, kpz_g))
         .collect::<Result<Vec<_>, SynthesisError>>()
-        .map_err(|error| source_problem(error).problem)?;
+        .map_err(source_problem)?;
     Ok(SimulatedReport {
         preset: request.preset.name(),
         parameters: request.parameters(),
@@ -290,7 +283,7 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
 }
 
 /// A parameter out of its range is the fault of the word that gave it.
-fn source_problem(error: SynthesisError) -> SourceProblem {
+fn source_problem(error: SynthesisError) -> Problem {
     let key = match &error {
         SynthesisError::Option { name, .. } => {
             let fields = [
@@ -305,9 +298,7 @@ fn source_problem(error: SynthesisError) -> SourceProblem {
         }
         _ => None,
     };
-    let problem = Problem::new(ProblemKind::Value, error.to_string())
-        .hint("give another value; `freestand motion simulate --help` lists what there is");
-    SourceProblem { key, problem }
+    Problem::value(error.to_string(), "give another value").of(key.as_slice())
 }
 
 fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
@@ -326,25 +317,20 @@ fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
 ///
 /// # Errors
 /// A city or a return period that the code does not have.
-pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problem> {
-    let mut words = TargetWords::new(KeyStyle::Flag);
-    words.set("city", city);
-    words.set("return_period_years", return_period_years.to_string());
-    words.set("site", SiteClass::Be.name());
-    Target::resolve(&words, Path::new("")).map_err(|problems| {
-        let first = problems.into_iter().next().map(|problem| problem.problem);
-        first.unwrap_or_else(|| Problem::new(ProblemKind::Value, format!("AS 1170.4 has no spectrum for \"{city}\"")))
-    })
+pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problems> {
+    let years = return_period_years.to_string();
+    let words = [("city", city), ("return_period_years", years.as_str()), ("site", SiteClass::Be.name())];
+    Target::resolve(&words.into_iter().collect(), Path::new(""))
 }
 
-fn no_distance(magnitude: f64, kpz_g: f64) -> SourceProblem {
+fn no_distance(magnitude: f64, kpz_g: f64) -> Problem {
     let message = format!(
-        "earthquakes of magnitude {} meet the rock spectrum of kpZ = {} g at no distance from 2 to 300 km",
+        "no distance from 2 to 300 km gives earthquakes of magnitude {} the rock spectrum of kpZ = {} g",
         number(magnitude, 3),
         number(kpz_g, 3)
     );
     let hint = "give another magnitude or return period, or a distance";
-    SourceProblem { key: Some("magnitude"), problem: Problem::new(ProblemKind::Value, message).hint(hint) }
+    Problem::value(message, hint).of(&["magnitude"])
 }
 
 /// The motions of an earthquake, each with random numbers of its own; kpZ where its distance was looked for.

@@ -1,37 +1,39 @@
-//! How an inventory is assessed: what is accepted, what is uncertain and by how much, how far one goes.
+//! How an inventory is assessed: accepted probabilities, uncertainties, effort.
 
 use std::path::PathBuf;
 
-/// The settings of `[assessment]` as meant. Every default is an assumption and is reported as one.
+/// The resolved settings of `[assessment]`. Every default is an assumption and is reported as one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// The inventory that the study names.
     pub inventory: Option<PathBuf>,
-    /// Its sheet; `None`: the first that is one.
+    /// The sheet of the inventory; `None`: the first that has one.
     pub sheet: Option<String>,
-    /// The user's tolerance library, over the built-in one.
+    /// The user's tolerance library, which takes precedence over the built-in one.
     pub library: Option<PathBuf>,
-    /// The user's cushion library, over the built-in one.
+    /// The user's cushion library, which takes precedence over the built-in one.
     pub cushion_library: Option<PathBuf>,
-    /// Probability of being overturned, or of a criterion exceeded, that is accepted.
+    /// Accepted probability of overturning or of exceeding a criterion.
     pub accepted: Accepted,
     /// Seed of the draws.
     pub seed: u64,
-    /// Draws of the uncertain values for each motion, at first.
+    /// Initial number of draws of the uncertain values for each motion.
     pub draws: u32,
-    /// Draws for each motion, at most.
+    /// Largest number of draws for each motion.
     pub most_draws: u32,
     /// How uncertain the values are.
     pub spread: Spread,
-    /// Friction under objects of which nobody says it, lowest and highest.
+    /// Lowest and highest friction under objects for which none is given.
     pub friction_ratio: (f64, f64),
-    /// Compression of a pad over its thickness, at most.
+    /// Largest compression of a pad, as a share of its thickness.
     pub pad_strain_ratio: f64,
-    /// Damping of a pad of which only the stiffness is known, on the compliant base: a spring alone would give back what no pad does.
+    /// Damping on the compliant base of a pad of which only the stiffness is known: a spring alone
+    /// would return more energy than any pad.
     pub pad_damping_ratio: f64,
-    /// Whether objects near the line are tried on a compliant base.
+    /// Whether objects with a close verdict are also computed on a compliant base.
     pub compliant: bool,
-    /// Whether objects that are far from the line on the spectra of their floor get no histories of their own.
+    /// Whether objects that the spectra of their floor decide clearly get no histories of their
+    /// own.
     pub screen: bool,
     /// Pages of the report: the most urgent objects.
     pub pages: usize,
@@ -40,29 +42,30 @@ pub struct Settings {
 /// The accepted probabilities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accepted {
-    /// Where no consequence is rated high.
+    /// If no consequence is rated high.
     pub other_ratio: f64,
-    /// Life safety rated high.
+    /// If life safety is rated high.
     pub life_safety_ratio: f64,
-    /// Property loss rated high.
+    /// If property loss is rated high.
     pub property_ratio: f64,
-    /// Functional loss rated high.
+    /// If functional loss is rated high.
     pub function_ratio: f64,
 }
 
-/// Standard deviations of the logarithms of uncertain values (about their coefficients of variation), each drawn lognormally
-/// about the value of the inventory.
+/// Standard deviations of the logarithms of uncertain values (about their coefficients of
+/// variation), each drawn lognormally about the value of the inventory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// Restitution of the motion; nothing above 0.99 is drawn.
+    /// Restitution; values above 0.99 are not drawn.
     pub restitution: f64,
     /// Stiffness; an entry of the cushion library brings its own.
     pub stiffness: f64,
     /// Mass.
     pub mass: f64,
-    /// Sides of the base and height of the centre of gravity, each on its own.
+    /// Sides of the base and height of the centre of gravity, each drawn independently.
     pub geometry: f64,
-    /// Eq. (5) against measurement: Table I has a coefficient of variation of 0.085, five tests of one cabinet.
+    /// Eq. (5) against measurement: Table I has a coefficient of variation of 0.085, five tests of
+    /// one cabinet.
     pub model: f64,
 }
 

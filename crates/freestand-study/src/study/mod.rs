@@ -1,4 +1,4 @@
-//! A study as it is meant: validated, in SI units, with its files loaded.
+//! A resolved study: validated, in SI units, with its files loaded.
 
 pub mod assessment;
 
@@ -8,15 +8,22 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
 
-use crate::cushion::{CushionWords, EdgeCushion};
+use crate::cushion::EdgeCushion;
 use crate::matched::Matched;
 use crate::simulated::{FoundEarthquake, SimulatedRequest};
 use crate::target::Target;
 use freestand_input::file::InputFile;
+use freestand_input::keys::Words;
 use freestand_input::words::number;
 use freestand_records::horizontal::HorizontalMotion;
 
-/// Everything that `run` needs, and nothing that it does not.
+/// Default seed of the random numbers.
+pub const DEFAULT_SEED: u64 = 1;
+
+/// Default number of motions that are generated.
+pub const DEFAULT_MOTIONS: u64 = 10;
+
+/// Everything that [`run`](crate::run::run) needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
     /// The file that it was read from; `None` for the built-in study.
@@ -25,20 +32,20 @@ pub struct Study {
     pub toml: String,
     /// The motions at the base of the building.
     pub ground: Ground,
-    /// Horizontal directions in which every object is tried, counted from the first component \[degrees\]: `[0]` unless
-    /// the motions have two.
+    /// Horizontal directions in which every object is tried, counted from the first component
+    /// \[degrees\]: `[0]` unless the motions have two.
     pub directions_deg: Vec<f64>,
     /// The building that they pass through; `None` where the motions of the floors are given.
     pub building: Option<BuildingInput>,
-    /// The floors that are looked at, in the order given.
+    /// The floors of interest, in the order given.
     pub levels: Vec<Level>,
-    /// The objects that stand on them.
+    /// The objects on these floors.
     pub objects: Objects,
-    /// What is written.
+    /// What is written to files.
     pub outputs: Outputs,
     /// How an inventory is assessed on its floors.
     pub assessment: crate::study::assessment::Settings,
-    /// What the reader of the result must know: assumptions and doubts, one sentence each.
+    /// What the reader of the result must know: assumptions and warnings, one sentence each.
     pub warnings: Vec<String>,
 }
 
@@ -51,7 +58,7 @@ pub enum Ground {
     Simulated(SimulatedGround),
     /// Read from files.
     Recorded(Vec<RecordedMotion>),
-    /// Not known: the motions of the floors are given, with the levels.
+    /// Unknown: the motions of the floors are given, with the levels.
     OnFloors,
 }
 
@@ -68,7 +75,8 @@ impl Ground {
         }
     }
 
-    /// Every motion that was read from a file: those of the ground, then those of the floors, level by level.
+    /// Every motion that was read from a file: those of the ground, then those of the floors, level
+    /// by level.
     pub fn recorded<'a>(&'a self, levels: &'a [Level]) -> impl Iterator<Item = &'a RecordedMotion> {
         let ground = match self {
             Self::Recorded(motions) => motions.as_slice(),
@@ -86,7 +94,8 @@ impl Ground {
         }
     }
 
-    /// The spectrum of a code for this ground: the target, or the one whose rock spectrum the simulated earthquakes meet.
+    /// The code spectrum for this ground: the target, or the spectrum whose rock spectrum the
+    /// simulated earthquakes fit.
     pub fn code_spectrum(&self) -> Option<&Target> {
         match self {
             Self::Simulated(simulated) => simulated.hazard.as_ref(),
@@ -132,7 +141,7 @@ pub struct SimulatedGround {
     pub request: SimulatedRequest,
     /// The earthquakes, with their distances.
     pub earthquakes: Vec<FoundEarthquake>,
-    /// The code's spectrum at the site, where distances were looked for that meet its rock spectrum.
+    /// The code spectrum at the site, if distances were searched for that fit its rock spectrum.
     pub hazard: Option<Target>,
 }
 
@@ -144,7 +153,7 @@ impl SimulatedGround {
             format!("magnitude {magnitude} at {km} km")
         };
         match (&self.hazard, &self.earthquakes[..]) {
-            (Some(code), _) => format!("simulated earthquakes that stand for {}", code.title_words()),
+            (Some(code), _) => format!("simulated earthquakes equivalent to {}", code.title_words()),
             (None, [one]) => {
                 format!("a simulated earthquake of {}, site class {}", each(one), self.request.site.name())
             }
@@ -171,24 +180,24 @@ pub struct RecordedMotion {
     pub description: String,
     /// Factor that the samples were multiplied by.
     pub scale_ratio: f64,
-    /// StationXML with the sensitivities of its counts, where they came from one.
+    /// The StationXML file with the sensitivity of the instrument, if the record needed one.
     pub station_xml: Vec<InputFile>,
-    /// The file with the spectrum that they were scaled to, where there was one.
+    /// The file with the spectrum that the samples were scaled to, if any.
     pub scale_target: Option<InputFile>,
     /// What was done to the samples, one step each, in words.
     pub processing: Vec<String>,
-    /// The spectrum that it was matched to, where it was.
+    /// The spectrum that it was matched to, if any.
     pub matched: Option<Matched>,
     /// The samples, as used.
     pub motion: Motion,
-    /// The second horizontal component, at right angles to the first, where there is one.
+    /// The second horizontal component, at right angles to the first, if any.
     pub across: Option<SecondComponent>,
 }
 
 /// The second horizontal component of a recorded motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SecondComponent {
-    /// The file, where it is not that of the first component.
+    /// The file, if it is not that of the first component.
     pub file: Option<InputFile>,
     /// The samples, as used.
     pub motion: Motion,
@@ -201,7 +210,7 @@ impl RecordedMotion {
         HorizontalMotion { along: self.motion.clone(), across }
     }
 
-    /// The files that were read beside its own.
+    /// The files that were read in addition to its own.
     pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
         let second = self.across.as_ref().and_then(|second| second.file.as_ref());
         let target = self.matched.as_ref().and_then(|matched| matched.target.file.as_ref());
@@ -216,17 +225,17 @@ pub struct BuildingInput {
     pub storeys: usize,
     /// Height of the roof \[m\].
     pub height_m: f64,
-    /// Height of one storey \[m\]; `None` where a table says each.
+    /// Height of one storey \[m\]; `None` if a table states each.
     pub storey_height_m: Option<f64>,
     /// Its modes along the first horizontal axis.
     pub along: freestand::building::Building,
     /// Its modes along the second; `None`: as along the first.
     pub across: Option<freestand::building::Building>,
-    /// How the period came about, in words for the report.
+    /// The source of the period, in words for the report.
     pub period_note: String,
-    /// The same of the second axis, where it has its own.
+    /// The same for the second axis, if it has its own.
     pub across_note: Option<String>,
-    /// The tables that it was read from, and whether that of the second axis.
+    /// The tables that it was read from; `true` for a table of the second axis.
     pub tables: Vec<(bool, crate::building::BuildingTable)>,
 }
 
@@ -242,10 +251,10 @@ impl BuildingInput {
 pub struct Level {
     /// Its name in the outputs, e.g. `roof`.
     pub name: String,
-    /// Height above the ground as a share of the building's: 0 ground, 1 roof. `None` where its motions are given and
-    /// its height is not.
+    /// Height above the ground as a share of the building's: 0 ground, 1 roof. `None` if its
+    /// motions are given without its height.
     pub level_ratio: Option<f64>,
-    /// Its motions, where they are given rather than computed.
+    /// Its motions, if they are given and not computed.
     pub motions: Vec<RecordedMotion>,
 }
 
@@ -260,21 +269,21 @@ pub struct Objects {
     pub blocks: Vec<Block>,
     /// Mass \[kg\].
     pub mass_kg: f64,
-    /// What stands under one edge.
+    /// The cushion under one edge.
     pub cushion: EdgeCushion,
     /// The cushion file that it was read from, and its words.
-    pub cushion_file: Option<(InputFile, CushionWords)>,
-    /// Restitution of the motion.
+    pub cushion_file: Option<(InputFile, Words)>,
+    /// Restitution.
     pub restitution: Restitution,
     /// Accuracy of the rocking solver.
     pub accuracy: Accuracy,
-    /// Shock that the objects stand, where it is known \[m/s²\].
+    /// Shock tolerance of the objects, if it was given \[m/s²\].
     pub tolerance_m_s2: Option<f64>,
-    /// Coefficient of friction that sliding is judged by, where it is known.
+    /// Coefficient of friction for the warnings about sliding, if it was given.
     pub friction: Option<f64>,
 }
 
-/// What is written beside the tables.
+/// What is written in addition to the tables.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outputs {
     /// SVG and PNG figures.

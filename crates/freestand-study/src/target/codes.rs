@@ -8,13 +8,13 @@ use freestand::code_spectrum::{
 };
 
 use super::Target;
-use super::words::{Code, Reader};
+use super::words::{Code, missing, needed};
 use freestand_input::quantity::{Dimension, shorten};
-use freestand_input::words::nearest;
-use freestand_input::words::number;
+use freestand_input::word_reader::WordReader;
+use freestand_input::words::{nearest, number};
 
 /// Return period where none is given \[years\].
-const USUAL_YEARS: u32 = 500;
+pub const DEFAULT_YEARS: u32 = 500;
 
 /// A fact of a report.
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
@@ -34,7 +34,7 @@ fn in_g(value_g: f64) -> String {
     format!("{} g", number(value_g, 4))
 }
 
-pub(super) fn as1170_4(reader: &mut Reader<'_>) -> Option<Target> {
+pub(super) fn as1170_4(reader: &mut WordReader) -> Option<Target> {
     let editions = [("2007", Edition::As1170_4Ed2007Amd2), ("2024", Edition::As1170_4Ed2024Unconfirmed)];
     let edition = edition(reader, &editions, "2007 (with Amendments 1 and 2) or 2024 (not confirmed)");
     let (hazard, city) = hazard_of_a_place(reader);
@@ -68,12 +68,12 @@ pub(super) fn as1170_4(reader: &mut Reader<'_>) -> Option<Target> {
 }
 
 /// Z as given, or of a city of the code's table; Melbourne where nothing is said.
-fn hazard_of_a_place(reader: &mut Reader<'_>) -> (Option<f64>, Option<String>) {
+fn hazard_of_a_place(reader: &mut WordReader) -> (Option<f64>, Option<String>) {
     let words = reader.words;
     let given = reader.positive("hazard_factor", Dimension::Ratio);
     match (words.get("hazard_factor"), words.get("city")) {
         (Some(_), Some(_)) => {
-            let message = format!("{} and {} exclude each other", words.name("city"), words.name("hazard_factor"));
+            let message = "`city` and `hazard_factor` exclude each other";
             reader.note(&["city", "hazard_factor"], message, "keep one of them");
             (given, None)
         }
@@ -85,13 +85,10 @@ fn hazard_of_a_place(reader: &mut Reader<'_>) -> (Option<f64>, Option<String>) {
             if place.is_none() {
                 let hint = match nearest(city, &places) {
                     Some(near) => format!("did you mean \"{near}\"?"),
-                    None => format!(
-                        "give {} instead; the code's table has Melbourne, Sydney, Adelaide, Perth, …",
-                        words.name("hazard_factor")
-                    ),
+                    None => "give `hazard_factor` instead; the code's table has Melbourne, Sydney, Adelaide, Perth, …"
+                        .to_owned(),
                 };
-                let message = format!("{} \"{}\" is not in AS 1170.4", words.name("city"), shorten(city));
-                reader.note(&["city"], message, hint);
+                reader.note(&["city"], format!("`city` \"{}\" is not in AS 1170.4", shorten(city)), hint);
             }
             (hazard_factor(city), place.map(|&place| place.to_owned()))
         }
@@ -99,20 +96,19 @@ fn hazard_of_a_place(reader: &mut Reader<'_>) -> (Option<f64>, Option<String>) {
 }
 
 /// An edition by its year, which may have its first two digits left out.
-fn edition<T: Copy>(reader: &mut Reader<'_>, known: &[(&str, T)], expected: &str) -> Option<T> {
+fn edition<T: Copy>(reader: &mut WordReader, known: &[(&str, T)], expected: &str) -> Option<T> {
     let Some(text) = reader.words.get("edition") else { return known.first().map(|(_, edition)| *edition) };
     let year = text.trim();
     let found = known.iter().find(|(name, _)| *name == year || name.strip_prefix("20") == Some(year));
     if found.is_none() {
-        let name = reader.words.name("edition");
-        let message = format!("{name} must be {expected}, not {}", shorten(text));
-        reader.note(&["edition"], message, format!("give {name} as {expected}"));
+        let message = format!("`edition` must be {expected}, not {}", shorten(text));
+        reader.note(&["edition"], message, format!("give `edition` as {expected}"));
     }
     found.map(|(_, edition)| *edition)
 }
 
 fn site_class<T>(
-    reader: &mut Reader<'_>,
+    reader: &mut WordReader,
     text: &str,
     parse: impl Fn(&str) -> Result<T, CodeSpectrumError>,
     code: Code,
@@ -125,56 +121,55 @@ fn site_class<T>(
             Code::Nzs1170_5 => "a class of NZS 1170.5",
             _ => "a class of AS 1170.4",
         };
-        reader.note(&["site"], format!("{} \"{}\" is not {what}", reader.words.name("site"), shorten(text)), hint);
+        reader.note(&["site"], format!("`site` \"{}\" is not {what}", shorten(text)), hint);
     }
     found
 }
 
 fn return_period(
-    reader: &mut Reader<'_>,
+    reader: &mut WordReader,
     known: impl Fn(u32) -> Result<(), CodeSpectrumError>,
     hint: &str,
 ) -> Option<u32> {
     let key = "return_period_years";
-    if reader.words.get(key).is_none() {
-        return Some(USUAL_YEARS);
+    if !reader.has(key) {
+        return Some(DEFAULT_YEARS);
     }
     let years = reader.whole(key)?;
     match known(years) {
         Ok(()) => Some(years),
         Err(error) => {
-            reader.note(&[key], format!("{}: {error}", reader.words.name(key)), hint);
+            reader.note(&[key], format!("`{key}`: {error}"), hint);
             None
         }
     }
 }
 
 /// What the core refuses although each word was fine.
-fn made<T>(reader: &mut Reader<'_>, keys: &[&'static str], result: Result<T, CodeSpectrumError>) -> Option<T> {
+fn made<T>(reader: &mut WordReader, keys: &[&'static str], result: Result<T, CodeSpectrumError>) -> Option<T> {
     result
         .map_err(|error| {
-            let names: Vec<String> = keys.iter().map(|key| reader.words.name(key)).collect();
-            reader.note(keys, error.to_string(), format!("check {}", names.join(", ")));
+            reader.note(keys, error.to_string(), format!("check `{}`", keys.join("`, `")));
         })
         .ok()
 }
 
-pub(super) fn eurocode8(reader: &mut Reader<'_>) -> Option<Target> {
+pub(super) fn eurocode8(reader: &mut WordReader) -> Option<Target> {
     const CODE: Code = Code::Eurocode8;
     edition(reader, &[("2004", ())], "2004 (EN 1998-1:2004)");
-    let acceleration = reader.needed("ground_acceleration", Dimension::Acceleration, CODE, "0.15 g");
-    let importance = match reader.words.get("importance_factor") {
-        None => Some(1.0),
-        Some(_) => reader.positive("importance_factor", Dimension::Ratio),
+    let acceleration = needed(reader, "ground_acceleration", Dimension::Acceleration, CODE, "0.15 g");
+    let importance = match reader.has("importance_factor") {
+        false => Some(1.0),
+        true => reader.positive("importance_factor", Dimension::Ratio),
     };
-    if reader.words.get("spectrum_type").is_none() {
-        reader.missing("spectrum_type", CODE, "1");
+    if !reader.has("spectrum_type") {
+        missing(reader, "spectrum_type", CODE, "1");
     }
     let types = [("1", SpectrumType::Type1), ("2", SpectrumType::Type2)];
-    let spectrum_type = reader.one_of("spectrum_type", &types, SpectrumType::Type1);
+    let spectrum_type = reader.one_of("spectrum_type", &types);
     let soil_factor = reader.positive("soil_factor", Dimension::Ratio);
     let corners = eurocode8_corners(reader);
-    let is_complete = ["soil_factor", "corner_periods"].iter().all(|key| reader.words.get(key).is_some());
+    let is_complete = ["soil_factor", "corner_periods"].iter().all(|key| reader.has(key));
     let ground = match reader.words.get("site") {
         Some(text) => {
             let hint =
@@ -183,12 +178,12 @@ pub(super) fn eurocode8(reader: &mut Reader<'_>) -> Option<Target> {
         }
         None => {
             if !is_complete {
-                reader.missing("site", CODE, "B");
+                missing(reader, "site", CODE, "B");
             }
             None
         }
     };
-    if reader.has_problems() {
+    if !reader.problems.is_empty() {
         return None;
     }
     let recommended = ground.zip(spectrum_type).map(|(ground, kind)| SpectrumShape::recommended(kind, ground));
@@ -216,18 +211,13 @@ pub(super) fn eurocode8(reader: &mut Reader<'_>) -> Option<Target> {
     Some(target)
 }
 
-fn eurocode8_corners(reader: &mut Reader<'_>) -> Option<[f64; 3]> {
-    let periods_s = reader.periods("corner_periods")?;
+fn eurocode8_corners(reader: &mut WordReader) -> Option<[f64; 3]> {
+    let periods_s = reader.grid("corner_periods", Dimension::Time)?;
     match periods_s[..] {
         [tb_s, tc_s, td_s] if tb_s > 0.0 && tc_s >= tb_s && td_s >= tc_s => Some([tb_s, tc_s, td_s]),
         _ => {
-            let name = reader.words.name("corner_periods");
-            let message = format!("{name} must be three periods, 0 < TB ≤ TC ≤ TD");
-            reader.note(
-                &["corner_periods"],
-                message,
-                format!("write {}", reader.words.example("corner_periods", "0.15 s, 0.5 s, 2 s")),
-            );
+            let message = "`corner_periods` must be three periods, 0 < TB ≤ TC ≤ TD";
+            reader.note(&["corner_periods"], message, "give `corner_periods = \"0.15 s, 0.5 s, 2 s\"`");
             None
         }
     }
@@ -244,32 +234,32 @@ fn eurocode8_shape(
     Some(SpectrumShape { soil_factor_ratio, tb_s, tc_s, td_s })
 }
 
-pub(super) fn asce7(reader: &mut Reader<'_>) -> Option<Target> {
+pub(super) fn asce7(reader: &mut WordReader) -> Option<Target> {
     const CODE: Code = Code::Asce7;
     let editions = [("2022", Asce7Edition::Asce7_22), ("2016", Asce7Edition::Asce7_16)];
     let edition = edition(reader, &editions, "2022 or 2016");
-    let is_mapped = ["ss", "s1", "fa", "fv"].iter().any(|key| reader.words.get(key).is_some());
-    let design: Vec<&'static str> = ["sds", "sd1"].into_iter().filter(|key| reader.words.get(key).is_some()).collect();
+    let is_mapped = ["ss", "s1", "fa", "fv"].iter().any(|key| reader.has(key));
+    let design: Vec<&'static str> = ["sds", "sd1"].into_iter().filter(|key| reader.has(key)).collect();
     if let (true, Some(key)) = (is_mapped, design.first().copied()) {
-        let message = format!("{} and mapped accelerations exclude each other", reader.words.name(key));
+        let message = format!("`{key}` and mapped accelerations exclude each other");
         reader.note(&[key, "ss", "s1", "fa", "fv"], message, "give SDS and SD1, or Ss, S1, Fa and Fv");
         return None;
     }
-    let long_period_s = reader.needed("long_period", Dimension::Time, CODE, "8 s");
+    let long_period_s = needed(reader, "long_period", Dimension::Time, CODE, "8 s");
     let mut facts = Vec::new();
     let code = if is_mapped {
-        let ss = reader.needed("ss", Dimension::Acceleration, CODE, "1.5 g").map(|value| value / G0_M_S2);
-        let s1 = reader.needed("s1", Dimension::Acceleration, CODE, "0.6 g").map(|value| value / G0_M_S2);
-        let fa = reader.needed("fa", Dimension::Ratio, CODE, "1.0");
-        let fv = reader.needed("fv", Dimension::Ratio, CODE, "1.7");
+        let ss = needed(reader, "ss", Dimension::Acceleration, CODE, "1.5 g").map(|value| value / G0_M_S2);
+        let s1 = needed(reader, "s1", Dimension::Acceleration, CODE, "0.6 g").map(|value| value / G0_M_S2);
+        let fa = needed(reader, "fa", Dimension::Ratio, CODE, "1.0");
+        let fv = needed(reader, "fv", Dimension::Ratio, CODE, "1.7");
         let (ss, s1, fa, fv) = (ss?, s1?, fa?, fv?);
         facts.push(fact("Ss, S1", format!("{}, {}", in_g(ss), in_g(s1))));
         facts.push(fact("Fa, Fv", format!("{}, {}", number(fa, 4), number(fv, 4))));
         let result = Asce7::from_mapped(edition?, (ss, fa), (s1, fv), long_period_s?);
         made(reader, &["ss", "s1", "fa", "fv", "long_period"], result)?
     } else {
-        let sds = reader.needed("sds", Dimension::Acceleration, CODE, "1 g");
-        let sd1 = reader.needed("sd1", Dimension::Acceleration, CODE, "0.6 g");
+        let sds = needed(reader, "sds", Dimension::Acceleration, CODE, "1 g");
+        let sd1 = needed(reader, "sd1", Dimension::Acceleration, CODE, "0.6 g");
         let result = Asce7::new(edition?, sds? / G0_M_S2, sd1? / G0_M_S2, long_period_s?);
         made(reader, &["sds", "sd1", "long_period"], result)?
     };
@@ -279,31 +269,25 @@ pub(super) fn asce7(reader: &mut Reader<'_>) -> Option<Target> {
     Some(target(code.into(), facts))
 }
 
-pub(super) fn nzs1170_5(reader: &mut Reader<'_>) -> Option<Target> {
+pub(super) fn nzs1170_5(reader: &mut WordReader) -> Option<Target> {
     const CODE: Code = Code::Nzs1170_5;
     edition(reader, &[("2004", ())], "2004");
-    let hazard = reader.needed("hazard_factor", Dimension::Ratio, CODE, "0.40");
+    let hazard = needed(reader, "hazard_factor", Dimension::Ratio, CODE, "0.40");
     let site = match reader.words.get("site") {
         Some(text) => {
             let hint = "A strong rock, B rock, C shallow soil, D deep or soft soil, E very soft soil";
             site_class(reader, text, SubsoilClass::parse, CODE, hint)
         }
         None => {
-            reader.missing("site", CODE, "C");
+            missing(reader, "site", CODE, "C");
             None
         }
     };
     let years = return_period(reader, |years| return_period_factor(years).map(|_| ()), "see Table 3.5 of NZS 1170.5");
-    let distance_km = match reader.words.get("fault_distance") {
-        None => None,
-        Some(text) => {
-            let result = freestand_input::quantity::parse_non_negative(
-                text,
-                Dimension::Length,
-                &reader.words.name("fault_distance"),
-            );
-            Some(reader.keep("fault_distance", result)? / 1e3)
-        }
+    let distance_km = if reader.has("fault_distance") {
+        Some(reader.non_negative("fault_distance", Dimension::Length)? / 1e3)
+    } else {
+        None
     };
     let code = Nzs1170_5::new(site?, hazard?, years?, distance_km);
     let code = made(reader, &["hazard_factor", "fault_distance"], code)?;

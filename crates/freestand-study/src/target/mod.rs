@@ -1,5 +1,4 @@
-//! The spectrum that motions are made for, from the words of flags and studies to a
-//! [`CodeSpectrum`].
+//! The hazard target: from the words of flags and studies to a [`CodeSpectrum`].
 
 mod figure;
 
@@ -13,10 +12,12 @@ use std::path::Path;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::synthesis;
 
-pub use words::{TARGET_KEYS, TargetWords};
+pub use codes::DEFAULT_YEARS;
+pub use words::TARGET_KEYS;
 
 use freestand_input::file::InputFile;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::keys::Words;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
 
 /// A spectrum, with everything that outputs say about it.
@@ -36,36 +37,26 @@ pub struct Target {
     pub warnings: Vec<String>,
 }
 
-/// What is wrong, and with which of [`TARGET_KEYS`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct TargetProblem {
-    /// The keys; of several the last one in the file is to blame.
-    pub keys: Vec<&'static str>,
-    /// What is wrong.
-    pub problem: Problem,
-    /// Nothing is wrong but that a word is missing.
-    pub is_missing: bool,
-}
-
 impl Target {
-    /// A spectrum with its facts; paths are relative to `base_dir`.
+    /// The spectrum that words with [`TARGET_KEYS`] describe, with its facts; paths are relative to `base_dir`.
     ///
     /// # Errors
     /// Everything that is wrong with the words.
     ///
     /// # Example
     /// ```
-    /// use freestand_study::target::{Target, TargetWords};
-    /// let mut words = TargetWords::default();
+    /// use freestand_input::keys::Words;
+    /// use freestand_study::target::Target;
+    /// let mut words = Words::default();
     /// words.set("code", "eurocode8");
     /// words.set("spectrum_type", "2");
     /// words.set("site", "B");
     /// words.set("ground_acceleration", "0.1 g");
-    /// let target = Target::resolve(&words, "".as_ref()).map_err(|problems| problems[0].problem.clone())?;
+    /// let target = Target::resolve(&words, "".as_ref())?;
     /// assert!((target.spectrum.sa_g(0.1) - 0.3375).abs() < 1e-15); // 2.5 · 0.1 g · 1.35
-    /// # Ok::<(), freestand_input::problem::Problem>(())
+    /// # Ok::<(), freestand_input::problem::Problems>(())
     /// ```
-    pub fn resolve(words: &TargetWords, base_dir: &Path) -> Result<Self, Vec<TargetProblem>> {
+    pub fn resolve(words: &Words, base_dir: &Path) -> Result<Self, Problems> {
         words::resolve(words, base_dir)
     }
 
@@ -183,31 +174,28 @@ impl Target {
         }
     }
 
-    /// Refuses a spectrum that ends within the periods that motions are matched at; `key` is how the caller calls the
-    /// word that lets a table go on.
+    /// Refuses a spectrum that does not cover all the periods that motions are matched at.
     ///
     /// # Errors
     /// A table that is shorter and is not held beyond its ends.
-    pub fn check_matched_band(&self, key: &str) -> Result<(), Problem> {
+    pub fn check_matched_band(&self) -> Result<(), Problem> {
         let (from_s, to_s) = (self.spectrum.shortest_period_s(), self.spectrum.longest_period_s());
         if from_s <= 0.0 && to_s.is_none_or(|to_s| to_s >= synthesis::LONGEST_PERIOD_S) {
             return Ok(());
         }
         let range = match to_s {
-            Some(to_s) => format!("from {} s to {} s", number(from_s, 4), number(to_s, 4)),
-            None => format!("from {} s on", number(from_s, 4)),
+            Some(to_s) => format!("{} s to {} s", number(from_s, 4), number(to_s, 4)),
+            None => format!("{} s and more", number(from_s, 4)),
         };
         let message = format!(
-            "the spectrum {} goes {range}; motions are matched from {} s to {} s, and their PGA is held against 0 s",
+            "the spectrum {} covers {range}; motions are matched from {} s to {} s, and their PGA to the value at 0 s",
             self.file_name(),
             synthesis::SHORTEST_PERIOD_S,
             synthesis::LONGEST_PERIOD_S
         );
-        let hint = format!(
-            "add the periods that are missing (0 s is the peak acceleration), or write {key} for constant Sa below the first \
-             period and constant displacement beyond the last"
-        );
-        Err(Problem::new(ProblemKind::Value, message).hint(hint))
+        let hint = "add the missing periods (0 s is the peak acceleration), or give `beyond = \"hold\"` for constant Sa \
+                    below the first period and constant displacement beyond the last";
+        Err(Problem::value(message, hint))
     }
 
     /// The name of the table's file.

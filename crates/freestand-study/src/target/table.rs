@@ -1,39 +1,36 @@
 //! A spectrum from a file.
 
+use std::path::Path;
+
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{Interpolation, OutOfRange, SpectrumTable};
+use freestand::synthesis::DAMPING_RATIO;
 
 use super::Target;
-use super::words::{Code, Reader};
-use freestand_input::problem::{Problem, ProblemKind};
+use super::words::{Code, missing};
+use freestand_input::problem::Problem;
+use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
 use freestand_records::processing::{TargetSource, read_target};
 
-/// The damping of everything that a table is held against.
-const DAMPING_RATIO: f64 = 0.05;
-
-pub(super) fn table(reader: &mut Reader<'_>) -> Option<Target> {
+pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> {
     let known = [("log-log", Interpolation::LogLog), ("linear", Interpolation::Linear)];
-    let interpolation = reader.one_of("interpolation", &known, Interpolation::LogLog);
+    let interpolation = one_of(reader, "interpolation", &known, Interpolation::LogLog);
     let known = [("refuse", OutOfRange::Refuse), ("hold", OutOfRange::Hold)];
-    let out_of_range = reader.one_of("beyond", &known, OutOfRange::Refuse);
+    let out_of_range = one_of(reader, "beyond", &known, OutOfRange::Refuse);
     let Some(name) = reader.words.get("spectrum") else {
-        reader.missing("spectrum", Code::Table, "target.csv");
+        missing(reader, "spectrum", Code::Table, "target.csv");
         return None;
     };
-    let path = reader.base_dir.join(name);
+    let path = base_dir.join(name);
     let source = TargetSource { path: path.clone(), range_s: None, damping_ratio: None };
-    let read = match read_target(&source) {
-        Ok(read) => read,
-        Err(problem) => {
-            reader.push(&["spectrum"], problem);
-            return None;
-        }
+    let read = reader.problems.keep(read_target(&source).map_err(|problem| problem.of(&["spectrum"])))?;
+    let refuse = |reader: &mut WordReader, message: String, hint: &str| {
+        reader.problems.push(Problem::value(message, hint).of(&["spectrum"]).in_file(&path));
     };
     if (read.damping_ratio - DAMPING_RATIO).abs() > 1e-6 {
         let message = format!("the spectrum is for {} % damping", number(100.0 * read.damping_ratio, 6));
-        let problem = Problem::new(ProblemKind::Value, message).in_file(&path);
-        reader.push(&["spectrum"], problem.hint("give one for 5 %, which motions are matched at"));
+        refuse(reader, message, "give a spectrum for 5 % damping: motions are matched at that");
         return None;
     }
     let mut rows: Vec<(f64, f64)> = read.periods_s.iter().copied().zip(read.psa_m_s2.iter().copied()).collect();
@@ -45,8 +42,7 @@ pub(super) fn table(reader: &mut Reader<'_>) -> Option<Target> {
     let spectrum = match SpectrumTable::new(periods_s, sa_g, interpolation, out_of_range) {
         Ok(spectrum) => spectrum,
         Err(error) => {
-            let problem = Problem::new(ProblemKind::Value, error.to_string()).in_file(&path);
-            reader.push(&["spectrum"], problem.hint("give two periods or more, each once"));
+            refuse(reader, error.to_string(), "give two periods or more, each once");
             return None;
         }
     };
@@ -54,7 +50,7 @@ pub(super) fn table(reader: &mut Reader<'_>) -> Option<Target> {
     let mut warnings = Vec::new();
     if out_of_range == OutOfRange::Hold && spectrum.first_period_s() > 0.0 {
         warnings.push(format!(
-            "the spectrum {} begins at {} s: below, its first value is held, and the PGA of motions is held against it",
+            "the spectrum {} begins at {} s: its first value applies below, and the PGA of motions is compared with it",
             read.name,
             number(spectrum.first_period_s(), 4)
         ));
@@ -67,6 +63,10 @@ pub(super) fn table(reader: &mut Reader<'_>) -> Option<Target> {
         table_csv: Some(format!("period [s],PSA [m/s2]\n{lines}")),
         warnings,
     })
+}
+
+fn one_of<T: Copy>(reader: &mut WordReader, key: &'static str, known: &[(&str, T)], default: T) -> Option<T> {
+    if reader.has(key) { reader.one_of(key, known) } else { Some(default) }
 }
 
 fn facts(table: &SpectrumTable, name: &str) -> Vec<(String, String)> {

@@ -1,85 +1,80 @@
-//! What the answer owes to its assumptions: the study again, with one value changed at a time.
+//! How the result depends on the assumptions: the study again, with one value changed at a time.
 //!
-//! A variation is written into the study's text and resolved like any other study, so that whatever a study can say can
-//! be varied, and what does not go together is refused in the same words. A value that never reaches the model is not run:
-//! a row of zero sensitivity would be read as one.
+//! A change is written into the study's text, which is then resolved like any other study: so any
+//! value of a study can be varied, and contradictions are refused in the same words. A change that
+//! does not reach the model is not run: its row would suggest that the result does not depend on
+//! it.
 
 mod model;
 mod request;
 
-use crate::result::{Sensitivity, VariedLevel};
 use std::path::Path;
 
 use crate::rerun::with_value;
 use crate::resolve::{Overrides, resolve_with};
-use crate::result::StudyResult;
-use crate::run::{Progress, Step, run};
+use crate::result::{NoResult, Sensitivity, StudyResult, VariedLevel};
+use crate::run::{Progress, run};
 use crate::study::Study;
 use crate::summary::{LevelSummary, level_summary};
 use freestand_input::problem::Problems;
 
 use model::is_same_model;
-pub use request::{Variation, Wish, parse_wish, usual_wishes, variations};
+pub use request::{Change, Variation, changes, default_variations, parse_variation};
 
-/// Begins the reason of a row whose value does not reach the model: that is an answer, not a failure.
-pub const NOTHING_CHANGES: &str = "nothing changes";
+/// A shock ratio is computed where the mean shock of the compared objects in the base is at least
+/// this \[g\]: a ratio to almost no shock means nothing.
+pub const MIN_MEAN_G: f64 = 0.05;
 
-/// Least mean shock of the compared objects in the base for a ratio \[g\]: less is no shock to speak of, and a ratio to it
-/// is a number without a meaning.
-pub const LEAST_MEAN_G: f64 = 0.05;
-
-/// Runs every variation of a study whose own result is `base`. `tell` hears which one of how many begins, and what it is.
+/// Runs the study once for every changed value; `base` is its own result. `tell` is called before
+/// each run with its number, the count of runs and the change in words.
 ///
 /// # Errors
-/// A run that was stopped. A variation that the study does not allow, or that cannot be computed, is a row with its reason.
+/// A run that was stopped. A change that the study does not allow, or that cannot be computed, is a
+/// row with its reason.
 pub fn vary(
     study: &Study,
     base: &StudyResult,
-    wishes: &[Wish],
+    variations: &[Variation],
     overrides: &Overrides,
     tell: &dyn Fn(usize, usize, &str),
     progress: Progress,
 ) -> Result<Sensitivity, Problems> {
-    let (variations, mut left_out) = variations(study, wishes, overrides);
+    let (changes, mut left_out) = changes(study, variations, overrides);
     let mut rows = rows("base", "", study, base, base);
-    for (index, variation) in variations.iter().enumerate() {
-        tell(index, variations.len(), &variation.words());
-        match result_of(study, variation, overrides, progress) {
+    for (index, change) in changes.iter().enumerate() {
+        tell(index, changes.len(), &change.words());
+        match result_of(study, change, overrides, progress) {
             Ok(Some((varied, result))) => {
-                rows.extend(self::rows(variation.key, &variation.value, &varied, &result, base));
+                rows.extend(self::rows(change.key, &change.value, &varied, &result, base));
             }
-            // Nobody named this value.
-            Ok(None) if variation.is_usual => {}
-            Ok(None) => {
-                rows.extend(rows_without(variation, study, &format!("{NOTHING_CHANGES}: {}", unchanged(variation))))
-            }
-            // A stopped run stops all; what else is wrong is of this variation alone.
+            // Nobody asked for this value.
+            Ok(None) if change.is_default => {}
+            Ok(None) => rows.extend(rows_without(change, study, &NoResult::Unchanged(unchanged(change)))),
+            Err(error) if error.is_stopped() => return Err(error),
             Err(error) => {
-                if progress(Step { stage: "variations", done: index, total: variations.len() }).is_break() {
-                    return Err(error);
-                }
                 let first = error.problems.first();
                 let reason = first.map_or_else(|| error.to_string(), |problem| problem.message.clone());
-                rows.extend(rows_without(variation, study, &reason));
+                rows.extend(rows_without(change, study, &NoResult::Failed(reason)));
             }
         }
     }
-    let mut usual: Vec<&Variation> = variations.iter().filter(|variation| variation.is_usual).collect();
-    usual.dedup_by_key(|variation| variation.key);
-    for Variation { key, .. } in usual.iter().filter(|usual| rows.iter().all(|row| row.parameter != usual.key)) {
-        left_out.push(format!("{key} is not varied: none of its usual values changes anything here"));
+    let mut defaults: Vec<&Change> = changes.iter().filter(|change| change.is_default).collect();
+    defaults.dedup_by_key(|change| change.key);
+    for Change { key, .. } in defaults.iter().filter(|change| rows.iter().all(|row| row.parameter != change.key)) {
+        left_out.push(format!("{key} is not varied: none of its default values changes the model"));
     }
     Ok(Sensitivity { rows, left_out })
 }
 
-/// The study with one value changed, and its result; `None` where the value does not reach the model.
+/// The study with one value changed, and its result; `None` where the change does not reach the
+/// model.
 fn result_of(
     study: &Study,
-    variation: &Variation,
+    change: &Change,
     overrides: &Overrides,
     progress: Progress,
 ) -> Result<Option<(Study, StudyResult)>, Problems> {
-    let varied = varied_study(study, variation, overrides)?;
+    let varied = varied_study(study, change, overrides)?;
     if is_same_model(study, &varied) {
         return Ok(None);
     }
@@ -87,17 +82,17 @@ fn result_of(
     Ok(Some((varied, result)))
 }
 
-fn varied_study(study: &Study, variation: &Variation, overrides: &Overrides) -> Result<Study, Problems> {
-    let toml = with_value(&study.toml, variation.table, variation.key, &variation.value, variation.in_place_of)?;
+fn varied_study(study: &Study, change: &Change, overrides: &Overrides) -> Result<Study, Problems> {
+    let toml = with_value(&study.toml, change.table, change.key, &change.value, change.in_place_of)?;
     let base_dir = study.source.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-    // The seed of the command line would stand above that of the variation.
-    let seed = if variation.key == "seed" { None } else { overrides.seed };
+    // An overriding seed would take precedence over the changed one.
+    let seed = if change.key == "seed" { None } else { overrides.seed };
     resolve_with(&toml, study.source.as_deref(), base_dir, &Overrides { seed, ..overrides.clone() })
 }
 
-/// What a value that does not reach the model leaves alone.
-fn unchanged(variation: &Variation) -> &'static str {
-    match variation.table {
+/// What stays the same where a change does not reach the model.
+fn unchanged(change: &Change) -> &'static str {
+    match change.table {
         "building" => "the same modes of the building",
         "objects" => "the same objects and their cushion",
         _ => "the same spectrum and seed, or the same records",
@@ -140,7 +135,7 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
                 overturned_objects: Some(overturned_objects),
                 edge_acceleration_g_median,
                 edge_acceleration_g_max,
-                edge_acceleration_ratio: (!both.is_empty() && base_g >= LEAST_MEAN_G * both.len() as f64)
+                edge_acceleration_ratio: (!both.is_empty() && base_g >= MIN_MEAN_G * both.len() as f64)
                     .then(|| varied_g / base_g),
                 compared_objects: Some(both.len()),
                 reason: None,
@@ -150,10 +145,10 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
         .collect()
 }
 
-fn rows_without(variation: &Variation, study: &Study, reason: &str) -> Vec<VariedLevel> {
+fn rows_without(change: &Change, study: &Study, reason: &NoResult) -> Vec<VariedLevel> {
     let row = |level: &crate::study::Level| VariedLevel {
-        parameter: variation.key.to_owned(),
-        value: variation.value.clone(),
+        parameter: change.key.to_owned(),
+        value: change.value.clone(),
         level: level.name.clone(),
         level_ratio: level.level_ratio,
         pfa_g_median: None,
@@ -164,7 +159,7 @@ fn rows_without(variation: &Variation, study: &Study, reason: &str) -> Vec<Varie
         edge_acceleration_g_max: None,
         edge_acceleration_ratio: None,
         compared_objects: None,
-        reason: Some(reason.to_owned()),
+        reason: Some(reason.clone()),
         warnings: None,
     };
     study.levels.iter().map(row).collect()

@@ -1,4 +1,4 @@
-//! Whether two studies are one model, however they are written.
+//! Whether two studies describe the same model, however they are written.
 
 use freestand::synthesis::matched_periods_s;
 
@@ -6,7 +6,7 @@ use crate::cushion::EdgeCushion;
 use crate::study::{Ground, Objects, RecordedMotion, Study};
 use crate::target::Target;
 
-/// Whether nothing that a result is computed from differs; texts, notes and names may.
+/// Whether everything that a result is computed from is equal; texts, notes and names may differ.
 pub(super) fn is_same_model(one: &Study, other: &Study) -> bool {
     let both_given = one.levels.len() == other.levels.len();
     let mut levels = one.levels.iter().zip(&other.levels);
@@ -29,7 +29,7 @@ fn same_ground(one: &Ground, other: &Ground) -> bool {
     }
 }
 
-/// Motions are made at these periods and held against that of zero; nothing else of a target counts.
+/// Motions are generated from the target at these periods and compared with it at zero.
 fn same_spectrum(one: &Target, other: &Target) -> bool {
     let mut periods_s = matched_periods_s().into_iter().chain([0.0]);
     periods_s.all(|period_s| one.spectrum.sa_g(period_s) == other.spectrum.sa_g(period_s))
@@ -40,7 +40,8 @@ fn same_records(one: &[RecordedMotion], other: &[RecordedMotion]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(|(a, b)| a.motion == b.motion && across(a) == across(b))
 }
 
-/// Height and storeys are names of the levels only, once the modes are known. A second axis counts where it is used.
+/// Once the modes are known, height and storeys only name the levels. A second axis matters only if
+/// it is used.
 fn same_building(one: &Study, other: &Study) -> bool {
     match (&one.building, &other.building) {
         (Some(a), Some(b)) => {

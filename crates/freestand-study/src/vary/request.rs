@@ -1,18 +1,17 @@
-//! Which values are tried.
+//! Variations of a study, and the changes that they ask for.
 
 use freestand::building::Model;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SiteClass, SubsoilClass};
 
 use crate::resolve::Overrides;
 use crate::study::{Ground, Study};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-use freestand_input::words::nearest;
-use freestand_input::words::number;
+use freestand_input::words::{nearest, number};
 
-/// A key to vary, and the values to try; none: the usual ones.
+/// A key to vary, and the values to try; without any, the default ones.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wish {
+pub struct Variation {
     key: &'static Key,
     values: Vec<String>,
 }
@@ -22,7 +21,7 @@ pub struct Wish {
 struct Key {
     table: &'static str,
     name: &'static str,
-    /// Keys that say the same in another way, and go when this one is written.
+    /// Keys that state the same quantity in another way: this one replaces them.
     in_place_of: &'static [&'static str],
 }
 
@@ -56,63 +55,63 @@ static KEYS: [Key; 22] = [
 ];
 
 /// The keys that are varied where none is named.
-const USUAL: [&str; 5] = ["damping", "period", "shear_flexure", "seed", "site"];
+const DEFAULT_KEYS: [&str; 5] = ["damping", "period", "shear_flexure", "seed", "site"];
 
 /// One value in place of the study's.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Variation {
+pub struct Change {
     /// Table of the study.
     pub table: &'static str,
     /// Key in it.
     pub key: &'static str,
     /// The value, as a study writes it.
     pub value: String,
-    /// Keys that go.
+    /// Keys that it replaces.
     pub in_place_of: &'static [&'static str],
-    /// Nobody named the value.
-    pub is_usual: bool,
+    /// The value is a default one: nobody asked for it.
+    pub is_default: bool,
 }
 
-impl Variation {
+impl Change {
     /// `damping = 2 %`.
     pub fn words(&self) -> String {
         format!("{} = {}", self.key, self.value)
     }
 }
 
-/// Damping, period, shear-flexure ratio, seed and site class, each over its usual values.
-pub fn usual_wishes() -> Vec<Wish> {
-    USUAL.iter().filter_map(|name| find(name)).map(|key| Wish { key, values: Vec::new() }).collect()
+/// Damping, period, shear-flexure ratio, seed and site class, each with its default values.
+pub fn default_variations() -> Vec<Variation> {
+    DEFAULT_KEYS.iter().filter_map(|name| find(name)).map(|key| Variation { key, values: Vec::new() }).collect()
 }
 
 fn find(name: &str) -> Option<&'static Key> {
     KEYS.iter().find(|key| key.name == name)
 }
 
-/// A wish as a user writes it: `damping`, or `damping = 2 %, 10 %`.
+/// A variation as a user writes it: `damping`, or `damping = 2 %, 10 %`.
 ///
 /// # Errors
 /// A key that cannot be varied, an empty list of values.
 ///
 /// # Example
 /// ```
-/// use freestand_study::vary::parse_wish;
-/// assert!(parse_wish("shear-flexure = 0, 20").is_ok());
-/// assert!(parse_wish("colour").is_err());
+/// use freestand_study::vary::parse_variation;
+/// assert!(parse_variation("shear-flexure = 0, 20").is_ok());
+/// assert!(parse_variation("colour").is_err());
 /// ```
-pub fn parse_wish(text: &str) -> Result<Wish, Problem> {
+pub fn parse_variation(text: &str) -> Result<Variation, Problem> {
     let (name, values) = text.split_once('=').map_or((text, None), |(name, values)| (name, Some(values)));
     let name = name.trim().to_lowercase().replace(['-', ' '], "_");
-    // Those who write the table's name before it mean the same key.
+    // The name of the table may come before the key.
     let bare = name.rsplit('.').next().unwrap_or(&name);
     let Some(key) = find(bare) else {
         let names = KEYS.each_ref().map(|key| key.name);
         let hint = match nearest(bare, &names) {
             Some(near) => format!("did you mean {near}?"),
-            None => format!("these can be varied: {}", names.join(", ")),
+            None => format!("keys that can be varied: {}", names.join(", ")),
         };
         let message = format!("\"{}\" cannot be varied", shorten(text));
-        return Err(Problem::new(ProblemKind::Value, message).hint(hint));
+        return Err(Problem::value(message, hint));
     };
     let values: Vec<String> = match values {
         None => Vec::new(),
@@ -120,52 +119,53 @@ pub fn parse_wish(text: &str) -> Result<Wish, Problem> {
     };
     if values.iter().any(String::is_empty) {
         let message = format!("\"{}\" has an empty value", shorten(text));
-        return Err(Problem::new(ProblemKind::Value, message).hint("write \"damping = 2 %, 10 %\""));
+        return Err(Problem::value(message, "write \"damping = 2 %, 10 %\""));
     }
-    Ok(Wish { key, values })
+    Ok(Variation { key, values })
 }
 
-/// The variations that are wished, and what does not apply to this study under these overrides.
-pub fn variations(study: &Study, wishes: &[Wish], overrides: &Overrides) -> (Vec<Variation>, Vec<String>) {
-    let (mut variations, mut left_out) = (Vec::new(), Vec::new());
-    for Wish { key, values } in wishes {
+/// The changes that some variations ask for, and, in a sentence each, what does not apply to this
+/// study under these overrides.
+pub fn changes(study: &Study, variations: &[Variation], overrides: &Overrides) -> (Vec<Change>, Vec<String>) {
+    let (mut changes, mut left_out) = (Vec::new(), Vec::new());
+    for Variation { key, values } in variations {
         if let Some(reason) = inapplicable(study, key, overrides) {
             left_out.push(format!("{} is not varied: {reason}", key.name));
             continue;
         }
-        let is_usual = values.is_empty();
-        let values = if is_usual { usual_values(study, key.name) } else { values.clone() };
+        let is_default = values.is_empty();
+        let values = if is_default { default_values(study, key.name) } else { values.clone() };
         if values.is_empty() {
             left_out.push(format!(
-                "{} is not varied: it has no usual values here; name them, as in \"{} = …\"",
+                "{} is not varied: it has no default values here; give some, as in \"{} = …\"",
                 key.name, key.name
             ));
         }
-        variations.extend(values.into_iter().map(|value| Variation {
+        changes.extend(values.into_iter().map(|value| Change {
             table: key.table,
             key: key.name,
             value,
             in_place_of: key.in_place_of,
-            is_usual,
+            is_default,
         }));
     }
-    (variations, left_out)
+    (changes, left_out)
 }
 
 fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'static str> {
     match (key.table, key.name) {
         ("ground", _) if overrides.motions.is_some() => {
-            Some("the motions of the command line stand in place of [ground], which is not looked at")
+            Some("[ground] is not used: other motions were given in its place")
         }
         ("ground", name) => inapplicable_ground(&study.ground, name),
         ("building", name) => match &study.building {
-            None => Some("the motions of the floors are given"),
+            None => Some("the study gives the motions of the floors"),
             Some(input) => match (input.along.model(), name) {
                 (_, "damping") => input
                     .tables
                     .iter()
                     .any(|(across, table)| !across && table.states_damping)
-                    .then_some("every mode of the table has its own"),
+                    .then_some("the table states the damping of every mode"),
                 (Model::Beam { .. }, _) | (Model::Shear { .. }, "modes") => None,
                 (Model::Shear { .. } | Model::Table { .. }, _) => Some("the building comes from a table"),
             },
@@ -191,8 +191,8 @@ fn inapplicable_ground(ground: &Ground, name: &str) -> Option<&'static str> {
     }
 }
 
-/// Values around those of the study, without its own.
-fn usual_values(study: &Study, name: &str) -> Vec<String> {
+/// Values around that of the study, without its own.
+fn default_values(study: &Study, name: &str) -> Vec<String> {
     match (name, &study.building, &study.ground) {
         ("damping", Some(building), _) => {
             let percents = [2.0, 3.0, 5.0, 7.0, 10.0];
@@ -206,8 +206,8 @@ fn usual_values(study: &Study, name: &str) -> Vec<String> {
         }
         ("shear_flexure", Some(building), _) => {
             let own = building.along.shear_flexure_ratio();
-            let usual = [0.0, 2.0, 5.0, 10.0, 20.0, 30.0];
-            usual.into_iter().filter(|a| own.is_none_or(|own| (a - own).abs() > 1e-9)).map(|a| a.to_string()).collect()
+            let ratios = [0.0, 2.0, 5.0, 10.0, 20.0, 30.0];
+            ratios.into_iter().filter(|a| own.is_none_or(|own| (a - own).abs() > 1e-9)).map(|a| a.to_string()).collect()
         }
         ("seed", _, ground) => {
             let seed = ground.seed();

@@ -4,7 +4,7 @@ use super::*;
 use crate::recorded::{MotionFiles, Second};
 use crate::resolve::{Overrides, resolve};
 use crate::result::Ranked;
-use crate::run::no_progress;
+use crate::run::{Step, no_progress};
 use freestand_records::formats::ReadOptions;
 use freestand_records::processing::Processing;
 
@@ -21,17 +21,18 @@ heights = \"1.5 m, 2 m\"
 thicknesses = \"500 mm\"
 ";
 
-fn wishes(texts: &[&str]) -> Vec<Wish> {
-    texts.iter().map(|text| parse_wish(text).unwrap()).collect()
+fn parsed(texts: &[&str]) -> Vec<Variation> {
+    texts.iter().map(|text| parse_variation(text).unwrap()).collect()
 }
 
 fn sensitivity(texts: &[&str]) -> Sensitivity {
     let study = resolve(STUDY, None, "".as_ref()).unwrap();
     let base = run(&study, &no_progress).unwrap();
-    vary(&study, &base, &wishes(texts), &Overrides::default(), &|_, _, _| {}, &no_progress).unwrap()
+    vary(&study, &base, &parsed(texts), &Overrides::default(), &|_, _, _| {}, &no_progress).unwrap()
 }
 
-/// A variation is the study that says so from the start, to the bit: nothing else is changed with it.
+/// A variation is the study that says so from the start, to the bit: nothing else is changed with
+/// it.
 #[test]
 fn a_variation_changes_one_value() {
     let result = sensitivity(&["damping = 2 %", "seed = 2"]);
@@ -47,7 +48,11 @@ fn a_variation_changes_one_value() {
     assert!(softer.pfa_g_median > base.pfa_g_median);
 }
 
-/// A folder with a study and whatever lies beside it.
+fn reason(row: &VariedLevel) -> String {
+    row.reason.as_ref().unwrap().to_string()
+}
+
+/// A folder with a study and its files.
 fn in_folder(study: &str, files: &[(&str, &str)], overrides: &Overrides) -> (tempfile::TempDir, Study) {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in files {
@@ -60,7 +65,7 @@ fn in_folder(study: &str, files: &[(&str, &str)], overrides: &Overrides) -> (tem
 
 fn varied(study: &Study, texts: &[&str], overrides: &Overrides) -> Sensitivity {
     let base = run(study, &no_progress).unwrap();
-    vary(study, &base, &wishes(texts), overrides, &|_, _, _| {}, &no_progress).unwrap()
+    vary(study, &base, &parsed(texts), overrides, &|_, _, _| {}, &no_progress).unwrap()
 }
 
 /// One motion, one object, one level.
@@ -85,19 +90,19 @@ fn what_does_not_reach_the_model_is_said() {
     let annex = varied(&annexed, &["site = B", "site"], &Overrides::default());
     let least = varied(&least, &["hazard_factor = 0.05", "hazard_factor = 0.2"], &Overrides::default());
     for (row, why) in own.rows[1..].iter().zip(["modes of the building", "same spectrum", "objects and their"]) {
-        let reason = row.reason.as_deref().unwrap();
-        assert!(reason.starts_with("nothing changes: ") && reason.contains(why), "{reason}");
+        let Some(NoResult::Unchanged(what)) = row.reason else { panic!("{row:?}") };
+        assert!(what.contains(why), "{what}");
         assert_eq!((row.pfa_g_median, row.uplift_share), (None, None));
     }
     assert_eq!((own.rows.len(), annex.rows.len(), least.rows.len()), (4, 2, 3));
-    assert!(annex.rows[1].reason.as_deref().unwrap().contains("same spectrum"));
-    assert!(least.rows[1].reason.as_deref().unwrap().contains("same spectrum"));
+    assert!(reason(&annex.rows[1]).contains("nothing changes: the same spectrum"));
+    assert!(reason(&least.rows[1]).contains("nothing changes: the same spectrum"));
     assert!(least.rows[2].reason.is_none() && least.rows[2].pfa_g_median > least.rows[0].pfa_g_median);
 
     // Of values that nobody named none remains, and that is said once.
-    let usual = varied(&annexed, &["site"], &Overrides::default());
-    assert_eq!(usual.rows.len(), 1);
-    assert_eq!(usual.left_out, ["site is not varied: none of its usual values changes anything here"]);
+    let defaults = varied(&annexed, &["site"], &Overrides::default());
+    assert_eq!(defaults.rows.len(), 1);
+    assert_eq!(defaults.left_out, ["site is not varied: none of its default values changes the model"]);
 }
 
 #[test]
@@ -105,9 +110,9 @@ fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
     let modes = "period [s],participation,damping [%],5 m,10 m\n0.8,1.3,2,0.5,1\n0.3,-0.3,3,-1.2,1\n";
     let files = [("m.csv", modes), PULSE];
     let (folder, study) = in_folder(&quick("count = 1", "mode_table = \"m.csv\""), &files, &Overrides::default());
-    let (list, left_out) = variations(&study, &wishes(&["damping", "damping = 2 %", "period"]), &Overrides::default());
+    let (list, left_out) = changes(&study, &parsed(&["damping", "damping = 2 %", "period"]), &Overrides::default());
     assert_eq!(list, []);
-    assert_eq!(left_out[0], "damping is not varied: every mode of the table has its own");
+    assert_eq!(left_out[0], "damping is not varied: the table states the damping of every mode");
     assert_eq!(
         (&left_out[1], left_out[2].as_str()),
         (&left_out[0], "period is not varied: the building comes from a table")
@@ -122,24 +127,24 @@ fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
     };
     let overrides = Overrides { motions: Some(motions), ..Overrides::default() };
     let study = resolve_with(&study.toml, study.source.as_deref(), folder.path(), &overrides).unwrap();
-    let (list, left_out) = variations(&study, &wishes(&["scale = 2", "seed"]), &overrides);
+    let (list, left_out) = changes(&study, &parsed(&["scale = 2", "seed"]), &overrides);
     assert_eq!((list.len(), left_out.len()), (0, 2));
-    assert!(left_out[0].contains("command line stand in place of [ground]"), "{left_out:?}");
+    assert!(left_out[0].contains("[ground] is not used"), "{left_out:?}");
 }
 
 #[test]
 fn a_table_of_storeys_is_varied_in_its_damping_and_modes() {
     let building = "storey_table = \"x.csv\"\ndamping = \"5 %\"";
     let (_folder, study) = in_folder(&quick("count = 1", building), &[STOREYS], &Overrides::default());
-    let (list, left_out) = variations(&study, &usual_wishes(), &Overrides::default());
-    let count = |key: &str| list.iter().filter(|variation| variation.key == key).count();
+    let (list, left_out) = changes(&study, &default_variations(), &Overrides::default());
+    let count = |key: &str| list.iter().filter(|change| change.key == key).count();
     assert_eq!((count("damping"), count("seed"), count("site"), list.len()), (4, 4, 4, 12));
     assert_eq!(left_out.len(), 2, "{left_out:?}");
     let result = varied(&study, &["damping = 1 %", "modes = 1, 3"], &Overrides::default());
     let [base, softer, one, all] = &result.rows[..] else { panic!("{:?}", result.rows) };
     assert!(softer.pfa_g_median > base.pfa_g_median);
     assert!(one.reason.is_none() && one.pfa_g_median != base.pfa_g_median);
-    assert!(all.reason.as_deref().unwrap().contains("modes of the building"));
+    assert!(reason(all).contains("modes of the building"));
 }
 
 /// The damping of no mode but two is the one that is written; that value is the base again.
@@ -168,8 +173,8 @@ fn ground_types_of_eurocode_8_are_varied() {
 fn records_are_scaled_and_the_rest_of_the_ground_left() {
     let ground = "motions = [\"pulse.csv\"]";
     let (_folder, study) = in_folder(&quick(ground, "period = \"1 s\""), &[PULSE], &Overrides::default());
-    let (list, left_out) = variations(&study, &usual_wishes(), &Overrides::default());
-    assert!(list.iter().all(|variation| variation.table == "building") && left_out.len() == 2, "{left_out:?}");
+    let (list, left_out) = changes(&study, &default_variations(), &Overrides::default());
+    assert!(list.iter().all(|change| change.table == "building") && left_out.len() == 2, "{left_out:?}");
     let result = varied(&study, &["scale = 1, 2"], &Overrides::default());
     let [base, same, double] = &result.rows[..] else { panic!("{:?}", result.rows) };
     assert!(same.reason.is_some());
@@ -214,17 +219,17 @@ fn what_does_not_apply_is_said_and_what_fails_is_a_row() {
     let result = sensitivity(&["period = 3 s", "shear-flexure = -1", "scale"]);
     assert_eq!(result.rows.len(), 3);
     assert!(result.rows[1].reason.is_none());
-    let reason = result.rows[2].reason.as_deref().unwrap();
+    let reason = reason(&result.rows[2]);
     assert!(reason.contains("shear_flexure must be 0 or more"), "{reason}");
     assert_eq!(result.rows[2].pfa_g_median, None);
     assert_eq!(result.left_out, ["scale is not varied: synthetic motions follow their target"]);
 }
 
 #[test]
-fn usual_values_leave_out_the_studys_own() {
+fn default_values_leave_out_the_studys_own() {
     let study = resolve(STUDY, None, "".as_ref()).unwrap();
-    let (variations, left_out) = variations(&study, &usual_wishes(), &Overrides::default());
-    let words: Vec<String> = variations.iter().map(Variation::words).collect();
+    let (changes, left_out) = changes(&study, &default_variations(), &Overrides::default());
+    let words: Vec<String> = changes.iter().map(Change::words).collect();
     assert!(left_out.is_empty());
     assert!(words.contains(&"damping = 2 %".to_owned()) && !words.contains(&"damping = 5 %".to_owned()));
     assert!(words.contains(&"site = Ae".to_owned()) && !words.contains(&"site = De".to_owned()));
@@ -235,14 +240,14 @@ fn a_stopped_run_stops_the_variations() {
     let study = resolve(STUDY, None, "".as_ref()).unwrap();
     let base = run(&study, &no_progress).unwrap();
     let stop = |_: Step| ControlFlow::Break(());
-    let error = vary(&study, &base, &wishes(&["damping"]), &Overrides::default(), &|_, _, _| {}, &stop).unwrap_err();
-    assert!(error.to_string().contains("stopped"), "{error}");
+    let error = vary(&study, &base, &parsed(&["damping"]), &Overrides::default(), &|_, _, _| {}, &stop).unwrap_err();
+    assert!(error.is_stopped(), "{error}");
 }
 
 #[test]
-fn wishes_are_forgiving_in_spelling_and_strict_in_words() {
-    assert_eq!(parse_wish("building.shear-flexure = 0, 20"), parse_wish("shear_flexure=0,20"));
-    let hint = parse_wish("dampin").unwrap_err().hint.unwrap();
+fn variations_are_forgiving_in_spelling_and_strict_in_words() {
+    assert_eq!(parse_variation("building.shear-flexure = 0, 20"), parse_variation("shear_flexure=0,20"));
+    let hint = parse_variation("dampin").unwrap_err().hint.unwrap();
     assert!(hint.contains("damping"), "{hint}");
-    assert!(parse_wish("damping = 2 %,, 5 %").is_err());
+    assert!(parse_variation("damping = 2 %,, 5 %").is_err());
 }

@@ -6,6 +6,7 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
+use crate::G0_M_S2;
 use crate::cushion::{ContactPoint, Cushion};
 
 /// How a virtual drop is made and recorded.
@@ -40,6 +41,30 @@ pub struct VirtualDropOptions {
     pub seed: u64,
     /// The number of the test, which has its own random numbers.
     pub index: u64,
+}
+
+impl VirtualDropOptions {
+    /// A clean drop from a height: 50 samples a contact, three contacts before the first touch and four after it, seed 1.
+    pub fn from_height(cushion: &Cushion, mass_kg: f64, height_m: f64) -> Self {
+        let speed_m_s = (2.0 * G0_M_S2 * height_m).sqrt();
+        let contact_s = cushion.land(mass_kg, speed_m_s).duration_s;
+        Self {
+            mass_kg,
+            speed_m_s,
+            gravity_m_s2: G0_M_S2,
+            sample_rate_hz: 50.0 / contact_s,
+            pre_trigger_s: 3.0 * contact_s,
+            after_s: 4.0 * contact_s,
+            noise_ratio: 0.0,
+            bias_m_s2: 0.0,
+            zero_shift_ratio: 0.0,
+            filter_corner_hz: None,
+            bounces: 0,
+            speed_error_ratio: 0.0,
+            seed: 1,
+            index: 0,
+        }
+    }
 }
 
 /// A virtual drop.
@@ -186,6 +211,22 @@ pub struct VirtualStaticOptions {
     pub seed: u64,
     /// The number of the test.
     pub index: u64,
+}
+
+impl Default for VirtualStaticOptions {
+    /// A clean test up to 1 kN in 200 steps, seed 1.
+    fn default() -> Self {
+        Self {
+            max_force_n: 1000.0,
+            points: 201,
+            hysteresis_ratio: 0.0,
+            toe_m: 0.0,
+            machine_stiffness_n_m: None,
+            noise_ratio: 0.0,
+            seed: 1,
+            index: 0,
+        }
+    }
 }
 
 /// Force \[N\] and displacement \[m\] of a slow test, loading and unloading at equal steps of

@@ -6,7 +6,7 @@ use rustfft::FftPlannerScalar;
 use rustfft::num_complex::Complex;
 
 use crate::motion::Motion;
-use crate::oscillator::OscillatorBank;
+use crate::oscillator::{DAMPING_RATIO, OscillatorBank};
 
 /// Measures of the frequency content of a motion; 5 % damping.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +28,6 @@ const PER_FACTOR: i32 = 60;
 const FIRST_S: f64 = 0.1;
 /// From 0.05 s to 5 s.
 const STEPS: std::ops::RangeInclusive<i32> = -26..=146;
-const DAMPING_RATIO: f64 = 0.05;
 
 /// The [`SpectralMeasures`] of a motion.
 ///

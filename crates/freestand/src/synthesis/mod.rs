@@ -84,7 +84,7 @@ pub const LONGEST_PERIOD_S: f64 = 5.0;
 /// bandwidth.
 pub const MATCHED_PERIODS: usize = 121;
 /// Damping ratio of the target and of the spectra.
-pub const DAMPING_RATIO: f64 = 0.05;
+pub use crate::oscillator::DAMPING_RATIO;
 
 /// Cosine tapers of the noise \[s\]: the window itself starts from zero, so the taper at the start
 /// can be short.

@@ -1,7 +1,8 @@
 //! Files that break readers: each a clear error, or read, in bounded time and memory.
 
-use crate::library::Lookup;
 use proptest::prelude::*;
+
+use crate::library::Lookup;
 
 use super::*;
 

@@ -4,7 +4,6 @@ mod hostile;
 mod large;
 mod round_trip;
 
-use crate::library::{CushionPrior, Lookup};
 use std::io::{Cursor, Write};
 use std::path::Path;
 
@@ -12,11 +11,13 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::*;
 use crate::library::Confidence;
-use freestand_input::keys::KeyStyle;
+use crate::library::{CushionPrior, Lookup};
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_study::cushion::{CushionWords, cushion_words};
+use freestand_study::cushion::cushion_words;
+
+use super::*;
 
 /// Reads the bytes of a file called `objects.csv`.
 fn read(bytes: impl AsRef<[u8]>) -> Result<Reading, Problems> {
@@ -184,7 +185,7 @@ fn all_problems_of_a_file_at_once() {
         "objects.csv:3: row 3, column K (friction): \"0.5-0.3\" is not a positive value or a rising range",
         "objects.csv:3: row 3, column L (restitution): is 1.2 | write a value above 0, up to 1",
         "objects.csv:3: row 3, column M (accepted): is 1 | write a value between 0 and 1",
-        "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, a length is expected",
+        "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, not a length",
         "objects.csv:4: row 4, column D (depth [mm]): \"n/a\" is no value | leave the cell empty",
         "objects.csv:4: row 4, column H (mass [kg]): \"1.500,5\" has a comma in the number",
         "objects.csv:4: row 4, column I (quantity): \"0\" is not a whole number from 1",
@@ -272,7 +273,7 @@ fn csv_of_other_countries() {
 
 /// A pad of a class and one entry of tolerances.
 fn prior(name: &str) -> Option<CushionPrior> {
-    let mut words = CushionWords::new(KeyStyle::File);
+    let mut words = Words::default();
     match name {
         "pad" => words.set("pad_stiffness", "2190 N/mm"),
         "edge" => words.set("stiffness", "4380 N/mm"),

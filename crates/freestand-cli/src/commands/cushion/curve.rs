@@ -4,98 +4,67 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::G0_M_S2;
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_study::laboratory::cushion_curve::{CurveReport, CurveRequest, cushion_curve};
+use freestand_input::quantity::Dimension;
+use freestand_study::laboratory::cushion_curve::{CurveRequest, cushion_curve};
 
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant};
-use crate::values::Values;
+use crate::printer::{Printer, lines};
+use crate::values::{Given, Reads, Values};
 
-/// Cushion curve (ASTM D1596): stress–energy fit, best load, thickness for a limit
+/// Cushion curve (ASTM D1596): stress–energy fit, best load, and thickness for a limit
 ///
-/// The file has a row for each drop: static stress mg/A, drop height, thickness, peak acceleration, with their units in the
-/// header. The dynamic stress is fitted as a exp(b E), E the energy per volume of cushion, so that a few tests give the curves of
-/// all heights and thicknesses.
+/// The file has a row for each drop: static stress mg/A, drop height, thickness and peak
+/// acceleration, with units in the header. The dynamic stress is fitted as a exp(b E), where E is
+/// the energy per volume of cushion, so that a few tests give the curves of all heights and
+/// thicknesses.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  The curve, the best load on 50 mm for drops from 600 mm, and the least thickness for 40 g:
+  The curve, the best load on 50 mm for drops from 600 mm, and the smallest thickness for 40 g:
     freestand cushion curve foam.csv --drop-height 600mm --thickness 50mm --limit 40g
-  The thickness under 70 kg on 0.02 m2:
+  The thickness for 70 kg on 0.02 m2:
     freestand cushion curve foam.csv --drop-height 600mm --mass 70kg --area \"0.02 m2\" --limit 40g")]
 pub(crate) struct CurveArgs {
-    /// Tests, with a header such as "static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]"
+    /// Table of tests with a header such as "static stress [kPa],drop height [mm],thickness
+    /// [mm],peak acceleration [g]"
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Drop height of the design, and of tests without such a column
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    drop_height: Option<String>,
-    /// Thickness of the design, and of tests without such a column
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    thickness: Option<String>,
+    /// Drop height of the design, and of tests in a file without that column
+    #[arg(long, positive = Dimension::Length)]
+    drop_height: Option<Given>,
+    /// Thickness of the design, and of tests in a file without that column
+    #[arg(long, positive = Dimension::Length)]
+    thickness: Option<Given>,
     /// Static stress of the design
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true, conflicts_with_all = ["mass", "area"])]
-    static_stress: Option<String>,
-    /// Mass on the cushion, with --area
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, requires = "area")]
-    mass: Option<String>,
-    /// Area of the cushion, with --mass
-    #[arg(long, value_name = "AREA", allow_hyphen_values = true, requires = "mass")]
-    area: Option<String>,
+    #[arg(long, positive = Dimension::Pressure, conflicts_with_all = ["mass", "area"])]
+    static_stress: Option<Given>,
+    /// Mass on the cushion; needs --area
+    #[arg(long, positive = Dimension::Mass, requires = "area")]
+    mass: Option<Given>,
+    /// Area of the cushion; needs --mass
+    #[arg(long, positive = Dimension::Area, requires = "mass")]
+    area: Option<Given>,
     /// Peak acceleration that must not be exceeded
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
-    limit: Option<String>,
+    #[arg(long, positive = Dimension::Acceleration)]
+    limit: Option<Given>,
 }
 
 pub(crate) fn run(args: &CurveArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let mut positive = |flag: &str, text: &Option<String>, dimension| values.positive(flag, text.as_deref(), dimension);
-    let drop_height_m = positive("--drop-height", &args.drop_height, Dimension::Length);
-    let thickness_m = positive("--thickness", &args.thickness, Dimension::Length);
-    let stated_pa = positive("--static-stress", &args.static_stress, Dimension::Pressure);
-    let mass = positive("--mass", &args.mass, Dimension::Mass);
-    let area = positive("--area", &args.area, Dimension::Area);
-    let limit_m_s2 = positive("--limit", &args.limit, Dimension::Acceleration);
+    let drop_height_m = values.read(&args.drop_height);
+    let thickness_m = values.read(&args.thickness);
+    let stated_pa = values.read(&args.static_stress);
+    let mass = values.read(&args.mass);
+    let area = values.read(&args.area);
+    let limit_m_s2 = values.read(&args.limit);
     values.finish()?;
     let static_stress_pa = stated_pa.or(mass.zip(area).map(|(mass, area)| mass * G0_M_S2 / area));
     let request = CurveRequest { drop_height_m, thickness_m, static_stress_pa, limit_m_s2 };
     let files = Files::begin(global, std::slice::from_ref(&args.file))?;
     let report = cushion_curve(&args.file, &request)?;
-    files.print(printer, "freestand.cushion-curve/1", &report, &report.warnings, || text(&report, &request))?;
+    files.print(printer, "freestand.cushion-curve/1", &report.facts, &report.warnings, || lines(&report.facts))?;
     Ok(Done::OK)
-}
-
-fn text(report: &CurveReport, request: &CurveRequest) -> String {
-    let si = |value: Option<f64>, dimension| value.map_or_else(|| "-".to_owned(), |value| format_si(value, dimension));
-    let [least, most] = report.tested_energies_j_m3;
-    let mut rows = vec![
-        (
-            "dynamic stress",
-            format!(
-                "{} exp({} m³/J · E)",
-                format_si(report.stress_pa, Dimension::Pressure),
-                significant(report.exponent_m3_j, 5)
-            ),
-        ),
-        ("tests, R²", format!("{}, {}", report.tests.len(), significant(report.r_squared_ratio, 4))),
-        ("energies of the tests", format!("{} to {} J/m³", significant(least, 4), significant(most, 4))),
-    ];
-    if report.best_static_stress_pa.is_some() {
-        rows.push(("best static stress", si(report.best_static_stress_pa, Dimension::Pressure)));
-        rows.push(("least peak", optional(report.best_peak_acceleration_g, 4, "g")));
-    }
-    if report.peak_acceleration_g.is_some() {
-        rows.push(("static stress", si(request.static_stress_pa, Dimension::Pressure)));
-        rows.push(("peak", optional(report.peak_acceleration_g, 4, "g")));
-    }
-    if request.limit_m_s2.is_some() {
-        rows.push(("limit", si(request.limit_m_s2, Dimension::Acceleration)));
-        rows.push(("thickness at this static stress", si(report.thickness_m, Dimension::Length)));
-        rows.push(("optimum thickness", si(report.optimum_thickness_m, Dimension::Length)));
-        rows.push(("static stress that it takes", si(report.optimum_static_stress_pa, Dimension::Pressure)));
-    }
-    pairs(&rows)
 }

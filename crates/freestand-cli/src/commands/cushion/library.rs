@@ -1,11 +1,9 @@
-//! `freestand cushion list|show|search`: what pads, feet and floors are likely to be.
-
-use std::path::Path;
+//! `freestand cushion list|show|search`: likely stiffnesses of pads, feet and floors.
 
 use clap::Args;
 use freestand_assess::library::{CushionEntry, CushionLibrary};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
+use freestand_input::words::{counted, number};
 use serde::Serialize;
 
 use super::Done;
@@ -15,10 +13,11 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 
-/// The cushion library: what pads, feet and floors are likely to be, as ranges
+/// Lists the cushion library: likely stiffnesses of pads, feet and floors, as ranges
 ///
-/// Priors for want of a test, never measurements: the range of one pad or foot, and its geometric mean. An inventory names an entry
-/// in its column cushion, or layers one on the other such as "rubber-foot + carpet-underlay".
+/// These are estimates for use without a test, never measurements: the range for one pad or foot,
+/// and its geometric mean. An inventory names an entry in its column cushion, or layers in series
+/// such as "rubber-foot + carpet-underlay".
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -33,20 +32,20 @@ pub(crate) struct ListArgs {
     library: LibraryArgs,
 }
 
-/// One entry of the cushion library with all its fields
+/// Shows one entry of the cushion library with all its fields
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion show rubber-foot")]
 pub(crate) struct ShowArgs {
-    /// The entry's id
+    /// Id of the entry
     #[arg(value_name = "ID")]
     id: String,
     #[command(flatten)]
     library: LibraryArgs,
 }
 
-/// Entries of the cushion library that have all of these words
+/// Lists entries of the cushion library that contain all of these words
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -64,25 +63,22 @@ struct Listed<'a> {
     entries: &'a [&'a CushionEntry],
 }
 
-fn library(path: Option<&Path>) -> Result<CushionLibrary, Failure> {
-    Ok(match path {
-        Some(path) => CushionLibrary::with_file(path)?,
-        None => CushionLibrary::builtin(),
-    })
+fn library(args: &LibraryArgs) -> Result<CushionLibrary, Failure> {
+    Ok(CushionLibrary::builtin().with_file(args.library.as_deref())?)
 }
 
 pub(crate) fn list(args: &ListArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let library = library(args.library.library.as_deref())?;
+    let library = library(&args.library)?;
     print(&args.library, &library, &library.entries().iter().collect::<Vec<_>>(), listed, (global, printer))
 }
 
 pub(crate) fn show(args: &ShowArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let library = library(args.library.library.as_deref())?;
+    let library = library(&args.library)?;
     print(&args.library, &library, &[library.get(&args.id)?], shown, (global, printer))
 }
 
 pub(crate) fn search(args: &SearchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let library = library(args.library.library.as_deref())?;
+    let library = library(&args.library)?;
     print(&args.library, &library, &library.search(&args.words), listed, (global, printer))
 }
 
@@ -101,7 +97,7 @@ fn print(
 
 fn listed(entries: &[&CushionEntry]) -> String {
     if entries.is_empty() {
-        return "nothing has all of these words\n".to_owned();
+        return "no entry contains all of these words\n".to_owned();
     }
     let row = |entry: &&CushionEntry| {
         vec![
@@ -113,12 +109,13 @@ fn listed(entries: &[&CushionEntry]) -> String {
             entry.source_words(),
         ]
     };
-    let headings = ["id", "range of one", "mean", "confidence", "item", "source"];
+    let headings = ["id", "range for one", "mean", "confidence", "item", "source"];
     let rows: Vec<_> = entries.iter().map(row).collect();
-    table(&headings, &rows) + &format!("{} entries; priors, none of them a measurement\n", entries.len())
+    let count = counted(rows.len(), "entry");
+    table(&headings, &rows) + &format!("{count}; estimates, not measurements\n")
 }
 
-/// Of a range that wide three digits are plenty.
+/// For so wide a range three digits are enough.
 fn mean(entry: &CushionEntry) -> String {
     format!("{} N/mm", number(entry.stiffness_n_m / 1e3, 3))
 }
@@ -132,17 +129,17 @@ fn one(entry: &CushionEntry) -> String {
     let rows = [
         ("id", text(&entry.id)),
         ("item", text(&entry.item)),
-        ("range of one", Some(entry.range_words())),
+        ("range for one", Some(entry.range_words())),
         ("geometric mean", Some(mean(entry))),
-        ("scatter of ln k", Some(format!("{} (the range is read as 16 to 84 %)", number(entry.log_sd, 3)))),
+        ("scatter of ln k", Some(format!("{} (the range is taken as 16 to 84 %)", number(entry.log_sd, 3)))),
         ("thickness", entry.thickness_m.map(|t| format_si(t, Dimension::Length))),
-        ("pads per edge", Some(format!("{} where nothing else is said", entry.pads_per_edge))),
+        ("pads per edge", Some(format!("{} unless the inventory gives another number", entry.pads_per_edge))),
         ("source", text(&entry.source)),
         ("edition", text(&entry.edition)),
         ("clause", text(&entry.clause)),
         ("page", text(&entry.page)),
         ("confidence", Some(format!("{}: {}", entry.confidence.name(), entry.confidence.description()))),
-        ("use", text("a prior, not a measurement: a drop test tells more")),
+        ("use", text("an estimate, not a measurement: a drop test is better")),
         ("note", text(&entry.note)),
         ("origin", text(&entry.origin)),
     ];

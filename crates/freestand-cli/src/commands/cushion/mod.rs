@@ -1,4 +1,4 @@
-//! `freestand cushion`: what a pad does, from tests of it, virtual tests, and a library of priors.
+//! `freestand cushion`: how a pad behaves, from tests, virtual tests and a library.
 
 mod curve;
 mod drop;
@@ -14,7 +14,7 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
 
-/// Cushions: drop tests, static tests, virtual tests, a library of priors
+/// Cushions: drop tests, static tests, virtual tests and a library of typical values
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -30,10 +30,10 @@ pub(crate) struct CushionArgs {
 #[derive(Debug, Subcommand)]
 enum CushionCommand {
     Drop(Box<drop::DropArgs>),
-    Static(static_test::StaticArgs),
+    Static(Box<static_test::StaticArgs>),
     Simulate(Box<simulate::SimulateArgs>),
-    Recovery(recovery::RecoveryArgs),
-    Curve(curve::CurveArgs),
+    Recovery(Box<recovery::RecoveryArgs>),
+    Curve(Box<curve::CurveArgs>),
     List(library::ListArgs),
     Show(library::ShowArgs),
     Search(library::SearchArgs),

@@ -2,77 +2,74 @@
 
 use clap::Args;
 use freestand::G0_M_S2;
-use freestand::cushion::{ContactLaw, Cushion};
-use freestand_input::quantity::{Dimension, parse_grid};
-use freestand_study::laboratory::virtual_test::{RecoveryRequest, RecoveryRow, recovery};
+use freestand_input::quantity::Dimension;
+use freestand_output::facts::Facts;
+use freestand_study::laboratory::virtual_test::{RecoveryRequest, recovery};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::printer::{Printer, optional, table};
-use crate::values::Values;
+use crate::printer::{Column, Printer, facts_table};
+use crate::values::{Given, Reads, Values};
 
-/// How well drop tests recover stiffness, exponent and damping: bias and coverage over rate, noise, bias, zero shift and law
+/// How well drop tests recover stiffness, exponent and damping, by sampling rate, noise, bias,
+/// zero shift and law
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion recovery
   freestand cushion recovery --drops 200 --samples-per-contact \"25, 50, 100, 200\" --noise \"0, 0.5 %, 2 %\"
 
-The pads are those of the worked example (0.365 kg from 100 mm): 2190 N/mm; 2e7 N/m^1.5; 2190 N/mm with a damping of 10 %;
-2e7 N/m^1.5 with 0.3 s/m. Every drop is one test with an interval of its own, told an impact velocity that is off by 1 %, at
-random. A bias of the whole record is taken out with the zero line and must change nothing; a shift at the peak does.")]
+The pads, under 0.365 kg from 100 mm: 2190 N/mm; 2e7 N/m^1.5; 2190 N/mm with a damping of 10 %;
+2e7 N/m^1.5 with 0.3 s/m. Every drop is a test of its own, with its own interval; the impact velocity
+that the test is told has a random error of 1 %. A bias of the whole record is removed with the zero
+line and must not change the result; a shift at the peak does.")]
 pub(crate) struct RecoveryArgs {
-    /// Drops in each cell
-    #[arg(long, value_name = "N", default_value = "100", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    drops: u32,
-    /// Samples per contact
-    #[arg(long, value_name = "LIST", default_value = "25, 50, 200", allow_hyphen_values = true)]
-    samples_per_contact: String,
-    /// Noise as a share of the peak
-    #[arg(long, value_name = "LIST", default_value = "0.5 %, 2 %", allow_hyphen_values = true)]
-    noise: String,
-    /// Bias of the whole record
-    #[arg(long, value_name = "LIST", default_value = "0 g, 5 g", allow_hyphen_values = true)]
-    bias: String,
-    /// Shift of the zero line at the peak, as a share of it
-    #[arg(long, value_name = "LIST", default_value = "0", allow_hyphen_values = true)]
-    zero_shift: String,
+    /// Number of drops for each combination [default: 100]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    drops: Option<u32>,
+    /// Samples per contact [default: 25, 50, 200]
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST")]
+    samples_per_contact: Option<Given<Vec<f64>>>,
+    /// Noise as a share of the peak [default: 0.5 %, 2 %]
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST")]
+    noise: Option<Given<Vec<f64>>>,
+    /// Bias of the whole record [default: 0 g, 5 g]
+    #[arg(long, grid = Dimension::Acceleration, value_name = "LIST")]
+    bias: Option<Given<Vec<f64>>>,
+    /// Shift of the zero line at the peak, as a share of the peak [default: 0]
+    #[arg(long, grid = Dimension::Ratio, value_name = "LIST")]
+    zero_shift: Option<Given<Vec<f64>>>,
 }
 
 #[derive(Debug, Serialize)]
 struct Report {
     seed: u64,
-    rows: Vec<RecoveryRow>,
+    rows: Vec<Facts<'static>>,
 }
 
 pub(crate) fn run(args: &RecoveryArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let mut list = |flag, text: &str, dimension| values.keep(flag, parse_grid(text, dimension)).unwrap_or_default();
-    let samples_per_contact = list("--samples-per-contact", &args.samples_per_contact, Dimension::Ratio);
-    let noise_ratios = list("--noise", &args.noise, Dimension::Ratio);
-    let biases = list("--bias", &args.bias, Dimension::Acceleration);
-    let zero_shift_ratios = list("--zero-shift", &args.zero_shift, Dimension::Ratio);
+    let usual = RecoveryRequest::worked_example()?;
+    let biases_g = values.read(&args.bias).map(|biases| biases.iter().map(|bias| bias / G0_M_S2).collect());
+    let request = RecoveryRequest {
+        samples_per_contact: values.read(&args.samples_per_contact).unwrap_or(usual.samples_per_contact),
+        noise_ratios: values.read(&args.noise).unwrap_or(usual.noise_ratios),
+        biases_g: biases_g.unwrap_or(usual.biases_g),
+        zero_shift_ratios: values.read(&args.zero_shift).unwrap_or(usual.zero_shift_ratios),
+        drops: args.drops.map_or(usual.drops, |drops| drops as usize),
+        seed: global.seed(),
+        ..usual
+    };
     values.finish()?;
-    let in_range = samples_per_contact.iter().all(|n| (2.0..=10_000.0).contains(n));
-    if !in_range || noise_ratios.iter().any(|n| !(0.0..=1.0).contains(n)) {
+    let in_range = request.samples_per_contact.iter().all(|n| (2.0..=10_000.0).contains(n));
+    if !in_range || request.noise_ratios.iter().any(|n| !(0.0..=1.0).contains(n)) {
         return Err(Failure::usage(
             "2 to 10000 samples per contact and a noise of 0 to 100 % are expected",
             "write \"25, 50, 200\" and \"0.5 %, 2 %\"",
         ));
     }
-    let request = RecoveryRequest {
-        cushions: cushions()?,
-        samples_per_contact,
-        noise_ratios,
-        biases_g: biases.iter().map(|bias| bias / G0_M_S2).collect(),
-        zero_shift_ratios,
-        drops: args.drops as usize,
-        mass_kg: MASS_KG,
-        speed_m_s: (0.2 * G0_M_S2).sqrt(),
-        seed: global.seed.unwrap_or(1),
-    };
     let cells = request.cushions.len() * request.samples_per_contact.len() * request.noise_ratios.len();
     let bar = printer.progress_bar(false);
     bar.set_length((cells * request.biases_g.len() * request.zero_shift_ratios.len()) as u64);
@@ -80,58 +77,21 @@ pub(crate) fn run(args: &RecoveryArgs, global: &GlobalArgs, printer: &Printer) -
     let rows = recovery(&request, &|done| bar.set_position(done as u64));
     bar.finish_and_clear();
     let report = Report { seed: request.seed, rows };
-    printer.result("freestand.cushion-recovery/1", &report, &[], || text(&report))?;
+    printer.result("freestand.cushion-recovery/1", &report, &[], || facts_table(&report.rows, &COLUMNS))?;
     Ok(Done::OK)
 }
 
-const MASS_KG: f64 = 0.365;
-
-fn cushions() -> Result<Vec<Cushion>, Failure> {
-    let (k, hertz) = (2.19e6_f64, 2e7);
-    let laws = [
-        ContactLaw::Linear { stiffness_n_m: k },
-        ContactLaw::Power { coefficient_n_mn: hertz, exponent: 1.5 },
-        ContactLaw::KelvinVoigt { stiffness_n_m: k, damping_n_s_m: 0.2 * (k * MASS_KG).sqrt() },
-        ContactLaw::HuntCrossley { coefficient_n_mn: hertz, exponent: 1.5, dissipation_s_m: 0.3 },
-    ];
-    laws.into_iter().map(|law| Cushion::new(law).map_err(|error| Failure::computation(error.to_string()))).collect()
-}
-
-fn text(report: &Report) -> String {
-    let headings = [
-        "law",
-        "samples",
-        "noise [%]",
-        "bias [g]",
-        "shift [%]",
-        "given",
-        "flagged",
-        "k bias [%]",
-        "k rms [%]",
-        "coverage [%]",
-        "n bias",
-        "zeta bias",
-    ];
-    let percent = |value: Option<f64>| optional(value.map(|v| 100.0 * v), 2, "");
-    let rows: Vec<Vec<String>> = report
-        .rows
-        .iter()
-        .map(|row| {
-            vec![
-                row.law.to_owned(),
-                row.samples_per_contact.to_string(),
-                (100.0 * row.noise_ratio).to_string(),
-                row.bias_g.to_string(),
-                (100.0 * row.zero_shift_ratio).to_string(),
-                row.given.to_string(),
-                row.flagged.to_string(),
-                percent(row.stiffness_bias_ratio),
-                percent(row.stiffness_rms_ratio),
-                optional(row.coverage_ratio.map(|v| 100.0 * v), 3, ""),
-                optional(row.exponent_bias, 2, ""),
-                optional(row.damping_bias, 2, ""),
-            ]
-        })
-        .collect();
-    table(&headings, &rows)
-}
+const COLUMNS: [Column; 12] = [
+    ("law", "law", 0),
+    ("samples_per_contact", "samples", 0),
+    ("noise_ratio", "noise [%]", 0),
+    ("bias_g", "bias [g]", 0),
+    ("zero_shift_ratio", "zero shift [%]", 0),
+    ("given", "given", 0),
+    ("flagged", "flagged", 0),
+    ("stiffness_bias_ratio", "stiffness bias [%]", 2),
+    ("stiffness_rms_ratio", "stiffness rms [%]", 2),
+    ("coverage_ratio", "coverage [%]", 3),
+    ("exponent_bias", "exponent bias", 2),
+    ("damping_bias", "damping bias", 2),
+];

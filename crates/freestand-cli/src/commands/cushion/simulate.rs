@@ -3,10 +3,11 @@
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::cushion::Cushion;
-use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
-use freestand_input::quantity::{Dimension, parse};
+use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
+use freestand_input::quantity::Dimension;
+use freestand_output::facts::Facts;
 use freestand_study::cushion::EdgeCushion;
-use freestand_study::laboratory::virtual_test::{drop_file, static_file};
+use freestand_study::laboratory::virtual_test::{ASSUMED_DAMPING, drop_file, static_file};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -14,107 +15,82 @@ use crate::commands::Done;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, print_text, table};
-use crate::values::Values;
+use crate::printer::{Column, Printer, facts_table, print_text};
+use crate::values::{Given, Reads, Values};
 
-/// Virtual drop tests (and static tests) of a cushion, with all that is wrong with real ones
+/// Virtual drop tests and static tests of a cushion, with the imperfections of real ones
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --noise 0.5% --bias 1g --count 5 --out drops
+  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm \\
+    --noise 0.5% --bias 1g --count 5 --out drops
   freestand cushion simulate --law hertz --stiffness \"2e7 N/m^1.5\" --mass 0.365kg --height 100mm > drop.csv
-  freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% --mass 0.365kg --height 100mm --bounces 1
+  freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% \\
+    --mass 0.365kg --height 100mm --bounces 1
   freestand cushion simulate --static --stiffness \"1100 N/mm\" --load \"1 kN\" --hysteresis 15% > press.csv
 
-Without --out the one file goes to standard output. The first touch falls between two samples; noise, touch and number of
-the drop follow from --seed.")]
+Without --out, the file is printed. The first touch lies between two samples. Its place and the noise
+depend on --seed and on the number of the test.")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     cushion: CushionArgs,
-    /// Mass that falls
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
-    mass: Option<String>,
-    /// Height of the fall
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    height: Option<String>,
+    /// Mass of the impactor
+    #[arg(long, positive = Dimension::Mass)]
+    mass: Option<Given>,
+    /// Drop height
+    #[arg(long, positive = Dimension::Length)]
+    height: Option<Given>,
     /// Samples per second [default: 50 per contact]
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true)]
-    sample_rate: Option<String>,
-    /// Standard deviation of white noise as a share of the peak (of the largest force in a static test)
-    #[arg(long, value_name = "RATIO", default_value = "0", allow_hyphen_values = true)]
-    noise: String,
-    /// Added to every sample
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
-    bias: Option<String>,
-    /// Shift of the zero line after the peak, as a share of it
-    #[arg(long, value_name = "RATIO", default_value = "0", allow_hyphen_values = true)]
-    zero_shift: String,
-    /// Corner of a low-pass of two poles before the converter
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true)]
-    filter_corner: Option<String>,
+    #[arg(long, positive = Dimension::Frequency)]
+    sample_rate: Option<Given>,
+    /// Standard deviation of white noise, as a share of the peak (in a static test, of the largest
+    /// force) [default: 0]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    noise: Option<Given>,
+    /// Bias added to every sample [default: 0 g]
+    #[arg(long, any = Dimension::Acceleration)]
+    bias: Option<Given>,
+    /// Shift of the zero line after the peak, as a share of the peak [default: 0]
+    #[arg(long, any = Dimension::Ratio)]
+    zero_shift: Option<Given>,
+    /// Corner frequency of a two-pole low-pass filter before the converter [default: no filter]
+    #[arg(long, positive = Dimension::Frequency)]
+    filter_corner: Option<Given>,
     /// Time before the first touch [default: 3 contacts]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    pre_trigger: Option<String>,
-    /// Bounces after the first contact
-    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(0..=20))]
+    #[arg(long, non_negative = Dimension::Time)]
+    pre_trigger: Option<Given>,
+    /// Number of bounces after the first contact
+    #[arg(long, value_name = "N", default_value = "0", value_parser = clap::value_parser!(u32).range(0..=20))]
     bounces: u32,
     /// Gravity during the contact [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true)]
-    gravity: Option<String>,
-    /// How many tests
-    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, non_negative = Dimension::Acceleration)]
+    gravity: Option<Given>,
+    /// Number of tests
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..=1000))]
     count: u32,
 
-    /// A static test
+    /// Simulate static tests instead of drops
     #[arg(long = "static", help_heading = "Static tests")]
     is_static: bool,
     /// Largest force [default: 1 kN]
-    #[arg(
-        long,
-        value_name = "FORCE",
-        allow_hyphen_values = true,
-        requires = "is_static",
-        help_heading = "Static tests"
-    )]
-    load: Option<String>,
-    /// Energy lost as a share of that of the way in
-    #[arg(long, value_name = "RATIO", default_value = "0", allow_hyphen_values = true, help_heading = "Static tests")]
-    hysteresis: String,
-    /// Slack before the pad is touched
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        requires = "is_static",
-        help_heading = "Static tests"
-    )]
-    slack: Option<String>,
-    /// Stiffness of the machine
-    #[arg(
-        long,
-        value_name = "STIFFNESS",
-        allow_hyphen_values = true,
-        requires = "is_static",
-        help_heading = "Static tests"
-    )]
-    machine_compliance: Option<String>,
+    #[arg(long, positive = Dimension::Force, requires = "is_static", help_heading = "Static tests")]
+    load: Option<Given>,
+    /// Energy lost as a share of the energy put in [default: 0]
+    #[arg(long, non_negative = Dimension::Ratio, help_heading = "Static tests")]
+    hysteresis: Option<Given>,
+    /// Slack before the pad is touched [default: 0 mm]
+    #[arg(long, non_negative = Dimension::Length, requires = "is_static", help_heading = "Static tests")]
+    slack: Option<Given>,
+    /// Stiffness of the machine [default: rigid]
+    #[arg(long, positive = Dimension::Stiffness, requires = "is_static", help_heading = "Static tests")]
+    machine_compliance: Option<Given>,
 }
 
 #[derive(Debug, Serialize)]
 struct Report {
     law: &'static str,
     seed: u64,
-    tests: Vec<Simulated>,
-}
-
-#[derive(Debug, Serialize)]
-struct Simulated {
-    name: String,
-    path: Option<String>,
-    peak_acceleration_g: Option<f64>,
-    contact_time_s: Option<f64>,
-    samples_per_contact: Option<f64>,
-    restitution_ratio: Option<f64>,
+    tests: Vec<Facts<'static>>,
 }
 
 const SCHEMA: &str = "freestand.cushion-simulate/1";
@@ -130,7 +106,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     if global.out.is_none() && args.count > 1 {
         return Err(Failure::usage("several tests need a folder", "give --out DIR"));
     }
-    let inputs: Vec<_> = args.cushion.inputs().cloned().collect();
+    let inputs = args.cushion.inputs();
     let files = Files::begin(global, &inputs)?;
     let mut tests = Vec::new();
     let mut first = String::new();
@@ -141,7 +117,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         }
         tests.push(one);
     }
-    let report = Report { law: cushion.law().name(), seed: global.seed.unwrap_or(1), tests };
+    let report = Report { law: cushion.law().name(), seed: global.seed(), tests };
     let is_file = !files.wanted() && !printer.json();
     files.finish(SCHEMA, &report, &notes)?;
     if is_file {
@@ -150,46 +126,31 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         printer.warn(&notes);
         return Ok(Done::OK);
     }
-    printer.result(SCHEMA, &report, &notes, || text(&report))?;
+    printer.result(SCHEMA, &report, &notes, || facts_table(&report.tests, &COLUMNS))?;
     Ok(Done::OK)
 }
 
-fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Result<(String, Simulated), Failure> {
-    let number = index + 1;
-    let missing = |name: String, path| Simulated {
-        name,
-        path,
-        peak_acceleration_g: None,
-        contact_time_s: None,
-        samples_per_contact: None,
-        restitution_ratio: None,
-    };
-    match plan {
+/// The file of a test, and its part of the document.
+fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Result<(String, Facts<'static>), Failure> {
+    let (kind, text, drop) = match plan {
         Plan::Drop(options) => {
             let (text, drop) = drop_file(cushion, &VirtualDropOptions { index, ..*options })?;
-            let name = format!("drop-{number:03}");
-            let path = files.write(&format!("{name}.csv"), || &text)?;
-            let one = Simulated {
-                peak_acceleration_g: Some(drop.peak_m_s2 / G0_M_S2),
-                contact_time_s: Some(drop.contact_s),
-                samples_per_contact: Some(drop.contact_s / drop.dt_s),
-                restitution_ratio: Some(drop.restitution_ratio),
-                ..missing(name, path)
-            };
-            Ok((text, one))
+            ("drop", text, Some(drop))
         }
-        Plan::Static(options) => {
-            let text = static_file(cushion, &VirtualStaticOptions { index, ..*options });
-            let name = format!("static-{number:03}");
-            let path = files.write(&format!("{name}.csv"), || &text)?;
-            Ok((text, missing(name, path)))
-        }
-    }
+        Plan::Static(options) => ("static", static_file(cushion, &VirtualStaticOptions { index, ..*options }), None),
+    };
+    let name = format!("{kind}-{:03}", index + 1);
+    let path = files.write(&format!("{name}.csv"), || &text)?;
+    let of = |value: fn(&VirtualDrop) -> f64| drop.as_ref().map(value);
+    let facts = Facts::default()
+        .key("name", name)
+        .key("path", path)
+        .key("peak_acceleration_g", of(|drop| drop.peak_m_s2 / G0_M_S2))
+        .key("contact_time_s", of(|drop| drop.contact_s))
+        .key("samples_per_contact", of(|drop| drop.contact_s / drop.dt_s))
+        .key("restitution_ratio", of(|drop| drop.restitution_ratio));
+    Ok((text, facts))
 }
-
-/// Damping of the virtual pads whose law has some and nobody says how much: those of `recovery`.
-const DAMPING: [(&str, &str, &str); 2] =
-    [("kelvin-voigt", "damping", "10 %"), ("hunt-crossley", "dissipation", "0.3 s/m")];
 
 /// The pad, and what was assumed of it.
 fn edge(
@@ -199,10 +160,10 @@ fn edge(
 ) -> Result<(Option<EdgeCushion>, Vec<String>), Failure> {
     let mut words = args.cushion.words(values)?;
     let mut assumed = Vec::new();
-    for (law, key, value) in DAMPING {
+    for (law, key, value) in ASSUMED_DAMPING {
         if words.get("law").is_some_and(|name| name == law) && words.get(key).is_none() {
             words.set(key, value);
-            assumed.push(format!("the {key} of the {law} pad is not given: {value}"));
+            assumed.push(format!("the {key} of the {law} pad is not given; {value} is assumed"));
         }
     }
     Ok((args.cushion.resolved(&words, mass_kg, values), assumed))
@@ -210,81 +171,58 @@ fn edge(
 
 fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<String>), Failure> {
     let mut values = Values::default();
-    let seed = global.seed.unwrap_or(1);
-    let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
-    let height = values.positive("--height", args.height.as_deref(), Dimension::Length);
-    let noise_ratio = values.non_negative("--noise", Some(&args.noise), Dimension::Ratio).unwrap_or(0.0);
+    let (mass, height) = (values.read(&args.mass), values.read(&args.height));
+    let noise = values.read(&args.noise);
     let (edge, assumed) = edge(args, mass, &mut values)?;
     let Some(edge) = edge else {
         values.finish()?;
         return Err(Failure::usage("there is no cushion", "give --stiffness, such as \"2190 N/mm\""));
     };
-    let cushion = edge.cushion;
+    let (cushion, notes) = (edge.cushion, [edge.notes, assumed].concat());
     if args.is_static {
+        let usual = VirtualStaticOptions::default();
         let options = VirtualStaticOptions {
-            max_force_n: values.positive("--load", args.load.as_deref(), Dimension::Force).unwrap_or(1000.0),
-            points: 201,
-            hysteresis_ratio: values
-                .non_negative("--hysteresis", Some(&args.hysteresis), Dimension::Ratio)
-                .unwrap_or(0.0),
-            toe_m: values.non_negative("--slack", args.slack.as_deref(), Dimension::Length).unwrap_or(0.0),
-            machine_stiffness_n_m: values.positive(
-                "--machine-compliance",
-                args.machine_compliance.as_deref(),
-                Dimension::Stiffness,
-            ),
-            noise_ratio,
-            seed,
-            index: 0,
+            max_force_n: values.read(&args.load).unwrap_or(usual.max_force_n),
+            hysteresis_ratio: values.read(&args.hysteresis).unwrap_or(usual.hysteresis_ratio),
+            toe_m: values.read(&args.slack).unwrap_or(usual.toe_m),
+            machine_stiffness_n_m: values.read(&args.machine_compliance),
+            noise_ratio: noise.unwrap_or(usual.noise_ratio),
+            seed: global.seed(),
+            ..usual
         };
         values.finish()?;
-        return Ok((cushion, Plan::Static(options), [edge.notes, assumed].concat()));
+        return Ok((cushion, Plan::Static(options), notes));
     }
-    let gravity = values.non_negative("--gravity", args.gravity.as_deref(), Dimension::Acceleration);
-    let rate = values.positive("--sample-rate", args.sample_rate.as_deref(), Dimension::Frequency);
-    let bias = values.any("--bias", args.bias.as_deref(), Dimension::Acceleration);
-    let zero_shift = values.keep("--zero-shift", parse(&args.zero_shift, Dimension::Ratio));
-    let corner = values.positive("--filter-corner", args.filter_corner.as_deref(), Dimension::Frequency);
-    let pre_trigger = values.non_negative("--pre-trigger", args.pre_trigger.as_deref(), Dimension::Time);
+    let gravity = values.read(&args.gravity);
+    let rate = values.read(&args.sample_rate);
+    let bias = values.read(&args.bias);
+    let zero_shift = values.read(&args.zero_shift);
+    let filter_corner_hz = values.read(&args.filter_corner);
+    let pre_trigger = values.read(&args.pre_trigger);
     values.finish()?;
     let (Some(mass_kg), Some(height_m)) = (mass, height) else {
         return Err(Failure::usage("a drop needs a mass and a height", "give --mass and --height, or --static"));
     };
-    let speed_m_s = (2.0 * G0_M_S2 * height_m).sqrt();
-    let contact_s = cushion.land(mass_kg, speed_m_s).duration_s;
+    let usual = VirtualDropOptions::from_height(&cushion, mass_kg, height_m);
     let options = VirtualDropOptions {
-        mass_kg,
-        speed_m_s,
-        gravity_m_s2: gravity.unwrap_or(G0_M_S2),
-        sample_rate_hz: rate.unwrap_or(50.0 / contact_s),
-        pre_trigger_s: pre_trigger.unwrap_or(3.0 * contact_s),
-        after_s: 4.0 * contact_s,
-        noise_ratio,
-        bias_m_s2: bias.unwrap_or(0.0),
-        zero_shift_ratio: zero_shift.unwrap_or(0.0),
-        filter_corner_hz: corner,
+        gravity_m_s2: gravity.unwrap_or(usual.gravity_m_s2),
+        sample_rate_hz: rate.unwrap_or(usual.sample_rate_hz),
+        pre_trigger_s: pre_trigger.unwrap_or(usual.pre_trigger_s),
+        noise_ratio: noise.unwrap_or(usual.noise_ratio),
+        bias_m_s2: bias.unwrap_or(usual.bias_m_s2),
+        zero_shift_ratio: zero_shift.unwrap_or(usual.zero_shift_ratio),
+        filter_corner_hz,
         bounces: args.bounces,
-        speed_error_ratio: 0.0,
-        seed,
-        index: 0,
+        seed: global.seed(),
+        ..usual
     };
-    Ok((cushion, Plan::Drop(options), [edge.notes, assumed].concat()))
+    Ok((cushion, Plan::Drop(options), notes))
 }
 
-fn text(report: &Report) -> String {
-    let headings = ["test", "peak [g]", "tc [ms]", "samples per contact", "e"];
-    let rows: Vec<Vec<String>> = report
-        .tests
-        .iter()
-        .map(|one| {
-            vec![
-                one.path.clone().unwrap_or_else(|| one.name.clone()),
-                optional(one.peak_acceleration_g, 5, ""),
-                optional(one.contact_time_s.map(|t| 1e3 * t), 5, ""),
-                optional(one.samples_per_contact, 4, ""),
-                optional(one.restitution_ratio, 4, ""),
-            ]
-        })
-        .collect();
-    table(&headings, &rows)
-}
+const COLUMNS: [Column; 5] = [
+    ("path", "test", 0),
+    ("peak_acceleration_g", "peak [g]", 5),
+    ("contact_time_s", "contact time [ms]", 5),
+    ("samples_per_contact", "samples per contact", 4),
+    ("restitution_ratio", "restitution", 4),
+];

@@ -2,91 +2,70 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
-use freestand_input::problem::Problem;
+use clap::Args;
 use freestand_input::quantity::Dimension;
-use freestand_study::laboratory::static_figure;
-use freestand_study::laboratory::static_test::{StaticRequest, StaticsReport, curve_csv, static_tests};
+use freestand_output::facts::Facts;
+use freestand_study::laboratory::static_test::{StaticReport, StaticRequest, StaticsReport, curve_csv, static_tests};
+use freestand_study::laboratory::{Failed, static_figure};
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, print_failure, significant, table};
-use crate::values::Values;
+use crate::printer::{Column, Printer, facts_table, failed_lines, print_failure};
+use crate::values::{Choices, Given, Reads, Values, choice};
 
-/// Static tests of a pad: tangent and secant stiffness at the working load, hysteresis
+/// Static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion static press.csv --load \"350 N\" --machine-compliance \"50 kN/mm\"
-  freestand cushion static glued.csv unglued.csv lubricated.csv --dynamic \"2190 N/mm\" --out static
+  freestand cushion static glued.csv unglued.csv lubricated.csv --dynamic \"2190 N/mm\" \\
+    --out static
 
-A file has columns of displacement and force with their units (displacement [mm],force [N]), both positive in compression,
-in the order of the test. Of several cycles the last full one is evaluated. The foot of the curve is cut off along the tangent at the working load, but for a sphere, whose
-curve has a foot of its own. The dynamic over static ratio is shown and never applied.")]
+A file has columns of displacement and force with their units (displacement [mm],force [N]), both
+positive in compression, in the order of the test. Of several cycles, the last complete one is
+evaluated. The toe of the curve is cut off along the tangent at the working load, except for a sphere,
+whose curve begins with a toe by nature. The ratio of dynamic to static stiffness is shown only.")]
 pub(crate) struct StaticArgs {
-    /// Files
+    /// Files with tests of one pad
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// Working load [default: half of the largest force]
-    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
-    load: Option<String>,
-    /// Stiffness of the machine's frame, whose give is taken from the displacement
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
-    machine_compliance: Option<String>,
-    /// Whether the foot of the curve is cut off [default: yes, but for a sphere]
-    #[arg(long, value_name = "WHEN")]
-    toe: Option<Toe>,
-    /// Shape of the impactor, over what the files say
-    #[arg(long, value_name = "SHAPE")]
-    impactor: Option<Impactor>,
-    /// Boundary of the pad, over what the files say
-    #[arg(long, value_name = "BOUNDARY")]
-    boundary: Option<Boundary>,
-    /// Dynamic stiffness from a drop test, to be set beside the secant
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
-    dynamic: Option<String>,
+    #[arg(long, positive = Dimension::Force)]
+    load: Option<Given>,
+    /// Stiffness of the frame of the machine, whose deformation is subtracted [default: rigid]
+    #[arg(long, positive = Dimension::Stiffness)]
+    machine_compliance: Option<Given>,
+    /// Whether to cut off the toe of the curve [default: cut, but keep for a sphere]
+    #[arg(long, value_name = "WHEN", value_parser = choice(TOES))]
+    toe: Option<bool>,
+    /// Shape of the impactor; replaces what the files state
+    #[arg(long, value_name = "SHAPE", value_parser = IMPACTORS)]
+    impactor: Option<String>,
+    /// Boundary of the pad; replaces what the files state
+    #[arg(long, value_name = "BOUNDARY", value_parser = BOUNDARIES)]
+    boundary: Option<String>,
+    /// Dynamic stiffness from a drop test, to compare with the secant stiffness
+    #[arg(long, positive = Dimension::Stiffness)]
+    dynamic: Option<Given>,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum Toe {
-    Cut,
-    Keep,
-}
+const TOES: Choices<bool> = &[(true, "cut", "The toe is cut off"), (false, "keep", "The toe is kept")];
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Impactor {
-    Flat,
-    Sphere,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(super) enum Boundary {
-    Glued,
-    Unglued,
-    Lubricated,
-}
-
-/// The name of a value in flags and files.
-pub(super) fn name<T: ValueEnum>(value: Option<&T>) -> Option<String> {
-    value.and_then(|value| value.to_possible_value()).map(|value| value.get_name().to_owned())
-}
+pub(super) const IMPACTORS: [&str; 2] = ["flat", "sphere"];
+pub(super) const BOUNDARIES: [&str; 3] = ["glued", "unglued", "lubricated"];
 
 pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let request = StaticRequest {
         files: args.files.clone(),
-        load_n: values.positive("--load", args.load.as_deref(), Dimension::Force),
-        machine_stiffness_n_m: values.positive(
-            "--machine-compliance",
-            args.machine_compliance.as_deref(),
-            Dimension::Stiffness,
-        ),
-        compensates_toe: args.toe.map(|toe| matches!(toe, Toe::Cut)),
-        impactor: name(args.impactor.as_ref()),
-        boundary: name(args.boundary.as_ref()),
-        dynamic_stiffness_n_m: values.positive("--dynamic", args.dynamic.as_deref(), Dimension::Stiffness),
+        load_n: values.read(&args.load),
+        machine_stiffness_n_m: values.read(&args.machine_compliance),
+        compensates_toe: args.toe,
+        impactor: args.impactor.clone(),
+        boundary: args.boundary.clone(),
+        dynamic_stiffness_n_m: values.read(&args.dynamic),
     };
     values.finish()?;
     let files = Files::begin(global, &args.files)?;
@@ -94,50 +73,26 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
     for (i, test) in report.tests.iter().enumerate() {
         files.write(&format!("curve-{:03}.csv", i + 1), || curve_csv(&test.test))?;
     }
-    if files.wanted() {
-        let figure = static_figure(&report).map_err(|error| Failure::computation(error.to_string()))?;
-        files.write("static.svg", || &figure.svg)?;
-        files.write("static.png", || &figure.png)?;
-    }
-    files.print(printer, "freestand.cushion-static/1", &report, &report.warnings, || text(&report))?;
-    let problems: Vec<Problem> = report.failed.iter().map(|one| one.problem.clone()).collect();
-    if !problems.is_empty() {
-        print_failure(&Failure::Problems(problems));
-    }
+    files.figure("static", || static_figure(&report))?;
+    files.print(printer, "freestand.cushion-static/1", &report.facts(), &report.warnings, || text(&report))?;
+    print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
     Ok(Done { criterion_met: report.failed.is_empty() })
 }
 
+const COLUMNS: [Column; 10] = [
+    ("path", "file", 0),
+    ("impactor", "impactor", 0),
+    ("boundary", "boundary", 0),
+    ("load_n", "load [N]", 4),
+    ("tangent_stiffness_n_m", "tangent [N/mm]", 4),
+    ("secant_stiffness_n_m", "secant [N/mm]", 4),
+    ("hysteresis_ratio", "hysteresis [%]", 3),
+    ("toe_m", "toe [mm]", 3),
+    ("exponent", "exponent", 3),
+    ("dynamic_over_static_ratio", "dynamic/static", 3),
+];
+
 fn text(report: &StaticsReport) -> String {
-    let headings = [
-        "file",
-        "impactor",
-        "boundary",
-        "load [N]",
-        "tangent [N/mm]",
-        "secant [N/mm]",
-        "hysteresis [%]",
-        "toe [mm]",
-        "n",
-        "dynamic/static",
-    ];
-    let rows: Vec<Vec<String>> = report
-        .tests
-        .iter()
-        .map(|test| {
-            vec![
-                test.path.clone(),
-                test.impactor.clone().unwrap_or_else(|| "-".to_owned()),
-                test.boundary.clone().unwrap_or_else(|| "-".to_owned()),
-                significant(test.load_n, 4),
-                significant(test.tangent_stiffness_n_m / 1e3, 4),
-                significant(test.secant_stiffness_n_m / 1e3, 4),
-                optional(test.hysteresis_ratio.map(|h| 100.0 * h), 3, ""),
-                significant(1e3 * test.toe_m, 3),
-                optional(test.exponent, 3, ""),
-                optional(test.dynamic_over_static_ratio, 3, ""),
-            ]
-        })
-        .collect();
-    let failed = report.failed.iter().map(|one| format!("failed: {}: {}\n", one.path, one.reason));
-    table(&headings, &rows) + &failed.collect::<String>()
+    let tests: Vec<Facts> = report.tests.iter().map(StaticReport::facts).collect();
+    facts_table(&tests, &COLUMNS) + &failed_lines(report.failed.iter().map(Failed::facts))
 }

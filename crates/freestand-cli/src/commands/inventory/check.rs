@@ -17,28 +17,28 @@ use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 use crate::reading::path_text;
 
-/// Reads an inventory and says what was understood; all problems at once
+/// Read an inventory and show how it was understood, with all its problems
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand inventory check objects.csv
   freestand inventory check register.xlsx --sheet \"Ward 3\" --json")]
 pub(crate) struct CheckArgs {
-    /// Inventory, CSV or XLSX
+    /// Inventory (CSV or XLSX)
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Sheet of a workbook [default: the first with headings of an inventory]
+    /// Sheet of the workbook [default: the first with headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
-    /// Tolerance library of your own (CSV), over the built-in one
-    #[arg(long, value_name = "LIBRARY.csv")]
+    /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
     library: Option<PathBuf>,
-    /// Cushion library of your own (CSV), over the built-in one
-    #[arg(long, value_name = "LIBRARY.csv")]
+    /// Your own cushion library (CSV); its entries replace built-in entries with the same id
+    #[arg(long, value_name = "FILE.csv")]
     cushion_library: Option<PathBuf>,
 }
 
-/// So many rows are shown.
+/// Number of rows that are shown.
 const SHOWN: usize = 10;
 
 #[derive(Debug, Serialize)]

@@ -14,16 +14,18 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::path_text;
 
-/// An inventory to CSV or XLSX, every cell kept: to a file, to --out, or CSV to standard output
+/// Convert an inventory to CSV or XLSX; every cell is kept
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Text that a spreadsheet would take for a formula (= + - @) gets a leading ' in CSV, which reading takes away again.
+Writes OUTFILE, or a file into the folder of --out; without either, CSV is printed. Text that a
+spreadsheet would read as a formula (= + - @) gets a leading ' in CSV, which is removed when the file
+is read again.
 
 Examples:
   freestand inventory convert objects.xlsx --to csv > objects.csv
   freestand inventory convert objects.csv --to xlsx objects.xlsx")]
 pub(crate) struct ConvertArgs {
-    /// Inventory, CSV or XLSX
+    /// Inventory (CSV or XLSX)
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// File to write
@@ -32,7 +34,7 @@ pub(crate) struct ConvertArgs {
     /// Format to write
     #[arg(long, value_enum)]
     to: Format,
-    /// Sheet of a workbook [default: the first with headings of an inventory]
+    /// Sheet of the workbook [default: the first with headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
 }

@@ -17,7 +17,7 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::path_text;
 
-/// Inventories of objects: a template to fill in, a check, CSV to XLSX and back
+/// Inventories of objects: a template to fill in, a check, and conversion between CSV and XLSX
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -78,7 +78,8 @@ impl Format {
     }
 }
 
-/// Where an inventory went: a file that is named, one in `--out`, or nowhere yet: its text is to be printed.
+/// Where an inventory went: a file that is named, one in `--out`, or nowhere yet: its text is to be
+/// printed.
 struct Placed {
     path: Option<String>,
     text: Option<String>,

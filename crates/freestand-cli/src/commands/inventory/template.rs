@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
 
-/// An inventory to fill in, with its units and three examples: CSV to standard output, or a file
+/// An inventory to fill in, with its units and three examples; printed as CSV without a file
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -21,13 +21,13 @@ Examples:
   freestand inventory template --xlsx objects.xlsx
   freestand inventory template --xlsx --out hospital")]
 pub(crate) struct TemplateArgs {
-    /// File to write; .xlsx makes it a workbook
+    /// File to write; a name that ends in .xlsx makes it a workbook
     #[arg(value_name = "FILE")]
     file: Option<PathBuf>,
-    /// A workbook, with a sheet that explains the columns
+    /// Write a workbook, with a sheet that explains the columns
     #[arg(long)]
     xlsx: bool,
-    /// CSV
+    /// Write CSV
     #[arg(long, conflicts_with = "xlsx")]
     csv: bool,
 }

@@ -3,7 +3,6 @@
 use clap::Args;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
-use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 use freestand_output::figure::Figure;
 use freestand_output::rows::columns_csv;
@@ -14,47 +13,38 @@ use serde::Serialize;
 use super::plot::failed;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::target::{TargetArgs, TargetReport};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
-/// Elastic spectrum of a code, 5 % damping
+/// Elastic response spectrum of a design code, for 5 % damping
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion code-spectrum --site De --city Melbourne
-  freestand motion code-spectrum --site Ce --hazard-factor 0.11 --return-period 2500 --periods \"0 s, 0.5 s, 1 s\" --json
-  freestand motion code-spectrum --code eurocode8 --spectrum-type 2 --site B --ground-acceleration 0.1g --parts
-  freestand motion code-spectrum --code nzs1170.5 --site C --hazard-factor 0.4 --parts --building-height \"30 m\" --out wellington")]
+  freestand motion code-spectrum --site Ce --hazard-factor 0.11 --return-period 2500 \\
+    --periods \"0 s, 0.5 s, 1 s\" --json
+  freestand motion code-spectrum --code eurocode8 --spectrum-type 2 --site B \\
+    --ground-acceleration 0.1g --parts
+  freestand motion code-spectrum --code nzs1170.5 --site C --hazard-factor 0.4 --parts \\
+    --building-height \"30 m\" --out wellington")]
 pub(crate) struct CodeSpectrumArgs {
     #[command(flatten)]
     target: TargetArgs,
-    /// Periods, from:to:count or a list [default: 0, 121 from 0.05 to 5 s and the corners of the code]
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    periods: Option<String>,
-    /// Adds the acceleration that the code gives a rigid part on each floor
+    /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
+    #[arg(long, grid = Dimension::Time)]
+    periods: Option<Given<Vec<f64>>>,
+    /// Add the acceleration that the code prescribes for a rigid part on each floor
     #[arg(long, help_heading = "Parts and components")]
     parts: bool,
-    /// Height of the building; AS 1170.4 and NZS 1170.5 ask for it
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        requires = "parts",
-        help_heading = "Parts and components"
-    )]
-    building_height: Option<String>,
-    /// Fundamental period of the building, for ASCE 7-22 [default: not known]
-    #[arg(
-        long,
-        value_name = "TIME",
-        allow_hyphen_values = true,
-        requires = "parts",
-        help_heading = "Parts and components"
-    )]
-    building_period: Option<String>,
+    /// Height of the building; needed by AS 1170.4 and NZS 1170.5
+    #[arg(long, positive = Dimension::Length, requires = "parts", help_heading = "Parts and components")]
+    building_height: Option<Given>,
+    /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
+    #[arg(long, positive = Dimension::Time, requires = "parts", help_heading = "Parts and components")]
+    building_period: Option<Given>,
 }
 
 #[derive(Debug, Serialize)]
@@ -106,7 +96,7 @@ pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printe
         vertical_sa_g,
         parts,
     };
-    let inputs: Vec<_> = args.target.inputs().cloned().collect();
+    let inputs = args.target.inputs();
     let files = Files::begin(global, &inputs)?;
     let mut columns: Vec<(&str, &[f64])> = vec![("period_s", &report.periods_s), ("sa_g", &report.sa_g)];
     columns.extend(report.vertical_sa_g.as_deref().map(|vertical| ("vertical_sa_g", vertical)));
@@ -121,11 +111,12 @@ pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printe
     Ok(Done::OK)
 }
 
-/// The periods that are asked for; without any the usual ones with the corners, as far as the spectrum goes.
+/// The periods that are asked for; without any the usual ones with the corners, as far as the
+/// spectrum goes.
 fn periods(args: &CodeSpectrumArgs, target: &Target, values: &mut Values) -> Vec<f64> {
     let spectrum = &target.spectrum;
     let (from_s, to_s) = (spectrum.shortest_period_s(), spectrum.longest_period_s().unwrap_or(f64::INFINITY));
-    let mut periods_s = super::periods(args.periods.as_deref(), values);
+    let mut periods_s = super::periods(&args.periods, values);
     if args.periods.is_none() {
         let last = periods_s.last().copied().unwrap_or(0.0);
         periods_s.extend(spectrum.corner_periods_s().into_iter().filter(|&corner| corner <= last));
@@ -135,12 +126,12 @@ fn periods(args: &CodeSpectrumArgs, target: &Target, values: &mut Values) -> Vec
         return periods_s;
     }
     if let Some(negative) = periods_s.iter().find(|&&period| period < 0.0) {
-        let problem = Problem::new(ProblemKind::Value, format!("--periods: a period of {negative} s is negative"));
-        values.push(problem.hint("give periods of 0 s or more"));
+        let message = format!("--periods: a period of {negative} s is negative");
+        values.push(problem(message, "give periods of 0 s or more"));
     } else if let Some(outside) = periods_s.iter().find(|period| !(from_s..=to_s).contains(*period)) {
         let message = format!("--periods: {outside} s lies outside of the table, which is from {from_s} s to {to_s} s");
-        let problem = Problem::new(ProblemKind::Value, message);
-        values.push(problem.hint("--beyond hold lets it go on: constant Sa below, constant displacement beyond"));
+        let hint = "--beyond hold lets it go on: constant Sa below, constant displacement beyond";
+        values.push(problem(message, hint));
     }
     periods_s
 }
@@ -165,17 +156,16 @@ fn picture(target: &Target, report: &CodeSpectrumReport) -> Result<Figure, Failu
 
 /// The floors from the ground to the roof by tenths.
 fn parts(args: &CodeSpectrumArgs, spectrum: &CodeSpectrum, values: &mut Values) -> Option<PartsReport> {
-    let height_m = values.positive("--building-height", args.building_height.as_deref(), Dimension::Length);
-    let period_s = values.positive("--building-period", args.building_period.as_deref(), Dimension::Time);
+    let height_m = values.read(&args.building_height);
+    let period_s = values.read(&args.building_period);
     let Some(clause) = clause(spectrum) else {
-        let problem = Problem::new(ProblemKind::Value, "--parts: a table has no clause for parts");
-        values.push(problem.hint("name a code with --code"));
+        values.push(problem("--parts: a table has no clause for parts", "name a code with --code"));
         return None;
     };
     let needs_height = matches!(spectrum, CodeSpectrum::As1170_4(_) | CodeSpectrum::Nzs1170_5(_));
     if needs_height && args.building_height.is_none() {
-        let problem = Problem::new(ProblemKind::Value, format!("--parts needs --building-height ({clause})"));
-        values.push(problem.hint("write --building-height \"30 m\""));
+        let message = format!("--parts needs --building-height ({clause})");
+        values.push(problem(message, "write --building-height \"30 m\""));
         return None;
     }
     let level = |tenth: u32| {

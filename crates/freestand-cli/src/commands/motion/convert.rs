@@ -15,14 +15,16 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::{ReadArgs, path_text};
 
-/// Records to CSV (m/s², every bit kept) or PEER AT2 (g, 8 digits): to --out, or one file to standard output
+/// Convert records to CSV (m/s², exact) or PEER AT2 (g, 8 digits)
+///
+/// Writes into the folder of --out; without it, the one motion is printed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion convert record.AT2 --to csv > record.csv
   freestand motion convert a.csv b.csv --to at2 --out converted")]
 pub(crate) struct ConvertArgs {
-    /// Record files
+    /// Records
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
     /// Format to write

@@ -4,23 +4,22 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
+use freestand_output::facts::Facts;
 use freestand_output::figure::Figure;
-use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, info};
+use freestand_study::inspect::{Failed, InfoReport, InfoRequest, MotionInfo, info};
 use rayon::prelude::*;
-use serde::Serialize;
 
 use super::plot::{PlotArgs, failed, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, print_failure, significant, table};
+use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failure};
 use crate::reading::ReadArgs;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
-/// What is in record files: every component with its peaks, intensities, durations and periods
+/// The content of records: peaks, intensities, durations and periods of every component
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -29,33 +28,25 @@ Examples:
   freestand motion info *.AT2 --height \"2 m\" --thickness \"500 mm\" --json
   freestand motion info *.AT2 --plot --out records
 
-Measures are of the motion after what is done to it; first and last values, mean and sum of JSON are as in the file, and
-processed_first_values_m_s2 and processed_last_values_m_s2 after. A file that fails hides no other: it is listed, and the
-exit status is 1.")]
-// Every component is looked into as it is: known but refused.
+Measures are those of the processed motion. In JSON, the first and last values, mean and sum are those
+of the file; processed_first_values_m_s2 and processed_last_values_m_s2 are those after processing.
+A file that cannot be read is listed after the others, and the exit status is 1.")]
+// Every component is measured as it is: the flag is known but refused.
 #[command(mut_arg("azimuth", |arg| arg.hide(true)))]
 pub(crate) struct InfoArgs {
-    /// Record files
+    /// Records
     #[arg(value_name = "FILE", required = true)]
     files: Vec<PathBuf>,
-    /// Height of a block, for what the motions are to it
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "thickness")]
-    height: Option<String>,
-    /// Thickness of the block in the plane of motion
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, requires = "height")]
-    thickness: Option<String>,
+    /// Height of a block, to see what the motions mean to it; needs --thickness
+    #[arg(long, positive = Dimension::Length, requires = "thickness")]
+    height: Option<Given>,
+    /// Thickness of the block in the plane of motion; needs --height
+    #[arg(long, positive = Dimension::Length, requires = "height")]
+    thickness: Option<Given>,
     #[command(flatten)]
     plot: PlotArgs,
     #[command(flatten)]
     read: ReadArgs,
-}
-
-#[derive(Debug, Serialize)]
-struct Document<'a> {
-    #[serde(flatten)]
-    report: &'a InfoReport,
-    /// The pictures that were written.
-    plots: Vec<String>,
 }
 
 pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
@@ -78,23 +69,18 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
         let csv = report.measures_csv()?;
         out.write("measures.csv", || csv)?;
     }
-    let document = Document { report: &report, plots };
-    out.print(printer, "freestand.motion-info/1", &document, &report.warnings, || text(&report))?;
-    let problems: Vec<Problem> = report.failed.iter().map(|one| one.problem.clone()).collect();
-    print_failure(&Failure::Problems(problems));
+    // The pictures that were written.
+    let facts = report.facts().key("plots", plots);
+    out.print(printer, "freestand.motion-info/1", &facts, &report.warnings, || text(&report, block.is_some()))?;
+    print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
     Ok(Done { criterion_met: report.failed.is_empty() })
 }
 
 fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
-    let height_m = values.positive("--height", args.height.as_deref(), Dimension::Length)?;
-    let thickness_m = values.positive("--thickness", args.thickness.as_deref(), Dimension::Length)?;
-    match Block::uniform(height_m, thickness_m) {
-        Ok(block) => Some(block),
-        Err(error) => {
-            values.push(Problem::new(ProblemKind::Value, error.to_string()).hint("check the sizes of the object"));
-            None
-        }
-    }
+    let height_m = values.read(&args.height)?;
+    let thickness_m = values.read(&args.thickness)?;
+    let block = Block::uniform(height_m, thickness_m);
+    values.take(block.map_err(|error| problem(error.to_string(), "check the sizes of the object")))
 }
 
 fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
@@ -106,119 +92,30 @@ fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
     drawn.into_iter().collect::<Result<_, _>>().map_err(failed)
 }
 
-fn text(report: &InfoReport) -> String {
-    let motions = match report.motions.as_slice() {
-        [one] => one_motion(one),
-        several => many_motions(several),
-    };
-    let failed = report.failed.iter().map(|one| format!("failed: {}: {}\n", one.path, one.reason));
-    motions + &failed.collect::<String>()
+fn text(report: &InfoReport, has_block: bool) -> String {
+    let motions: Vec<Facts> = report.motions.iter().map(MotionInfo::facts).collect();
+    let columns = if has_block { &COLUMNS[..] } else { &COLUMNS[..COLUMNS.len() - 3] };
+    let text = if let [one] = motions.as_slice() { lines(one) } else { facts_table(&motions, columns) };
+    text + &failed_lines(report.failed.iter().map(Failed::facts))
 }
 
-/// One motion from top to bottom.
-fn one_motion(one: &MotionInfo) -> String {
-    let with = |value: f64, unit: &str| format!("{} {unit}", significant(value, 4));
-    let direction = match (one.direction, one.azimuth_deg) {
-        (_, Some(degrees)) => format!("{degrees} deg from north"),
-        (Some(direction), None) => direction.to_owned(),
-        (None, None) => "-".to_owned(),
-    };
-    let mut rows = vec![
-        ("file", one.path.clone()),
-        ("format", one.format.to_owned()),
-        ("component", one.component.clone()),
-        ("station", one.station.clone().unwrap_or_else(|| "-".to_owned())),
-        ("direction", direction),
-        ("samples", format!("{} every {} s: {}", one.npts, one.dt_s, with(one.duration_s, "s"))),
-        ("unit in the file", format!("{}{}", one.unit, if one.is_raw { ", raw" } else { "" })),
-        ("processing", if one.processing.is_empty() { "none".to_owned() } else { one.processing.join("; ") }),
-        (
-            "PGA",
-            format!(
-                "{} ({}) at {} s",
-                with(one.pga_g, "g"),
-                with(one.pga_signed_m_s2, "m/s2"),
-                significant(one.pga_time_s, 4)
-            ),
-        ),
-        ("PGV", with(one.pgv_m_s, "m/s")),
-        ("PGD", with(one.pgd_m, "m")),
-        ("RMS acceleration", with(one.rms_m_s2, "m/s2")),
-        ("Arias intensity", with(one.arias_m_s, "m/s")),
-        ("CAV", with(one.cav_m_s, "m/s")),
-        ("CAV, standardised", with(one.cav_std_m_s, "m/s")),
-        ("specific energy", with(one.specific_energy_density_m2_s, "m2/s")),
-        ("D5-75", with(one.d5_75_s, "s")),
-        ("D5-95", with(one.d5_95_s, "s")),
-        ("bracketed, 0.05 g", with(one.bracketed_duration_s, "s")),
-        ("uniform, 0.05 g", with(one.uniform_duration_s, "s")),
-        ("Housner intensity", with(one.housner_m, "m")),
-        ("ASI", with(one.asi_m_s, "m/s")),
-        ("mean period", optional(one.mean_period_s, 4, "s")),
-        ("predominant period", optional(one.predominant_period_s, 4, "s")),
-    ];
-    if one.uplift_threshold_g.is_some() {
-        let excursions = one.excursions_above_threshold.unwrap_or(0);
-        rows.extend([
-            ("uplift at g tan a", optional(one.uplift_threshold_g, 4, "g")),
-            ("PGA/(g tan a)", optional(one.pga_over_threshold_ratio, 4, "")),
-            ("p PGV/(g tan a)", optional(one.pgv_over_threshold_ratio, 4, "")),
-            ("time above", format!("{} in {excursions} excursions", optional(one.time_above_threshold_s, 4, "s"))),
-        ]);
-    }
-    pairs(&rows)
-}
-
-/// Many motions, one a line.
-fn many_motions(motions: &[MotionInfo]) -> String {
-    let mut headings = vec![
-        "file",
-        "format",
-        "component",
-        "unit",
-        "dt [s]",
-        "npts",
-        "PGA [g]",
-        "PGV [m/s]",
-        "PGD [m]",
-        "Arias [m/s]",
-        "CAV [m/s]",
-        "D5-95 [s]",
-        "SI [m]",
-        "Tm [s]",
-    ];
-    let with_block = motions.iter().any(|one| one.uplift_threshold_g.is_some());
-    if with_block {
-        headings.extend(["PGA/(g tan a)", "p PGV/(g tan a)", "above [s]"]);
-    }
-    let rows: Vec<Vec<String>> = motions
-        .iter()
-        .map(|one| {
-            let mut row = vec![
-                one.path.clone(),
-                one.format.to_owned(),
-                one.component.clone(),
-                one.unit.to_owned(),
-                one.dt_s.to_string(),
-                one.npts.to_string(),
-                significant(one.pga_g, 4),
-                significant(one.pgv_m_s, 4),
-                significant(one.pgd_m, 4),
-                significant(one.arias_m_s, 4),
-                significant(one.cav_m_s, 4),
-                significant(one.d5_95_s, 4),
-                significant(one.housner_m, 4),
-                optional(one.mean_period_s, 4, ""),
-            ];
-            if with_block {
-                row.extend([
-                    optional(one.pga_over_threshold_ratio, 4, ""),
-                    optional(one.pgv_over_threshold_ratio, 4, ""),
-                    optional(one.time_above_threshold_s, 4, ""),
-                ]);
-            }
-            row
-        })
-        .collect();
-    table(&headings, &rows)
-}
+/// What is read of several motions; the last three are of a block.
+const COLUMNS: [Column; 17] = [
+    ("path", "file", 0),
+    ("format", "format", 0),
+    ("component", "component", 0),
+    ("unit", "unit", 0),
+    ("dt_s", "dt [s]", 0),
+    ("npts", "npts", 0),
+    ("pga_g", "PGA [g]", 4),
+    ("pgv_m_s", "PGV [m/s]", 4),
+    ("pgd_m", "PGD [m]", 4),
+    ("arias_m_s", "Arias [m/s]", 4),
+    ("cav_m_s", "CAV [m/s]", 4),
+    ("d5_95_s", "D5-95 [s]", 4),
+    ("housner_m", "Housner [m]", 4),
+    ("mean_period_s", "mean period [s]", 4),
+    ("pga_over_threshold_ratio", "PGA/(g tan α)", 4),
+    ("pgv_over_threshold_ratio", "p PGV/(g tan α)", 4),
+    ("time_above_threshold_s", "above [s]", 4),
+];

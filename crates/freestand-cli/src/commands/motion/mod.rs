@@ -11,14 +11,17 @@ mod simulate;
 mod spectrum;
 mod synth;
 
+use clap::builder::RangedI64ValueParser;
 use clap::{Args, Subcommand};
+use freestand_study::resolve::MAX_MOTIONS;
 
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
+use crate::values::{Given, Values};
 
-/// Ground and floor motions: read, measure, convert, turn, synthesise, match, simulate
+/// Ground and floor motions: read, measure, convert, rotate, synthesise, match and simulate
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -57,10 +60,14 @@ pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> 
     }
 }
 
-/// Periods of a spectrum: as asked for, or those that synthetic motions are matched at with T = 0 before them.
-pub(super) fn periods(text: Option<&str>, values: &mut crate::values::Values) -> Vec<f64> {
-    match text {
-        Some(text) => values.grid("--periods", text, freestand_input::quantity::Dimension::Time).unwrap_or_default(),
-        None => std::iter::once(0.0).chain(freestand::synthesis::matched_periods_s()).collect(),
-    }
+/// How many motions a command makes at once.
+fn motions() -> RangedI64ValueParser<u64> {
+    RangedI64ValueParser::new().range(1..=MAX_MOTIONS.cast_signed())
+}
+
+/// Periods of a spectrum: as asked for, or those that synthetic motions are matched at with T = 0
+/// before them.
+pub(super) fn periods(given: &Option<Given<Vec<f64>>>, values: &mut Values) -> Vec<f64> {
+    let usual = || std::iter::once(0.0).chain(freestand::synthesis::matched_periods_s()).collect();
+    values.read(given).unwrap_or_else(usual)
 }

@@ -3,27 +3,35 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_input::quantity::Dimension;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_grid};
+use freestand_records::processing::azimuth_deg;
 use freestand_study::pair::PairFiles;
 
 use crate::failure::problem;
-use crate::reading::{ReadArgs, two_names};
-use crate::values::Values;
+use crate::reading::ReadArgs;
+use crate::values::{Given, Reads, Values, two_names};
 
 /// Two horizontal components.
 #[derive(Debug, Args)]
-// A pair is never turned as it is read; the flag stays known so that its error says what to do instead.
+// A pair is never rotated while it is read; the flag is known so that its error can say what to do.
 #[command(
     mut_arg("azimuth", |arg| arg.hide(true)),
-    mut_arg("component", |arg| arg.help("The component of each of two files with several: its name or its number from 1"))
+    mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
 )]
 pub(super) struct PairArgs {
-    /// A record file with two horizontal components, or two files with one each
+    /// A record with two horizontal components, or two records with one each
     #[arg(value_name = "FILE", required = true, num_args = 1..=2)]
     pub(super) files: Vec<PathBuf>,
-    /// The two components of one file with several: their names or numbers, such as "1, 2"
-    #[arg(long, value_name = "NAME, NAME", conflicts_with = "component", help_heading = "Reading records")]
-    components: Option<String>,
+    /// The two components to read from one file with several: names or numbers, such as "1, 2"
+    #[arg(
+        long,
+        value_name = "NAME, NAME",
+        read = two_names,
+        conflicts_with = "component",
+        help_heading = "Reading records"
+    )]
+    components: Option<Given<(String, String)>>,
     #[command(flatten)]
     read: ReadArgs,
 }
@@ -31,32 +39,19 @@ pub(super) struct PairArgs {
 impl PairArgs {
     /// What is to be read; what is wrong goes into `values`.
     pub(super) fn request(&self, values: &mut Values) -> PairFiles {
-        PairFiles { files: self.read.files(&self.files, values), components: self.called(values) }
+        PairFiles { files: self.read.files(&self.files, values), components: values.read(&self.components) }
     }
 
     /// The files that are read.
     pub(super) fn inputs(&self) -> Vec<PathBuf> {
         self.read.inputs(&self.files)
     }
-
-    fn called(&self, values: &mut Values) -> Option<(String, String)> {
-        let text = self.components.as_deref()?;
-        let both = two_names(text);
-        if both.is_none() {
-            let message = format!("--components: two are expected, not \"{text}\"");
-            values.push(problem(message, "write \"1, 2\", or \"N-S, E-W\""));
-        }
-        both
-    }
 }
 
 /// Two azimuths \[degrees\], `"0 deg, 90 deg"`.
-pub(super) fn azimuths(text: Option<&str>, values: &mut Values) -> Option<(f64, f64)> {
-    let list = values.grid("--azimuths", text?, Dimension::Angle)?;
-    if let [first, second] = list[..] {
-        let degrees = freestand_records::processing::azimuth_deg;
-        return Some((degrees(first), degrees(second)));
+pub(super) fn azimuths(text: &str) -> Result<(f64, f64), Problem> {
+    match parse_grid(text, Dimension::Angle)?[..] {
+        [first, second] => Ok((azimuth_deg(first), azimuth_deg(second))),
+        _ => Err(problem("two angles are expected", "write \"0 deg, 90 deg\", clockwise from north")),
     }
-    values.push(problem("--azimuths: two angles are expected", "write \"0 deg, 90 deg\", clockwise from north"));
-    None
 }

@@ -14,7 +14,7 @@ use crate::reading::path_text;
 /// Whether and where to draw.
 #[derive(Debug, Args)]
 pub(super) struct PlotArgs {
-    /// Draw it: to FILE.svg or FILE.png, or without a name as both into the folder of --out
+    /// Draw a figure: FILE.svg or FILE.png, or without a name both of them in the folder of --out
     #[arg(long, value_name = "FILE", num_args = 0..=1)]
     plot: Option<Option<PathBuf>>,
 }

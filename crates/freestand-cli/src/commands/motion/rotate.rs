@@ -1,4 +1,4 @@
-//! `freestand motion rotate`: the component at another azimuth.
+//! `freestand motion rotate`: the motion in another direction.
 
 use clap::Args;
 use freestand_input::quantity::Dimension;
@@ -13,23 +13,26 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
-/// The component at another azimuth, of two horizontal ones: to --out, or to standard output
+/// Rotate two horizontal components to the one at another azimuth
+///
+/// Writes into the folder of --out; without it, the motion is printed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion rotate record.v2 --to \"30 deg\" > record-30.csv
-  freestand motion rotate north.AT2 east.AT2 --azimuths \"0 deg, 90 deg\" --to \"30 deg\" --format at2 --out turned")]
+  freestand motion rotate north.AT2 east.AT2 --azimuths \"0 deg, 90 deg\" --to \"30 deg\" \\
+    --format at2 --out rotated")]
 pub(crate) struct RotateArgs {
     #[command(flatten)]
     pair: PairArgs,
-    /// Azimuth to turn to, clockwise from north
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
-    to: String,
-    /// Azimuths of the two components [default: as the files state them]
-    #[arg(long, value_name = "ANGLE, ANGLE", allow_hyphen_values = true)]
-    azimuths: Option<String>,
+    /// Azimuth of the new component, clockwise from north
+    #[arg(long, any = Dimension::Angle)]
+    to: Given,
+    /// Azimuths of the two components [default: those stated in the files]
+    #[arg(long, value_name = "ANGLE, ANGLE", read = azimuths)]
+    azimuths: Option<Given<(f64, f64)>>,
     /// Format to write
     #[arg(long, value_enum, default_value = "csv")]
     format: Target,
@@ -44,8 +47,8 @@ struct RotateReport {
 
 pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let to = values.any("--to", Some(&args.to), Dimension::Angle);
-    let azimuths_deg = azimuths(args.azimuths.as_deref(), &mut values);
+    let to = values.read(&args.to);
+    let azimuths_deg = values.read(&args.azimuths);
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;

@@ -1,7 +1,9 @@
 //! `freestand motion rotd`: response spectra over all horizontal directions.
 
 use clap::Args;
-use freestand_input::quantity::Dimension;
+use freestand::synthesis::DAMPING_RATIO;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{RotdReport, RotdRequest, rotd};
 use freestand_study::pair::read_pair;
 
@@ -11,15 +13,17 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
-/// Response spectra over all horizontal directions (RotDnn), larger and geometric mean of two components
+/// Response spectra over all horizontal directions (RotDnn)
+///
+/// Also gives the larger and the geometric mean of the two components.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion rotd record.v2 --periods \"0.05 s:3 s:60\"
   freestand motion rotd north.AT2 east.AT2 --percentiles \"0, 50, 100\" --damping 2% --json")]
-// Two components have no one factor to a target: these are known but refused.
+// Two components have no common factor to a target: these are known but refused.
 #[command(
     mut_arg("scale_to", |arg| arg.hide(true)),
     mut_arg("scale_to_sa", |arg| arg.hide(true)),
@@ -29,31 +33,34 @@ pub(crate) struct RotdArgs {
     #[command(flatten)]
     pair: PairArgs,
     /// Percentiles over the directions: 50 is the median, 100 the largest
-    #[arg(long, value_name = "LIST", default_value = "50, 100", allow_hyphen_values = true)]
-    percentiles: String,
-    /// Damping ratio
-    #[arg(long, value_name = "RATIO", default_value = "5 %", allow_hyphen_values = true)]
-    damping: String,
-    /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    periods: Option<String>,
+    #[arg(long, value_name = "LIST", read = percentiles, default_value = "50, 100")]
+    percentiles: Given<Vec<f64>>,
+    /// Damping ratio [default: 5 %]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    damping: Option<Given>,
+    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+    #[arg(long, grid = Dimension::Time)]
+    periods: Option<Given<Vec<f64>>>,
 }
 
 pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let damping = values.non_negative("--damping", Some(&args.damping), Dimension::Ratio);
-    let periods_s = super::periods(args.periods.as_deref(), &mut values);
-    let percentiles =
-        values.grid("--percentiles", &args.percentiles.replace('%', ""), Dimension::Ratio).unwrap_or_default();
+    let damping = values.read(&args.damping);
+    let periods_s = super::periods(&args.periods, &mut values);
+    let percentiles = values.read(&args.percentiles).unwrap_or_default();
     let pair = args.pair.request(&mut values);
     values.finish()?;
     let read = read_pair(&pair).map_err(Failure::Problems)?;
-    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(0.05), periods_s, percentiles })?;
+    let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(DAMPING_RATIO), periods_s, percentiles })?;
     let files = Files::begin(global, &args.pair.inputs())?;
     let csv = report.csv()?;
     files.write("rotd.csv", || csv)?;
     files.print(printer, "freestand.motion-rotd/1", &report, &report.warnings, || text(&report))?;
     Ok(Done::OK)
+}
+
+fn percentiles(text: &str) -> Result<Vec<f64>, Problem> {
+    parse_grid(&text.replace('%', ""), Dimension::Ratio)
 }
 
 fn text(report: &RotdReport) -> String {

@@ -1,128 +1,115 @@
-//! `freestand motion simulate`: motions from a magnitude and a distance, or from a city and a return period.
+//! `freestand motion simulate`: motions from a magnitude and a distance, or from a city and a
+//! return period.
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::code_spectrum::SiteClass;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
-use freestand_input::keys::KeyStyle;
+use freestand_input::keys;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::simulated::{
-    Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, SourceProblem, SourceWords, city_rock, simulate,
+    DEFAULT_SITE, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, city_rock, read_source, simulate,
 };
-use freestand_study::target::Target;
+use freestand_study::study::DEFAULT_MOTIONS;
+use freestand_study::target::{DEFAULT_YEARS, Target};
 
+use super::motions;
 use super::plot::failed;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::keys::{Key, KeySet, Keys, key, switch};
 use crate::printer::{Printer, significant, table};
 
-/// Motions of a stochastic point source: a magnitude at a distance, or those that a city's code spectrum stands for
+/// Ground motions simulated with a stochastic point source
+///
+/// For a magnitude at a distance, or for earthquakes that agree with the code spectrum of a city.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion simulate --magnitude 6 --distance \"30 km\" --count 10 --seed 1 --out motions
-  freestand motion simulate --magnitude 6.5 --distance \"45 km\" --preset se-australia --stress-drop \"50 MPa\" --json
+  freestand motion simulate --magnitude 6.5 --distance \"45 km\" \\
+    --preset se-australia --stress-drop \"50 MPa\" --json
   freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 --out motions")]
 pub(crate) struct SimulateArgs {
-    /// Moment magnitude; with --city: that one instead of 5.5, 6, 6.5 and 7
-    #[arg(long, value_name = "M", allow_hyphen_values = true, required_unless_present = "city")]
+    /// Moment magnitude [default with --city: 5.5, 6, 6.5 and 7]
+    #[arg(long, value_name = "M", required_unless_present = "city")]
     magnitude: Option<String>,
     /// Distance from the source to the site
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, required_unless_present = "city")]
+    #[arg(long, value_name = "LENGTH", required_unless_present = "city")]
     distance: Option<String>,
-    /// Look for the distances at which the mean spectrum meets this place's rock spectrum (AS 1170.4)
+    /// Find the distances at which the mean spectrum agrees with the rock spectrum of this city
+    /// (AS 1170.4)
     #[arg(long, value_name = "NAME", conflicts_with = "distance")]
     city: Option<String>,
-    /// Return period in years, with --city [default: 500]
-    #[arg(long, value_name = "YEARS", allow_negative_numbers = true)]
+    /// Return period in years; needs --city [default: 500]
+    #[arg(long, value_name = "YEARS")]
     return_period: Option<u32>,
-    /// Ground at the site, a class of AS 1170.4; other than Be: amplitudes times the ratio of the code's spectra
-    #[arg(long, value_name = "CLASS", default_value = "Be")]
+    /// Site class of AS 1170.4; for other classes than Be, amplitudes are multiplied by the ratio
+    /// of the code spectra
+    #[arg(long, value_name = "CLASS", default_value = DEFAULT_SITE.name())]
     site: String,
-    /// How many motions of each earthquake
-    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
-    count: u32,
+    /// Number of motions of each earthquake
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
+    count: u64,
     #[command(flatten)]
-    source: SourceArgs,
-    /// Time step
-    #[arg(
-        long,
-        value_name = "TIME",
-        default_value = "0.005 s",
-        allow_hyphen_values = true,
-        help_heading = "The motion"
-    )]
-    time_step: String,
-    /// Corner of the acausal low cut
-    #[arg(
-        long,
-        value_name = "FREQUENCY",
-        default_value = "0.05 Hz",
-        allow_hyphen_values = true,
-        help_heading = "The motion"
-    )]
-    low_cut: String,
+    source: Keys<SourceKeys>,
 }
 
-/// The crust, and what is changed in it.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "The source and the crust")]
-struct SourceArgs {
-    /// Parameters that belong together: victoria (or melbourne), intraplate, se-australia
-    #[arg(long, value_name = "NAME", default_value = "victoria")]
-    preset: String,
-    /// Stress drop, such as "200 bar" or "23 MPa" [default: the preset's]
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    stress_drop: Option<String>,
-    /// κ0, the loss near the surface [default: the preset's]
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
-    kappa: Option<String>,
-    /// Shape of the source spectrum [default: the preset's]
-    #[arg(long, value_enum)]
-    source_spectrum: Option<SpectrumName>,
-    /// Duration along the path [default: the preset's]
-    #[arg(long, value_enum)]
-    path_duration: Option<PathName>,
-    /// How shaking rises and falls [default: the preset's]
-    #[arg(long, value_enum)]
-    window: Option<WindowName>,
-    /// No amplification by the crust
-    #[arg(long)]
-    hard_rock: bool,
-}
+#[derive(Debug, Clone)]
+struct SourceKeys;
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum SpectrumName {
-    /// Brune's
-    SingleCorner,
-    /// Of Atkinson and Boore (1995)
-    TwoCorner,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum PathName {
-    /// 0.05 s for each km
-    Boore,
-    /// Of Atkinson and Boore (1995)
-    AtkinsonBoore,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum WindowName {
-    /// Of Lam, Wilson and Hutchinson (2000)
-    Lam,
-    /// Of Saragoni and Hart (1974)
-    SaragoniHart,
+impl KeySet for SourceKeys {
+    const KEYS: &'static [(&'static str, &'static [Key])] = &[
+        (
+            "The source and the crust",
+            &[
+                key(
+                    "preset",
+                    "NAME",
+                    "Set of parameters: victoria (or melbourne), intraplate, se-australia [default: victoria]",
+                ),
+                key(
+                    "stress_drop",
+                    "PRESSURE",
+                    "Stress drop, such as \"200 bar\" or \"23 MPa\" [default: the preset's]",
+                ),
+                key("kappa", "TIME", "κ0, the attenuation near the surface [default: the preset's]"),
+                key(
+                    "source_spectrum",
+                    "SHAPE",
+                    "Shape of the source spectrum: single-corner (Brune), two-corner (Atkinson and Boore 1995) \
+                     [default: the preset's]",
+                ),
+                key(
+                    "path_duration",
+                    "NAME",
+                    "Duration along the path: boore (0.05 s per km), atkinson-boore (1995) [default: the preset's]",
+                ),
+                key(
+                    "window",
+                    "NAME",
+                    "Window of the shaking: lam (Lam, Wilson and Hutchinson 2000), saragoni-hart (1974) \
+                     [default: the preset's]",
+                ),
+                switch("hard_rock", "No amplification by the crust"),
+            ],
+        ),
+        (
+            "The motion",
+            &[
+                key("time_step", "TIME", "Time step [default: 0.005 s]"),
+                key("low_cut", "FREQUENCY", "Corner frequency of the acausal high-pass filter [default: 0.05 Hz]"),
+            ],
+        ),
+    ];
 }
 
 const SCHEMA: &str = "freestand.motion-simulate/1";
-/// Return period where none is given.
-const USUAL_YEARS: u32 = 500;
 
 pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     // `requires` of clap is silent here: --city itself excludes --distance.
@@ -132,7 +119,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
             "give --city, or leave it out",
         ));
     }
-    let years = args.return_period.unwrap_or(USUAL_YEARS);
+    let years = args.return_period.unwrap_or(DEFAULT_YEARS);
     let rock = args.city.as_deref().map(|city| city_rock(city, years)).transpose()?;
     let request = request(args, global, rock.as_ref().and_then(Target::kpz_g))?;
     let files = Files::begin(global, &[])?;
@@ -155,10 +142,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
 
 /// `kpz_g`: of the city, where one is named.
 fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Result<SimulatedRequest, Failure> {
-    let words = words(args);
-    let wrong = |problems: Vec<SourceProblem>| problems.into_iter().map(|one| one.problem).collect();
-    let SourceInput { preset, changes, magnitude, distance_m, options } =
-        words.resolve().map_err(|problems| Failure::Problems(wrong(problems)))?;
+    let SourceInput { preset, changes, magnitude, distance_m, options } = read_source(&words(args))?;
     let site = SiteClass::parse(&args.site).map_err(|error| {
         Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("Ae, Be, Ce, De or Ee, as in AS 1170.4")
     })?;
@@ -167,41 +151,14 @@ fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Resu
         (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
         (None, ..) => return Err(Failure::usage("--magnitude and --distance belong together", "or give --city")),
     };
-    Ok(SimulatedRequest {
-        preset,
-        changes,
-        earthquakes,
-        site,
-        count: u64::from(args.count),
-        seed: global.seed.unwrap_or(1),
-        options,
-    })
+    Ok(SimulatedRequest { preset, changes, earthquakes, site, count: args.count, seed: global.seed(), options })
 }
 
 /// The flags as a study has them in `point_source`.
-fn words(args: &SimulateArgs) -> SourceWords {
-    let mut words = SourceWords::new(KeyStyle::Flag);
-    let source = &args.source;
-    let name = |name: Option<clap::builder::PossibleValue>| name.map(|name| name.get_name().to_owned());
-    let texts = [
-        ("magnitude", args.magnitude.clone()),
-        ("distance", args.distance.clone()),
-        ("preset", Some(source.preset.clone())),
-        ("stress_drop", source.stress_drop.clone()),
-        ("kappa", source.kappa.clone()),
-        ("source_spectrum", name(source.source_spectrum.and_then(|one| one.to_possible_value()))),
-        ("path_duration", name(source.path_duration.and_then(|one| one.to_possible_value()))),
-        ("window", name(source.window.and_then(|one| one.to_possible_value()))),
-        ("hard_rock", source.hard_rock.then(|| "true".to_owned())),
-        ("time_step", Some(args.time_step.clone())),
-        ("low_cut", Some(args.low_cut.clone())),
-    ];
-    for (key, text) in texts {
-        if let Some(text) = text {
-            words.set(key, text);
-        }
-    }
-    words
+fn words(args: &SimulateArgs) -> keys::Words {
+    let own = [("magnitude", &args.magnitude), ("distance", &args.distance)];
+    let own = own.into_iter().filter_map(|(key, text)| Some((key, text.as_deref()?)));
+    args.source.words.entries().chain(own).collect()
 }
 
 /// The spectra against the code's, where there is one, and the first motion of each earthquake.

@@ -4,21 +4,22 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::Dimension;
+use freestand::synthesis::DAMPING_RATIO;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{SpectrumReport, SpectrumRequest, spectrum};
 use serde::Serialize;
 
 use super::plot::{PlotArgs, failed, place};
 use crate::args::{GlobalArgs, at_least_one};
 use crate::commands::Done;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
-/// Response spectrum of a record (exact for a motion that is linear between samples)
+/// Response spectrum of a record, exact for a motion that is linear between samples
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -26,17 +27,18 @@ Examples:
   freestand motion spectrum record.AT2 --damping \"2 %, 5 %\" --plot spectrum.svg
   freestand motion spectrum record.AT2 --upsample 10 --periods \"0.02 s, 0.05 s, 0.1 s\" --json")]
 pub(crate) struct SpectrumArgs {
-    /// Record file
+    /// Record
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Damping ratio, or a list of them
-    #[arg(long, value_name = "RATIO", default_value = "5 %", allow_hyphen_values = true)]
-    damping: String,
-    /// Periods, from:to:count or a list [default: 0 and 121 from 0.05 to 5 s]
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    periods: Option<String>,
-    /// N samples in place of each, on the band-limited curve through them (for periods below ten steps)
-    #[arg(long, value_name = "N", default_value = "1", allow_negative_numbers = true, value_parser = at_least_one)]
+    /// Damping ratio, or a list of ratios [default: 5 %]
+    #[arg(long, value_name = "RATIO", read = dampings)]
+    damping: Option<Given<Vec<f64>>>,
+    /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
+    #[arg(long, grid = Dimension::Time)]
+    periods: Option<Given<Vec<f64>>>,
+    /// Replace each sample by N on the band-limited curve through the samples, for periods shorter
+    /// than ten time steps
+    #[arg(long, value_name = "N", default_value = "1", value_parser = at_least_one)]
     upsample: NonZeroUsize,
     #[command(flatten)]
     plot: PlotArgs,
@@ -54,12 +56,8 @@ struct Document<'a> {
 
 pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let damping_ratios = values.grid("--damping", &args.damping, Dimension::Ratio).unwrap_or_default();
-    if let Some(negative) = damping_ratios.iter().find(|ratio| **ratio < 0.0) {
-        let problem = Problem::new(ProblemKind::Value, format!("--damping: {negative} is below zero"));
-        values.push(problem.hint("damping from 0 to below 1"));
-    }
-    let periods_s = super::periods(args.periods.as_deref(), &mut values);
+    let damping_ratios = values.read(&args.damping).unwrap_or_else(|| vec![DAMPING_RATIO]);
+    let periods_s = super::periods(&args.periods, &mut values);
     values.finish()?;
     let target = args.plot.target(global)?;
     let read = args.read.read_one(&args.file)?;
@@ -76,6 +74,14 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let document = Document { report: &report, plots };
     files.print(printer, "freestand.motion-spectrum/1", &document, &report.warnings, || text(&report))?;
     Ok(Done::OK)
+}
+
+fn dampings(text: &str) -> Result<Vec<f64>, Problem> {
+    let ratios = parse_grid(text, Dimension::Ratio)?;
+    match ratios.iter().find(|ratio| **ratio < 0.0) {
+        Some(negative) => Err(problem(format!("{negative} is below zero"), "damping from 0 to below 1")),
+        None => Ok(ratios),
+    }
 }
 
 fn text(report: &SpectrumReport) -> String {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::motion::Motion;
 use freestand::synthesis::{
@@ -16,10 +16,11 @@ use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchMethod, match_record};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::recorded::name_of;
-use freestand_study::study::synthetic_name;
+use freestand_study::study::{DEFAULT_MOTIONS, synthetic_name};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::motions;
 use super::plot::{Target, failed, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -28,9 +29,9 @@ use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::target::{TargetArgs, TargetReport};
-use crate::values::Values;
+use crate::values::{Choices, Given, Reads, Values, choice};
 
-/// Synthetic motions that fit the elastic spectrum of a code, or a table
+/// Synthetic motions that fit a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -41,70 +42,58 @@ Examples:
 pub(crate) struct SynthArgs {
     #[command(flatten)]
     target: TargetArgs,
-    /// How many motions
-    #[arg(long, value_name = "N", default_value = "10", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
-    count: u32,
+    /// Number of motions
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
+    count: u64,
     #[command(flatten)]
     layout: LayoutArgs,
     #[command(flatten)]
     peak: PeakArgs,
 }
 
-/// How a motion is laid out in time.
+/// The motion in time.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The motion")]
 struct LayoutArgs {
-    /// Time step, at most 0.01 s
-    #[arg(long, value_name = "TIME", default_value = "0.005 s", allow_hyphen_values = true)]
-    time_step: String,
-    /// Length of the shaking with its tapers, at least 10 s
-    #[arg(long, value_name = "TIME", default_value = "40 s", allow_hyphen_values = true)]
-    shaking: String,
-    /// Duration of the window that shapes the noise; D5-95 is about as long
-    #[arg(long, value_name = "TIME", default_value = "10 s", allow_hyphen_values = true)]
-    envelope: String,
+    /// Time step, at most 0.01 s [default: 0.005 s]
+    #[arg(long, positive = Dimension::Time)]
+    time_step: Option<Given>,
+    /// Length of the shaking including its tapers, at least 10 s [default: 40 s]
+    #[arg(long, positive = Dimension::Time)]
+    shaking: Option<Given>,
+    /// Duration of the window that shapes the noise, about equal to D5-95 [default: 10 s]
+    #[arg(long, positive = Dimension::Time)]
+    envelope: Option<Given>,
 }
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The motion")]
 struct PeakArgs {
-    /// Bring the peak acceleration to the code's at T = 0 by scaling half-cycles; the fit at short periods suffers
+    /// Scale half-cycles so that the peak acceleration is that of the target at T = 0; the fit at
+    /// short periods gets worse
     #[arg(long)]
     match_pga: bool,
 }
 
 /// How the spectrum of a record is brought to the target.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-enum MethodName {
-    /// Scales wavelets; keeps more of the record
-    #[default]
-    Wavelet,
-    /// Scales Fourier amplitudes at the period itself
-    Fft,
-}
+const METHODS: Choices<MatchMethod> = &[
+    (MatchMethod::Wavelet, "wavelet", "Scale wavelets; keeps more of the record"),
+    (MatchMethod::Fft, "fft", "Scale Fourier amplitudes at the period itself"),
+];
 
-impl MethodName {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Wavelet => "wavelet",
-            Self::Fft => "fft",
-        }
-    }
-}
-
-/// A record matched to the elastic spectrum of a code; its phases stay
+/// Match a record to a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand motion match record.AT2 --code as1170.4 --site De --city Melbourne --out matched
   freestand motion match record.AT2 --site De --method fft --match-pga --json")]
 pub(crate) struct MatchArgs {
-    /// Record file
+    /// Record
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// How
-    #[arg(long, value_enum, default_value_t)]
-    method: MethodName,
+    /// Method
+    #[arg(long, value_parser = choice(METHODS), default_value = MatchMethod::default().name())]
+    method: MatchMethod,
     #[command(flatten)]
     peak: PeakArgs,
     #[command(flatten)]
@@ -182,13 +171,14 @@ const POOR_FIT_RATIO: f64 = 0.1;
 pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let asked = args.target.matched_target()?;
     check_peak(&args.peak, &asked.spectrum)?;
-    let inputs: Vec<PathBuf> = args.target.inputs().cloned().collect();
+    let inputs = args.target.inputs();
     let files = Files::begin(global, &inputs)?;
-    let seed = global.seed.unwrap_or(1);
+    let seed = global.seed();
     let options = options(&args.layout)?;
     let target = |period_s| asked.spectrum.sa_g(period_s);
-    // Each motion has its own stream of random numbers, so the order in which they are made does not matter.
-    let made: Vec<Made> = (0..u64::from(args.count))
+    // Each motion has its own stream of random numbers, so the order in which they are made does
+    // not matter.
+    let made: Vec<Made> = (0..args.count)
         .into_par_iter()
         .map(|index| with_peak(synthesize(target, seed, index, &options)?, &args.peak, target))
         .collect::<Result<_, SynthesisError>>()
@@ -200,7 +190,7 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
         code: TargetReport::from(&asked),
         seed: Some(seed),
         generator: Some(GENERATOR),
-        method: MethodName::Fft.name(),
+        method: MatchMethod::Fft.name(),
         motions,
     };
     finish(report, files, asked.warnings, printer)
@@ -209,9 +199,9 @@ pub(crate) fn run(args: &SynthArgs, global: &GlobalArgs, printer: &Printer) -> R
 fn options(args: &LayoutArgs) -> Result<SynthesisOptions, Failure> {
     let mut values = Values::default();
     let fine = SynthesisOptions::default();
-    let dt_s = values.positive("--time-step", Some(&args.time_step), Dimension::Time);
-    let shaking_s = values.positive("--shaking", Some(&args.shaking), Dimension::Time);
-    let envelope_s = values.positive("--envelope", Some(&args.envelope), Dimension::Time);
+    let dt_s = values.read(&args.time_step);
+    let shaking_s = values.read(&args.shaking);
+    let envelope_s = values.read(&args.envelope);
     values.finish()?;
     Ok(SynthesisOptions {
         dt_s: dt_s.unwrap_or(fine.dt_s),
@@ -236,13 +226,9 @@ pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer
     check_peak(&args.peak, &asked.spectrum)?;
     let mut warnings = asked.warnings.clone();
     let read = args.read.read_one(&args.file)?;
-    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(args.target.inputs())))?;
+    let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(&args.target.inputs())))?;
     let (record, target) = (&read.motion.motion, |period_s| asked.spectrum.sa_g(period_s));
-    let method = match args.method {
-        MethodName::Wavelet => MatchMethod::Wavelet,
-        MethodName::Fft => MatchMethod::Fft,
-    };
-    let matched = match_record(record, &asked, method).map_err(|problem| problem.in_file(&args.file))?;
+    let matched = match_record(record, &asked, args.method).map_err(|problem| problem.in_file(&args.file))?;
     let mut made = with_peak(matched, &args.peak, target)
         .map_err(|error| Problem::new(ProblemKind::Value, error.to_string()).in_file(&args.file))?;
     made.resemblance = Some(Resemblance::between(record, &made.matched.motion));

@@ -8,83 +8,86 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 use freestand::rocking::{RockingOptions, Until};
-use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::quantity::Dimension;
 use freestand_output::folder::write_file;
-use freestand_study::rock::{RockReport, RockRequest, history_csv, rock};
-use serde::Serialize;
+use freestand_study::rock::{RockRequest, history_csv, rock};
 
 use self::compliant::CompliantArgs;
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, optional, pairs, significant};
+use crate::printer::{Printer, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
-use crate::values::Values;
+use crate::values::{Given, Reads, Values};
 
-/// One object under one motion: rotation, uplift, impacts, overturning, shock
+/// One object under one motion: rotation, uplift, impacts, overturning and shock
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   A cabinet under a record, with the shock on its pads:
-    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\"
-  A column of accelerations in g every 5 ms, twice as strong, history to a file:
-    freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m --thickness 0.3m --history history.csv
-  Free rocking from a tilt of 5 degrees:
+    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --stiffness \"4380 N/mm\"
+  A column of accelerations in g every 5 ms, multiplied by 2, with the history in a file:
+    freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m \\
+      --thickness 0.3m --history history.csv
+  Free rocking from a rotation of 5 degrees:
     freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
-  A cabinet let go on its pads, followed in time, with the trace of the landing:
-    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
+  A cabinet released on its pads, with the history of the landing:
+    freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
 pub(crate) struct RockArgs {
-    /// Record of the base's horizontal acceleration; none: free rocking
+    /// Record of the horizontal acceleration of the floor [default: none, free rocking]
     #[arg(long, value_name = "FILE")]
     motion: Option<PathBuf>,
-    /// Record of the base's vertical acceleration, positive upward, of the same step and length
+    /// Record of the vertical acceleration of the floor, positive upward, with the same step and
+    /// length
     #[arg(long, value_name = "FILE")]
     vertical: Option<PathBuf>,
     #[command(flatten)]
     vertically: VerticalArgs,
     #[command(flatten)]
-    read: ReadArgs,
+    read: Named<ReadArgs>,
 
     /// Height of the object
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The object")]
-    height: String,
+    #[arg(long, positive = Dimension::Length, help_heading = "The object")]
+    height: Given,
     /// Width of the object in the plane of motion
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "The object")]
-    thickness: String,
-    /// Mass, for the shock
-    #[arg(long, value_name = "MASS", allow_hyphen_values = true, help_heading = "The object")]
-    mass: Option<String>,
-    /// Coefficient of friction: for the warning against sliding [default: 0.5]; on a compliant base the feet slip by it [default:
-    /// they do not]
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "The object")]
-    friction: Option<String>,
+    #[arg(long, positive = Dimension::Length, help_heading = "The object")]
+    thickness: Given,
+    /// Mass of the object; needed for the shock
+    #[arg(long, positive = Dimension::Mass, help_heading = "The object")]
+    mass: Option<Given>,
+    /// Coefficient of friction: on a rigid base used for the warning about sliding [default: 0.5],
+    /// on a compliant base the edges slip by it [default: no slip]
+    #[arg(long, non_negative = Dimension::Ratio, help_heading = "The object")]
+    friction: Option<Given>,
     #[command(flatten)]
     shape: ShapeArgs,
     #[command(flatten)]
     cushion: CushionArgs,
 
     #[command(flatten)]
-    compliant: CompliantArgs,
+    compliant: Named<CompliantArgs>,
 
     #[command(flatten)]
     rocking: RockingArgs,
     /// Rotation at the start, positive to the right
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, help_heading = "The rocking")]
-    initial_rotation: Option<String>,
+    #[arg(long, any = Dimension::Angle, help_heading = "The rocking")]
+    initial_rotation: Option<Given>,
     /// Angular velocity at the start
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true, help_heading = "The rocking")]
-    initial_velocity: Option<String>,
+    #[arg(long, any = Dimension::AngularVelocity, help_heading = "The rocking")]
+    initial_velocity: Option<Given>,
     /// Gravity [default: 1 g]
-    #[arg(long, value_name = "ACCELERATION", allow_hyphen_values = true, help_heading = "The rocking")]
-    gravity: Option<String>,
-    /// When to stop [default: the last sample]; the base is still after the last sample
-    #[arg(long, value_name = "TIME", allow_hyphen_values = true, help_heading = "The rocking")]
-    duration: Option<String>,
-    /// File for the history (CSV)
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "The rocking")]
+    gravity: Option<Given>,
+    /// Time at which to stop; the floor does not move after the last sample [default: the last
+    /// sample]
+    #[arg(long, positive = Dimension::Time, help_heading = "The rocking")]
+    duration: Option<Given>,
+    /// File to write the history to (CSV)
     #[arg(long, value_name = "FILE.csv")]
     history: Option<PathBuf>,
 }
@@ -93,11 +96,11 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if args.compliant.is_compliant() {
         return compliant::run(args, global, printer);
     }
-    if let Some(flag) = args.compliant.given() {
-        return Err(Failure::usage(format!("{flag} is of a compliant base"), "add --base compliant"));
+    if let Some(flag) = args.compliant.given.iter().find(|flag| *flag != "base") {
+        return Err(Failure::usage(format!("--{flag} is of a compliant base"), "add --base compliant"));
     }
     let (request, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(args.cushion.inputs()));
+    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut report = rock(&request, args.history.is_some() || files.wanted())?;
     report.warnings.splice(0..0, reading.warnings);
@@ -105,17 +108,12 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(path) = &args.history {
         write_file(path, history_csv(&request.block, &report.history).as_bytes(), &inputs)?;
     }
-    let document = Document { report: &report, processing: reading.processing };
-    files.print(printer, "freestand.rock/1", &document, &report.warnings, || text(&report, &request))?;
+    let facts = report.facts.key("processing", reading.processing);
+    files.print(printer, SCHEMA, &facts, &report.warnings, || lines(&facts))?;
     Ok(Done::OK)
 }
 
-#[derive(Debug, Serialize)]
-struct Document<'a> {
-    #[serde(flatten)]
-    report: &'a RockReport,
-    processing: Vec<String>,
-}
+const SCHEMA: &str = "freestand.rock/1";
 
 /// What is to be said about the records.
 #[derive(Debug, Default)]
@@ -126,28 +124,28 @@ struct Reading {
 
 fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let mut values = Values::default();
-    let height = values.positive("--height", Some(&args.height), Dimension::Length);
-    let thickness = values.positive("--thickness", Some(&args.thickness), Dimension::Length);
-    let mass = values.positive("--mass", args.mass.as_deref(), Dimension::Mass);
+    let height = values.read(&args.height);
+    let thickness = values.read(&args.thickness);
+    let mass = values.read(&args.mass);
     let edge = args.cushion.edge(mass, &mut values)?;
     if args.cushion.is_given() && args.mass.is_none() {
-        let problem = Problem::new(ProblemKind::Value, "the cushion gives a shock only with the mass of the object");
-        values.push(problem.hint("add --mass, or leave the cushion out"));
+        let message = "the cushion gives a shock only with the mass of the object";
+        values.push(problem(message, "add --mass, or leave the cushion out"));
     }
-    let block = match (height, thickness) {
-        (Some(height_m), Some(thickness_m)) => args.shape.block(height_m, thickness_m, mass, &mut values),
-        _ => None,
-    };
-    let friction = values.positive("--friction", args.friction.as_deref(), Dimension::Ratio);
-    let rotation = values.any("--initial-rotation", args.initial_rotation.as_deref(), Dimension::Angle);
-    let omega = values.any("--initial-velocity", args.initial_velocity.as_deref(), Dimension::AngularVelocity);
-    let gravity = values.positive("--gravity", args.gravity.as_deref(), Dimension::Acceleration);
-    let duration = values.positive("--duration", args.duration.as_deref(), Dimension::Time);
+    let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
+    let friction = values.read(&args.friction);
+    if friction == Some(0.0) {
+        values.push(problem("--friction: the value must be positive, not 0", "0 is of a compliant base alone"));
+    }
+    let rotation = values.read(&args.initial_rotation);
+    let omega = values.read(&args.initial_velocity);
+    let gravity = values.read(&args.gravity);
+    let duration = values.read(&args.duration);
     let options = RockingOptions {
-        model: args.rocking.model(),
-        restitution: args.rocking.restitution(&mut values),
+        model: args.rocking.model,
+        restitution: args.rocking.restitution(block.as_slice(), &mut values),
         gravity_m_s2: gravity.unwrap_or(G0_M_S2),
-        accuracy: args.rocking.accuracy(),
+        accuracy: args.rocking.accuracy,
         initial_rotation_rad: rotation.unwrap_or(0.0),
         initial_omega_rad_s: omega.unwrap_or(0.0),
         until: duration.map_or(Until::EndOfMotion, Until::Time),
@@ -182,43 +180,4 @@ fn read(args: &ReadArgs, path: &std::path::Path, reading: &mut Reading) -> Resul
     reading.warnings.extend(read.notes.iter().map(named));
     reading.processing.extend(read.motion.processing.iter().map(named));
     Ok(read.motion.motion)
-}
-
-fn text(report: &RockReport, request: &RockRequest) -> String {
-    let seconds = |time: Option<f64>| time.map_or_else(|| "-".to_owned(), |t| format!("{t:.4} s"));
-    let mut rows = vec![
-        ("outcome", format!("{} ({} at {:.4} s)", report.outcome, report.stopped, report.end_time_s)),
-        (
-            "largest rotation",
-            format!(
-                "{} rad ({} of the balance angle) at {}",
-                significant(report.peak_rotation_rad, 6),
-                significant(report.peak_rotation_ratio, 4),
-                seconds(report.peak_rotation_time_s)
-            ),
-        ),
-        ("uplift of the edge", format_si(report.uplift_m, Dimension::Length)),
-        ("rise of the centre of gravity", format_si(report.cg_rise_m, Dimension::Length)),
-        ("first uplift", seconds(report.first_uplift_time_s)),
-        ("impacts", report.impact_count.to_string()),
-        ("passes the balance angle", seconds(report.passed_alpha_time_s)),
-        ("overturns", seconds(report.overturn_time_s)),
-        ("comes to rest", seconds(report.rest_time_s)),
-    ];
-    if request.cushion.is_some() {
-        rows.push(("shock at the edge, from the uplift", optional(report.edge_acceleration_g, 4, "g")));
-        rows.push((
-            "shock at the edge, from the impact velocity",
-            optional(report.edge_acceleration_impact_velocity_g, 4, "g"),
-        ));
-        rows.push(("uplift ceiling", optional(report.ceiling_g, 4, "g")));
-    }
-    rows.extend([
-        ("uplift threshold", format!("{} g", significant(report.uplift_threshold_g, 4))),
-        ("restitution", significant(report.restitution_ratio, 6)),
-        ("friction needed while rocking", optional(report.friction_needed_ratio, 4, "")),
-        ("friction needed in an impact", significant(report.impact_friction_needed_ratio, 4)),
-        ("frequency parameter p", format!("{} rad/s", significant(report.frequency_parameter_rad_s, 6))),
-    ]);
-    pairs(&rows)
 }

@@ -90,16 +90,21 @@ fn prose_full_of_numbers_is_prose() {
 fn the_unit_is_never_guessed() {
     let text = "a\nb\nc\nNPTS= 2, DT= .02\n1 2";
     let problem = read(text).unwrap_err();
-    assert!(problem.message.contains("not stated") && problem.hint.unwrap().contains("--unit"));
+    assert!(problem.message.contains("not stated") && problem.hint.unwrap().contains("`unit`"));
     let options = ReadOptions { unit: Some("cm/s2".to_owned()), ..ReadOptions::default() };
     assert_eq!(read_with(text.as_bytes(), &options).unwrap().motion.accel_m_s2(), [0.01, 0.02]);
     let problem = read_with(format!("{TITLE}NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();
     assert_eq!(
         (problem.line, problem.message.as_str()),
-        (Some(3), "the record is in g as the file says, not in cm/s2")
+        (Some(3), "the record is in g according to the file, not in cm/s2")
     );
     let options = ReadOptions { unit: Some("furlong".to_owned()), ..ReadOptions::default() };
-    assert_eq!(read_with(text.as_bytes(), &options).unwrap_err().path, None, "a wrong flag is no fault of the file");
+    assert_eq!(
+        read_with(text.as_bytes(), &options).unwrap_err().path,
+        None,
+        "a wrong option is not a fault of the \
+                                                                              file"
+    );
 }
 
 #[test]
@@ -109,8 +114,8 @@ fn what_is_refused() {
         format!("PEER\nx\n{quantity} TIME SERIES IN UNITS OF {unit}\nNPTS= 2, DT= .02\n1 2")
     };
     for (text, line, message) in [
-        (g("NPTS= 4, DT= .02\n1 2 3"), 4, "declares 4 values, the file has 3"),
-        (g("NPTS= 2, DT= .02\n1 2 3"), 4, "declares 2 values, the file has 3"),
+        (g("NPTS= 4, DT= .02\n1 2 3"), 4, "declares 4 values, but the file has 3"),
+        (g("NPTS= 2, DT= .02\n1 2 3"), 4, "declares 2 values, but the file has 3"),
         (g("NPTS= 999999999999, DT= .02\n1 2 3"), 4, "declares 999999999999 values"),
         (g("NPTS= 1, DT= .02\n1"), 5, "at least 2 samples"),
         (g("NPTS= 0, DT= .02\n"), 4, "at least 2 samples"),
@@ -123,9 +128,9 @@ fn what_is_refused() {
         (g("NPTS= 2, DT= ?\n1 2"), 4, "is missing"),
         (g("NPTS= 3, DT= .02\n1 2\nx"), 6, "\"x\" is not a number"),
         (g("NPTS= 3, DT= .02\n1 2\n1.2.3"), 6, "\"1.2.3\" is not a number"),
-        (g("NPTS= 3, DT= .02\n1 2\nNaN"), 6, "\"NaN\" stands for a missing value"),
+        (g("NPTS= 3, DT= .02\n1 2\nNaN"), 6, "\"NaN\" marks a missing value"),
         (g("NPTS= 3, DT= .02\n1 2\n****"), 6, "missing value"),
-        (g("NPTS= 3, DT= .02\n1\n-999. 2"), 6, "\"-999\" stands for a missing value"),
+        (g("NPTS= 3, DT= .02\n1\n-999. 2"), 6, "\"-999\" marks a missing value"),
         (g("NPTS= 3, DT= .02\n1 1.7E+38\n2"), 5, "missing value"),
         (g("NPTS= 3, DT= .02\n1 2\n-32768"), 6, "missing value"),
         (g("NPTS= 3, DT= .02\n1 2\n1e999"), 6, "missing value"),
@@ -141,7 +146,7 @@ fn what_is_refused() {
     }
     let options = ReadOptions { dt_s: Some(0.005), ..ReadOptions::default() };
     let problem = read_with(g("NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();
-    assert!(problem.message.contains("0.02 s as the header says, not 0.005 s"));
+    assert!(problem.message.contains("0.02 s according to the header, not 0.005 s"));
     assert_eq!(problem.line, Some(4));
 }
 
@@ -172,13 +177,13 @@ fn a_number_that_lost_characters_is_said() {
     let at = whole.rfind('.').unwrap();
     let lost = notes(&format!("{}{}", &whole[..at], &whole[at + 1..]));
     assert!(lost.len() == 2 && lost[0].starts_with("line 45: ") && lost[1].contains("value 201 is"), "{lost:?}");
-    assert!(lost[1].contains("is the unit right (g)"), "{lost:?}");
+    assert!(lost[1].contains("check the unit (g)"), "{lost:?}");
 }
 
 #[test]
 fn a_decimal_comma_is_named() {
     let problem = read(&format!("{TITLE}NPTS= 2, DT= 0,01\n1 2")).unwrap_err();
     assert!(problem.message.ends_with("has a decimal comma: write a point"), "{problem}");
-    // The comma behind a whole number separates: there is a blank, or no digit.
+    // The comma after a whole number separates: there is a blank, or no digit.
     assert!(read(&format!("{TITLE}NPTS= 2, DT= 1, SEC\n1 2")).is_ok());
 }

@@ -56,7 +56,8 @@ fn three_components_in_tenths_of_g() {
     assert_eq!(read(&part("V", points, &values())).unwrap().components.len(), 1);
 }
 
-/// 200 samples a second: the duration counts the last interval in, or leaves it out, or fits neither.
+/// 200 samples a second: the duration counts the last interval in, or leaves it out, or fits
+/// neither.
 #[test]
 fn the_step_is_the_duration_over_the_values() {
     for (text, expected) in [("30.065", 0.005), ("30.06", 0.005), ("30.060", 0.005), ("60.13", 0.01)] {
@@ -75,7 +76,7 @@ fn what_is_refused() {
         ("POINTS = 24", "POINTS = 44", "\"-END\" is not a number"),
         ("POINTS = 24", "POINTS = 10", "x.v1:29: there are more values"),
         ("POINTS = 24", "POINTS =   ", "x.v1:11: the header has no number of values"),
-        ("-1.00000E0", "  -999.000", "x.v1:28: \"-999\" stands for a missing value"),
+        ("-1.00000E0", "  -999.000", "x.v1:28: \"-999\" marks a missing value"),
     ] {
         let problem = read(&text.replacen(from, to, 1)).expect_err(message);
         assert!(problem.contains(message), "{problem}");
@@ -88,7 +89,10 @@ fn components_that_are_not_there_are_said() {
     let three: String = ["L", "V", "T"].iter().map(|name| part(name, points, &values())).collect();
     assert_eq!(read(&three).unwrap().notes.len(), 3, "one of each step");
     let cut = read(three.trim_end().strip_suffix("-END OF RECORD-").unwrap()).unwrap();
-    assert_eq!(cut.notes[3..], ["no line \"end of record\" ends the last channel: the file may be cut off"]);
+    assert_eq!(
+        cut.notes[3..],
+        ["the last channel does not end with a line \"end of record\": the file may be cut off"]
+    );
     let one = read(&part("L", points, &values())).unwrap();
-    assert_eq!(one.notes[1..], ["the file has 1 of three components: it may be cut off"]);
+    assert_eq!(one.notes[1..], ["the file has only 1 of three components: it may be cut off"]);
 }

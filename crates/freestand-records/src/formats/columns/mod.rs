@@ -1,21 +1,21 @@
-//! Motions in columns: with or without a time column, a header, units.
+//! Motions in columns, with or without a time column, a header and units.
 
-use super::dialect::Separator;
-use super::even_grid::on_even_grid;
-use super::fortran::is_missing_value;
-use super::gaps::{gap, ordinary_note};
-use super::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
-use super::sampling::{Uneven, even_step, time_step};
-use super::stated_step::{count_in_words, dt_in_comment, step_in_prose};
-use super::table::{self, Table};
-use super::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
-use super::{Component, Direction, ReadOptions, Reading, motion};
+use crate::motion_file::{Component, Direction, ReadOptions, Reading, motion};
+use crate::text::dialect::Separator;
+use crate::text::even_grid::{Uneven, on_even_grid};
+use crate::text::fortran::is_missing_value;
+use crate::text::gaps::{gap, ordinary_note};
+use crate::text::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
+use crate::text::sampling::{even_step, time_step};
+use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
+use crate::text::table::{self, Table};
+use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
 use std::path::Path;
 
-/// What is stated above the numbers.
+/// What the lines above the numbers state.
 struct Stating {
     headings: Option<Vec<Heading>>,
     /// Line of the headings.
@@ -24,18 +24,18 @@ struct Stating {
     dt_s: Option<(f64, usize)>,
 }
 
-/// Where the time comes from.
+/// The source of the time.
 enum Time {
     /// The first column.
     Column,
-    /// A step from outside the columns: every column is a component.
+    /// A step that is not from the columns: every column is a component.
     Step(f64),
 }
 
-/// The step of the samples; and the times \[s\] of the rows, where these must be brought to it.
+/// The step of the samples, and the times \[s\] of the rows if they must be interpolated to it.
 struct Spacing {
     dt_s: f64,
-    /// Time of the first row \[s\], where there is a column of times.
+    /// Time of the first row \[s\], if there is a time column.
     start_s: Option<f64>,
     uneven_s: Option<Vec<f64>>,
 }
@@ -51,14 +51,14 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     };
     let first = usize::from(counts_rows(&table, &stating, options));
     if first > 0 {
-        notes.push("column 1 counts the rows and was not read".to_owned());
+        notes.push("column 1 counts the rows and was ignored".to_owned());
     }
     let time = time_source(&table, first, &stating, options)?;
     let (spacing, skip) = match time {
         Time::Step(dt_s) => {
             if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
                 notes.push(format!(
-                    "column {} rises by {dt_s} from row to row: if it is the time, leave out the step (--dt)",
+                    "column {} rises by {dt_s} from row to row: if it is the time, leave out `dt`",
                     first + 1
                 ));
             }
@@ -75,7 +75,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let heading = stating.headings.as_ref().and_then(|all| all.get(i)).cloned().unwrap_or_default();
         let what = if count == 1 { "the acceleration".to_owned() } else { format!("column {}", i + 1) };
         if let Some(other) = other_quantity(&heading) {
-            notes.push(format!("column {} ({}) is {other} and was not read", i + 1, shorten(&heading.name)));
+            notes.push(format!("column {} ({}) is {other} and was ignored", i + 1, shorten(&heading.name)));
             refused.get_or_insert(other);
             continue;
         }
@@ -90,7 +90,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             let lines = own.into_iter().chain(others.map(|(line, text)| (*line, text.as_str())));
             not_known(lines).filter(|_| stated.is_none()).unwrap_or(problem)
         })?;
-        notes.extend(column.prints.note());
+        notes.extend(column.digit_style.note());
         let mut values = column.values;
         if let Some(row) = gap(&values, is_missing_value) {
             return Err(missing(&values[row].to_string(), table.line_of_row(bytes, row)));
@@ -102,19 +102,20 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             *value = unit.to_si(*value);
         }
         if let Some(times_s) = &spacing.uneven_s {
-            // All columns together are no more than one motion may be: two rows of many columns are a short file.
+            // All columns together may have as many samples as one motion: two rows of many columns
+            // are a short file.
             values = resampled(times_s, &values, spacing.dt_s, MAX_SAMPLES / count.max(1), &mut notes)
                 .map_err(|uneven| uneven_problem(uneven, &table, bytes))?;
         }
         let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
-            "" if count == 1 => super::file_stem(path),
-            // Numbered as --component counts them, which is not how the columns are counted.
+            "" if count == 1 => crate::motion_file::file_stem(path),
+            // Numbered as components, which is not the number of the column.
             "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),
         };
         let line_of_first_value = table.line_of_first_value;
-        // `1` and `2` number their columns; an azimuth has three digits, or says that it is one.
+        // `1` and `2` number the columns; an azimuth has three digits or a unit.
         let is_number = heading.name.len() < 3 && heading.name.bytes().all(|b| b.is_ascii_digit());
         let direction = Direction::parse(&heading.name).filter(|_| !is_number);
         let unit = unit.symbol;
@@ -134,7 +135,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let what = refused.unwrap_or("a time");
         return Err(Problem::new(ProblemKind::Format, format!("no column holds an acceleration, only {what}"))
             .at_line(table.line_of_first_value)
-            .hint("a column of acceleration beside the time is needed"));
+            .hint("the file needs a column of acceleration"));
     }
     Ok(Reading { format, components, notes })
 }
@@ -148,7 +149,7 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
         notes.push("the first row is read as the number of values".to_owned());
     } else if let Some(count) = table.possible_count() {
         notes.push(format!(
-            "the first row, {count}, is read as a value; as many rows follow: remove it if it is their number"
+            "the first row, {count}, is read as a value, but {count} rows follow: remove it if it is their number"
         ));
     }
     for (line, text) in &table.comments {
@@ -165,14 +166,14 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
     let rows = table.columns.first().map_or(0, |column| column.values.len());
     for (line, text) in table.header.iter().chain(&table.comments) {
         if let Some(count) = count_in_words(text).filter(|count| *count != rows as f64) {
-            notes.push(format!("line {line} states {count} values, the table has {rows} rows: it may be cut off"));
+            notes.push(format!("line {line} states {count} values, but the table has {rows} rows: it may be cut off"));
         }
     }
     if let Some((headings, line)) = headings_of(table) {
         (stating.headings, stating.line) = (Some(headings), line);
     }
     if stating.unit.is_none() && !table.header.is_empty() {
-        // Prose above the numbers may state the unit in so many words; brackets in it would be no such statement.
+        // Prose above the numbers may state the unit in words; brackets in prose do not count.
         let prose = table
             .header
             .iter()
@@ -192,7 +193,8 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
     Ok(stating)
 }
 
-/// Whether the columns cannot have a time among them: prose may speak of a step that is not theirs, and counts only here.
+/// Whether the columns cannot include a time. A step in prose counts only in this case, because it
+/// may belong to something else.
 fn has_no_time(table: &Table, stating: &Stating) -> bool {
     let first = stating.headings.as_ref().and_then(|headings| headings.first());
     // Names of directions, "NS,EW,UD", or accelerations.
@@ -203,14 +205,15 @@ fn has_no_time(table: &Table, stating: &Stating) -> bool {
     table.columns.len() == 1 || is_acceleration
 }
 
-/// With a step from the flag or the file every column is a component, unless the header says that the first is the time.
+/// With a step from the user or the file, every column is a component unless the header says that
+/// the first is the time.
 fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOptions) -> Result<Time, Problem> {
     let first = stating.headings.as_ref().and_then(|headings| headings.get(at));
     let named = names_time(stating, at);
     if let (Some(dt_s), Some((stated_s, line))) = (options.dt_s, stating.dt_s) {
         agree(dt_s, stated_s, line)?;
     }
-    // A step in a comment does not make a component of a column that counts the time in just that step.
+    // A step in a comment does not turn a time column with that step into a component.
     let counts_time =
         |dt_s: f64| options.dt_s.is_none() && table.columns.len() > at + 1 && is_time(table, at, Some(dt_s));
     let step = options.dt_s.or(stating.dt_s.map(|(dt_s, _)| dt_s));
@@ -219,17 +222,17 @@ fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOption
         Some(dt_s) if !named => Ok(Time::Step(dt_s)),
         _ if table.columns.len() == 1 => Err(Problem::new(ProblemKind::Value, "there is one column and no time step")
             .at_line(table.line_of_first_value)
-            .hint("give the step, such as \"0.01 s\" (--dt, or dt in the study)")),
+            .hint("give the time step, such as `dt = \"0.01 s\"`")),
         _ if first.and_then(|heading| heading.unit).is_some_and(|unit| unit.dimension != Dimension::Time) => {
             Err(Problem::new(ProblemKind::Format, "the first column is not the time")
                 .at_line(stating.line)
-                .hint("put the time first; where there is none, give the step (--dt, or dt in the study)"))
+                .hint("put the time first; without a time column, give `dt`"))
         }
         _ => Ok(Time::Column),
     }
 }
 
-/// Refuses a column of periods where the time is expected: no motion has one.
+/// Refuses a column of periods instead of the time.
 fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
     let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
     match heading.filter(|heading| heading.name.to_ascii_lowercase().starts_with("period")) {
@@ -238,10 +241,10 @@ fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
             let name = shorten(&heading.name);
             Err(Problem::new(
                 ProblemKind::Format,
-                format!("\"{name}\" is no time: this seems to be a spectrum, not a record"),
+                format!("\"{name}\" is not a time: this seems to be a spectrum, not a record"),
             )
             .at_line(stating.line)
-            .hint("name the record; a spectrum is what a record is scaled to (--scale-to-spectrum)"))
+            .hint("name a record; records are scaled to a spectrum with `scale_to_spectrum`"))
         }
     }
 }
@@ -254,16 +257,18 @@ fn names_time(stating: &Stating, at: usize) -> bool {
     })
 }
 
-/// Whether a column rises in equal steps from 0 or from one step, as no motion does: steps of `dt_s`, where it is given.
+/// Whether a column rises in equal steps, from 0 or from one step, as motions do not; if `dt_s` is
+/// given, in steps of `dt_s`.
 fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
     let Some(column) = table.columns.get(at).filter(|column| column.values.len() > 2) else { return false };
     let Ok(step) = time_step(&column.values, column.last_digit_exponent) else { return false };
-    // One part in a thousand, as for a step that is stated beside printed times.
+    // One part in a thousand, as for a stated step next to printed times.
     let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
     column.values.first().is_some_and(|first| *first == 0.0 || is_step(*first)) && dt_s.is_none_or(is_step)
 }
 
-/// Whether the first column is 1, 2, 3 … and the second the time: the first would make a step of one second.
+/// Whether the first column is 1, 2, 3 … and the second the time: read as a time, the first would
+/// give a step of one second.
 fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool {
     let [numbers, _, _, ..] = table.columns.as_slice() else { return false };
     let counts = numbers.last_digit_exponent == 0 && numbers.values.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
@@ -272,16 +277,19 @@ fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool 
 }
 
 fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
-    // One part in a thousand: a step read from printed times may carry their rounding.
+    // One part in a thousand: a step from printed times includes their rounding.
     if (given_s - stated_s).abs() <= 1e-3 * stated_s {
         return Ok(());
     }
-    Err(Problem::new(ProblemKind::Value, format!("the time step is {stated_s} s as the file says, not {given_s} s"))
-        .at_line(line)
-        .hint("leave out the step (--dt, or dt in the study), or correct the file if it is wrong"))
+    Err(Problem::new(
+        ProblemKind::Value,
+        format!("the time step is {stated_s} s according to the file, not {given_s} s"),
+    )
+    .at_line(line)
+    .hint("leave out `dt`, or correct the file if it is wrong"))
 }
 
-/// The step that the time column means, in seconds.
+/// The step of the time column, in seconds.
 fn spacing_of_column(
     table: &Table,
     bytes: &[u8],
@@ -297,10 +305,10 @@ fn spacing_of_column(
     if let Some(heading) = heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '('])) {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("\"{}\" states no unit of time", shorten(&heading.name)),
+            format!("\"{}\" does not state a unit of time", shorten(&heading.name)),
         )
         .at_line(stating.line)
-        .hint("the first column is the time; write it in s or ms; where there is none, give the step (--dt, or dt in the study)"));
+        .hint("the first column is the time: write it in s or ms; without a time column, give `dt`"));
     }
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
@@ -318,7 +326,7 @@ fn spacing_of_column(
             let problem = uneven_problem(uneven, table, bytes);
             return Err(match even_step(&column.values, column.last_digit_exponent) {
                 Some(step) => problem.hint(format!(
-                    "interpolate on straight lines to equal steps (--resample {}s), or repair the gap",
+                    "interpolate on straight lines with `resample = \"{} s\"`, or repair the gap",
                     to_si(step)
                 )),
                 None => problem,
@@ -336,7 +344,7 @@ fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {
     Problem::new(ProblemKind::Format, uneven.message).at_line(table.line_of_row(bytes, uneven.row)).hint(uneven.hint)
 }
 
-/// A component on equal steps, with notes of what that did to it.
+/// Interpolates a component to equal steps, with notes about the effect.
 fn resampled(
     times_s: &[f64],
     values: &[f64],
@@ -349,16 +357,16 @@ fn resampled(
     let (before, after) = (peak(values), peak(&samples));
     let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));
     let note = format!(
-        "uneven times are interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps were \
-         off by up to {furthest:.3e} s",
+        "uneven times were interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps \
+         were off by up to {furthest:.3e} s",
         values.len(),
         samples.len()
     );
-    // Several components share their times.
+    // Components share their times, so the note is written once.
     if !notes.contains(&note) {
         notes.push(note);
     }
-    // A peak between two samples is cut; a step that has every time on its grid cuts none.
+    // A peak between two samples is reduced, unless the step has every time on its grid.
     if after < before * (1.0 - 1e-9) {
         notes
             .push(format!("interpolation reduced a peak from {before:.5} to {after:.5} m/s2: a shorter step keeps it"));

@@ -1,6 +1,6 @@
 use super::*;
-use crate::formats::headings::heading;
 use crate::formats::{MotionFile, parse_motions, write_at2, write_csv};
+use crate::text::headings::heading;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 
@@ -78,7 +78,7 @@ fn what_the_file_leaves_open_the_flags_say() {
     let file = parse("5 0.02\n1 2 3\n4 5\n", &options("m/s2", 0.0)).unwrap();
     assert_eq!(facts(&file), [("rec", "m/s2", 0.02, &[1.0, 2.0, 3.0, 4.0, 5.0][..])]);
     assert!(file.notes[0].contains("number of values"));
-    // A velocity beside the acceleration is left out, and said.
+    // A velocity next to the acceleration is left out, with a note.
     let file = parse("t[s],a[g],v[cm/s],disp,force [kN]\n0,1,1,1,1\n1,2,2,2,2\n", &ReadOptions::default()).unwrap();
     assert_eq!((file.components.len(), file.notes.len()), (1, 3));
 }
@@ -91,21 +91,21 @@ fn what_is_refused() {
         ("1\n2\n", options("g", 0.0), Some(1), "one column and no time step"),
         ("1\n", options("g", 0.1), Some(1), "at least 2 samples"),
         ("0 1\n", options("g", 0.0), Some(1), "one sample"),
-        ("t[s],a[g]\n0,1\n1,2\n", options("m/s2", 0.0), Some(1), "is in g as the file says, not in m/s2"),
+        ("t[s],a[g]\n0,1\n1,2\n", options("m/s2", 0.0), Some(1), "is in g according to the file, not in m/s2"),
         ("t[s],a[g]\n0,1\n1,2\n", options("", 0.5), Some(1), "not 0.5 s"),
-        ("# units=g dt=0.1\n0\n1\n", options("", 0.5), Some(1), "0.1 s as the file says, not 0.5 s"),
+        ("# units=g dt=0.1\n0\n1\n", options("", 0.5), Some(1), "0.1 s according to the file, not 0.5 s"),
         ("# units=g dt=-1\n0\n1\n", none(), Some(1), "must be positive"),
         ("# units=cm/s dt=1\n0\n1\n", options("g", 0.0), Some(1), "is a velocity (cm/s)"),
         ("t[s],v[cm/s]\n0,1\n1,2\n", options("g", 0.0), Some(2), "no column holds an acceleration, only a velocity"),
         ("a[g],t[s]\n0,1\n1,2\n", none(), Some(1), "the first column is not the time"),
-        ("0 1\n1 2\n2 3 4\n", options("g", 0.0), Some(3), "the first row has 2 values, this one 3"),
-        ("0,1\n1,2\n2\n", options("g", 0.0), Some(3), "the first row has 2 values, this one 1"),
+        ("0 1\n1 2\n2 3 4\n", options("g", 0.0), Some(3), "the first row has 2 values, this one has 3"),
+        ("0,1\n1,2\n2\n", options("g", 0.0), Some(3), "the first row has 2 values, this one has 1"),
         ("0,1\n1,\n2,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1,1\n1,,2\n2,1,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1\n1,x\n", options("g", 0.0), Some(2), "\"x\" is not a number"),
-        ("0,1\n1,NaN\n", options("g", 0.0), Some(2), "\"NaN\" stands for a missing value"),
-        ("0,NaN\n1,1\n", options("g", 0.0), Some(1), "\"NaN\" stands for a missing value"),
-        ("# c\n0,1\n\n1,-999\n", options("g", 0.0), Some(4), "\"-999\" stands for a missing value"),
+        ("0,1\n1,NaN\n", options("g", 0.0), Some(2), "\"NaN\" marks a missing value"),
+        ("0,NaN\n1,1\n", options("g", 0.0), Some(1), "\"NaN\" marks a missing value"),
+        ("# c\n0,1\n\n1,-999\n", options("g", 0.0), Some(4), "\"-999\" marks a missing value"),
         ("0 1\n1 inf\n", options("g", 0.0), Some(2), "missing value"),
         ("0.00,O.1\n0.01,0.2\n0.02,0.3\n", options("g", 0.0), Some(1), "\"O.1\" is not a number"),
         (
@@ -116,11 +116,11 @@ fn what_is_refused() {
         ),
         ("0 1\n1 2\n0 3\n", options("g", 0.0), Some(3), "does not increase"),
         ("0,0123\n0,0222\n-0,0100\n", options("g", 0.01), Some(1), "comma may be a decimal sign"),
-        ("5 0.02\n1 2 3\n4\n", options("g", 0.0), Some(2), "the first row has 2 values, this one 3"),
+        ("5 0.02\n1 2 3\n4\n", options("g", 0.0), Some(2), "the first row has 2 values, this one has 3"),
         ("t[s],a[g]\n0,1\n1e-9,2\n", none(), Some(2), "the time step must be from 1e-6 s to 100 s, not 1e-9 s"),
         ("0 1\n1000 2\n", options("g", 0.0), Some(1), "from 1e-6 s to 100 s, not 1000.0 s"),
         ("# units=g dt=1e-12\n0\n1\n", none(), Some(2), "not 1e-12 s"),
-        ("time [min],a [g]\n0,1\n1,2\n", none(), Some(1), "\"time [min]\" states no unit of time"),
+        ("time [min],a [g]\n0,1\n1,2\n", none(), Some(1), "\"time [min]\" does not state a unit of time"),
         ("nothing but words\n", none(), None, "no row of numbers"),
         ("# only comments\n", none(), None, "no row of numbers"),
     ] {
@@ -137,7 +137,8 @@ fn what_is_refused() {
     }
 }
 
-/// Above one column a damaged number must not pass as a header of one word: the sample would be lost in silence.
+/// Above one column a damaged number must not pass as a header of one word: the sample would be
+/// lost in silence.
 #[test]
 fn a_header_of_one_word_is_told_from_a_damaged_number() {
     for word in ["nan", "-inf", "*****", "0.12O", "O.12", "-nan(ind)", "1.#IND", ".", "-", "1.2.3", "+-1", "null"] {
@@ -223,15 +224,16 @@ fn a_number_of_values_that_does_not_fit_is_no_value() {
     let options = options("g", 0.01);
     let decimals = series(300, |value| format!("{value:.6}"));
     let problem = parse(&format!("400\n{decimals}"), &options).unwrap_err();
-    assert_eq!(problem.message, "the first row, 400, seems to be the number of values, but 300 follow");
+    assert_eq!(problem.message, "the first row, 400, seems to be the number of values, but 300 values follow");
     assert!(problem.line == Some(1) && problem.hint.unwrap().contains("cut off"));
-    // The number that fits, a first value with a point, one that others exceed, one of several whole ones.
+    // The number that fits, a first value with a point, one that others exceed, one of several
+    // whole ones.
     assert_eq!(parse(&format!("300\n{decimals}"), &options).unwrap().components[0].motion.accel_m_s2().len(), 300);
     for text in [format!("400.0\n{decimals}"), format!("2\n3.5\n{decimals}"), format!("2\n1\n{decimals}")] {
         assert!(parse(&text, &options).is_ok(), "{text}");
     }
     let whole = series(300, |value| format!("{:.0}", value * 1e3));
-    let file = parse(&format!("300\n{whole}"), &super::ReadOptions { unit: Some("mm/s2".into()), ..options.clone() });
+    let file = parse(&format!("300\n{whole}"), &ReadOptions { unit: Some("mm/s2".into()), ..options.clone() });
     let file = file.unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2().len(), 301);
     assert!(file.notes[0].contains("the first row, 300, is read as a value"), "{:?}", file.notes);
@@ -252,7 +254,7 @@ fn values_that_no_motion_has_and_numbers_that_lost_characters_are_said() {
     let at = text.match_indices('.').nth(99).unwrap().0;
     let lost = notes(&format!("{}{}", &text[..at], &text[at + 1..]));
     assert!(lost.len() == 2 && lost[0].starts_with("line 100: "), "{lost:?}");
-    assert!(lost[1].contains("value 100 is") && lost[1].contains("is the unit right (g)"), "{lost:?}");
+    assert!(lost[1].contains("value 100 is") && lost[1].contains("check the unit (g)"), "{lost:?}");
 }
 
 #[test]
@@ -264,7 +266,7 @@ fn a_number_of_rows_that_is_stated_is_compared() {
         ("# NPTS = 3\nt [s],a [m/s2]\n", false),
     ] {
         let file = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap();
-        let note = "line 1 states 6 values, the table has 3 rows: it may be cut off";
+        let note = "line 1 states 6 values, but the table has 3 rows: it may be cut off";
         assert_eq!(file.notes.iter().any(|found| found == note), told, "{head} {:?}", file.notes);
     }
 }
@@ -295,9 +297,9 @@ fn minus_999_is_missing_where_it_stands_out() {
     let file = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap();
     assert_eq!(
         file.notes,
-        ["line 3: -999 is read as a value, for others are as large; it may stand for a missing one"]
+        ["line 3: -999 is read as a value because others are as large; it may mark a missing value"]
     );
     let rows = rows.replace("-998", "9").replace("-700.5", "400");
     let problem = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap_err();
-    assert_eq!((problem.message.as_str(), problem.line), ("\"-999\" stands for a missing value", Some(3)));
+    assert_eq!((problem.message.as_str(), problem.line), ("\"-999\" marks a missing value", Some(3)));
 }

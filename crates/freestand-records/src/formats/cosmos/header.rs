@@ -1,28 +1,28 @@
-//! What stands above the values of a COSMOS channel: text, whole numbers and reals.
+//! The header of a COSMOS channel: text, whole numbers and reals.
 
 use super::Series;
-use crate::formats::ReadOptions;
-use crate::formats::format::Format;
-use crate::formats::fortran::{is_missing_value, scan};
-use crate::formats::lines::Lines;
 use crate::formats::volumes::{first_integer, step_in};
+use crate::motion_file::ReadOptions;
+use crate::text::fixed_width::Format;
+use crate::text::fortran::{is_missing_value, scan};
+use crate::text::lines::Lines;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// What stands above the values of a channel.
+/// The header of a channel.
 pub(super) struct Header {
     pub(super) text: Vec<String>,
     pub(super) integers: Vec<f64>,
     pub(super) reals: Vec<f64>,
     pub(super) line_of_reals: usize,
-    /// What stands for a value that is not known, in either header and in the data.
+    /// Numbers that mark an unknown value, in the headers and in the data.
     pub(super) missing: [f64; 2],
 }
 
 pub(super) fn read_header(first: String, rest: &mut Lines<'_>) -> Result<Header, Problem> {
     let lower = first.to_ascii_lowercase();
     let declared = lower.split("with").nth(1).and_then(first_integer).unwrap_or(13);
-    // The format has 13; room for the "exceptional cases" that it allows, not for a damaged number.
+    // The format has 13; this leaves room for the "exceptional cases" that it allows.
     if !(5..=200).contains(&declared) {
         return Err(Problem::new(ProblemKind::Format, format!("the header declares {declared} lines of text"))
             .at_line(rest.line_number())
@@ -46,18 +46,18 @@ fn read_block(rest: &mut Lines<'_>, what: &str, least: usize) -> Result<(Vec<f64
     let Some((count, format)) = declared else {
         return Err(Problem::new(ProblemKind::Format, format!("the line that describes the {what} is missing"))
             .at_line(line.map_or(rest.line_number(), |line| line.number))
-            .hint("it reads like \"100 Real-header values follow on  17 lines, Format= (6F13.6)\""));
+            .hint("it should read like \"100 Real-header values follow on  17 lines, Format= (6F13.6)\""));
     };
     let block = format.read(rest, count, &format!("the {what}"))?;
     if block.values.len() < least {
-        return Err(Problem::new(ProblemKind::Format, format!("the {what} has {count} values, 100 are expected"))
+        return Err(Problem::new(ProblemKind::Format, format!("the {what} has {count} values; 100 are expected"))
             .at_line(block.first_line)
             .hint("the file may be damaged: fetch it again"));
     }
     Ok((block.values, block.first_line))
 }
 
-/// Text line 13 ends with what is written for an unknown whole number and real number.
+/// Text line 13 ends with the whole number and the real number that mark unknown values.
 fn missing_values(text: &[String]) -> [f64; 2] {
     let line = text.iter().rev().find(|line| line.to_ascii_lowercase().contains("unknown"));
     let listed = line.and_then(|line| line.rsplit_once(':')).map_or("", |(_, list)| list);
@@ -72,26 +72,27 @@ impl Header {
         (value != self.missing[1] && !is_missing_value(value)).then_some(value)
     }
 
-    /// What one count is worth \[m/s²\]: volts a count over volts a g.
+    /// The value of one count \[m/s²\]: volts per count divided by volts per g.
     pub(super) fn count_m_s2(&self, notes: &mut Vec<String>) -> Result<f64, Problem> {
         let positive = |number: usize, what: &str| {
             self.real(number).filter(|value| *value > 0.0).ok_or_else(|| {
-                let message = format!("the values are counts, and the header does not give the {what}");
+                let message = format!("the values are counts, but the header does not give the {what}");
                 Problem::new(ProblemKind::Format, message)
                     .at_line(self.line_of_reals)
                     .hint(format!("use the uncorrected file (V1) of the same record, or fill in real header {number}"))
             })
         };
-        let volts = positive(22, "recorder's microvolts a count (real header 22)")? / 1e6;
-        let volts_a_g = positive(42, "sensor's volts a g (real header 42)")?;
+        let volts = positive(22, "recorder's microvolts per count (real header 22)")? / 1e6;
+        let volts_a_g = positive(42, "sensor's volts per g (real header 42)")?;
         if let Some(gain) = self.real(47).filter(|gain| *gain != 1.0 && *gain != 0.0) {
-            notes.push(format!("the header states a gain of {gain} (real header 47), which is not applied"));
+            notes.push(format!("the header states a gain of {gain} (real header 47), which was not applied"));
         }
         Ok(volts / volts_a_g * G0_M_S2)
     }
 
-    /// The time step \[s\] and its line: real header 62 in ms, else the rate above the values, which the first version of
-    /// the format has. Real header 34 is the recorder's, which holds for its own values only.
+    /// The time step \[s\] and its line: real header 62 in ms, else the rate above the values,
+    /// which the first version of the format has. Real header 34 is the step of the recorder, which
+    /// applies to uncorrected values only.
     pub(super) fn step(&self, series: &Series, is_raw: bool, options: &ReadOptions) -> Result<(f64, usize), Problem> {
         let of_title = step_in(&series.title.to_ascii_uppercase());
         let of_header = self.real(62).filter(|dt_ms| *dt_ms > 0.0).map(|dt_ms| dt_ms / 1000.0);
@@ -99,10 +100,10 @@ impl Header {
             // Rates are printed with three digits or more.
             && (of_title - of_header).abs() > 1e-3 * of_header
         {
-            let message = format!("the time step is {of_header} s in the header and {of_title} s above the values");
+            let message = format!("the time step is {of_header} s in the header, but {of_title} s above the values");
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(series.line)
-                .hint("one of the two is wrong: ask where the file comes from, and correct it"));
+                .hint("one of the two is wrong: ask the source of the file, and correct it"));
         }
         let recorder = self.real(34).filter(|dt_s| is_raw && *dt_s > 0.0);
         let at_reals = |dt_s| (dt_s, self.line_of_reals);
@@ -110,12 +111,13 @@ impl Header {
         of_header.map(at_reals).or(of_title).or(recorder.or(options.dt_s).map(at_reals)).ok_or_else(|| {
             Problem::new(ProblemKind::Format, "the header does not give the time step (real header 62)")
                 .at_line(self.line_of_reals)
-                .hint("give the step, such as \"0.005 s\" (--dt, or dt in the study)")
+                .hint("give the time step, such as `dt = \"0.005 s\"`")
         })
     }
 }
 
-/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, `Sta Cha: 1     0 deg (Rcrdr Chan  1)`, `Sta Chan   1  90    HNE   Location:`.
+/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, `Sta Cha: 1     0 deg (Rcrdr Chan  1)`, `Sta Chan   1
+/// 90    HNE   Location:`.
 pub(super) fn channel_name(text: &[String]) -> Option<String> {
     let line =
         text.iter().map(|line| line.trim_start()).find(|line| line.to_ascii_lowercase().starts_with("sta cha"))?;
@@ -126,7 +128,8 @@ pub(super) fn channel_name(text: &[String]) -> Option<String> {
     (!name.is_empty()).then(|| name.to_owned())
 }
 
-/// `Statn No: 05- 23837 Code:CE-23837  CGS  Pomona - Orange Grove & Fairplex`: the name stands from column 41 on.
+/// `Statn No: 05- 23837 Code:CE-23837  CGS  Pomona - Orange Grove & Fairplex`: the name begins in
+/// column 41.
 pub(super) fn station(text: &[String]) -> Option<String> {
     let line = text.iter().find(|line| line.trim_start().to_ascii_lowercase().starts_with("stat"))?;
     let name: String = line.chars().skip(40).collect();

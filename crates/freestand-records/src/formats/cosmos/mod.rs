@@ -1,24 +1,25 @@
-//! COSMOS, the exchange format of the strong-motion networks, stages V0 (counts) to V2: every block says itself how many
-//! values it has and in which Fortran format.
+//! COSMOS, the exchange format of the strong-motion networks, stages V0 (counts) to V2: every block
+//! states how many values it has, and their Fortran format.
 //!
-//! Source: COSMOS Strong Motion Data Format, version 1.20, 2001. Headers are counted from 1, as there.
+//! Source: COSMOS Strong Motion Data Format, version 1.20, 2001. Headers are counted from 1, as
+//! there.
 
 mod header;
 
-use super::format::{Block, Format};
-use super::fortran::is_missing_value;
-use super::lines::{Line, Lines, lines};
-use super::units::record_unit;
 use super::volumes::first_integer;
-use super::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::is_missing_value;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::units::record_unit;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, shorten};
 use header::{Header, channel_name, read_header, station};
 use std::path::Path;
 
-/// Lines within which the next block must begin: comments are a few lines.
-const MOST_COMMENTS: usize = 10_000;
+/// The next block must begin within this many lines; comments take a few lines.
+const MAX_COMMENTS: usize = 10_000;
 
 /// Whether the text is a COSMOS file: the first line names the format.
 pub(super) fn is_cosmos(bytes: &[u8]) -> bool {
@@ -43,7 +44,7 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
     let mut rest = lines(bytes);
     let (mut components, mut notes, mut refused) = (Vec::new(), Vec::new(), Vec::new());
     let mut header: Option<Header> = None;
-    // Where a header stands whose values have not come yet.
+    // The line of a header whose values have not been read yet.
     let mut open = None;
     let (mut format, mut headers) = ("COSMOS", 0);
     while let Some(line) = rest.find(|line| !line.is_blank()) {
@@ -67,9 +68,9 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                 }
             }
         } else if !line.is_text() {
-            return Err(Problem::new(ProblemKind::Format, "these numbers belong to no series")
+            return Err(Problem::new(ProblemKind::Format, "no line announces these numbers")
                 .at_line(line.number)
-                .hint("the line above that counts them may be damaged: fetch the file again"));
+                .hint("the line above them that states their number may be damaged: fetch the file again"));
         }
     }
     refuse_open(open)?;
@@ -96,7 +97,7 @@ fn finish(
     if components.is_empty() {
         let problem = match refused.first() {
             Some((what, line)) => {
-                Problem::new(ProblemKind::Format, format!("holds {what}, an acceleration record is expected"))
+                Problem::new(ProblemKind::Format, format!("holds {what}; an acceleration record is expected"))
                     .at_line(*line)
             }
             None => Problem::new(ProblemKind::Format, "holds no series of values"),
@@ -104,9 +105,9 @@ fn finish(
         return Err(problem.hint("use the acceleration file of the same record"));
     }
     if !refused.is_empty() {
-        notes.push(format!("{} series of other quantities than acceleration are left out", refused.len()));
+        notes.push(format!("{} series of quantities other than acceleration were left out", refused.len()));
     }
-    super::tell_apart(&mut components);
+    crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
 
@@ -122,10 +123,10 @@ fn stage(title: &str) -> &'static str {
     }
 }
 
-/// Comments begin with a bar; the line that counts them may be there without any.
+/// Comments begin with a bar; the line that counts them is there even without comments.
 fn skip_comments(rest: Lines<'_>) -> Lines<'_> {
     let mut at = rest;
-    for _ in 0..MOST_COMMENTS {
+    for _ in 0..MAX_COMMENTS {
         let before = at.clone();
         let Some(line) = at.next() else { return before };
         let text = line.text();
@@ -137,7 +138,8 @@ fn skip_comments(rest: Lines<'_>) -> Lines<'_> {
     at
 }
 
-/// `13400 acceleration pts, approx  67 secs, units=g.     (02)Format=(8f9.6)`; `None` for another line.
+/// `13400 acceleration pts, approx  67 secs, units=g.     (02)Format=(8f9.6)`; `None` for another
+/// line.
 fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
     let title = line.text();
     let lower = title.to_ascii_lowercase();
@@ -148,12 +150,15 @@ fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
     let Some((count, format)) = parsed else {
         return Err(Problem::new(ProblemKind::Format, "the number of values or their format is missing")
             .at_line(line.number)
-            .hint("the line above the values reads like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\""));
+            .hint(
+                "the line above the values should read like \"13400 acceleration pts, units=g (02),Format=(8f9.6)\"",
+            ));
     };
     Ok(Some(Series { line: line.number, title: lower, count, format }))
 }
 
-/// The values, up to the line that ends them. Some networks count one more or less: the end line tells.
+/// The values, up to the line that ends them. Some networks count one more or one less; the end
+/// line decides.
 fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -> Result<Block, Problem> {
     let try_count = |count: usize| {
         let mut at = rest.clone();
@@ -165,9 +170,11 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
             *rest = at;
             return Ok(block);
         }
-        Ok(_) => Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", series.count))
-            .at_line(series.line)
-            .hint("the file is damaged, or the number of values is wrong: fetch it again"),
+        Ok(_) => {
+            Problem::new(ProblemKind::Format, format!("more values follow than the {} that are declared", series.count))
+                .at_line(series.line)
+                .hint("the file is damaged, or the number of values is wrong: fetch it again")
+        }
         Err(problem) => problem,
     };
     for count in [series.count.saturating_sub(1), series.count.saturating_add(1)] {
@@ -175,7 +182,7 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
         if let Ok((block, at)) = try_count(count)
             && at.ahead().is_some_and(|line| line.text().to_ascii_lowercase().contains("end-of-data"))
         {
-            notes.push(format!("line {} declares {} values, the record has {count}", series.line, series.count));
+            notes.push(format!("line {} declares {} values, but the record has {count}", series.line, series.count));
             *rest = at;
             return Ok(block);
         }
@@ -183,16 +190,16 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
     Err(problem)
 }
 
-/// What the series is, where it is not an acceleration.
+/// What the series is, if it is not an acceleration.
 fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
     // Integer header 2, table 1 of the format; 1 is acceleration.
     let of_code = match header.integers[1] as i64 {
         2 => Some("a velocity"),
         3 | 4 => Some("a displacement"),
-        10..=99 => Some("another quantity than acceleration"),
+        10..=99 => Some("a quantity other than acceleration"),
         _ => None,
     };
-    // A file with all three series of a channel names each above its values.
+    // In a file with all three series of a channel, the line above the values names each.
     let of_title = if series.title.contains("acc") {
         return None;
     } else if series.title.contains("vel") {
@@ -220,7 +227,7 @@ fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
         .map(str::to_owned)
 }
 
-/// Counts, before the header tells what one is worth.
+/// Counts, before their value is known.
 const COUNTS: Unit = Unit::acceleration("counts", 0, 0.0);
 
 /// Unit of the values, by table 2 of the format.
@@ -252,15 +259,15 @@ fn unit(series: &Series) -> Result<Unit, Problem> {
     };
     match (of_code, named) {
         (Some(unit), Some(named)) if (named.to_si(1.0) - unit.to_si(1.0)).abs() > 1e-9 * unit.to_si(1.0) => {
-            let message = format!("the unit is {} by its name and {} by its code", named.symbol, unit.symbol);
-            wrong(message, "one of the two is wrong: ask where the file comes from, and correct it")
+            let message = format!("the unit is {} by its name, but {} by its code", named.symbol, unit.symbol);
+            wrong(message, "one of the two is wrong: ask the source of the file, and correct it")
         }
         (Some(unit), _) => Ok(unit),
         (None, Some(named)) if code.is_none() => Ok(*named),
         (None, None) if code.is_none() && name.contains("count") => Ok(COUNTS),
         _ => wrong(
-            format!("the unit \"{}\" is not one of acceleration that is known", shorten(stated.trim())),
-            "units read: g (02), cm/s2 (04), in/s2 (07), gal (10), mg (11), micro-g (12), counts (50)",
+            format!("the unit \"{}\" is not a known unit of acceleration", shorten(stated.trim())),
+            "known units: g (02), cm/s2 (04), in/s2 (07), gal (10), mg (11), micro-g (12), counts (50)",
         ),
     }
 }
@@ -278,12 +285,12 @@ fn component(
     let is_unknown = |value: f64| value == header.missing[1] || is_missing_value(value);
     let name = channel_name(&header.text).unwrap_or_else(|| format!("channel {channel}"));
     if is_raw {
-        // These are ordinary counts, which every second record passes.
+        // These are ordinary counts, which occur in every second record.
         let is_ordinary = |value: f64| value == -999.0 || value == -9999.0;
         notes.extend(block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?);
         let count = block.values.iter().filter(|value| is_ordinary(**value)).count();
         if count > 0 {
-            notes.push(format!("{}: {count} values are -999 or -9999 counts, read as counts", shorten(&name)));
+            notes.push(format!("{}: {count} values of -999 or -9999 counts were read as counts", shorten(&name)));
         }
     } else {
         notes.extend(block.refuse_missing(series.format, is_unknown)?);
@@ -301,7 +308,7 @@ fn component(
         is_raw,
     }
     .component(options)?;
-    // Of counts the header has the peak in g or in volts, with the mean removed or not.
+    // For counts, the header gives the peak in g or in volts, with or without the mean.
     if !is_raw && let Some(peak) = header.real(64) {
         notes.extend(peak_note(&found, unit.to_si(peak)));
     }

@@ -1,17 +1,19 @@
-//! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`, then one value a line.
+//! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`,
+//! then one value a line.
 
-use super::keyed::{Header, entry, read_rows};
-use super::lines::lines;
-use super::units::{Stated, decide, record_unit, requested};
-use super::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::text::keyed::{Header, entry, read_rows};
+use crate::text::lines::lines;
+use crate::text::units::{Stated, decide, record_unit, requested};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
 
-/// How far down the keys are looked for that tell the format.
+/// The number of lines in which the keys that identify the format are searched for.
 const HEAD_LINES: usize = 100;
 
-/// Whether the text is a DYNA file: its first key with others that no prose has, or the two that no file can do without.
+/// Whether the text is a DYNA file: its first key and others that prose does not have, or the two
+/// that every file has.
 pub(super) fn is_dyna(bytes: &[u8]) -> bool {
     let head: Vec<_> = lines(bytes).take(HEAD_LINES).filter(|line| !line.is_blank()).map(|line| entry(&line)).collect();
     let has = |key: &str| head.iter().any(|entry| entry.is(key));
@@ -26,7 +28,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let header = Header::read(&mut rest);
     refuse_other_series(&header)?;
     let unit = unit(&header, options)?;
-    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options)?;
+    let (dt_s, line_of_step) = header.step_s("SAMPLING_INTERVAL_S", options.dt_s)?;
     let mut notes = Vec::new();
     let declared = header.count("NDATA")?;
     let rows = read_rows(&mut rest, 1, declared, &mut notes)?;
@@ -35,7 +37,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         notes.push(format!("the header does not say how many values there are; {} were found", values.len()));
     }
     if header.text("BASELINE_CORRECTION").to_ascii_uppercase().contains("NOT REMOVED") {
-        notes.push("the header says that the baseline is not removed: the values may have an offset".to_owned());
+        notes.push("the header says that the baseline was not removed: the values may have an offset".to_owned());
     }
     let (name, direction) = name_and_direction(&header, path);
     let component = Found {
@@ -50,7 +52,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         is_raw: false,
     }
     .component(options)?;
-    // The peak is a check and no reason to refuse a record.
+    // The peak is only a check, not a reason to refuse a record.
     if let Ok(Some((peak, _))) = header.number("PGA_CM/S^2") {
         notes.extend(peak_note(&component, 0.01 * peak));
     }
@@ -60,13 +62,13 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     Ok(Reading { format: "DYNA", components: vec![component], notes })
 }
 
-/// The archives give velocities, displacements and spectra in files of the same form.
+/// Refuses velocities, displacements and spectra, which the archives publish in the same form.
 fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let Some(stated) = header.get("DATA_TYPE") else { return Ok(()) };
     let upper = stated.value.to_ascii_uppercase();
     let is_other = ["SPECTR", "VELOCITY", "DISPLACEMENT"].iter().any(|word| upper.contains(word));
     if is_other || !upper.contains("ACCEL") {
-        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&stated.value));
+        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&stated.value));
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(stated.line)
             .hint("use the acceleration file (ACC) of the same record"));
@@ -85,7 +87,8 @@ fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem
     decide(Some(Stated { unit, line: stated.line }), requested, "the record")
 }
 
-/// `HNE` of the SEED channel, or the `NS`, `WE`, `UP` of the oldest files, whose WE is positive to the east.
+/// `HNE` of the SEED channel, or the `NS`, `WE`, `UP` of the oldest files, whose WE is positive to
+/// the east.
 fn name_and_direction(header: &Header, path: &Path) -> (String, Option<Direction>) {
     if let Some(stream) = header.get("STREAM") {
         return (stream.value.clone(), Direction::parse(&stream.value));

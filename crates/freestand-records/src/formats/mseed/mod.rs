@@ -1,25 +1,29 @@
-//! miniSEED 2 (SEED 2.4) and 3 (FDSN): counts of a digitizer in records, several channels a file; no unit.
+//! miniSEED 2 (SEED 2.4) and 3 (FDSN): counts of a digitizer in records, several channels a file;
+//! no unit.
 
 mod record;
 mod series;
+mod station_xml;
 mod steim;
 
 pub(super) use record::Source;
 
-use super::station_xml::{Sensed, Stations};
-use super::{Component, Direction, Found, ReadOptions, Reading, units, without_line};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, without_line};
+use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Unit;
 use record::{Record, header_order, is_version3, version2, version3};
 use series::{Series, join};
+use station_xml::{Sensed, Stations};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
-/// Whether the file begins with a record of miniSEED, or with the control headers of a full SEED volume.
+/// Whether the file begins with a record of miniSEED, or with the control headers of a full SEED
+/// volume.
 pub(super) fn is_mseed(bytes: &[u8]) -> bool {
     let begins = |bytes: &[u8]| is_version3(bytes) || header_order(bytes).is_some();
     let is_volume = is_control_header(bytes) && bytes.get(6) == Some(&b'V');
-    // A file may begin with numbered blank records, which are no longer than others.
+    // A file may begin with numbered blank records.
     let is_late = || {
         let mut starts = (SKIP..bytes.len().min(1 << 16)).step_by(SKIP);
         is_blank(bytes) && starts.any(|at| begins(&bytes[at..]))
@@ -51,7 +55,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                 components.push(Component { start_s, station_xml, ..component });
             }
             Err(problem) => {
-                notes.push(format!("{}; it is left out", problem.message));
+                notes.push(format!("{}; it was left out", problem.message));
                 first_left_out.get_or_insert(problem);
             }
         }
@@ -66,8 +70,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     Ok(Reading { format, components, notes })
 }
 
-/// Counts become m/s² by the sensitivity of a StationXML, or are taken to be in the user's unit. What is no acceleration
-/// comes back as the problem that it would be on its own.
+/// Converts counts to m/s² with the sensitivity of a StationXML, or reads them in the user's unit.
+/// The inner error is a channel that is not an acceleration; alone in a file it would be the
+/// problem.
 fn scaled(
     series: Series,
     name: String,
@@ -81,13 +86,12 @@ fn scaled(
     let (unit, direction) = match (stations.of(&source)?, units::requested(options.unit.as_deref())?) {
         (Some(inventory), Some(unit)) => {
             let message = format!(
-                "{} has the sensitivity of its counts, and the unit {} is given too",
+                "{} gives the sensitivity of its counts, but the unit {} is given too",
                 inventory.name(),
                 unit.symbol
             );
-            return Err(Problem::new(ProblemKind::Value, message).hint(
-                "leave out the unit (--unit, or unit in the study); if the values are in that unit already, move the StationXML away",
-            ));
+            return Err(Problem::new(ProblemKind::Value, message)
+                .hint("leave out `unit`; if the values are already in that unit, move the StationXML file away"));
         }
         (Some(inventory), None) => {
             let scaling = match inventory.scaling(&source, start, end)? {
@@ -101,15 +105,16 @@ fn scaled(
             (Unit::acceleration("m/s2", 0, 1.0), scaling.direction)
         }
         (None, Some(unit)) => {
-            notes.push(format!("{full_name}: the values are taken to be in {}, without a sensitivity", unit.symbol));
+            notes.push(format!("{full_name}: the values are assumed to be in {}, without a sensitivity", unit.symbol));
             (*unit, Direction::parse(&source.channel))
         }
         (None, None) => {
-            return Err(Problem::new(ProblemKind::Value, format!("{full_name}: the sensitivity of the counts is not known"))
-                .hint(format!(
-                    "name its StationXML (--station-xml FILE), or put it beside the record as {}.xml; if the values are in a unit already, give that (--unit)",
-                    source.full_station().unwrap_or_else(|| "STATION".to_owned())
-                )));
+            let message = format!("{full_name}: the sensitivity of the counts is unknown");
+            let station = source.full_station().unwrap_or_else(|| "STATION".to_owned());
+            return Err(Problem::new(ProblemKind::Value, message).hint(format!(
+                "name its StationXML file with `station_xml`, or put it next to the record as {station}.xml; if the \
+                 values already have a unit, state it with `unit`"
+            )));
         }
     };
     let station = source.full_station();
@@ -126,20 +131,20 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
     let named = |way: &fn(&Source) -> String| channels.iter().map(|series| way(&series.source)).collect::<Vec<_>>();
     let differ = |names: &Vec<String>| names.iter().collect::<HashSet<_>>().len() == names.len();
     let names = ways.iter().map(named).find(differ).unwrap_or_else(|| named(&ways[2]));
-    let or_file = |name: String| if name.is_empty() { super::file_stem(path) } else { name };
+    let or_file = |name: String| if name.is_empty() { crate::motion_file::file_stem(path) } else { name };
     names.into_iter().map(or_file).collect()
 }
 
-/// What stands in a file, record by record.
+/// The records of a file.
 #[derive(Default)]
 struct Scan<'a> {
-    /// In the order in which the file begins them.
+    /// In the order of their first records.
     channels: Vec<(Source, Vec<Record<'a>>)>,
     places: HashMap<Source, usize>,
     texts: usize,
     rateless: usize,
     control_headers: usize,
-    /// Records that state no samples, but hold something where samples stand.
+    /// Records that state 0 samples but hold data.
     countless: usize,
 }
 
@@ -161,10 +166,10 @@ impl<'a> Scan<'a> {
 
     fn notes(&self) -> Vec<String> {
         let skipped = [
-            (self.control_headers, "blocks of control headers", "the response in them is not read"),
-            (self.texts, "records of text", "they are not read"),
-            (self.rateless, "records without a sampling rate", "they are not read"),
-            (self.countless, "records that state 0 samples and hold data", "samples may be lost, they are not read"),
+            (self.control_headers, "blocks of control headers", "the response in them was ignored"),
+            (self.texts, "records of text", "they were ignored"),
+            (self.rateless, "records without a sampling rate", "they were ignored"),
+            (self.countless, "records that state 0 samples but hold data", "they were ignored, samples may be missing"),
         ];
         skipped
             .iter()
@@ -174,7 +179,8 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// Control headers and records begin at multiples of this many bytes; blank records are skipped in steps of it.
+/// Control headers and records begin at multiples of this many bytes; blank records are skipped in
+/// steps of it.
 const SKIP: usize = 64;
 /// Powers of two of the lengths of control headers: 256 to 65536 bytes.
 const CONTROL_LENGTHS: std::ops::RangeInclusive<u32> = 8..=16;
@@ -220,11 +226,12 @@ fn is_control_header(bytes: &[u8]) -> bool {
     })
 }
 
-/// How long the control header is that `bytes` begin with: what the first blockette of the volume states, `010  98 2.412`
-/// (blockettes 005, 008, 010), else the distance of the first two control headers; less where a record begins before.
+/// The length of the control header at the start of `bytes`: as the first blockette of the volume
+/// states, `010  98 2.412` (blockettes 005, 008, 010), else the distance between the first two
+/// control headers; less if a record begins before.
 ///
 /// # Errors
-/// Bytes within it that no text has: a damaged record of data would vanish in it.
+/// Bytes within it that text does not have: it may hide a damaged record of data.
 fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> Result<usize, Problem> {
     *length = stated_length(bytes).or(*length);
     let most = length.unwrap_or(bytes.len()).min(bytes.len());
@@ -239,7 +246,7 @@ fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> R
         if next.iter().take(SKIP).any(is_binary) {
             return Err(Problem::new(
                 ProblemKind::Format,
-                format!("the control header at byte {at} has bytes at {} that are no text", at + from),
+                format!("the control header at byte {at} has bytes at {} that are not text", at + from),
             )
             .hint("the file is damaged, and a record of data may be lost in it: fetch it again"));
         }
@@ -247,14 +254,15 @@ fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> R
     Ok(most)
 }
 
-/// Behind the blockette's number, length and version stands the power of two.
+/// The power of two follows the blockette's number, length and version.
 fn stated_length(bytes: &[u8]) -> Option<usize> {
     let head = bytes.get(8..21).filter(|head| matches!(&head[..3], b"005" | b"008" | b"010"))?;
     let power = std::str::from_utf8(&head[11..]).ok()?.trim().parse().ok()?;
     CONTROL_LENGTHS.contains(&power).then_some(1 << power)
 }
 
-/// What fills the room between records: a number and blanks, or nothing but blanks or zeros.
+/// Whether these bytes fill the space between records: a number and blanks, or only blanks or
+/// zeros.
 fn is_blank(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(SKIP)];
     let (number, rest) = head.split_at(head.len().min(6));

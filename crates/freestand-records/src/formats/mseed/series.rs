@@ -1,8 +1,8 @@
-//! The records of one channel, put together in the order of time.
+//! The records of one channel, joined in the order of time.
 
-use super::super::instant::Instant;
 use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
+use crate::formats::instant::Instant;
 use freestand_input::problem::{Problem, ProblemKind};
 
 /// A channel without gaps.
@@ -16,13 +16,14 @@ pub(super) struct Series {
     pub(super) notes: Vec<String>,
 }
 
-/// How much rates of one channel may differ: a measured rate wanders by parts in a million.
+/// How much the rates of one channel may differ: a measured rate varies by parts in a million.
 const RATE_TOLERANCE: f64 = 1e-4;
 
 /// The samples of one channel.
 ///
 /// # Errors
-/// Records that leave a gap or overlap by more than half a sample, that differ in rate, or that cannot be decoded.
+/// Records that leave a gap or overlap by more than half a sample, that differ in rate, or that
+/// cannot be decoded.
 pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Option<Series>, Problem> {
     let name = source.full_name();
     records.sort_by_key(|record| (record.start, record.number));
@@ -35,7 +36,7 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
     let Some(first) = records.first() else { return Ok(None) };
     if records.len() < all {
         let count = all - records.len();
-        notes.push(format!("{name}: {count} records stand in the file twice and are used once"));
+        notes.push(format!("{name}: {count} records are in the file twice and were used once"));
     }
     let Some(dt_s) = first.dt_s else {
         return Err(problem(first.number, first.at, "has no sampling rate").hint("the rate must be in the header"));
@@ -50,20 +51,20 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
     if let Some(at) = values.iter().position(|value| !value.is_finite()) {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("{name}: sample {} is {}, which stands for a missing value", at + 1, values[at]),
+            format!("{name}: sample {} is {}, which marks a missing value", at + 1, values[at]),
         )
         .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
     }
     if first.encoding.is_none() {
         notes.push(format!(
-            "{name}: no encoding is stated (blockette 1000); read as Steim-1, whose check samples agree"
+            "{name}: no encoding is stated (blockette 1000); read as Steim-1, whose check samples match"
         ));
     }
     let end = records.last().map_or(first.start, |last| end_of(last, dt_s));
     Ok(Some(Series { source, start: first.start, end, dt_s, values, notes }))
 }
 
-/// When the sample behind the last is due.
+/// The time of the sample that would follow the last one.
 fn end_of(record: &Record<'_>, dt_s: f64) -> Instant {
     record.start.later_by_s(record.samples as f64 * dt_s)
 }
@@ -73,7 +74,7 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
     for (before, record) in records.iter().zip(records.iter().skip(1)) {
         if record.dt_s.is_none_or(|other_s| (other_s - dt_s).abs() > RATE_TOLERANCE * dt_s) {
             let rate = |step: Option<f64>| step.map_or("no rate".to_owned(), |step| format!("{} Hz", 1.0 / step));
-            let what = format!("has {}, the records before it {}", rate(record.dt_s), rate(Some(dt_s)));
+            let what = format!("has {}, but the records before it have {}", rate(record.dt_s), rate(Some(dt_s)));
             return Err(problem(record.number, record.at, &what).hint("split the file where the rate changes"));
         }
         let expected = end_of(before, dt_s);
@@ -99,7 +100,8 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
     Ok(())
 }
 
-/// Each step may be off by half a sample; when all are off the same way, the clock and the rate disagree.
+/// A note if the clock and the rate disagree: each step may be off by half a sample, but not all in
+/// the same direction.
 fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<String> {
     let (first, last) = (records.first()?, records.last()?);
     let samples: usize = records.iter().take(records.len() - 1).map(|record| record.samples).sum();
@@ -109,7 +111,7 @@ fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<String> {
     })
 }
 
-/// Flags that say that samples are not what the ground did.
+/// A note about flags that mark samples as faulty.
 fn quality_note(records: &[Record<'_>], name: &str) -> Option<String> {
     let flags = ["saturated amplifier", "clipped", "spikes", "glitches", "missing or padded data"];
     let set = records.iter().fold(0, |set, record| set | record.quality);
@@ -117,14 +119,18 @@ fn quality_note(records: &[Record<'_>], name: &str) -> Option<String> {
         flags.iter().enumerate().filter(|(bit, _)| set >> bit & 1 != 0).map(|(_, flag)| *flag).collect();
     let first = records.iter().find(|record| record.quality & 0x1F != 0)?;
     let count = records.iter().filter(|record| record.quality & 0x1F != 0).count();
-    Some(format!("{name}: {count} records, the first number {}, are flagged: {}", first.number, found.join(", ")))
+    Some(format!(
+        "{name}: {count} records, the first of them number {}, are flagged: {}",
+        first.number,
+        found.join(", ")
+    ))
 }
 
 fn refuse_other_encodings(record: &Record<'_>) -> Result<(), Problem> {
     match record.encoding {
         None | Some(1 | 3 | 4 | 5 | 10 | 11) => Ok(()),
         Some(code) => {
-            let what = format!("has the encoding {}, which is not read", encoding_name(code));
+            let what = format!("has the encoding {}, which cannot be read", encoding_name(code));
             Err(problem(record.number, record.at, &what).hint("convert the file to Steim-2 or to 32-bit integers"))
         }
     }
@@ -141,12 +147,12 @@ fn append(record: &Record<'_>, out: &mut Vec<f64>) -> Result<(), String> {
         Some(10) => return steim::decode(data, order, Packing::Steim1, samples, out),
         None => {
             return steim::decode(data, order, Packing::Steim1, samples, out)
-                .map_err(|what| format!("states no encoding (blockette 1000), and as Steim-1 it {what}"));
+                .map_err(|what| format!("states no encoding (blockette 1000); read as Steim-1, it {what}"));
         }
-        Some(_) => return Err("has an encoding that is not read".to_owned()),
+        Some(_) => return Err("has an encoding that cannot be read".to_owned()),
     };
     if data.len() / width < samples {
-        return Err(format!("declares {samples} samples, and has room for {}", data.len() / width));
+        return Err(format!("declares {samples} samples, but has room for {}", data.len() / width));
     }
     let value = |at: usize| match record.encoding {
         Some(1) => order.i16(data, at).map(f64::from),
@@ -158,7 +164,7 @@ fn append(record: &Record<'_>, out: &mut Vec<f64>) -> Result<(), String> {
     Ok(())
 }
 
-/// Encodings that are known by name and not read (SEED 2.4 manual, blockette 1000).
+/// Names of encodings that cannot be read (SEED 2.4 manual, blockette 1000).
 fn encoding_name(code: u8) -> String {
     let name = match code {
         2 => "24-bit integers",

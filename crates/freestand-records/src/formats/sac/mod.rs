@@ -1,20 +1,22 @@
-//! SAC, the Seismic Analysis Code's files: a header of 632 bytes, single-precision samples, and no unit.
+//! Files of SAC, the Seismic Analysis Code: a header of 632 bytes and single-precision samples
+//! without a unit.
 
 use super::binary::{Order, as_written, field};
 use super::instant::Instant;
-use super::lines::lines;
-use super::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note, units, without_line};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note, without_line};
+use crate::text::lines::lines;
+use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
 use std::path::Path;
 
 /// Bytes before the samples.
 const HEADER: usize = 632;
-/// Double-precision values behind the samples in version 7.
+/// Double-precision values after the samples in version 7.
 const FOOTER: usize = 22 * 8;
-/// What an unset number of the header is.
+/// The value of a header number that is not set.
 const UNSET: f32 = -12345.0;
 
-/// Numbers of the words of the header that are used.
+/// Places of the header words that are used.
 mod word {
     pub(super) const DELTA: usize = 0;
     pub(super) const DEPMIN: usize = 1;
@@ -33,7 +35,7 @@ mod word {
     pub(super) const LEVEN: usize = 105;
 }
 
-/// The order in which the version of the header is 6 or 7 and the other fields are possible.
+/// The byte order in which the header version is 6 or 7 and the other fields are possible.
 fn order(bytes: &[u8]) -> Option<Order> {
     let fits = |order: &Order| {
         let at = |word: usize| order.i32(bytes, 4 * word);
@@ -49,8 +51,8 @@ pub(super) fn is_sac(bytes: &[u8]) -> bool {
     order(bytes).is_some()
 }
 
-/// Whether this is a SAC file in text: five numbers a line, fourteen lines of reals and then whole numbers, of which the
-/// seventh is the version; what is not set is -12345.
+/// Whether this is a SAC file in text: five numbers per line, fourteen lines of reals, then whole
+/// numbers, of which the seventh is the version; numbers that are not set are -12345.
 pub(super) fn is_text_sac(bytes: &[u8]) -> bool {
     let head: Vec<String> = lines(bytes).take(16).map(|line| line.text()).collect();
     let words: Vec<Vec<&str>> = head.iter().map(|text| text.split_whitespace().collect()).collect();
@@ -63,14 +65,14 @@ pub(super) fn is_text_sac(bytes: &[u8]) -> bool {
 
 /// Refuses SAC in text.
 pub(super) fn read_text(_: &[u8], _: &Path, _: &ReadOptions) -> Result<Reading, Problem> {
-    Err(Problem::new(ProblemKind::Format, "is a SAC file in text (alphanumeric), which is not read")
+    Err(Problem::new(ProblemKind::Format, "is an alphanumeric SAC file, which cannot be read")
         .hint("convert it to binary SAC (in SAC: read alpha FILE, then write)"))
 }
 
 /// Reads a SAC file.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let wrong = |message: String| Problem::new(ProblemKind::Format, message);
-    let Some(order) = order(bytes) else { return Err(wrong("is no SAC file".to_owned())) };
+    let Some(order) = order(bytes) else { return Err(wrong("is not a SAC file".to_owned())) };
     let header = Header { bytes, order };
     header.refuse_other_kinds()?;
     let version = header.integer(word::NVHDR);
@@ -81,25 +83,27 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let footer = if version == 7 { FOOTER } else { 0 };
     if npts.checked_mul(4).and_then(|size| size.checked_add(HEADER + footer)) != Some(bytes.len()) {
         let found = bytes.len().saturating_sub(HEADER + footer) as f64 / 4.0;
-        return Err(wrong(format!("the header declares {npts} samples (NPTS), the file has room for {found}"))
+        return Err(wrong(format!("the header declares {npts} samples (NPTS), but the file has room for {found}"))
             .hint("the file is damaged or cut off: fetch it again"));
     }
     let Some(unit) = units::requested(options.unit.as_deref())? else {
-        return Err(Problem::new(ProblemKind::Value, "a SAC file states no unit").hint(
-            "give it (--unit, or unit in the study): nm/s2 in what data centres deliver, g in records of the Community Seismic Network, cm/s2 or m/s2 elsewhere",
+        return Err(Problem::new(ProblemKind::Value, "a SAC file does not state its unit").hint(
+            "state it with `unit`: nm/s2 for files from data centres, g for records of the Community Seismic Network, \
+             cm/s2 or m/s2 elsewhere",
         ));
     };
     let values: Vec<f64> = (0..npts).filter_map(|i| order.f32(bytes, HEADER + 4 * i)).map(f64::from).collect();
     if let Some(at) = values.iter().position(|value| !value.is_finite()) {
-        return Err(wrong(format!("sample {} is {}, which stands for a missing value", at + 1, values[at]))
+        return Err(wrong(format!("sample {} is {}, which marks a missing value", at + 1, values[at]))
             .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
     }
-    let mut notes = vec![format!("the samples are taken to be in {}; a SAC file does not say", unit.symbol)];
+    let mut notes =
+        vec![format!("the samples are assumed to be in {}; a SAC file does not state its unit", unit.symbol)];
     notes.extend(header.notes());
     let text = |word: usize, bytes: usize| header.text(word, bytes);
     let channel = text(600, 8);
     let component = Found {
-        name: channel.clone().unwrap_or_else(|| super::file_stem(path)),
+        name: channel.clone().unwrap_or_else(|| crate::motion_file::file_stem(path)),
         station: match (text(608, 8), text(440, 8)) {
             (Some(network), Some(station)) => Some(format!("{network}.{station}")),
             (network, station) => station.or(network),
@@ -134,7 +138,7 @@ impl Header<'_> {
         self.order.i32(self.bytes, 4 * word).unwrap_or(-12345)
     }
 
-    /// Time of the first sample: B seconds after the reference time, where the header has both.
+    /// Time of the first sample: B seconds after the reference time, if the header has both.
     fn start_s(&self) -> Option<f64> {
         let field = |i: usize| u32::try_from(self.integer(word::NZYEAR + i)).ok();
         let (year, day) = (u16::try_from(field(0)?).ok()?, u16::try_from(field(1)?).ok()?);
@@ -186,10 +190,10 @@ impl Header<'_> {
                 return refused(format!("holds something unknown (IDEP = {other})"), "an acceleration has IDEP = IACC");
             }
         };
-        refused(format!("is {what}, an acceleration is expected"), "use the record of the accelerometer")
+        refused(format!("is {what}; an acceleration is expected"), "use the record of the accelerometer")
     }
 
-    /// The time step \[s\]: version 7 repeats it in double precision behind the samples.
+    /// The time step \[s\]: version 7 repeats it in double precision after the samples.
     fn step(&self, version: i32, footer_at: usize) -> Result<f64, Problem> {
         let double = (version == 7).then(|| self.order.f64(self.bytes, footer_at)).flatten();
         let double = double.filter(|step| *step > 0.0 && step.is_finite());
@@ -200,7 +204,7 @@ impl Header<'_> {
 
     fn notes(&self) -> Option<String> {
         let scale = self.real(word::SCALE).filter(|scale| *scale != 1.0)?;
-        Some(format!("SCALE is {scale} in the header, and the samples are not multiplied by it"))
+        Some(format!("SCALE is {scale} in the header; the samples were not multiplied by it"))
     }
 
     /// CMPINC is degrees from upwards, CMPAZ degrees from north; within five degrees of an axis.

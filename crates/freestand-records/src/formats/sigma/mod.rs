@@ -1,18 +1,19 @@
-//! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values a line that may touch.
+//! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values per line, which
+//! may touch.
 
-use super::format::Format;
-use super::fortran::is_missing_value;
-use super::keyed::{Header, entry, refuse_more_values};
-use super::lines::lines;
-use super::units::{Stated, decide, requested, unit_in_prose};
-use super::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::is_missing_value;
+use crate::text::keyed::{Header, entry, refuse_more_values};
+use crate::text::lines::lines;
+use crate::text::units::{Stated, decide, requested, unit_in_prose};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
 const VALUES: Format = Format::new(5, 14);
 
-/// Whether the text is such a file: its first key, with another that no prose has.
+/// Whether the text is such a file: its first key, and another that prose does not have.
 pub(super) fn is_sigma(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(40).filter(|line| !line.is_blank()).map(|line| entry(&line));
     let others = ["Time Increment", "Number of Data", "Orientation", "PGA", "Station Code / Name"];
@@ -31,7 +32,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         Some(Stated { unit, line: entry.line })
     });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
-    let (dt_s, line_of_step) = header.step_s("Time Increment", options)?;
+    let (dt_s, line_of_step) = header.step_s("Time Increment", options.dt_s)?;
     let (npts, _) = header.count("Number of Data")?.ok_or_else(|| {
         Problem::new(ProblemKind::Format, "the header has no number of values (Number of Data)")
             .at_line(1)
@@ -58,19 +59,19 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         is_raw: false,
     }
     .component(options)?;
-    // The peak is a check and no reason to refuse a record.
+    // The peak is only a check, not a reason to refuse a record.
     if let Ok(Some((peak, _))) = header.number("PGA") {
         notes.extend(peak_note(&component, unit.to_si(peak)));
     }
     Ok(Reading { format: "SIGMA/RESORCE", components: vec![component], notes })
 }
 
-/// The line above the values says of what they are.
+/// Refuses other series than accelerations; the line above the values names the series.
 fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else { return Ok(()) };
     let lower = title.key.to_ascii_lowercase();
     if ["veloc", "displ", "spectr"].iter().any(|word| lower.contains(word)) {
-        let message = format!("holds \"{}\", an acceleration record is expected", shorten(&title.key));
+        let message = format!("holds \"{}\"; an acceleration record is expected", shorten(&title.key));
         return Err(Problem::new(ProblemKind::Format, message)
             .at_line(title.line)
             .hint("use the acceleration file (.acc) of the same record"));

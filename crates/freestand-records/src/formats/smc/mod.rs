@@ -1,11 +1,12 @@
-//! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component a file, cm/s².
+//! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component per file,
+//! in cm/s².
 
-use super::format::Format;
-use super::fortran::is_missing_value;
-use super::keyed::refuse_more_values;
-use super::lines::{Line, lines};
-use super::sampling::step_of_rate;
-use super::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::text::fixed_width::Format;
+use crate::text::fortran::is_missing_value;
+use crate::text::keyed::refuse_more_values;
+use crate::text::lines::{Line, lines};
+use crate::text::sampling::step_of_rate;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
@@ -16,22 +17,28 @@ const VALUES: Format = Format::new(8, 10);
 const UNIT: Unit = Unit::acceleration("cm/s2", -2, 1.0);
 const TEXT_LINES: usize = 11;
 
-/// What the first line says the file holds.
-fn kind(line: &Line<'_>) -> Option<&'static str> {
+/// What a file holds.
+enum Kind {
+    Acceleration(&'static str),
+    Other,
+}
+
+/// What the file holds, from its first line.
+fn kind(line: &Line<'_>) -> Option<Kind> {
     let text = line.text();
     let (number, words) = text.trim_start().split_at_checked(1)?;
     let words = words.trim_start().to_ascii_uppercase();
     match number {
-        "1" if words.starts_with("UNCORRECTED") => Some("SMC, uncorrected"),
-        "2" if words.starts_with("CORRECTED") => Some("SMC, corrected"),
+        "1" if words.starts_with("UNCORRECTED") => Some(Kind::Acceleration("SMC, uncorrected")),
+        "2" if words.starts_with("CORRECTED") => Some(Kind::Acceleration("SMC, corrected")),
         "3" | "4" | "5" | "6" if ["VELOCITY", "DISPLACEMENT", "RESPONSE"].iter().any(|w| words.starts_with(w)) => {
-            Some("other")
+            Some(Kind::Other)
         }
         _ => None,
     }
 }
 
-/// Whether the text is an SMC file: its kind on line 1, and an asterisk where line 2 says nothing.
+/// Whether the text is an SMC file: its kind on line 1, and an asterisk on line 2 if that is empty.
 pub(super) fn is_smc(bytes: &[u8]) -> bool {
     let mut head = lines(bytes);
     let kind = head.next().and_then(|line| kind(&line));
@@ -42,15 +49,15 @@ pub(super) fn is_smc(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let text: Vec<String> = rest.by_ref().take(TEXT_LINES).map(|line| line.text()).collect();
-    let format = lines(bytes).next().and_then(|line| kind(&line)).unwrap_or("SMC");
-    if format == "other" {
-        return Err(Problem::new(
-            ProblemKind::Format,
-            format!("holds \"{}\", an acceleration record is expected", shorten(text[0].trim())),
-        )
-        .at_line(1)
-        .hint("use the acceleration file of the same record"));
-    }
+    let format = match lines(bytes).next().and_then(|line| kind(&line)) {
+        Some(Kind::Acceleration(format)) => format,
+        _ => {
+            let message = format!("holds \"{}\"; an acceleration record is expected", shorten(text[0].trim()));
+            return Err(Problem::new(ProblemKind::Format, message)
+                .at_line(1)
+                .hint("use the acceleration file of the same record"));
+        }
+    };
     let integers = INTEGERS.read(&mut rest, 48, "the integer header")?;
     let reals = REALS.read(&mut rest, 50, "the real header")?;
     let comments = integers.count(15, INTEGERS, "comment lines")?;
@@ -60,7 +67,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     if found < comments {
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("the header declares {comments} comment lines, {found} lines follow"),
+            format!("the header declares {comments} comment lines, but {found} lines follow"),
         )
         .at_line(integers.first_line + 15 / INTEGERS.per_line)
         .hint("the file is damaged or cut off: fetch it again"));
@@ -92,12 +99,12 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
 fn station_and_component(text: &[String], path: &Path) -> (Option<String>, String) {
     let line = text.iter().find(|line| line.contains("component"));
     let Some((station, component)) = line.and_then(|line| line.split_once("component")) else {
-        return (None, super::file_stem(path));
+        return (None, crate::motion_file::file_stem(path));
     };
     let value = |text: &str| text.trim().trim_start_matches(['=', ' ']).trim().to_owned();
     let station = value(station.trim_start().strip_prefix("station").unwrap_or(station));
     let component = value(component);
-    let name = if component.is_empty() { super::file_stem(path) } else { component };
+    let name = if component.is_empty() { crate::motion_file::file_stem(path) } else { component };
     ((!station.is_empty()).then_some(station), name)
 }
 

@@ -1,34 +1,36 @@
-//! The layout in which Caltech published accelerograms, and which others took over: channels one after another, each with
-//! lines of text, 100 whole numbers, 50 or 100 reals, and the series.
+//! The layout of Caltech's published accelerograms, which others adopted: channels one after
+//! another, each with lines of text, 100 whole numbers, 50 or 100 reals, and the series.
 //!
-//! Volume I has the record as it was digitised, as pairs of time and value or, later, as values at equal steps below a
-//! title line. Volume II has acceleration, velocity and displacement, each below a title line.
-//! Source: Hudson et al. (1969-1975), Strong Motion Earthquake Accelerograms, EERL, and the files of CSMIP, USC, RENADIC.
+//! Volume I has the record as it was digitised, as pairs of time and value or, later, as values at
+//! equal steps below a title line. Volume II has acceleration, velocity and displacement, each
+//! below a title line. Source: Hudson et al. (1969-1975), Strong Motion Earthquake Accelerograms,
+//! EERL, and the files of CSMIP, USC, RENADIC.
 
 mod header;
 
 pub(super) use header::{first_integer, is_full_integer_row, step_in};
 
-use super::format::{Block, Format};
-use super::fortran::is_missing_value;
-use super::lines::{Line, Lines, lines};
-use super::units::{decide, requested};
-use super::{
-    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, pairs, peak_note,
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, peak_note,
 };
+use crate::text::fixed_width::{Block, Format};
+use crate::text::fortran::is_missing_value;
+use crate::text::lines::{Line, Lines, lines};
+use crate::text::pairs;
+use crate::text::units::{decide, requested};
 use freestand::G0_M_S2;
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use header::{Header, number_after, read_header, unit_of};
 
-/// What differs from one network to the other.
+/// What differs between networks.
 pub(super) struct Network {
     pub(super) volume_one: &'static str,
     pub(super) volume_two: &'static str,
-    /// Columns of text; behind them stand numbers that count something else.
+    /// Columns of text. Numbers after them count something else.
     pub(super) columns: usize,
-    /// What the line that ends a channel has, where every file has one.
+    /// The text of the line that ends a channel, if every file has one.
     pub(super) end_mark: Option<&'static str>,
 }
 
@@ -39,20 +41,20 @@ struct Title {
     count: usize,
 }
 
-/// Most lines of reals: 7 in volume I, 13 in volume II.
-const MOST_REALS: usize = 20;
+/// The most lines of reals: 7 in volume I, 13 in volume II.
+const MAX_REALS: usize = 20;
 
 /// The first lines that are not blank, in capitals.
 pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
     lines(bytes).filter(|line| !line.is_blank()).take(count).map(|line| line.text().to_ascii_uppercase()).collect()
 }
 
-/// Volume III has response and Fourier spectra.
+/// Refuses volume III, which holds response and Fourier spectra.
 pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
     if head.first().is_some_and(|line| line.contains("RESPONSE")) {
         return Err(Problem::new(
             ProblemKind::Format,
-            "holds response spectra (volume III), an acceleration record is expected",
+            "holds response spectra (volume III); an acceleration record is expected",
         )
         .at_line(1)
         .hint("use the file of volume II of the same record"));
@@ -91,15 +93,15 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
     if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
         return Err(not_acceleration(what, *line));
     }
-    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} is left out")));
+    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} was left out")));
     notes.extend(channels_note(&last_text, channel));
     notes.extend(network.end_mark.and_then(|mark| end_note(bytes, mark)));
-    super::tell_apart(&mut components);
+    crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
 }
 
 fn not_acceleration(what: &str, line: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("holds {what}, an acceleration record is expected"))
+    Problem::new(ProblemKind::Format, format!("holds {what}; an acceleration record is expected"))
         .at_line(line)
         .hint("use the acceleration file of the same record")
 }
@@ -113,8 +115,8 @@ fn is_volume_two(text: &[String]) -> bool {
 /// Skips the reals, to the title of a series or to the first pairs.
 fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
     let mut ahead = rest.clone();
-    let mut behind_reals = None;
-    for _ in 0..MOST_REALS {
+    let mut after_reals = None;
+    for _ in 0..MAX_REALS {
         let Some(line) = ahead.find(|line| !line.is_blank()) else { break };
         if line.is_text() {
             let text = line.text();
@@ -122,17 +124,17 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
             *rest = ahead;
             return Ok(Some(Title { line: line.number, text, count }));
         }
-        // 50 and 100 are no multiples of 8: the last row of reals is short.
-        if behind_reals.is_none() && line.bytes.trim_ascii_end().len() <= 60 {
-            behind_reals = Some(ahead.clone());
+        // 50 and 100 are not multiples of 8, so the last row of reals is short.
+        if after_reals.is_none() && line.bytes.trim_ascii_end().len() <= 60 {
+            after_reals = Some(ahead.clone());
         }
     }
-    let Some(behind) = behind_reals else {
+    let Some(after) = after_reals else {
         return Err(Problem::new(ProblemKind::Format, "the real header does not end")
             .at_line(rest.line_number())
             .hint("50 or 100 reals in rows of 8 are expected: the file may be damaged"));
     };
-    *rest = behind;
+    *rest = after;
     Ok(None)
 }
 
@@ -152,16 +154,19 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     let block = format.read(rest, title.count, "acceleration")?;
     let mut notes = Vec::from_iter(block.refuse_missing(format, is_missing_value)?);
     if let Some(line) = rest.ahead().filter(|line| !line.is_text()) {
-        return Err(Problem::new(ProblemKind::Format, format!("more than the {} values declared follow", title.count))
-            .at_line(line.number)
-            .hint(format!("the number of values on line {} does not fit the file", title.line)));
+        return Err(Problem::new(
+            ProblemKind::Format,
+            format!("more values follow than the {} that are declared", title.count),
+        )
+        .at_line(line.number)
+        .hint(format!("the number of values on line {} does not match the file", title.line)));
     }
     let of_header = || header.step().map(|dt_s| (dt_s, header.first_line));
     let at_title = |dt_s| (dt_s, title.line);
     let Some(step) = step_in(&upper).map(at_title).or_else(of_header).or(options.dt_s.map(at_title)) else {
         return Err(Problem::new(ProblemKind::Format, "the time step is not stated above the values")
             .at_line(title.line)
-            .hint("give the step, such as \"0.02 s\" (--dt, or dt in the study)"));
+            .hint("give the time step, such as `dt = \"0.02 s\"`"));
     };
     let unit = match unit_of(&title.text, title.line)? {
         None if !is_volume_two(&header.text) => header.unit()?,
@@ -169,18 +174,18 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     };
     let name = shorten(&header.name(channel));
     if let Some(other) = header.other_count(title.count, is_volume_two(&header.text)) {
-        notes.push(format!("{name}: line {} declares {} values, the header {other}", title.line, title.count));
+        notes.push(format!("{name}: line {} declares {} values, but the header {other}", title.line, title.count));
     }
     // One part in a thousand: rates and steps are printed with three digits or more.
     let (dt_s, _) = step;
     if let Some(other_s) = header.step().filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s) {
-        notes.push(format!("{name}: the time step is {dt_s} s above the values and {other_s} s in the header"));
+        notes.push(format!("{name}: the time step is {dt_s} s above the values, but {other_s} s in the header"));
     }
     found(header, channel, unit, step, block, options).map(|component| (component, notes))
 }
 
-/// How many samples interpolation may still make: all channels together are no more than one motion may be, for a short
-/// file can have many channels with damaged times.
+/// How many samples interpolation may still make. All channels together may have as many as one
+/// motion, because a short file can have many channels with damaged times.
 fn room(components: &[Component]) -> usize {
     let taken: usize = components.iter().map(|one| one.motion.accel_m_s2().len()).sum();
     MAX_SAMPLES.saturating_sub(taken)
@@ -192,21 +197,21 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let count = pairs.times_s.len();
     let of_integers = [27, 32].map(|at| header.integers.get(at).copied().flatten());
     let of_text = header.points();
-    // Programs keep the count in one place or another: integer 28, 33, or the text.
+    // Programs write the count in integer 28, in integer 33 or in the text.
     if count == 0 || ![of_text, of_integers[0], of_integers[1]].contains(&Some(count as f64)) {
         let declared = of_text.or(of_integers[0]).map_or_else(|| "no".to_owned(), |count| count.to_string());
         return Err(Problem::new(
             ProblemKind::Format,
-            format!("the header declares {declared} points, the channel has {count}"),
+            format!("the header declares {declared} points, but the channel has {count}"),
         )
         .at_line(pairs.first_line.max(header.first_line))
         .hint("the file may be cut off: fetch it again"));
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);
-    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options, room)?;
+    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options.uneven_dt_s, room)?;
     let block = Block { values, first_line };
-    // The step given by the user is for files that state none; here the times state it.
+    // A step from the user is for files that do not state one; here the times do.
     found(header, channel, header.unit()?, (dt_s, first_line), block, options)
         .map(|component| (component, notes.into_iter().chain(note).collect()))
 }
@@ -239,7 +244,7 @@ fn found(
     .component(options)
 }
 
-/// The format in the title; where there is none, eight equal fields on a line.
+/// The format in the title; without one, eight equal fields per line.
 fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
     Format::named_in(&title.text).unwrap_or_else(|| {
         let length = rest.ahead().map_or(0, |line| line.bytes.trim_ascii_end().len());
@@ -247,7 +252,8 @@ fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
     })
 }
 
-/// What a channel holds where its text says that it is no acceleration: `Data: Velocity`, response spectra.
+/// What a channel holds, if its text says that it is not an acceleration: `Data: Velocity`,
+/// response spectra.
 fn other_quantity(header: &Header) -> Option<(String, usize)> {
     let data = header.lines_with("DATA:").find_map(|line| {
         let (_, tail) = line.split_once("DATA:")?;
@@ -264,13 +270,13 @@ fn other_quantity(header: &Header) -> Option<(String, usize)> {
     data.map(|what| (what, header.first_line))
 }
 
-/// Leaves `rest` at the first line of the next channel: behind the velocity and the displacement, and the `/&` that ends
-/// a channel. Not every channel has that mark, nor a title that says accelerogram: a full row of integers shows that the
-/// text above it is a header.
+/// Leaves `rest` at the first line of the next channel, after the velocity and the displacement and
+/// the `/&` that ends a channel. Not every channel has that mark, or a title with the word
+/// accelerogram: a full row of integers shows that the text above it is a header.
 ///
 /// # Errors
-/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them. Numbers that
-/// no line announces.
+/// A file that ends within the velocity or the displacement: it was cut off. Numbers that no line
+/// announces.
 fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
     let mut text_from: Option<Lines<'_>> = None;
     loop {
@@ -310,7 +316,7 @@ fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Whether a line has numbers and nothing else, even where they touch.
+/// Whether a line has only numbers, even if they touch.
 fn is_numbers(line: &Line<'_>) -> bool {
     let is_of_number = |b: &u8| {
         b.is_ascii_digit() || b.is_ascii_whitespace() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E' | b'd' | b'D')
@@ -318,14 +324,14 @@ fn is_numbers(line: &Line<'_>) -> bool {
     line.bytes.iter().all(is_of_number) && line.bytes.iter().any(u8::is_ascii_digit)
 }
 
-/// What is to be said of numbers that may be a channel whose first lines are damaged.
+/// The problem of numbers that may be a channel whose first lines are damaged.
 fn unannounced(line: &Line<'_>) -> Problem {
-    Problem::new(ProblemKind::Format, "these numbers belong to no series")
+    Problem::new(ProblemKind::Format, "no line announces these numbers")
         .at_line(line.number)
-        .hint("the line above that counts them may be damaged: fetch the file again")
+        .hint("the line above them that states their number may be damaged: fetch the file again")
 }
 
-/// Skips what a channel holds that is left out.
+/// Skips the contents of a channel that is left out.
 fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Problem> {
     if let Some(title) = title {
         return skip_series(title, rest);
@@ -343,7 +349,8 @@ fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Proble
     }
 }
 
-/// Skips the lines of a series; only how many there are matters, so that a value too large for its field does no harm.
+/// Skips the lines of a series. Only their number is checked, so a value too large for its field
+/// does no harm.
 fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
     let wanted = title.count.div_ceil(format_of(title, rest).per_line);
     for found in 0..wanted {
@@ -368,7 +375,7 @@ fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
     Ok(())
 }
 
-/// What is to be said where the values do not have the peak that the text states.
+/// A note if the values do not have the peak that the text states.
 fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Option<String> {
     if is_volume_two {
         let line = header.lines_with("PEAK ACC").next()?;
@@ -377,7 +384,7 @@ fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Optio
     let line = header.lines_with("MAX").next()?;
     let (_, tail) = line.split_once("MAX")?;
     let stated = number_after(tail, "=").filter(|_| tail.contains(" G,") || tail.contains(" G."))? * G0_M_S2;
-    // Printed to 0.001 g, of which half is rounding.
+    // Printed to 0.001 g: rounding is half of that.
     let rounding = 6e-4 * G0_M_S2;
     let is_near = (component.motion.peak_m_s2() - stated.abs()).abs() <= rounding;
     peak_note(component, stated).filter(|_| !is_near)

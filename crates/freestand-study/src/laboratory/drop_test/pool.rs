@@ -1,114 +1,127 @@
-//! Repeated drops of one pad as one law, and why some drops are no repeats.
+//! Repeated drops on one pad as one law, and why some drops are not repeats.
 
 use std::fmt::Write;
 
-use freestand::identify::{Pooled, PooledDrop, pool_drops};
-use serde::Serialize;
+use freestand::identify::{FittedLaw, Pooled, PooledDrop, pool_drops};
 
-use super::DropReport;
+use super::{DropReport, numbers};
 use freestand_input::words::significant;
+use freestand_output::facts::Facts;
 
-/// Masses further apart than this are not those of one plate.
+/// Masses that differ by more than this are those of different plates.
 const MASS_SHARE: f64 = 0.01;
-/// Impact velocities further apart than this are of other heights: two errors of 1 %, and somewhat.
+/// Impact velocities that differ by more than this come from different heights: two errors of 1 % and
+/// a margin.
 const SPEED_SHARE: f64 = 0.03;
 
 /// All drops of one pad.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct PooledReport {
-    pub stiffness_n_m: Option<f64>,
-    pub ci95_n_m: Option<[f64; 2]>,
-    pub exponent: Option<f64>,
-    pub scatter_ratio: Option<f64>,
-    pub count: usize,
-    pub law: Option<&'static str>,
-    pub coefficient_n_mn: Option<f64>,
+    /// The pad; `None` where the drops give none.
+    pub pad: Option<PooledPad>,
+    /// Why there is none, where the drops have a stiffness each.
+    pub reason: Option<String>,
+}
+
+/// A pad by several drops; damping and restitution are means.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PooledPad {
+    pub law: FittedLaw,
+    pub stiffness: Pooled,
+    pub coefficient_n_mn: f64,
     pub damping_ratio: Option<f64>,
     pub damping_n_s_m: Option<f64>,
     pub dissipation_s_m: Option<f64>,
     pub restitution_ratio: Option<f64>,
-    /// Why there is no stiffness of all, where the drops have one each.
-    pub reason: Option<String>,
 }
 
-/// Pools the drops that have a stiffness and the law of most of them; none where they are no repeats of each other.
+/// Pools the drops that have a stiffness and the law of most of them, if they are repeats of each other.
 pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>) -> PooledReport {
-    let given: Vec<&DropReport> = tests.iter().filter(|test| test.stiffness_n_m.is_some()).collect();
+    let given: Vec<&DropReport> = tests.iter().filter(|test| test.found().is_some()).collect();
     let differences = differences(&given);
     if !differences.is_empty() {
-        let reason =
-            format!("the drops are no repeats, they differ in {}: run one command for each", differences.join(" and "));
+        let reason = format!(
+            "the drops are not repeats: they differ in {}; evaluate each set on its own",
+            differences.join(" and ")
+        );
         warnings.push(reason.clone());
-        return PooledReport::none(Some(reason));
+        return PooledReport { pad: None, reason: Some(reason) };
     }
-    let Some(law) = most_common(&given) else { return PooledReport::none(None) };
-    let alike: Vec<&DropReport> = given.iter().copied().filter(|test| test.law == Some(law)).collect();
+    let Some(law) = most_common(&given) else { return PooledReport::default() };
+    let alike: Vec<&DropReport> = given.iter().copied().filter(|test| law_of(test) == Some(law)).collect();
     if alike.len() < given.len() {
-        let laws: Vec<&str> = given.iter().filter_map(|test| test.law).collect();
+        let laws: Vec<&str> = given.iter().filter_map(|test| law_of(test)).map(FittedLaw::name).collect();
         warnings.push(format!(
-            "the drops fit different laws ({}): pooled from the {} of {law} alone; --law takes one for all",
+            "the drops fit different laws ({}): only the {} of {} are pooled; a given law applies to all",
             laws.join(", "),
-            alike.len()
+            alike.len(),
+            law.name()
         ));
     }
-    if !matches!(law, "linear" | "kelvin-voigt") && are_of_other_heights(&alike) {
+    if !is_linear(law) && are_of_other_heights(&alike) {
         warnings.push(
-            "the drops are of different heights and the pad is curved: their stiffnesses are secants at different depths, \
-             and the pooled one is of none of them; run one command for each height"
+            "the drops are from different heights and the stiffness of the pad depends on the compression: the pooled \
+             stiffness holds for none of them; evaluate each height on its own"
                 .to_owned(),
         );
     }
-    of_repeats(&alike, law, seed)
+    PooledReport { pad: of_repeats(&alike, law, seed), reason: None }
 }
 
-fn of_repeats(tests: &[&DropReport], law: &'static str, seed: u64) -> PooledReport {
+fn law_of(test: &DropReport) -> Option<FittedLaw> {
+    test.found().map(|found| found.chosen)
+}
+
+/// Whether the stiffness of a law does not depend on the compression.
+fn is_linear(law: FittedLaw) -> bool {
+    matches!(law, FittedLaw::Linear | FittedLaw::KelvinVoigt)
+}
+
+fn of_repeats(tests: &[&DropReport], law: FittedLaw, seed: u64) -> Option<PooledPad> {
     let drops: Vec<PooledDrop> = tests
         .iter()
-        .filter_map(|test| test.test.as_ref().and_then(|test| test.identified.as_ref()))
+        .filter_map(|test| test.found())
         .map(|f| PooledDrop { stiffness_n_m: f.stiffness.fit_n_m, error_ratio: f.error_ratio, exponent: f.exponent })
         .collect();
-    let Some(pooled) = pool_drops(&drops, seed) else { return PooledReport::none(None) };
+    let stiffness = pool_drops(&drops, seed)?;
     let mean = |of: fn(&DropReport) -> Option<f64>| {
         let values: Vec<f64> = tests.iter().filter_map(|test| of(test)).collect();
         (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
     };
-    PooledReport {
-        stiffness_n_m: Some(pooled.stiffness_n_m),
-        ci95_n_m: Some([pooled.ci95_n_m.0, pooled.ci95_n_m.1]),
-        exponent: Some(pooled.exponent),
-        scatter_ratio: pooled.scatter_ratio,
-        count: drops.len(),
-        law: Some(law),
-        coefficient_n_mn: Some(coefficient(tests, law, &pooled)),
-        damping_ratio: mean(|test| test.damping_ratio),
-        damping_n_s_m: mean(|test| test.damping_n_s_m),
-        dissipation_s_m: mean(|test| test.dissipation_s_m),
-        restitution_ratio: mean(|test| test.restitution_ratio),
-        reason: None,
-    }
+    Some(PooledPad {
+        law,
+        stiffness,
+        coefficient_n_mn: coefficient(tests, law, &stiffness),
+        damping_ratio: mean(|test| test.found().map(|found| found.damping_ratio)),
+        damping_n_s_m: mean(|test| numbers(test.found()).1),
+        dissipation_s_m: mean(|test| numbers(test.found()).2),
+        restitution_ratio: mean(|test| test.test.restitution_ratio),
+    })
 }
 
 impl PooledReport {
-    fn none(reason: Option<String>) -> Self {
-        Self {
-            stiffness_n_m: None,
-            ci95_n_m: None,
-            exponent: None,
-            scatter_ratio: None,
-            count: 0,
-            law: None,
-            coefficient_n_mn: None,
-            damping_ratio: None,
-            damping_n_s_m: None,
-            dissipation_s_m: None,
-            restitution_ratio: None,
-            reason,
-        }
+    /// Its part of the document.
+    pub fn facts(&self) -> Facts<'_> {
+        let pad = self.pad.as_ref();
+        let of = |value: fn(&Pooled) -> f64| pad.map(|pad| value(&pad.stiffness));
+        Facts::default()
+            .fact("stiffness_n_m", "stiffness of the pad", of(|pooled| pooled.stiffness_n_m))
+            .fact("ci95_n_m", "  95 % interval", pad.map(|pad| <[f64; 2]>::from(pad.stiffness.ci95_n_m)))
+            .fact("exponent", "  exponent", of(|pooled| pooled.exponent))
+            .key("scatter_ratio", pad.and_then(|pad| pad.stiffness.scatter_ratio))
+            .fact("count", "  drops", pad.map_or(0, |pad| pad.stiffness.count))
+            .fact("law", "  law", pad.map(|pad| pad.law.name()))
+            .key("coefficient_n_mn", pad.map(|pad| pad.coefficient_n_mn))
+            .key("damping_ratio", pad.and_then(|pad| pad.damping_ratio))
+            .key("damping_n_s_m", pad.and_then(|pad| pad.damping_n_s_m))
+            .key("dissipation_s_m", pad.and_then(|pad| pad.dissipation_s_m))
+            .key("restitution_ratio", pad.and_then(|pad| pad.restitution_ratio))
+            .key("reason", self.reason.as_deref())
     }
 }
 
-/// What makes drops tests of different things, with their values. What a file does not say differs from nothing.
+/// What makes drops tests of different things, with their values. A value that is not given differs
+/// from no other.
 fn differences(tests: &[&DropReport]) -> Vec<String> {
     let words = |name: &str, of: fn(&DropReport) -> Option<&str>| {
         let mut said: Vec<String> =
@@ -141,43 +154,44 @@ fn range(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 fn are_of_other_heights(tests: &[&DropReport]) -> bool {
-    let speeds = tests.iter().filter_map(|test| test.impact_velocity_m_s);
+    let speeds = tests.iter().filter_map(|test| test.test.impact_velocity_m_s);
     range(speeds).is_some_and(|(least, most)| most > (1.0 + SPEED_SHARE) * least)
 }
 
 /// K with the pooled exponent, so that F/d at the mean compression is the pooled stiffness.
-fn coefficient(tests: &[&DropReport], law: &str, pooled: &Pooled) -> f64 {
-    if matches!(law, "linear" | "kelvin-voigt") {
+fn coefficient(tests: &[&DropReport], law: FittedLaw, pooled: &Pooled) -> f64 {
+    if is_linear(law) {
         return pooled.stiffness_n_m;
     }
-    let depths: Vec<f64> = tests.iter().filter_map(|t| t.max_compression_m).collect();
+    let depths: Vec<f64> = tests.iter().filter_map(|t| t.test.max_compression_m).collect();
     let depth_m = (depths.iter().map(|d| d.ln()).sum::<f64>() / depths.len().max(1) as f64).exp();
     pooled.stiffness_n_m * depth_m.powf(1.0 - pooled.exponent)
 }
 
-/// The law of most; of several the first.
-fn most_common(tests: &[&DropReport]) -> Option<&'static str> {
-    let laws: Vec<&'static str> = tests.iter().filter_map(|test| test.law).collect();
-    let count = |law: &str| laws.iter().filter(|other| **other == law).count();
+/// The most common law; of several the first.
+fn most_common(tests: &[&DropReport]) -> Option<FittedLaw> {
+    let laws: Vec<FittedLaw> = tests.iter().filter_map(|test| law_of(test)).collect();
+    let count = |law: FittedLaw| laws.iter().filter(|other| **other == law).count();
     // Of equal ones `max_by_key` takes the last.
-    laws.iter().rev().copied().max_by_key(|law| count(law))
+    laws.iter().rev().copied().max_by_key(|law| count(*law))
 }
 
-/// The pooled law as a file that later commands read; `None` without one.
+/// The pooled law as a cushion file that later commands read; `None` without one.
 pub fn cushion_toml(pooled: &PooledReport) -> Option<String> {
-    let (law, coefficient) = (pooled.law?, pooled.coefficient_n_mn?);
-    let mut text = String::from("# One pad, from drop tests; --pads-per-edge says how many carry an edge.\n");
-    let is_linear = matches!(law, "linear" | "kelvin-voigt");
+    let pad = pooled.pad?;
+    let (coefficient, n) = (pad.coefficient_n_mn, pad.stiffness.exponent);
+    let mut text = String::from("# One pad, from drop tests; pads_per_edge says how many carry an edge.\n");
     // Writing to a String cannot fail.
-    let _ = writeln!(text, "law = \"{law}\"");
-    let _ = match pooled.exponent.filter(|_| !is_linear) {
-        Some(n) => writeln!(text, "stiffness = \"{coefficient} N/m^{n}\"\nexponent = {n}"),
-        None => writeln!(text, "stiffness = \"{} N/mm\"", coefficient / 1e3),
+    let _ = writeln!(text, "law = \"{}\"", pad.law.name());
+    let _ = if is_linear(pad.law) {
+        writeln!(text, "stiffness = \"{} N/mm\"", coefficient / 1e3)
+    } else {
+        writeln!(text, "stiffness = \"{coefficient} N/m^{n}\"\nexponent = {n}")
     };
-    if let Some(damping) = pooled.damping_n_s_m {
+    if let Some(damping) = pad.damping_n_s_m {
         let _ = writeln!(text, "damping = \"{damping} N s/m\"");
     }
-    if let Some(dissipation) = pooled.dissipation_s_m {
+    if let Some(dissipation) = pad.dissipation_s_m {
         let _ = writeln!(text, "dissipation = \"{dissipation} s/m\"");
     }
     Some(text)
@@ -189,7 +203,7 @@ mod tests {
 
     use freestand::G0_M_S2;
     use freestand::cushion::{ContactLaw, Cushion};
-    use freestand::identify::VirtualDropOptions;
+    use freestand::identify::{FittedLaw, VirtualDropOptions};
 
     use crate::laboratory::drop_test::{DropRequest, DropsReport, cushion_toml, drop_tests};
     use crate::laboratory::virtual_test::drop_file;
@@ -224,8 +238,16 @@ mod tests {
         drop_tests(&request).unwrap()
     }
 
+    fn count(report: &DropsReport) -> usize {
+        report.pooled.pad.unwrap().stiffness.count
+    }
+
+    fn law(report: &DropsReport) -> FittedLaw {
+        report.pooled.pad.unwrap().law
+    }
+
     #[test]
-    fn drops_that_are_no_repeats_are_not_pooled() {
+    fn drops_that_are_not_repeats_are_not_pooled() {
         let folder = tempfile::tempdir().unwrap();
         let pad = Cushion::linear(2.19e6).unwrap();
         let file = |name: &str, said: &str| write(folder.path(), name, &pad, 0.1, said);
@@ -236,16 +258,16 @@ mod tests {
             file("sphere.csv", "# impactor: sphere\n"),
         ];
         let report = of(vec![plain.clone(), glued.clone()]);
-        assert!(report.all_gave() && report.pooled.count == 2 && report.pooled.reason.is_none());
+        assert!(report.all_gave() && count(&report) == 2 && report.pooled.reason.is_none());
         for (files, word) in
             [([glued.clone(), unglued], "boundary (glued, unglued)"), ([glued, sphere], "impactor (flat, sphere)")]
         {
             let report = of(files.to_vec());
-            assert!(report.tests.iter().all(|test| test.stiffness_n_m.is_some()));
-            assert!(!report.all_gave() && report.pooled.stiffness_n_m.is_none(), "{:?}", report.pooled);
+            assert!(report.tests.iter().all(|test| test.found().is_some()));
+            assert!(!report.all_gave() && report.pooled.pad.is_none(), "{:?}", report.pooled);
             assert_eq!(cushion_toml(&report.pooled), None);
             let said = report.warnings.join("; ");
-            assert!(said.contains(word) && said.contains("run one command for each"), "{said}");
+            assert!(said.contains(word) && said.contains("evaluate each set on its own"), "{said}");
             assert!(!said.contains(" and "), "one tag alone differs: {said}");
         }
     }
@@ -259,7 +281,7 @@ mod tests {
             let files = [0.05, 0.2].map(|h| write(folder.path(), &format!("{h}.csv"), &pad, h, ""));
             let report = of(files.to_vec());
             assert_eq!(report.warnings.iter().any(|text| text.contains("different heights")), is_warned);
-            assert_eq!(report.pooled.count, 2);
+            assert_eq!(count(&report), 2);
         }
     }
 
@@ -273,9 +295,13 @@ mod tests {
         let (mixed, two) =
             (of(vec![linear.clone(), curved.clone(), curved.clone()]), of(vec![curved.clone(), curved.clone()]));
         assert_eq!(mixed.pooled, two.pooled);
-        assert_eq!((mixed.pooled.law, mixed.pooled.count), (Some("power"), 2));
-        assert!(mixed.warnings.iter().any(|text| text.contains("the 2 of power alone")), "{:?}", mixed.warnings);
+        assert_eq!((law(&mixed), count(&mixed)), (FittedLaw::Power, 2));
+        assert!(
+            mixed.warnings.iter().any(|text| text.contains("only the 2 of power are pooled")),
+            "{:?}",
+            mixed.warnings
+        );
         // Of as many of each law, the first counts.
-        assert_eq!(of(vec![linear, curved]).pooled.law, Some("linear"));
+        assert_eq!(law(&of(vec![linear, curved])), FittedLaw::Linear);
     }
 }

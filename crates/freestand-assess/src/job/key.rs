@@ -1,0 +1,171 @@
+//! The key of a run: whatever the finished parts depend on, as one hash. Parts of another key are not resumed.
+
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+use crate::inventory::Inventory;
+use freestand::motion::Motion;
+use freestand_input::file::{InputFile, sha256_hex};
+use freestand_study::study::assessment::{Accepted, Settings, Spread};
+use freestand_study::study::{Ground, Study};
+
+/// Version of the text that is hashed; to be raised with every change of it, and of what a part holds.
+const FORMAT: u32 = 1;
+
+/// Tables of a study that do not change a part: the settings are hashed as they are used, and the others have no effect.
+const TABLES_WITHOUT_EFFECT: [&str; 3] = ["assessment", "objects", "outputs"];
+
+/// The key of a run in parts of `part` objects.
+pub(super) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
+    let hashes = |files: &[InputFile]| -> Vec<String> { files.iter().map(|file| file.sha256.clone()).collect() };
+    let text = json!({
+        "format": FORMAT,
+        "version": env!("CARGO_PKG_VERSION"),
+        "part": part,
+        "study": study_text(&study.toml),
+        "seed": study.ground.seed(),
+        "motions": study.ground.names(&study.levels),
+        "recorded": recorded(study),
+        "target": target(study).map(|file| &file.sha256),
+        "building": study.building.iter().flat_map(|building| &building.tables).map(|(across, table)| {
+            json!({"key": table.key, "across": across, "sha256": table.file.sha256})
+        }).collect::<Vec<_>>(),
+        "directions_deg": study.directions_deg,
+        "settings": settings(&study.assessment),
+        "inventory": {"sha256": inventory.sha256, "sheet": inventory.sheet},
+        "libraries": hashes(&inventory.libraries),
+    });
+    sha256_hex(text.to_string().as_bytes())
+}
+
+/// The study without the tables that have no effect.
+fn study_text(toml: &str) -> String {
+    let Ok(mut study) = toml.parse::<toml_edit::DocumentMut>() else { return toml.to_owned() };
+    for table in TABLES_WITHOUT_EFFECT {
+        study.remove(table);
+    }
+    study.to_string()
+}
+
+/// The motions that were read from files, by their samples: flags of the caller may have changed how a file is read.
+fn recorded(study: &Study) -> Vec<Value> {
+    let recorded = study.ground.recorded(&study.levels);
+    let one = |motion: &freestand_study::study::RecordedMotion| {
+        let inputs: Vec<&str> = motion.other_inputs().map(|file| file.sha256.as_str()).collect();
+        json!({
+            "name": motion.name,
+            "along": samples(&motion.motion),
+            "across": motion.across.as_ref().map(|second| samples(&second.motion)),
+            "inputs": inputs,
+        })
+    };
+    recorded.map(one).collect()
+}
+
+fn samples(motion: &Motion) -> String {
+    let mut hasher = Sha256::new();
+    for value in std::iter::once(&motion.dt_s()).chain(motion.accel_m_s2()) {
+        hasher.update(value.to_le_bytes());
+    }
+    hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The file of the spectrum that motions are generated for.
+fn target(study: &Study) -> Option<&InputFile> {
+    match &study.ground {
+        Ground::Synthetic(synthetic) => synthetic.target.file.as_ref(),
+        Ground::Simulated(simulated) => simulated.hazard.as_ref()?.file.as_ref(),
+        Ground::Recorded(_) | Ground::OnFloors => None,
+    }
+}
+
+/// The settings that change a part: not where files are, nor how many objects get a page.
+fn settings(settings: &Settings) -> Value {
+    let Settings {
+        inventory: _,
+        sheet: _,
+        library: _,
+        cushion_library: _,
+        pages: _,
+        accepted: Accepted { other_ratio, life_safety_ratio, property_ratio, function_ratio },
+        seed,
+        draws,
+        most_draws,
+        spread: Spread { restitution, stiffness, mass, geometry, model },
+        friction_ratio,
+        pad_strain_ratio,
+        pad_damping_ratio,
+        compliant,
+        screen,
+    } = settings;
+    json!({
+        "accepted": [other_ratio, life_safety_ratio, property_ratio, function_ratio],
+        "seed": seed,
+        "draws": draws,
+        "most_draws": most_draws,
+        "spread": [restitution, stiffness, mass, geometry, model],
+        "friction_ratio": friction_ratio,
+        "pad_strain_ratio": pad_strain_ratio,
+        "pad_damping_ratio": pad_damping_ratio,
+        "compliant": compliant,
+        "screen": screen,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::{Path, PathBuf};
+
+    use super::*;
+
+    fn key(toml: &str, change: impl FnOnce(&mut Study, &mut Inventory)) -> String {
+        let mut study = freestand_study::resolve::resolve(toml, None, Path::new("")).unwrap();
+        let mut inventory = Inventory {
+            path: PathBuf::from("objects.csv"),
+            sha256: "00".to_owned(),
+            sheet: None,
+            carried: Vec::new(),
+            items: Vec::new(),
+            libraries: Vec::new(),
+            warnings: Vec::new(),
+        };
+        change(&mut study, &mut inventory);
+        resume_key(&study, &inventory, 256)
+    }
+
+    #[test]
+    fn a_key_depends_on_what_changes_results_and_on_nothing_else() {
+        let toml = "[building]\nstoreys = 8\n";
+        let usual = key(toml, |_, _| ());
+        assert_eq!(
+            usual,
+            key(toml, |study, inventory| {
+                study.assessment.pages = 3;
+                study.source = Some(PathBuf::from("elsewhere.toml"));
+                inventory.path = PathBuf::from("elsewhere.csv");
+            })
+        );
+        assert_eq!(
+            usual,
+            key("[building]\nstoreys = 8\n[outputs]\nreport = false\n[assessment]\npages = 7\n", |_, _| ())
+        );
+        let changes: [fn(&mut Study, &mut Inventory); 6] = [
+            |study, _| study.assessment.seed = 2,
+            |study, _| study.assessment.spread.mass = 0.2,
+            |study, _| study.directions_deg.push(90.0),
+            |_, inventory| inventory.sha256 = "01".to_owned(),
+            |_, inventory| inventory.sheet = Some("Ward".to_owned()),
+            |_, inventory| inventory.libraries.push(InputFile::new(Path::new("ours.csv"), b"id")),
+        ];
+        let mut keys: Vec<String> = changes.into_iter().map(|change| key(toml, change)).collect();
+        keys.extend([
+            usual,
+            key("[building]\nstoreys = 9\n", |_, _| ()),
+            key("[ground]\nseed = 9\n[building]\nstoreys = 8\n", |_, _| ()),
+        ]);
+        let count = keys.len();
+        keys.sort();
+        keys.dedup();
+        assert_eq!(keys.len(), count);
+    }
+}

@@ -1,0 +1,229 @@
+//! A whole assessment, from an inventory to a folder of results. It can be stopped or killed at any moment and resumed.
+
+mod key;
+mod portfolio;
+mod store;
+
+use std::path::{Path, PathBuf};
+
+use key::resume_key;
+use portfolio::{PART, Portfolio, assess, progress_names};
+use serde::Serialize;
+use serde_json::json;
+use store::PROGRESS;
+
+use crate::inventory::{Inventory, read_inventory};
+use crate::library::{Libraries, Lookup};
+use crate::output::{Head, Wanted, head, write_all};
+use crate::result::Decision;
+use freestand_input::file::InputFile;
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_output::folder::{MANIFEST, OutputFolder, announce};
+use freestand_output::json::document;
+use freestand_study::resolve::motion_paths;
+use freestand_study::run::Progress;
+use freestand_study::study::Study;
+
+/// Schema of `manifest.json` and of the document of `freestand assess`.
+pub const SCHEMA: &str = "freestand.assess/1";
+
+/// The files of a job, including optional ones.
+const OUTPUTS: [&str; 5] = ["objects.csv", "objects.parquet", "report.html", "assessment.xlsx", MANIFEST];
+
+/// How a job is run, and its optional outputs.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Job {
+    /// Use the finished parts of an earlier run.
+    pub resume: bool,
+    /// Write into a folder even if it holds other files.
+    pub force: bool,
+    /// Write `objects.parquet` too.
+    pub parquet: bool,
+}
+
+/// The summary of a job; its fields are the keys of the JSON document.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct JobReport {
+    /// Rows of the inventory.
+    pub objects: usize,
+    /// Objects that an earlier run finished.
+    pub resumed: usize,
+    /// Objects that this run assessed.
+    pub computed: usize,
+    /// Whether it was stopped before its end; a run with `resume` continues it.
+    pub interrupted: bool,
+    /// Objects by decision.
+    pub decisions: serde_json::Value,
+    /// Objects by the tier that decided.
+    pub tiers: [usize; 4],
+    /// Objects with a history that failed.
+    pub failed: usize,
+    /// Rocking histories that this run computed.
+    pub histories: u64,
+    /// The folder.
+    pub out: String,
+    /// The files in it.
+    pub files: Vec<String>,
+    /// Warnings.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+}
+
+/// Reads the inventory at `path`, or the one that the study names, with the libraries that the study names.
+///
+/// # Errors
+/// No inventory, or all problems of a library or an inventory.
+pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> Result<Inventory, Problems> {
+    let settings = &study.assessment;
+    let Some(path) = path.or(settings.inventory.as_deref()) else {
+        let hint = "give `inventory = \"objects.csv\"`, or put it into the table [assessment] of the study; \
+                    freestand inventory template prints an inventory to fill in";
+        return Err(Problem::new(ProblemKind::Value, "there is no inventory to assess").hint(hint).into());
+    };
+    let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
+    let read = |lookup: &Lookup| read_inventory(path, sheet.or(settings.sheet.as_deref()), lookup);
+    let mut inventory = libraries.looked_up(read)?;
+    let Libraries { tolerances, cushions } = libraries;
+    inventory.libraries = tolerances.inputs.into_iter().chain(cushions.inputs).collect();
+    inventory.warnings.extend(tolerances.warnings.into_iter().chain(cushions.warnings));
+    Ok(inventory)
+}
+
+/// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the current thread pool.
+///
+/// Finished parts are in `progress/` of the folder until the run is complete. A run that was stopped leaves them beside
+/// valid outputs of the finished objects; one that was killed leaves only the parts. With [`Job::resume`] either is
+/// continued and writes the same bytes as a run that was not interrupted.
+///
+/// # Errors
+/// A motion that cannot be generated, or a folder that cannot be written or was not written by freestand.
+pub fn assess_into(
+    study: &Study,
+    inventory: &Inventory,
+    target: &Path,
+    job: &Job,
+    progress: Progress,
+) -> Result<JobReport, Problems> {
+    let key = resume_key(study, inventory, PART);
+    let head = head(study, inventory);
+    if job.resume
+        && let Some(report) = finished(target, &key, (study, inventory), job)
+    {
+        return Ok(report);
+    }
+    let names = progress_names(inventory.items.len());
+    announce(target, job.force, &names)?;
+    let inputs = study.source.iter().cloned().chain(motion_paths(study)).chain([inventory.path.clone()]);
+    let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
+    let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?;
+    folder.check(&OUTPUTS.map(str::to_owned))?;
+    let portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
+    let settings = &study.assessment;
+    let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
+    write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
+    if portfolio.interrupted {
+        portfolio.keep_in(&folder)?;
+    }
+    let mut report = report(&portfolio, inventory, &head, target);
+    report.files = folder.names()?;
+    report.files.push(MANIFEST.to_owned());
+    report.files.sort_unstable();
+    folder.write(MANIFEST, manifest(study, inventory, &report, &key)?.as_bytes())?;
+    folder.commit()?;
+    report.files.retain(|name| !name.starts_with(PROGRESS));
+    Ok(report)
+}
+
+fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Path) -> JobReport {
+    JobReport {
+        objects: inventory.items.len(),
+        resumed: portfolio.resumed,
+        computed: portfolio.computed,
+        interrupted: portfolio.interrupted,
+        decisions: Decision::ALL
+            .iter()
+            .zip(portfolio.decisions)
+            .map(|(one, n)| (one.name().to_owned(), json!(n)))
+            .collect(),
+        tiers: portfolio.tiers,
+        failed: portfolio.failed,
+        histories: portfolio.histories,
+        out: target.display().to_string(),
+        files: Vec::new(),
+        warnings: head.warnings.clone(),
+    }
+}
+
+/// All inputs, and what outputs depend on besides the results.
+fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
+    let recorded: Vec<_> = study
+        .ground
+        .recorded(&study.levels)
+        .map(|motion| json!({"name": motion.name, "sha256": motion.sha256}))
+        .collect();
+    json!({
+        "inventory": {"name": file_name(&inventory.path), "sha256": inventory.sha256},
+        "libraries": inventory.libraries.iter().map(input).collect::<Vec<_>>(),
+        "study": study.toml,
+        "records": recorded,
+        "motion_seed": study.ground.seed(),
+        "draw_seed": study.assessment.seed,
+        "pages": study.assessment.pages,
+    })
+}
+
+/// Nothing here depends on how the run went: the same inputs give the same bytes, however often it was stopped.
+fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str) -> Result<String, Problem> {
+    let body = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "key": key,
+        "complete": !report.interrupted,
+        "objects": report.objects,
+        "assessed": report.resumed + report.computed,
+        "decisions": report.decisions,
+        "tiers": report.tiers,
+        "failed": report.failed,
+        "inputs": inputs(study, inventory),
+        "files": report.files,
+    });
+    document(SCHEMA, &body, &report.warnings)
+}
+
+fn input(file: &InputFile) -> serde_json::Value {
+    json!({"name": file_name(&file.path), "sha256": file.sha256})
+}
+
+fn file_name(path: &Path) -> Option<String> {
+    path.file_name().map(|name| name.to_string_lossy().into_owned())
+}
+
+/// The report of a folder that is complete already; `None` where something is left to do.
+fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), job: &Job) -> Option<JobReport> {
+    let manifest: serde_json::Value = serde_json::from_slice(&std::fs::read(target.join(MANIFEST)).ok()?).ok()?;
+    let has = |name: &str, value: serde_json::Value| manifest.get(name).is_some_and(|found| *found == value);
+    if !(has("schema", json!(SCHEMA))
+        && has("key", json!(key))
+        && has("complete", json!(true))
+        && has("inputs", inputs(study, inventory)))
+    {
+        return None;
+    }
+    let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;
+    let is_there = |name: &str| target.join(name).is_file();
+    if !files.iter().all(|name| is_there(name)) || (job.parquet && !is_there("objects.parquet")) {
+        return None;
+    }
+    Some(JobReport {
+        objects: inventory.items.len(),
+        resumed: inventory.items.len(),
+        computed: 0,
+        interrupted: false,
+        decisions: manifest.get("decisions")?.clone(),
+        tiers: serde_json::from_value(manifest.get("tiers")?.clone()).ok()?,
+        failed: serde_json::from_value(manifest.get("failed")?.clone()).ok()?,
+        histories: 0,
+        out: target.display().to_string(),
+        files,
+        warnings: serde_json::from_value(manifest.get("warnings")?.clone()).ok()?,
+    })
+}

@@ -1,0 +1,276 @@
+//! A whole inventory: assessed part by part, each part stored when it is done, then ranked.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+use std::path::Path;
+
+use crate::floors::{Hazard, MAX_FLOORS_HELD};
+use crate::inventory::{Consequences, Inventory, Item};
+use crate::output::Row;
+use crate::result::{Assessment, Decision};
+use crate::verdict::{Context, Member, Subject, accepted, assess_group, blank, listed};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_output::folder::OutputFolder;
+use freestand_study::run::{Progress, Step};
+use freestand_study::study::Study;
+
+use super::store::{PROGRESS, Store};
+
+/// Objects of a part: some seconds of work, which is what a killed run loses.
+pub(super) const PART: usize = 256;
+
+/// Draws whose results are in memory at once: about 250 MB.
+const MAX_OUTCOMES: usize = 2_000_000;
+
+/// A finished assessment, or the finished part of one that was stopped.
+#[derive(Debug)]
+pub(super) struct Portfolio<'a> {
+    inventory: &'a Inventory,
+    store: Store,
+    /// By row of the inventory; rows beyond were not assessed.
+    ranks: Vec<u32>,
+    /// Objects that an earlier run finished.
+    pub(super) resumed: usize,
+    /// Objects that this run assessed.
+    pub(super) computed: usize,
+    /// Whether it was stopped before its end.
+    pub(super) interrupted: bool,
+    /// Rocking histories that this run computed.
+    pub(super) histories: u64,
+    /// Objects by decision, in the order of [`Decision::ALL`].
+    pub(super) decisions: [usize; 4],
+    /// Objects by tier.
+    pub(super) tiers: [usize; 4],
+    /// Objects with a history that failed.
+    pub(super) failed: usize,
+}
+
+/// The files that a run keeps in its output folder until it is finished.
+pub(super) fn progress_names(items: usize) -> Vec<String> {
+    Store::names(items.div_ceil(PART)).map(|name| format!("{}/{name}", PROGRESS)).collect()
+}
+
+/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool. Finished parts are stored in
+/// a folder with the key of the run; with `resume` those of an earlier run with the same key are used.
+///
+/// The result of an object depends on its own row, the study and the seed, but not on other rows, their order, the number
+/// of threads or interruptions.
+///
+/// # Errors
+/// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error: the result then has the
+/// objects that were finished.
+pub(super) fn assess<'a>(
+    study: &Study,
+    inventory: &'a Inventory,
+    (folder, key): (&Path, &str),
+    resume: bool,
+    progress: Progress,
+) -> Result<Portfolio<'a>, Problems> {
+    let store = Store::open(folder, key, resume)?;
+    let total = inventory.items.len();
+    let wants_to_stop = || progress(Step { stage: "", done: 0, total: 0 }).is_break();
+    let mut portfolio = Portfolio {
+        inventory,
+        store,
+        ranks: Vec::new(),
+        resumed: 0,
+        computed: 0,
+        interrupted: false,
+        histories: 0,
+        decisions: [0; 4],
+        tiers: [0; 4],
+        failed: 0,
+    };
+    let mut shaking: Option<(Hazard, Context)> = None;
+    let mut list = Vec::with_capacity(total);
+    for (part, items) in inventory.items.chunks(PART).enumerate() {
+        if progress(Step { stage: "objects", done: part * PART, total }).is_break() {
+            portfolio.interrupted = true;
+            break;
+        }
+        let found = match portfolio.store.read(part, items.iter().map(|item| item.id.as_str())) {
+            Some(found) => {
+                portfolio.resumed += found.len();
+                found
+            }
+            None => {
+                let ready = match shaking.take() {
+                    Some(ready) => Ok(ready),
+                    None => shake(study, &wants_to_stop, progress),
+                };
+                let assessed = ready.and_then(|ready| {
+                    let (hazard, context) = shaking.insert(ready);
+                    assess_part(hazard, context, items)
+                });
+                match assessed {
+                    Ok(found) => {
+                        portfolio.store.write(part, &found)?;
+                        portfolio.computed += found.len();
+                        found
+                    }
+                    Err(error) if error.is_stopped() => {
+                        portfolio.interrupted = true;
+                        break;
+                    }
+                    Err(error) => return Err(error),
+                }
+            }
+        };
+        portfolio.count(&found);
+        list.extend(items.iter().zip(&found).map(|(item, found)| Urgency::new(item, found)));
+    }
+    portfolio.histories = shaking.map_or(0, |(_, context)| context.histories());
+    portfolio.rank(list);
+    Ok(portfolio)
+}
+
+fn shake<'a>(
+    study: &'a Study,
+    wants_to_stop: &'a (dyn Fn() -> bool + Sync),
+    progress: Progress,
+) -> Result<(Hazard<'a>, Context<'a>), Problems> {
+    let hazard = Hazard::new(study, progress)?;
+    let context = Context::new(study, hazard.names.clone(), wants_to_stop);
+    Ok((hazard, context))
+}
+
+/// One part: the objects with level and geometry floor by floor, and the others without a verdict.
+fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec<Assessment>, Problems> {
+    let settings = &context.study.assessment;
+    let mut found: Vec<Option<Assessment>> = vec![None; items.len()];
+    let mut by_level: BTreeMap<u64, Vec<(usize, Subject)>> = BTreeMap::new();
+    for (place, item) in items.iter().enumerate() {
+        match Subject::new(item) {
+            Ok(subject) => by_level.entry(subject.level_ratio.to_bits()).or_default().push((place, subject)),
+            Err(missing) => {
+                let limit = accepted(&settings.accepted, item.accepted_ratio, &item.consequences);
+                let verb = if missing.len() == 1 { "was" } else { "were" };
+                let why = format!("Nothing was assessed, because its {} {verb} not given.", listed(&missing));
+                found[place] = Some(Assessment { why, ..blank(item, limit, None) });
+            }
+        }
+    }
+    let by_level: Vec<(u64, Vec<(usize, Subject)>)> = by_level.into_iter().collect();
+    for group in by_level.chunks(MAX_FLOORS_HELD) {
+        context.go_on()?;
+        let levels: Vec<f64> = group.iter().map(|(bits, _)| f64::from_bits(*bits)).collect();
+        let floors = hazard.floors(&levels)?;
+        let mut members = Vec::new();
+        let mut places = Vec::new();
+        for (place, subject) in group.iter().flat_map(|(_, on_floor)| on_floor) {
+            let item = &items[*place];
+            let limit = accepted(&settings.accepted, item.accepted_ratio, &item.consequences);
+            if floors.contains_key(&subject.level_ratio.to_bits()) {
+                let (accepted_ratio, accepted_for) = limit;
+                members.push(Member { item, subject: subject.clone(), accepted_ratio, accepted_for });
+                places.push(*place);
+            } else {
+                let why = "Nothing was assessed, because the study has no motion for its floor.".to_owned();
+                found[*place] = Some(Assessment { why, ..blank(item, limit, None) });
+            }
+        }
+        // The more draws and motions, the fewer objects at a time.
+        let at_once = (MAX_OUTCOMES / (context.names.len() * settings.most_draws as usize).max(1)).max(1);
+        for (places, members) in places.chunks(at_once).zip(members.chunks(at_once)) {
+            for (place, assessed) in places.iter().zip(assess_group(context, &floors, members)?) {
+                found[*place] = Some(assessed);
+            }
+        }
+    }
+    Ok(found.into_iter().flatten().collect())
+}
+
+/// What an object is ranked by: decision, life safety, probability, other consequences, demand/capacity.
+struct Urgency<'a> {
+    id: &'a str,
+    decision: Decision,
+    consequences: Consequences,
+    probability: f64,
+    demand: f64,
+}
+
+impl<'a> Urgency<'a> {
+    fn new(item: &'a Item, found: &Assessment) -> Self {
+        let value = |p: Option<crate::result::Probability>| p.map_or(0.0, |p| p.value);
+        let p84 = found.capacity.as_ref().map(|capacity| capacity.demand_capacity_p84);
+        Self {
+            id: &item.id,
+            decision: found.decision,
+            consequences: item.consequences,
+            probability: value(found.p_overturn).max(value(found.p_exceed)),
+            demand: match p84 {
+                Some(crate::result::Ranked::Value(ratio)) => ratio,
+                Some(crate::result::Ranked::Overturned) => f64::INFINITY,
+                _ => 0.0,
+            },
+        }
+    }
+
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        let Consequences { life_safety, property, function } = self.consequences;
+        let theirs = other.consequences;
+        self.decision
+            .cmp(&other.decision)
+            .then(Reverse(life_safety).cmp(&Reverse(theirs.life_safety)))
+            .then(other.probability.total_cmp(&self.probability))
+            .then(Reverse((function, property)).cmp(&Reverse((theirs.function, theirs.property))))
+            .then(other.demand.total_cmp(&self.demand))
+            .then(self.id.cmp(other.id))
+    }
+}
+
+impl<'a> Portfolio<'a> {
+    fn count(&mut self, found: &[Assessment]) {
+        for one in found {
+            if let Some(place) = Decision::ALL.iter().position(|decision| *decision == one.decision) {
+                self.decisions[place] += 1;
+            }
+            if let Some(tier) = self.tiers.get_mut(usize::from(one.tier)) {
+                *tier += 1;
+            }
+            let is_failed = match (&one.response, &one.floor) {
+                (Some(response), _) => response.failed > 0,
+                // Its floor is known, but every history failed.
+                (None, floor) => floor.is_some(),
+            };
+            self.failed += usize::from(is_failed);
+        }
+    }
+
+    /// Ranks the objects that were assessed, which are the first rows of the inventory.
+    fn rank(&mut self, list: Vec<Urgency>) {
+        let mut order: Vec<u32> = (0..list.len() as u32).collect();
+        order.sort_by(|a, b| list[*a as usize].cmp(&list[*b as usize]));
+        self.ranks = vec![0; list.len()];
+        for (rank, row) in order.into_iter().enumerate() {
+            self.ranks[row as usize] = rank as u32 + 1;
+        }
+    }
+
+    /// The results in the order of the inventory, read part by part from where they are stored.
+    pub(super) fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Problem>> + '_ {
+        let assessed = &self.inventory.items[..self.ranks.len()];
+        assessed.chunks(PART).enumerate().flat_map(move |(part, items)| {
+            let found = self.store.read(part, items.iter().map(|item| item.id.as_str()));
+            let ranks = &self.ranks[part * PART..];
+            match found {
+                Some(found) => {
+                    let rows = items.iter().zip(found).zip(ranks);
+                    rows.map(|((item, found), rank)| Ok(Row { rank: *rank as usize, item, found })).collect::<Vec<_>>()
+                }
+                None => vec![Err(Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
+                    .hint("repeat the run with `resume = true`: what is missing is computed again"))],
+            }
+        })
+    }
+
+    /// Keeps the finished parts beside the outputs, for a run that resumes.
+    pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
+        let parts = self.ranks.len().div_ceil(PART);
+        for name in Store::names(parts) {
+            self.store.link(&name, &folder.place_for(&format!("{}/{name}", PROGRESS))?)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,119 @@
+//! Finished parts of a long run on disk: what a killed run leaves, and what a resumed run starts from.
+//!
+//! The results of a million objects do not fit into memory. They are written part by part and read again for the outputs,
+//! so that a run writes the same bytes whether or not it was interrupted.
+
+use std::fs;
+use std::io::{self, BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+
+use crate::result::Assessment;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::paths::io_problem;
+
+/// Folder of the parts inside the output folder.
+pub(super) const PROGRESS: &str = "progress";
+
+/// The file with the key of the run.
+const PLAN: &str = "plan";
+
+/// The file that the writing run locks.
+const LOCK: &str = "lock";
+
+/// A folder of parts.
+#[derive(Debug)]
+pub(super) struct Store {
+    folder: PathBuf,
+    /// Locked as long as this lives: two runs in one folder would read each other's parts.
+    _lock: fs::File,
+}
+
+impl Store {
+    /// Opens the folder for a run with this `key`. Parts of another run are removed, those of the same run unless `resume`.
+    pub(super) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
+        let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
+        fs::create_dir_all(folder).map_err(failed)?;
+        let lock = fs::File::create(folder.join(LOCK)).map_err(failed)?;
+        // Some file systems cannot lock files: there, two runs cannot be told apart.
+        if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
+            return Err(Problem::new(ProblemKind::Io, "another assessment is writing into this folder")
+                .in_file(folder)
+                .hint("wait until it has finished, or give another folder with `out`"));
+        }
+        let store = Self { folder: folder.to_path_buf(), _lock: lock };
+        let is_same = fs::read_to_string(folder.join(PLAN)).is_ok_and(|found| found == key);
+        if !(is_same && resume) {
+            store.clear().map_err(failed)?;
+            store.put(PLAN, |file| file.write_all(key.as_bytes())).map_err(failed)?;
+        }
+        Ok(store)
+    }
+
+    /// The names of the files of a run in `parts` parts.
+    pub(super) fn names(parts: usize) -> impl Iterator<Item = String> {
+        [LOCK, PLAN].map(str::to_owned).into_iter().chain((0..parts).map(part_name))
+    }
+
+    fn clear(&self) -> io::Result<()> {
+        let Ok(entries) = fs::read_dir(&self.folder) else { return Ok(()) };
+        for entry in entries {
+            let entry = entry?;
+            let name = entry.file_name();
+            if name.to_str().is_some_and(is_ours) {
+                fs::remove_file(entry.path())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes a file under a temporary name, then renames it: the file is complete or absent.
+    fn put(&self, name: &str, write: impl FnOnce(&mut io::BufWriter<fs::File>) -> io::Result<()>) -> io::Result<()> {
+        let temporary = self.folder.join(format!("{name}{TEMPORARY}"));
+        let mut file = io::BufWriter::new(fs::File::create(&temporary)?);
+        write(&mut file)?;
+        file.into_inner()?.sync_data()?;
+        fs::rename(temporary, self.folder.join(name))
+    }
+
+    /// Stores a part.
+    pub(super) fn write(&self, part: usize, found: &[Assessment]) -> Result<(), Problem> {
+        let name = part_name(part);
+        self.put(&name, |file| {
+            for one in found {
+                serde_json::to_writer(&mut *file, one)?;
+                file.write_all(b"\n")?;
+            }
+            Ok(())
+        })
+        .map_err(|error| io_problem(&self.folder.join(&name), "cannot write a finished part", &error))
+    }
+
+    /// Puts the file of this name in a second place as well: as a link, or as a copy where links are not possible.
+    pub(super) fn link(&self, name: &str, to: &Path) -> Result<(), Problem> {
+        let from = self.folder.join(name);
+        fs::hard_link(&from, to)
+            .or_else(|_| fs::copy(&from, to).map(|_| ()))
+            .map_err(|error| io_problem(&from, "cannot keep a finished part", &error))
+    }
+
+    /// A stored part; `None` where it is absent, incomplete or of other objects.
+    pub(super) fn read<'a>(&self, part: usize, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
+        let file = fs::File::open(self.folder.join(part_name(part))).ok()?;
+        let lines = BufReader::new(file).lines();
+        let found: Option<Vec<Assessment>> = lines.map(|line| serde_json::from_str(&line.ok()?).ok()).collect();
+        found.filter(|found| found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id))
+    }
+}
+
+/// End of the name of an incomplete file.
+const TEMPORARY: &str = ".new";
+
+fn part_name(part: usize) -> String {
+    format!("{part:06}.jsonl")
+}
+
+fn is_ours(name: &str) -> bool {
+    let name = name.strip_suffix(TEMPORARY).unwrap_or(name);
+    let number = name.strip_suffix(".jsonl").unwrap_or("");
+    name == PLAN || (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+}

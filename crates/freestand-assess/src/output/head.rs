@@ -1,0 +1,112 @@
+//! The head of every output: the inputs in words, and all assumptions.
+
+use crate::inventory::Inventory;
+use freestand_input::words::{counted, number, percent_significant};
+use freestand_study::study::assessment::Settings;
+use freestand_study::study::{Ground, Study};
+
+/// What all outputs of an assessment share.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Head {
+    /// Name and value in words: the inventory and its fingerprint, the study, the hazard, the building, the motions,
+    /// seed, version.
+    pub facts: Vec<(String, String)>,
+    /// What was assumed, one sentence each, with its source.
+    pub assumptions: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<String>,
+    /// Rows of the inventory; more than there are results where the run was interrupted.
+    pub total: usize,
+}
+
+/// The head of an assessment of `inventory` on the floors of `study`.
+pub fn head(study: &Study, inventory: &Inventory) -> Head {
+    let mut facts: Vec<(String, String)> = Vec::new();
+    let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
+    let file = inventory.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let sheet = inventory.sheet.as_ref().map_or_else(String::new, |sheet| format!(", sheet {sheet}"));
+    fact("Inventory", format!("{file}{sheet}, {}", counted(inventory.items.len(), "object")));
+    fact("SHA-256 of the inventory", inventory.sha256.clone());
+    let source = study.source.as_deref().and_then(|path| path.file_name());
+    fact("Study", source.map_or_else(|| "the built-in study".to_owned(), |name| name.to_string_lossy().into_owned()));
+    fact("Motions", motions(study));
+    if let Some(building) = &study.building {
+        let height = number(building.height_m, 4);
+        let period = number(building.along.period_s(), 3);
+        fact(
+            "Building",
+            format!("{}, {height} m, T₁ = {period} s: {}", counted(building.storeys, "storey"), building.period_note),
+        );
+    }
+    if let Some(seed) = study.ground.seed() {
+        fact("Seed of the motions", seed.to_string());
+    }
+    fact("Seed of the draws", study.assessment.seed.to_string());
+    fact("Version", format!("freestand {}", env!("CARGO_PKG_VERSION")));
+    Head {
+        facts,
+        assumptions: assumptions(study),
+        warnings: study.warnings.iter().chain(&inventory.warnings).cloned().collect(),
+        total: inventory.items.len(),
+    }
+}
+
+fn motions(study: &Study) -> String {
+    let count = study.ground.names(&study.levels).len();
+    let directions = match study.directions_deg.len() {
+        1 => String::new(),
+        n => format!("; each object was tried in {n} directions, and the worst counts"),
+    };
+    let of = match &study.ground {
+        Ground::Synthetic(synthetic) => format!("synthetic motions for {}", synthetic.target.title_words()),
+        Ground::Simulated(simulated) => simulated.title_words(),
+        Ground::Recorded(_) => match study.ground.target() {
+            Some(target) => format!("records matched to {}", target.title_words()),
+            None => "records".to_owned(),
+        },
+        Ground::OnFloors => "given floor motions".to_owned(),
+    };
+    format!("{}: {of}{directions}", counted(count, "motion"))
+}
+
+fn assumptions(study: &Study) -> Vec<String> {
+    let Settings { accepted, spread, friction_ratio, draws, most_draws, pad_strain_ratio, pad_damping_ratio, .. } =
+        &study.assessment;
+    let percent = |share: f64| percent_significant(share, 3);
+    vec![
+        "Every probability applies to these motions; it is not an annual probability.".to_owned(),
+        format!(
+            "Accepted probability of overturning or damage: {}; {} where life safety is rated high, {} for property and {} \
+             for function. No code prescribes it: the owner chooses it.",
+            percent(accepted.other_ratio),
+            percent(accepted.life_safety_ratio),
+            percent(accepted.property_ratio),
+            percent(accepted.function_ratio)
+        ),
+        format!(
+            "Uncertain values were drawn {draws} to {most_draws} times for each motion, lognormally about the values of \
+             the inventory. Standard deviations of the logarithms: restitution {} (never above 0.99), stiffness {} (a \
+             library entry has its own), mass {}, sides and heights {}, Eq. (5) {}. The last is the coefficient of \
+             variation in Table I of Al Abadi et al., from five tests of one cabinet.",
+            spread.restitution, spread.stiffness, spread.mass, spread.geometry, spread.model
+        ),
+        "Intervals of probabilities are 95 % intervals by Korn and Graubard (1998), with the motions as clusters. They show \
+         the effect of the number of motions, not whether the motions suit the site."
+            .to_owned(),
+        format!(
+            "Friction where the inventory does not give it: {} to {}. Sliding is not computed; where it occurs, rocking and \
+             its shock are smaller.",
+            friction_ratio.0, friction_ratio.1
+        ),
+        format!(
+            "A softer pad may be compressed by {} of its thickness (20 mm where it is not given). On the compliant base, a \
+             pad with a stiffness but no damping is given {} of critical damping; without any, objects would bounce far \
+             higher.",
+            percent(*pad_strain_ratio),
+            percent(*pad_damping_ratio)
+        ),
+        "Every object is free-standing on a level, rigid floor and moves in one plane at a time. The objects do not affect \
+         the motion of the floor."
+            .to_owned(),
+    ]
+}

@@ -1,0 +1,160 @@
+//! The outputs of an assessment, written in one pass over its rows: a million objects are never in memory together.
+
+pub mod csv;
+#[cfg(test)]
+mod fixture;
+mod head;
+pub mod overview;
+pub mod parquet;
+pub mod report;
+pub mod sources;
+pub mod table;
+pub mod words;
+pub mod workbook;
+
+use crate::inventory::{Inventory, Item};
+use crate::result::Assessment;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::folder::OutputFolder;
+
+pub use head::{Head, head};
+
+use csv::{CSV_NAME, CsvTable};
+use overview::Overview;
+use parquet::{PARQUET_NAME, ParquetTable};
+use report::{REPORT_NAME, Report};
+use sources::Sources;
+use table::Line;
+use workbook::{Book, WORKBOOK_NAME};
+
+/// One object with its rank: 1 is the most urgent.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row<'a> {
+    /// 1 … the number of results.
+    pub rank: usize,
+    /// Its row of the inventory.
+    pub item: &'a Item,
+    /// Its assessment.
+    pub found: Assessment,
+}
+
+/// The outputs besides `objects.csv`, which is always written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wanted {
+    /// `objects.parquet`.
+    pub parquet: bool,
+    /// `assessment.xlsx`.
+    pub workbook: bool,
+    /// `report.html`.
+    pub report: bool,
+    /// Number of objects with a page in the report: the most urgent ones.
+    pub pages: usize,
+}
+
+impl Default for Wanted {
+    fn default() -> Self {
+        Self { parquet: false, workbook: true, report: true, pages: 200 }
+    }
+}
+
+impl Wanted {
+    /// The names of the files that [`write_all`] writes.
+    pub fn names(&self) -> Vec<String> {
+        let optional = [(self.parquet, PARQUET_NAME), (self.workbook, WORKBOOK_NAME), (self.report, REPORT_NAME)];
+        let optional = optional.into_iter().filter(|(wanted, _)| *wanted).map(|(_, name)| name);
+        [CSV_NAME].into_iter().chain(optional).map(str::to_owned).collect()
+    }
+}
+
+/// Rows in the list of the most urgent objects.
+pub const URGENT_ROWS: usize = 50;
+
+/// Writes the outputs of an assessment into `folder` in a single pass over `rows`, which are in the order of the
+/// inventory. Objects without a row were not assessed, because the run was interrupted: they are in the tables without a
+/// decision, and every output says that it is partial and how many objects were assessed.
+///
+/// Only the counts, the pages of the most urgent objects and one group of rows are in memory, whatever the number of rows.
+///
+/// # Errors
+/// The first problem of `rows`, rows that are not in the order of the inventory, or a full disk.
+pub fn write_all(
+    folder: &OutputFolder,
+    head: &Head,
+    inventory: &Inventory,
+    wanted: Wanted,
+    rows: &mut dyn Iterator<Item = Result<Row<'_>, Problem>>,
+) -> Result<(), Problem> {
+    let mut outputs = Outputs::begin(folder, head, inventory, wanted)?;
+    let mut next = rows.next().transpose()?;
+    for item in &inventory.items {
+        let is_assessed = next.as_ref().is_some_and(|row| row.item.row == item.row && row.item.id == item.id);
+        let row = if is_assessed { next.take() } else { None };
+        outputs.add(inventory, &Line { item, found: row.as_ref().map(|row| (row.rank, &row.found)) })?;
+        if is_assessed {
+            next = rows.next().transpose()?;
+        }
+    }
+    if let Some(row) = next {
+        return Err(out_of_order(&row.item.id));
+    }
+    outputs.finish(folder, head)
+}
+
+/// The files as they are written.
+struct Outputs {
+    overview: Overview,
+    sources: Sources,
+    csv: CsvTable,
+    parquet: Option<ParquetTable>,
+    book: Option<Book>,
+    report: Option<Report>,
+}
+
+impl Outputs {
+    fn begin(folder: &OutputFolder, head: &Head, inventory: &Inventory, wanted: Wanted) -> Result<Self, Problem> {
+        let total = head.total.max(inventory.items.len());
+        Ok(Self {
+            overview: Overview::new(total, URGENT_ROWS),
+            sources: Sources::default(),
+            csv: CsvTable::begin(folder, inventory)?,
+            parquet: wanted.parquet.then(|| ParquetTable::begin(folder, head, inventory)).transpose()?,
+            book: wanted.workbook.then(|| Book::begin(folder, inventory)).transpose()?,
+            report: wanted.report.then(|| Report::new(wanted.pages)),
+        })
+    }
+
+    fn add(&mut self, inventory: &Inventory, line: &Line) -> Result<(), Problem> {
+        self.overview.add(line);
+        self.sources.add(line);
+        self.csv.row(inventory, line)?;
+        if let Some(parquet) = &mut self.parquet {
+            parquet.row(inventory, line)?;
+        }
+        if let Some(book) = &mut self.book {
+            book.row(inventory, line)?;
+        }
+        if let Some(report) = &mut self.report {
+            report.add(inventory, line);
+        }
+        Ok(())
+    }
+
+    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<(), Problem> {
+        self.csv.finish()?;
+        if let Some(parquet) = self.parquet {
+            parquet.finish(&self.overview)?;
+        }
+        if let Some(book) = self.book {
+            book.finish(folder, head, &self.overview, &self.sources)?;
+        }
+        if let Some(report) = self.report {
+            report.write(folder, head, &self.overview)?;
+        }
+        Ok(())
+    }
+}
+
+fn out_of_order(id: &str) -> Problem {
+    let message = format!("the result of \"{id}\" is not in the order of the inventory");
+    Problem::new(ProblemKind::Computation, message).hint("this is a defect in freestand: please report it")
+}

@@ -1,0 +1,261 @@
+//! The counts in the summary of an assessment, made row by row in bounded memory; shared by all outputs with a summary.
+
+use std::collections::BTreeMap;
+
+use crate::inventory::{Item, Rating};
+use crate::result::{Assessment, Criterion, Decision, Probability};
+use freestand_study::result::Ranked;
+
+use super::table::Line;
+
+/// Floors that are counted separately; objects on further floors are counted together.
+pub const MAX_FLOORS: usize = 100;
+
+/// Counts by [`Decision::ALL`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counts {
+    /// Rows of the inventory.
+    pub objects: [usize; 4],
+    /// Pieces: rows times their quantity.
+    pub pieces: [u64; 4],
+}
+
+impl Counts {
+    /// Objects with this decision.
+    pub fn of(&self, decision: Decision) -> usize {
+        self.objects[decision as usize]
+    }
+
+    /// Objects with any decision.
+    pub fn total(&self) -> usize {
+        self.objects.iter().sum()
+    }
+
+    fn add(&mut self, decision: Decision, quantity: u32) {
+        self.objects[decision as usize] += 1;
+        // 1e6 rows of 4e9 pieces still fit.
+        let pieces = &mut self.pieces[decision as usize];
+        *pieces = pieces.saturating_add(quantity.into());
+    }
+}
+
+/// One floor of a building.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloorCounts {
+    /// Its name, or its level where it has none.
+    pub name: String,
+    /// 0 ground, 1 roof; of the first object on the floor.
+    pub level_ratio: Option<f64>,
+    /// Median PFA \[g\]; of the first object on the floor.
+    pub pfa_g_median: Option<f64>,
+    /// Its objects.
+    pub counts: Counts,
+}
+
+/// One of the three consequences of FEMA E-74.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConsequenceCounts {
+    /// `life safety (LS)`.
+    pub name: &'static str,
+    /// Objects rated high, medium, low, and not rated.
+    pub ratings: [Counts; 4],
+}
+
+/// The names of [`ConsequenceCounts::ratings`].
+pub const RATINGS: [&str; 4] = ["high", "medium", "low", "not rated"];
+
+/// One row of the list of the most urgent objects.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Urgent {
+    /// 1 is the most urgent.
+    pub rank: usize,
+    /// Identifier of the object.
+    pub id: String,
+    /// What it is.
+    pub item: String,
+    /// How many such objects there are.
+    pub quantity: u32,
+    /// Where it is.
+    pub place: String,
+    /// What to do.
+    pub decision: Decision,
+    /// The governing criterion.
+    pub governing: Option<Criterion>,
+    /// Demand/capacity of the median motion.
+    pub demand_capacity: Option<Ranked>,
+    /// P(exceeded), or P(overturned) without a tolerance.
+    pub probability: Option<Probability>,
+    /// Whether that is the probability of overturning alone.
+    pub is_overturn_only: bool,
+    /// The larger shock of the median motion \[g\].
+    pub shock_g: Option<Ranked>,
+    /// Why, in one or two sentences.
+    pub why: String,
+}
+
+/// The counts of the summary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Overview {
+    /// Rows of the inventory.
+    pub total: usize,
+    /// Rows that were assessed.
+    pub assessed: usize,
+    /// By decision.
+    pub counts: Counts,
+    /// By tier that decided, 0 to 3.
+    pub tiers: [usize; 4],
+    /// Objects without a tolerance.
+    pub without_tolerance: usize,
+    /// Objects without a response: geometry or level is missing, or every history failed.
+    pub without_response: usize,
+    /// Objects with a history that failed, but not all of them.
+    pub with_failed_motions: usize,
+    /// Life safety, property loss, functional loss.
+    pub consequences: [ConsequenceCounts; 3],
+    /// The most urgent, by rank; as many as the list holds.
+    pub urgent: BTreeMap<usize, Urgent>,
+    floors: BTreeMap<FloorKey, FloorCounts>,
+    others: Option<FloorCounts>,
+    most_urgent: usize,
+}
+
+/// Building, name of the floor, level in a form that sorts.
+type FloorKey = (String, String, Option<u64>);
+
+impl Overview {
+    /// Before the first of `total` rows; the list will hold the `most_urgent` objects.
+    pub fn new(total: usize, most_urgent: usize) -> Self {
+        let consequence = |name| ConsequenceCounts { name, ratings: [Counts::default(); 4] };
+        Self {
+            total,
+            assessed: 0,
+            counts: Counts::default(),
+            tiers: [0; 4],
+            without_tolerance: 0,
+            without_response: 0,
+            with_failed_motions: 0,
+            consequences: ["life safety (LS)", "property loss (PL)", "functional loss (FL)"].map(consequence),
+            urgent: BTreeMap::new(),
+            floors: BTreeMap::new(),
+            others: None,
+            most_urgent,
+        }
+    }
+
+    /// Counts one row; rows without an assessment do not count.
+    pub fn add(&mut self, line: &Line) {
+        let Some((rank, found)) = line.found else { return };
+        let (item, decision) = (line.item, found.decision);
+        self.assessed += 1;
+        self.counts.add(decision, item.quantity);
+        if let Some(tier) = self.tiers.get_mut(usize::from(found.tier)) {
+            *tier += 1;
+        }
+        self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
+        self.without_response += usize::from(found.response.is_none());
+        self.with_failed_motions += usize::from(found.response.as_ref().is_some_and(|response| response.failed > 0));
+        let rated = [item.consequences.life_safety, item.consequences.property, item.consequences.function];
+        for (consequence, rating) in self.consequences.iter_mut().zip(rated) {
+            consequence.ratings[rating_index(rating)].add(decision, item.quantity);
+        }
+        self.add_floor(line, decision);
+        if rank <= self.most_urgent {
+            self.urgent.insert(rank, urgent(line, rank, found));
+        }
+    }
+
+    /// The floors from the top down; those beyond [`MAX_FLOORS`] together at the end.
+    pub fn floors(&self) -> Vec<&FloorCounts> {
+        let mut floors: Vec<&FloorCounts> = self.floors.values().collect();
+        let level = |floor: &FloorCounts| floor.level_ratio.unwrap_or(f64::NEG_INFINITY);
+        floors.sort_by(|a, b| level(b).total_cmp(&level(a)));
+        floors.extend(&self.others);
+        floors
+    }
+
+    /// A sentence that says so where the run was interrupted.
+    pub fn partial(&self) -> Option<String> {
+        (self.assessed < self.total).then(|| {
+            format!(
+                "PARTIAL: {} of {} objects were assessed before the run was stopped. The list, the ranks and all counts \
+                 below are for these objects only.",
+                self.assessed, self.total
+            )
+        })
+    }
+
+    fn add_floor(&mut self, line: &Line, decision: Decision) {
+        let item = line.item;
+        let level_ratio = item.level_ratio.filter(|level| level.is_finite());
+        // A floor with a name is one floor, whatever levels its rows give.
+        let level = if item.floor.is_empty() { level_ratio.map(f64::to_bits) } else { None };
+        let key = (item.building.clone(), item.floor.clone(), level);
+        let facts = line.assessment().and_then(|found| found.floor.as_ref());
+        let floor = if self.floors.len() < MAX_FLOORS || self.floors.contains_key(&key) {
+            self.floors.entry(key).or_insert_with(|| FloorCounts {
+                name: floor_name(item),
+                level_ratio,
+                pfa_g_median: facts.map(|facts| facts.pfa_g_median),
+                counts: Counts::default(),
+            })
+        } else {
+            self.others.get_or_insert_with(|| FloorCounts {
+                name: "other floors".to_owned(),
+                level_ratio: None,
+                pfa_g_median: None,
+                counts: Counts::default(),
+            })
+        };
+        floor.counts.add(decision, item.quantity);
+    }
+}
+
+fn rating_index(rating: Option<Rating>) -> usize {
+    match rating {
+        Some(Rating::High) => 0,
+        Some(Rating::Medium) => 1,
+        Some(Rating::Low) => 2,
+        None => 3,
+    }
+}
+
+fn floor_name(item: &Item) -> String {
+    let floor = match (item.floor.as_str(), item.level_ratio) {
+        ("", None) => "level not given".to_owned(),
+        ("", Some(level_ratio)) => format!("level {}", freestand_input::words::number(level_ratio, 3)),
+        (floor, _) => floor.to_owned(),
+    };
+    if item.building.is_empty() { floor } else { format!("{}, {floor}", item.building) }
+}
+
+fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
+    let item = line.item;
+    Urgent {
+        rank,
+        id: item.id.clone(),
+        item: item.item.clone(),
+        quantity: item.quantity,
+        place: place(item),
+        decision: found.decision,
+        governing: found.capacity.as_ref().map(|capacity| capacity.governing),
+        demand_capacity: found.capacity.as_ref().map(|capacity| capacity.demand_capacity),
+        probability: found.p_exceed.or(found.p_overturn),
+        is_overturn_only: found.p_exceed.is_none() && found.p_overturn.is_some(),
+        shock_g: found.shock.as_ref().map(|shock| shock.edge_acceleration_g[1]),
+        why: found.why.clone(),
+    }
+}
+
+/// Where an object is, in words: location, building, floor and room, as far as they are known.
+pub fn place(item: &Item) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in [&item.location, &item.building, &item.floor, &item.room] {
+        if !part.is_empty() && !parts.contains(&part.as_str()) {
+            parts.push(part);
+        }
+    }
+    if parts.is_empty() { item.level_ratio.map_or_else(String::new, |_| floor_name(item)) } else { parts.join(", ") }
+}
+
+#[cfg(test)]
+mod tests;

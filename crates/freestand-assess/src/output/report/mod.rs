@@ -1,0 +1,95 @@
+//! `report.html` of an assessment: a summary and a page for each of the most urgent objects, in one file that loads
+//! nothing else.
+
+mod drawing;
+mod equations;
+mod page;
+mod summary;
+
+use std::collections::BTreeMap;
+
+use crate::inventory::Inventory;
+use freestand_input::problem::Problem;
+use freestand_output::folder::OutputFolder;
+use freestand_output::html::{CLOSING, escape, opening};
+
+use super::Head;
+use super::overview::Overview;
+use super::table::Line;
+
+/// The file's name.
+pub const REPORT_NAME: &str = "report.html";
+
+/// The report as it is written: the pages of the most urgent objects so far.
+pub(super) struct Report {
+    max_pages: usize,
+    pages: BTreeMap<usize, String>,
+}
+
+impl Report {
+    /// Without a page yet; at most `max_pages` objects get one.
+    pub(super) fn new(max_pages: usize) -> Self {
+        Self { max_pages, pages: BTreeMap::new() }
+    }
+
+    /// Writes the page of an object, if it is urgent enough to have one.
+    pub(super) fn add(&mut self, inventory: &Inventory, line: &Line) {
+        if let Some((rank, found)) = line.found
+            && rank <= self.max_pages
+        {
+            self.pages.insert(rank, page::page(inventory, line.item, rank, found));
+        }
+    }
+
+    /// Writes the file.
+    pub(super) fn write(self, folder: &OutputFolder, head: &Head, overview: &Overview) -> Result<(), Problem> {
+        let mut file = folder.begin(REPORT_NAME)?;
+        let subtitle =
+            format!("Assessment of an inventory under an earthquake · freestand {}", env!("CARGO_PKG_VERSION"));
+        file.write(opening(TITLE, &subtitle, CSS).as_bytes())?;
+        file.write(summary::summary(head, overview, self.max_pages).as_bytes())?;
+        for page in self.pages.values() {
+            file.write(page.as_bytes())?;
+        }
+        file.write(CLOSING.as_bytes())?;
+        file.finish()
+    }
+}
+
+const CSS: &str = include_str!("style.css");
+
+const TITLE: &str = "Which objects must be restrained";
+
+/// Longest name, place or reason on a page, in characters.
+const MAX_NAME_CHARS: usize = 160;
+
+/// Longest paragraph of a user's text on a page, in characters.
+const MAX_TEXT_CHARS: usize = 1_500;
+
+/// A text for a heading or a cell, escaped, and cut where it would fill the page.
+fn name(text: &str) -> String {
+    cut(text, MAX_NAME_CHARS)
+}
+
+/// A text for a paragraph, escaped, and cut where it would fill pages.
+fn words(text: &str) -> String {
+    cut(text, MAX_TEXT_CHARS)
+}
+
+fn cut(text: &str, longest: usize) -> String {
+    let shown = match text.char_indices().nth(longest) {
+        None => escape(text),
+        Some((end, _)) => format!("{} … <i>(truncated)</i>", escape(&text[..end])),
+    };
+    // Characters that change the direction of writing would change it for our own words after them too.
+    let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    if text.contains(turns) { format!("<bdi>{shown}</bdi>") } else { shown }
+}
+
+/// The anchor of an object's page.
+fn anchor(rank: usize) -> String {
+    format!("object-{rank}")
+}
+
+#[cfg(test)]
+mod tests;

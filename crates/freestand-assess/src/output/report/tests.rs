@@ -1,0 +1,106 @@
+#[path = "../../../../freestand-output/tests/print/check.rs"]
+mod print_check;
+
+use crate::output::Wanted;
+use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
+
+use super::*;
+
+const ALONE: Wanted = Wanted { parquet: false, workbook: false, report: true, pages: 200 };
+
+fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {
+    let (folder, names) = written(inventory, assessed, Wanted { pages, ..ALONE });
+    assert_eq!(names, ["objects.csv", REPORT_NAME]);
+    String::from_utf8(read(&folder, REPORT_NAME)).unwrap()
+}
+
+/// The document as XML: a browser would forgive mistakes.
+fn parse(html: &str) -> roxmltree::Document<'_> {
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    roxmltree::Document::parse_with_options(html, options).unwrap()
+}
+
+fn pages(document: &roxmltree::Document) -> Vec<String> {
+    let sections = document.descendants().filter(|node| node.attribute("class") == Some("object"));
+    sections.filter_map(|node| node.attribute("id").map(str::to_owned)).collect()
+}
+
+#[test]
+fn every_object_has_its_page_in_the_order_of_the_list() {
+    let html = html(&inventory((0..12).map(item).collect()), 12, 200);
+    let document = parse(&html);
+    assert_eq!(pages(&document), (1..=12).map(anchor).collect::<Vec<_>>());
+    // Every link leads somewhere, and nothing is loaded.
+    let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+    for node in document.descendants() {
+        if let Some(target) = node.attribute("href") {
+            assert!(target.strip_prefix('#').is_some_and(|id| ids.contains(&id)), "{target}");
+        }
+        assert!(node.attribute("src").is_none() && !node.has_tag_name("script") && !node.has_tag_name("link"));
+    }
+    assert!(!html.contains("url(") && !html.contains("@import"));
+    for words in ["▲ RESTRAIN", "◆ SOFTEN", "? NO VERDICT", "● LEAVE", "Eq", "AS 1170.4-2007, 8.2", "Level 4", "seed 1"]
+    {
+        assert!(html.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn it_prints_like_every_report() {
+    let html = html(&inventory((0..12).map(item).collect()), 11, 200);
+    print_check::check_print(&html, TITLE, CSS);
+}
+
+#[test]
+fn only_the_most_urgent_have_pages() {
+    let html = html(&inventory((0..12).map(item).collect()), 12, 5);
+    let document = parse(&html);
+    assert_eq!(pages(&document), (1..=5).map(anchor).collect::<Vec<_>>());
+    assert!(html.contains("The 5 most urgent objects have a page below.") && html.contains("objects.csv"));
+    assert!(html.contains("O-0000") && !html.contains("href=\"#object-6\""));
+}
+
+#[test]
+fn hostile_texts_stay_texts() {
+    let html = html(&inventory(hostile_items()), 8, 200);
+    let document = parse(&html);
+    let texts: String = document.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect();
+    for text in HOSTILE {
+        let shown: String =
+            text.chars().filter(|c| *c == '\n' || *c == '\t' || !c.is_control() && *c != '\u{fffe}').collect();
+        assert!(texts.contains(&shown), "{shown}");
+    }
+    assert!(document.descendants().all(|node| !["script", "img"].contains(&node.tag_name().name())));
+    // Fifty thousand characters of one name do not fill the report.
+    assert!(html.contains("(truncated)") && html.len() < 200_000, "{}", html.len());
+}
+
+#[test]
+fn a_part_says_so_first() {
+    let html = html(&inventory((0..9).map(item).collect()), 4, 200);
+    let partial = html.find("PARTIAL: 4 of 9 objects").unwrap();
+    assert!(partial < html.find("<section").unwrap());
+    assert_eq!(pages(&parse(&html)).len(), 4);
+}
+
+#[test]
+fn nothing_is_a_report_too() {
+    for (items, assessed) in [(0, 0), (3, 0)] {
+        let html = html(&inventory((0..items).map(item).collect()), assessed, 200);
+        assert!(pages(&parse(&html)).is_empty() && html.contains("No object was assessed."));
+    }
+}
+
+#[test]
+fn without_a_verdict_every_page_says_why() {
+    let items = hostile_items().split_off(7);
+    let html = html(&inventory(items), 1, 200);
+    assert!(html.contains("? NO VERDICT") && html.contains("Height, thickness and level are missing."));
+    parse(&html);
+}
+
+#[test]
+fn the_same_rows_give_the_same_bytes() {
+    let inventory = inventory((0..7).map(item).collect());
+    assert!(html(&inventory, 7, 3) == html(&inventory, 7, 3));
+}

@@ -1,0 +1,348 @@
+//! The list of columns.
+
+use freestand::G0_M_S2;
+use freestand::rocking::Restitution;
+
+use crate::inventory::{Item, Rating};
+use crate::result::{Assessment, Probability, RestraintForce};
+use freestand_study::cushion::cushion_words;
+
+use super::{Cell, Column, Kind, Line};
+
+/// Every column of freestand, in order; other columns of the inventory follow.
+pub const COLUMNS: &[Column] = &[
+    // The object.
+    count("rank", "place in the order of urgency: 1 is the most urgent", |l| {
+        Cell::count(l.found.map(|(rank, _)| rank))
+    }),
+    text("id", "identifier of the object", |l| Cell::text(&l.item.id)),
+    text("item", "what it is", |l| Cell::text(&l.item.item)),
+    count("quantity", "how many such objects there are", |l| Cell::Count(l.item.quantity.into())),
+    text("priority", "rank given by the owner", |l| Cell::text(&l.item.priority)),
+    text("location", "where it is, in words", |l| Cell::text(&l.item.location)),
+    text("building", "building", |l| Cell::text(&l.item.building)),
+    text("floor", "name of the floor", |l| Cell::text(&l.item.floor)),
+    text("room", "room", |l| Cell::text(&l.item.room)),
+    text("life_safety", "FEMA E-74: risk that somebody is hurt (H, M, L)", |l| rating(l.item.consequences.life_safety)),
+    text("property_loss", "FEMA E-74: risk of a loss of property (H, M, L)", |l| rating(l.item.consequences.property)),
+    text("functional_loss", "FEMA E-74: risk that work stops (H, M, L)", |l| rating(l.item.consequences.function)),
+    number("level_ratio", "1", "height of its floor over the height of the building: 0 ground, 1 roof", |l| {
+        of_item(l, |item| item.level_ratio)
+    }),
+    // The verdict.
+    text("decision", "restrain, soften, no-verdict or leave; empty: not assessed yet", |l| {
+        of_text(l, |found| Some(found.decision.name()))
+    }),
+    text("why", "the reason for the decision, in one or two sentences", |l| match l.assessment() {
+        Some(found) => Cell::text(&found.why),
+        None => Cell::text(NOT_ASSESSED),
+    }),
+    text("governing", "the governing criterion at the motion that decides", |l| {
+        of_text(l, |found| found.capacity.as_ref().map(|capacity| capacity.governing.name()))
+    }),
+    ranked(
+        "demand_capacity_ratio",
+        "1",
+        "demand/capacity of the median motion; above 1 the tolerance is exceeded",
+        |l| Cell::ranked(l.assessment().and_then(|found| Some(found.capacity.as_ref()?.demand_capacity))),
+    ),
+    ranked("demand_capacity_ratio_p84", "1", "demand/capacity that 84 % of the motions do not exceed", |l| {
+        Cell::ranked(l.assessment().and_then(|found| Some(found.capacity.as_ref()?.demand_capacity_p84)))
+    }),
+    share("p_exceed", "probability that a criterion is exceeded or that it overturns", |l| {
+        chance(l, |found| found.p_exceed, |p| p.value)
+    }),
+    share("p_exceed_low", "lower end of the 95 % interval of p_exceed", |l| {
+        chance(l, |found| found.p_exceed, |p| p.low)
+    }),
+    share("p_exceed_high", "upper end of the 95 % interval of p_exceed", |l| {
+        chance(l, |found| found.p_exceed, |p| p.high)
+    }),
+    share("p_overturn", "probability that it overturns", |l| chance(l, |found| found.p_overturn, |p| p.value)),
+    share("p_overturn_low", "lower end of the 95 % interval of p_overturn", |l| {
+        chance(l, |found| found.p_overturn, |p| p.low)
+    }),
+    share("p_overturn_high", "upper end of the 95 % interval of p_overturn", |l| {
+        chance(l, |found| found.p_overturn, |p| p.high)
+    }),
+    share("accepted_ratio", "accepted probability", |l| of(l, |found| Some(found.accepted_ratio))),
+    text("accepted_for", "what sets the accepted probability", |l| of_text(l, |found| Some(found.accepted_for.name()))),
+    count("draws", "draws of the uncertain values for each motion; 0: none were needed", |l| {
+        Cell::count(l.assessment().map(|found| found.draws as usize))
+    }),
+    count("tier", "what decided: 0 thresholds, 1 spectra, 2 histories of its own, 3 the compliant base", |l| {
+        Cell::count(l.assessment().map(|found| found.tier.into()))
+    }),
+    // Its response.
+    count("motions", "motions with a history about every axis", |l| {
+        Cell::count(l.assessment().and_then(|found| Some(found.response.as_ref()?.motions)))
+    }),
+    count("motions_failed", "motions for which a history failed", |l| {
+        Cell::count(l.assessment().and_then(|found| Some(found.response.as_ref()?.failed)))
+    }),
+    share("uplift_share", "share of the motions that cause uplift", |l| {
+        of(l, |found| Some(found.response.as_ref()?.uplift_share))
+    }),
+    share("overturn_share", "share of the motions that overturn it", |l| {
+        of(l, |found| Some(found.response.as_ref()?.overturn_share))
+    }),
+    ranked("uplift_m_median", "m", "uplift, median motion", |l| lift(l, 1)),
+    ranked("uplift_m_p16", "m", "uplift that 16 % of the motions do not exceed", |l| lift(l, 0)),
+    ranked("uplift_m_p84", "m", "uplift that 84 % of the motions do not exceed", |l| lift(l, 2)),
+    ranked("rotation_ratio_median", "1", "peak rotation over the slenderness angle, median motion", |l| {
+        Cell::ranked(l.assessment().and_then(|found| Some(found.response.as_ref()?.rotation_ratio[1])))
+    }),
+    count("impacts_max", "largest number of impacts under one motion", |l| {
+        Cell::count(l.assessment().and_then(|found| Some(found.response.as_ref()?.impacts_max)))
+    }),
+    // Its shock.
+    ranked("edge_acceleration_g_median", "g", "shock, the larger source, median motion", |l| shock(l, 1)),
+    ranked("edge_acceleration_g_p16", "g", "shock, the larger source, that 16 % of the motions do not exceed", |l| {
+        shock(l, 0)
+    }),
+    ranked("edge_acceleration_g_p84", "g", "shock, the larger source, that 84 % of the motions do not exceed", |l| {
+        shock(l, 2)
+    }),
+    number("edge_acceleration_g_max", "g", "largest shock of the motions that do not overturn it", |l| {
+        of(l, |found| found.shock.as_ref()?.edge_acceleration_max_g)
+    }),
+    ranked(
+        "edge_acceleration_uplift_g_median",
+        "g",
+        "shock from the rise of the centre of gravity, median motion",
+        |l| lifted(l, 1),
+    ),
+    ranked(
+        "edge_acceleration_uplift_g_p16",
+        "g",
+        "shock from the rise of the centre of gravity that 16 % of the motions do not exceed",
+        |l| lifted(l, 0),
+    ),
+    ranked(
+        "edge_acceleration_uplift_g_p84",
+        "g",
+        "shock from the rise of the centre of gravity that 84 % of the motions do not exceed",
+        |l| lifted(l, 2),
+    ),
+    number(
+        "ceiling_g",
+        "g",
+        "ceiling: the largest shock from the rise of the centre of gravity under any motion",
+        |l| of(l, |found| Some(found.shock.as_ref()?.ceiling_g)),
+    ),
+    number("pulse_duration_s", "s", "duration of the pulse; π√(m_eff/k) on a spring", |l| {
+        of(l, |found| Some(found.shock.as_ref()?.pulse_duration_s))
+    }),
+    ranked("velocity_change_m_s", "m/s", "velocity change of the edge at the median shock", |l| {
+        Cell::ranked(l.assessment().and_then(|found| Some(found.shock.as_ref()?.velocity_change_m_s)))
+    }),
+    count(
+        "impacts_above_tolerance",
+        "impacts above the tolerance under the hardest motion that does not overturn it",
+        |l| Cell::count(l.assessment().and_then(|found| found.shock.as_ref()?.impacts_above_tolerance)),
+    ),
+    // Its floor, sliding and clearance.
+    number("pfa_g_median", "g", "PFA of its floor, median motion", |l| {
+        of(l, |found| Some(found.floor.as_ref()?.pfa_g_median))
+    }),
+    number("pfa_g_max", "g", "PFA of its floor, largest of all motions", |l| {
+        of(l, |found| Some(found.floor.as_ref()?.pfa_g_max))
+    }),
+    number("pfv_m_s_median", "m/s", "PFV of its floor, median motion", |l| {
+        of(l, |found| Some(found.floor.as_ref()?.pfv_m_s_median))
+    }),
+    number("floor_ratio", "1", "median PFA over the peak of the tolerance", |l| {
+        of(l, |found| found.capacity.as_ref()?.floor_ratio)
+    }),
+    text("sliding", "whether it slides: no, possible, yes", |l| {
+        of_text(l, |found| Some(found.sliding.as_ref()?.verdict.name()))
+    }),
+    number("friction_low_ratio", "1", "lowest coefficient of friction, stated or assumed", |l| {
+        of(l, |found| Some(found.sliding.as_ref()?.friction_ratio.0))
+    }),
+    number("friction_high_ratio", "1", "highest coefficient of friction, stated or assumed", |l| {
+        of(l, |found| Some(found.sliding.as_ref()?.friction_ratio.1))
+    }),
+    number("clearance_m", "m", "clearance that it needs on every side while it rocks", |l| {
+        of(l, |found| found.clearance_m)
+    }),
+    // A softer pad, and restraint.
+    number("max_stiffness_n_m", "N/m", "largest stiffness under one edge with which a softer pad suffices", |l| {
+        of(l, |found| found.softening.as_ref()?.max_stiffness_n_m)
+    }),
+    flag("softening_admissible", "whether that pad passed every check", |l| {
+        yes(l.assessment().and_then(|found| Some(found.softening.as_ref()?.admissible)))
+    }),
+    number(
+        "softened_edge_acceleration_g",
+        "g",
+        "largest shock on that pad under the motions that were repeated",
+        |l| of(l, |found| found.softening.as_ref()?.edge_acceleration_g),
+    ),
+    number("pad_stroke_m", "m", "largest compression of that pad", |l| {
+        of(l, |found| found.softening.as_ref()?.stroke_m)
+    }),
+    number("restraint_force_n", "N", "largest horizontal force of a restraint, of all sources", |l| {
+        of(l, |found| largest(found, |force| force.force_n))
+    }),
+    text("restraint_source", "clause of this force", |l| {
+        of_text(l, |found| Some(strongest(found, |force| force.force_n)?.source.as_str()))
+    }),
+    number("anchor_tension_n", "N", "largest tension of all anchors along one edge together, of all sources", |l| {
+        of(l, |found| largest(found, |force| force.anchor_tension_n))
+    }),
+    // The values of the calculation.
+    text("tolerance", "its tolerance, in words", |l| {
+        of_text(l, |found| found.capacity.as_ref().map(|capacity| capacity.tolerance.as_str()))
+    }),
+    number("tolerance_g", "g", "peak acceleration that it withstands", |l| {
+        of_item(l, |item| Some(item.tolerance.as_ref()?.peak_m_s2? / G0_M_S2))
+    }),
+    number("tolerance_duration_s", "s", "duration of the half-sine of that peak", |l| {
+        of_item(l, |item| item.tolerance.as_ref()?.duration_s)
+    }),
+    number("tolerance_velocity_change_m_s", "m/s", "velocity change below which no peak causes damage", |l| {
+        of_item(l, |item| item.tolerance.as_ref()?.velocity_change_m_s)
+    }),
+    number("tolerance_edge_lift_m", "m", "uplift from which it may fall back without damage", |l| {
+        of_item(l, |item| item.tolerance.as_ref()?.edge_lift_m)
+    }),
+    text("tolerance_source", "source of the tolerance", |l| {
+        l.item.tolerance.as_ref().map_or(Cell::Missing, |tolerance| Cell::text(&tolerance.source))
+    }),
+    flag("tolerance_decides", "whether a verdict may rest on that source; not on a recalled one", |l| {
+        yes(l.item.tolerance.as_ref().map(|tolerance| tolerance.confidence.decides()))
+    }),
+    number("height_m", "m", "height", |l| of_item(l, |item| item.height_m)),
+    number("thickness_m", "m", "horizontal size in the plane of rocking", |l| of_item(l, |item| item.thickness_m)),
+    number("width_m", "m", "horizontal size across it; empty: computed about one axis only", |l| {
+        of_item(l, |item| item.width_m)
+    }),
+    number("base_thickness_m", "m", "distance between the edges in the direction of the thickness", |l| {
+        of_item(l, |item| item.base_thickness_m.or(item.thickness_m))
+    }),
+    number("base_width_m", "m", "distance between the edges in the direction of the width", |l| {
+        of_item(l, |item| item.base_width_m.or(item.width_m))
+    }),
+    number("cg_height_m", "m", "height of the centre of gravity; half the height where it was not given", |l| {
+        of_item(l, |item| item.cg_height_m.or(item.height_m.map(|height_m| 0.5 * height_m)))
+    }),
+    number("mass_kg", "kg", "mass", |l| of_item(l, |item| item.mass_kg)),
+    number("stiffness_n_m", "N/m", "stiffness under one edge; empty for a contact law that has none", |l| {
+        of_item(l, |item| item.cushion.as_ref()?.cushion.linear_stiffness_n_m())
+    }),
+    text("cushion", "the cushion under one edge", |l| {
+        Cell::owned(l.item.cushion.as_ref().map(|edge| cushion_words(&edge.cushion)))
+    }),
+    text("cushion_source", "source of the cushion, where it comes from the library", |l| {
+        l.item.cushion_source.as_deref().map_or(Cell::Missing, Cell::text)
+    }),
+    number("restitution", "1", "restitution as stated; empty: Housner's", |l| {
+        of_item(l, |item| match item.restitution {
+            Restitution::Value(value) => Some(value),
+            Restitution::Housner | Restitution::Factor(_) => None,
+        })
+    }),
+    number("restitution_factor", "1", "factor on Housner's restitution as stated", |l| {
+        of_item(l, |item| match item.restitution {
+            Restitution::Factor(factor) => Some(factor),
+            Restitution::Housner | Restitution::Value(_) => None,
+        })
+    }),
+    number("compliant_shock_ratio", "1", "shock on the compliant base over the shock of Eq. (5)", |l| {
+        of(l, |found| found.compliant.as_ref()?.shock_ratio)
+    }),
+    flag("compliant_agrees", "whether the compliant base leads to the same decision", |l| {
+        yes(l.assessment().and_then(|found| found.compliant.as_ref()).map(|compliant| compliant.agrees))
+    }),
+    text("notes", "notes in the inventory", |l| Cell::text(&l.item.notes)),
+    text("remarks", "assumptions and warnings about this object", |l| {
+        Cell::owned(l.assessment().map(|found| found.notes.join(" ")))
+    }),
+];
+
+/// The reason in a row without a decision.
+const NOT_ASSESSED: &str = "Not assessed yet: the run was stopped before its end, and this result is partial.";
+
+type Extract = for<'a> fn(&Line<'a>) -> Cell<'a>;
+
+const fn text(name: &'static str, meaning: &'static str, cell: Extract) -> Column {
+    Column { name, kind: Kind::Text, unit: "–", meaning, cell }
+}
+
+const fn count(name: &'static str, meaning: &'static str, cell: Extract) -> Column {
+    Column { name, kind: Kind::Count, unit: "–", meaning, cell }
+}
+
+const fn number(name: &'static str, unit: &'static str, meaning: &'static str, cell: Extract) -> Column {
+    Column { name, kind: Kind::Number, unit, meaning, cell }
+}
+
+const fn share(name: &'static str, meaning: &'static str, cell: Extract) -> Column {
+    Column { name, kind: Kind::Share, unit: "1", meaning, cell }
+}
+
+const fn ranked(name: &'static str, unit: &'static str, meaning: &'static str, cell: Extract) -> Column {
+    Column { name, kind: Kind::Ranked, unit, meaning, cell }
+}
+
+const fn flag(name: &'static str, meaning: &'static str, cell: Extract) -> Column {
+    Column { name, kind: Kind::Flag, unit: "–", meaning, cell }
+}
+
+fn yes<'a>(flag: Option<bool>) -> Cell<'a> {
+    flag.map_or(Cell::Missing, Cell::Flag)
+}
+
+fn of_item<'a>(line: &Line<'a>, value: fn(&Item) -> Option<f64>) -> Cell<'a> {
+    Cell::number(value(line.item))
+}
+
+fn of<'a>(line: &Line<'a>, value: fn(&Assessment) -> Option<f64>) -> Cell<'a> {
+    Cell::number(line.assessment().and_then(value))
+}
+
+fn of_text<'a>(line: &Line<'a>, text: for<'t> fn(&'t Assessment) -> Option<&'t str>) -> Cell<'a> {
+    line.assessment().and_then(text).map_or(Cell::Missing, Cell::text)
+}
+
+fn chance<'a>(
+    line: &Line<'a>,
+    chance: fn(&Assessment) -> Option<Probability>,
+    value: fn(&Probability) -> f64,
+) -> Cell<'a> {
+    Cell::number(line.assessment().and_then(chance).map(|probability| value(&probability)))
+}
+
+fn lift<'a>(line: &Line<'a>, quantile: usize) -> Cell<'a> {
+    let response = line.assessment().and_then(|found| found.response.as_ref());
+    Cell::ranked(response.and_then(|response| response.uplift_m.get(quantile)).copied())
+}
+
+fn shock<'a>(line: &Line<'a>, quantile: usize) -> Cell<'a> {
+    let shock = line.assessment().and_then(|found| found.shock.as_ref());
+    Cell::ranked(shock.and_then(|shock| shock.edge_acceleration_g.get(quantile)).copied())
+}
+
+fn lifted<'a>(line: &Line<'a>, quantile: usize) -> Cell<'a> {
+    let shock = line.assessment().and_then(|found| found.shock.as_ref());
+    Cell::ranked(shock.and_then(|shock| shock.edge_acceleration_uplift_g.get(quantile)).copied())
+}
+
+fn rating<'a>(rating: Option<Rating>) -> Cell<'a> {
+    Cell::text(match rating {
+        None => "",
+        Some(Rating::High) => "H",
+        Some(Rating::Medium) => "M",
+        Some(Rating::Low) => "L",
+    })
+}
+
+/// The largest force by `need`; the first of two equal ones.
+pub(crate) fn strongest(found: &Assessment, need: fn(&RestraintForce) -> f64) -> Option<&RestraintForce> {
+    found.restraint.iter().reduce(|most, next| if need(next) > need(most) { next } else { most })
+}
+
+fn largest(found: &Assessment, need: fn(&RestraintForce) -> f64) -> Option<f64> {
+    strongest(found, need).map(need)
+}

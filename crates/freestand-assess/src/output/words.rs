@@ -1,0 +1,148 @@
+//! The words, signs and colours that all outputs of an assessment share.
+
+use crate::result::{Assessment, Decision, Probability};
+use freestand_input::words::{number, percent};
+use freestand_study::result::Ranked;
+
+/// The colours of a decision; its sign and its word always accompany them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Colours {
+    /// Dark enough for text on white.
+    pub ink: u32,
+    /// Light enough for black text on it.
+    pub fill: u32,
+}
+
+/// The sign of a decision; no two signs have the same shape.
+pub fn sign(decision: Decision) -> &'static str {
+    match decision {
+        Decision::Restrain => "▲",
+        Decision::Soften => "◆",
+        Decision::NoVerdict => "?",
+        Decision::Leave => "●",
+    }
+}
+
+/// A decision in capitals.
+pub fn label(decision: Decision) -> &'static str {
+    match decision {
+        Decision::Restrain => "RESTRAIN",
+        Decision::Soften => "SOFTEN",
+        Decision::NoVerdict => "NO VERDICT",
+        Decision::Leave => "LEAVE",
+    }
+}
+
+/// What a decision recommends.
+pub fn advice(decision: Decision) -> &'static str {
+    match decision {
+        Decision::Restrain => "fix it to the building",
+        Decision::Soften => "put it on a softer pad",
+        Decision::NoVerdict => "complete the missing data",
+        Decision::Leave => "leave it as it is",
+    }
+}
+
+/// The colours of a decision (after Okabe and Ito). The colour-blind can tell them apart; in grey their lightness differs.
+pub fn colours(decision: Decision) -> Colours {
+    match decision {
+        Decision::Restrain => Colours { ink: 0x00A8_4300, fill: 0x00F7_C5A0 },
+        Decision::Soften => Colours { ink: 0x0000_5A8C, fill: 0x00BF_DDF2 },
+        Decision::NoVerdict => Colours { ink: 0x0055_5555, fill: 0x00E4_E4E4 },
+        Decision::Leave => Colours { ink: 0x0000_6B4E, fill: 0x00D3_EFE4 },
+    }
+}
+
+/// What decided, in words.
+pub fn tier(tier: u8) -> &'static str {
+    match tier {
+        0 => "tier 0: thresholds",
+        1 => "tier 1: spectra",
+        2 => "tier 2: histories of its own",
+        3 => "tier 3: the compliant base",
+        _ => "",
+    }
+}
+
+/// A number with its unit, `overturned`, or a dash.
+pub fn ranked(value: Ranked, unit: &str) -> String {
+    match value {
+        Ranked::Value(value) if unit.is_empty() => number(value, 3),
+        Ranked::Value(value) => format!("{} {unit}", number(value, 3)),
+        Ranked::Overturned => "overturned".to_owned(),
+        Ranked::NoData => "–".to_owned(),
+    }
+}
+
+/// The same in thousandths, such as an uplift in mm.
+pub fn ranked_milli(value: Ranked, unit: &str) -> String {
+    match value {
+        Ranked::Value(value) => ranked(Ranked::Value(1e3 * value), unit),
+        other => ranked(other, unit),
+    }
+}
+
+/// `42 % (31–53 %)`.
+pub fn probability(probability: Probability) -> String {
+    let Probability { value, low, high } = probability;
+    if low == high {
+        return percent(value, 0);
+    }
+    let digits = |share: f64| freestand_input::words::fixed(100.0 * share, usize::from(high < 0.1));
+    format!("{} % ({}–{} %)", digits(value), digits(low), digits(high))
+}
+
+/// Demand/capacity of the median motion in a sentence.
+pub fn margin(found: &Assessment) -> String {
+    let Some(capacity) = &found.capacity else {
+        return "Its tolerance was not given, so demand/capacity is not known.".to_owned();
+    };
+    match capacity.demand_capacity {
+        Ranked::Overturned => "The median motion overturns it.".to_owned(),
+        Ranked::NoData => "Demand/capacity is not known.".to_owned(),
+        Ranked::Value(ratio) if ratio > 1.0 => {
+            format!("The demand of the median motion is {} times the tolerance.", number(ratio, 3))
+        }
+        Ranked::Value(ratio) => format!("The demand of the median motion is {} of the tolerance.", percent(ratio, 0)),
+    }
+}
+
+/// How to read a list of objects, for every page that has one.
+pub const HOW_TO_READ: [&str; 7] = [
+    "Restrain (▲): the probability that the object overturns or exceeds its tolerance is above the accepted \
+     probability, and no softer pad suffices.",
+    "Soften (◆): the shock governs, and a softer pad under the object brings the probability below the accepted one. \
+     The pad was checked by repeating the motions.",
+    "No verdict (?): data that a verdict needs are missing, and the row says which. Everything that could be computed \
+     without them is given.",
+    "Leave (●): the object may stay as it is under the assumed hazard.",
+    "Demand/capacity is that of the median motion; above 1 the tolerance is exceeded. “Overturned” ranks above every \
+     number.",
+    "A probability counts motions, and draws of the uncertain values (stiffness, restitution, mass, geometry, model); \
+     overturning counts as exceeding the tolerance. The 95 % interval follows the probability.",
+    "Shocks are those of the edge that lands, by Eq. (5) of Al Abadi et al., or by Eq. (8) where the landing is halted. \
+     Of two energy sources, the rise of the centre of gravity and the velocity before the impact, the larger counts.",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_have_digits_where_they_are_small() {
+        let said = |value, low, high| probability(Probability { value, low, high });
+        assert_eq!(said(0.42, 0.314, 0.526), "42 % (31–53 %)");
+        assert_eq!(said(0.004, 0.0, 0.021), "0.4 % (0.0–2.1 %)");
+        assert_eq!(said(0.25, 0.25, 0.25), "25 %");
+    }
+
+    /// Word, sign and colour of every decision differ from those of the others.
+    #[test]
+    fn decisions_are_told_apart_without_colour() {
+        for a in Decision::ALL {
+            for b in Decision::ALL {
+                assert!(a == b || (sign(a) != sign(b) && label(a) != label(b) && colours(a) != colours(b)));
+            }
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! The sheets of text: summary, meanings of the columns, sources.
+
+use std::ops::Range;
+
+use rust_xlsxwriter::{ColNum, Format, RowNum, Worksheet, XlsxError};
+
+use crate::output::Head;
+use crate::output::overview::{Counts, Overview, RATINGS};
+use crate::output::sources::Sources;
+use crate::output::table::{COLUMNS, Kind};
+use crate::output::words::{HOW_TO_READ, advice, colours, label, probability, ranked, sign};
+use crate::result::{Criterion, Decision};
+
+use super::cells::{Styles, put_number, put_text};
+
+/// The first sheet.
+pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Result<Worksheet, XlsxError> {
+    let mut sheet = Worksheet::new();
+    sheet.set_name("Summary")?;
+    sheet.set_landscape();
+    sheet.set_print_fit_to_pages(1, 0);
+    for (column, width) in (0..).zip([34.0, 22.0, 30.0, 16.0, 16.0, 22.0, 16.0, 70.0]) {
+        sheet.set_column_width(column, width)?;
+    }
+    let mut page = Page { sheet, styles, row: 0 };
+    page.text(0, "Assessment: which objects must be restrained", &styles.title)?;
+    page.row += 1;
+    if let Some(partial) = overview.partial() {
+        page.text(0, &partial, &styles.warning)?;
+        page.row += 1;
+    }
+    page.counts(overview)?;
+    page.floors(overview)?;
+    page.consequences(overview)?;
+    page.first(overview)?;
+    page.list("Warnings", &head.warnings)?;
+    page.pairs("Inputs", &head.facts)?;
+    page.list("Assumptions", &head.assumptions)?;
+    page.list("How to read this workbook", &HOW_TO_READ)?;
+    Ok(page.sheet)
+}
+
+/// The meanings of the columns.
+pub(super) fn columns(styles: &Styles) -> Result<Worksheet, XlsxError> {
+    let mut sheet = Worksheet::new();
+    sheet.set_name("Columns")?;
+    sheet.set_freeze_panes(1, 0)?;
+    for (column, (width, name)) in (0..).zip([(40.0, "name"), (10.0, "unit"), (14.0, "kind"), (90.0, "meaning")]) {
+        sheet.set_column_width(column, width)?;
+        put_text(&mut sheet, (0, column), name, &styles.header)?;
+    }
+    for (column, row) in COLUMNS.iter().zip(1..) {
+        let kind = match column.kind {
+            Kind::Text => "text",
+            Kind::Number | Kind::Share => "number",
+            Kind::Count => "whole number",
+            Kind::Ranked => "number or overturned",
+            Kind::Flag => "yes or no",
+        };
+        for (text, at) in [column.name, column.unit, kind, column.meaning].into_iter().zip(0..) {
+            put_text(&mut sheet, (row, at), text, &styles.text)?;
+        }
+    }
+    let row = COLUMNS.len() as RowNum + 2;
+    let note = "Other columns of the inventory follow these; they are carried through as text.";
+    put_text(&mut sheet, (row, 0), note, &styles.text)?;
+    Ok(sheet)
+}
+
+/// The sources.
+pub(super) fn sources(sources: &Sources, styles: &Styles) -> Result<Worksheet, XlsxError> {
+    let mut sheet = Worksheet::new();
+    sheet.set_name("Sources")?;
+    sheet.set_freeze_panes(1, 0)?;
+    for (column, (width, name)) in (0..).zip([(18.0, "of"), (90.0, "source"), (28.0, "trust"), (10.0, "objects")]) {
+        sheet.set_column_width(column, width)?;
+        put_text(&mut sheet, (0, column), name, &styles.header)?;
+    }
+    for ((what, source, worth, count), row) in sources.rows().zip(1..) {
+        for (text, at) in [what, source, worth].into_iter().zip(0..) {
+            put_text(&mut sheet, (row, at), text, &styles.wrapped)?;
+        }
+        put_number(&mut sheet, (row, 3), Some(count as f64), &styles.count)?;
+    }
+    Ok(sheet)
+}
+
+/// A sheet that is written from the top down.
+struct Page<'s> {
+    sheet: Worksheet,
+    styles: &'s Styles,
+    row: RowNum,
+}
+
+impl Page<'_> {
+    fn text(&mut self, column: ColNum, text: &str, format: &Format) -> Result<(), XlsxError> {
+        put_text(&mut self.sheet, (self.row, column), text, format)
+    }
+
+    fn heading(&mut self, text: &str) -> Result<(), XlsxError> {
+        self.row += 1;
+        self.text(0, text, &self.styles.heading)?;
+        self.row += 1;
+        Ok(())
+    }
+
+    /// Headers of a table; the columns `numbers` hold numbers.
+    fn header(&mut self, names: &[&str], numbers: Range<ColNum>) -> Result<(), XlsxError> {
+        self.sheet.set_row_height(self.row, 31)?;
+        for (name, column) in names.iter().zip(0..) {
+            let is_number = numbers.contains(&column);
+            let format = if is_number { &self.styles.header_of_numbers } else { &self.styles.header };
+            self.text(column, name, format)?;
+        }
+        self.row += 1;
+        Ok(())
+    }
+
+    fn number(&mut self, column: ColNum, value: f64) -> Result<(), XlsxError> {
+        put_number(&mut self.sheet, (self.row, column), Some(value), &self.styles.count)
+    }
+
+    fn counts(&mut self, overview: &Overview) -> Result<(), XlsxError> {
+        self.heading("Decisions")?;
+        self.header(&["decision", "objects", "pieces", "share of the objects", "recommendation"], 1..4)?;
+        for decision in Decision::ALL {
+            let format = self.styles.text.clone().set_background_color(colours(decision).fill);
+            self.text(0, &format!("{} {}", sign(decision), label(decision)), &format)?;
+            let objects = overview.counts.of(decision) as f64;
+            self.number(1, objects)?;
+            self.number(2, overview.counts.pieces[decision as usize] as f64)?;
+            let share = (overview.assessed > 0).then(|| objects / overview.assessed as f64);
+            put_number(&mut self.sheet, (self.row, 3), share, &self.styles.percent)?;
+            self.text(4, advice(decision), &self.styles.text)?;
+            self.row += 1;
+        }
+        self.text(0, "assessed in all", &self.styles.text)?;
+        self.number(1, overview.assessed as f64)?;
+        self.row += 1;
+        self.text(0, "rows of the inventory", &self.styles.text)?;
+        self.number(1, overview.total as f64)?;
+        self.row += 1;
+        Ok(())
+    }
+
+    fn by_decision(&mut self, first: ColNum, counts: &Counts) -> Result<(), XlsxError> {
+        for (decision, column) in Decision::ALL.into_iter().zip(first..) {
+            self.number(column, counts.of(decision) as f64)?;
+        }
+        self.row += 1;
+        Ok(())
+    }
+
+    fn floors(&mut self, overview: &Overview) -> Result<(), XlsxError> {
+        self.heading("Decisions by floor, from the top down")?;
+        self.header(&["floor", "level_ratio", "pfa_g_median", "restrain", "soften", "no verdict", "leave"], 1..7)?;
+        for floor in overview.floors() {
+            self.text(0, &floor.name, &self.styles.text)?;
+            put_number(&mut self.sheet, (self.row, 1), floor.level_ratio, &self.styles.number)?;
+            put_number(&mut self.sheet, (self.row, 2), floor.pfa_g_median, &self.styles.number)?;
+            self.by_decision(3, &floor.counts)?;
+        }
+        Ok(())
+    }
+
+    fn consequences(&mut self, overview: &Overview) -> Result<(), XlsxError> {
+        self.heading("Decisions by consequence (FEMA E-74)")?;
+        self.header(&["consequence", "rating", "objects", "restrain", "soften", "no verdict", "leave"], 2..7)?;
+        for consequence in &overview.consequences {
+            for (counts, rating) in consequence.ratings.iter().zip(RATINGS) {
+                self.text(0, consequence.name, &self.styles.text)?;
+                self.text(1, rating, &self.styles.text)?;
+                self.number(2, counts.total() as f64)?;
+                self.by_decision(3, counts)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn first(&mut self, overview: &Overview) -> Result<(), XlsxError> {
+        self.heading("The most urgent objects (all objects: sheet Objects, column rank)")?;
+        self.header(
+            &[
+                "rank, object",
+                "decision",
+                "place",
+                "demand/capacity",
+                "governing criterion",
+                "probability (95 % interval)",
+                "median shock",
+                "why",
+            ],
+            0..0,
+        )?;
+        for one in overview.urgent.values() {
+            let format = self.styles.text.clone().set_background_color(colours(one.decision).fill);
+            self.text(0, &format!("{}. {} {}", one.rank, one.id, one.item), &self.styles.text)?;
+            self.text(1, &format!("{} {}", sign(one.decision), label(one.decision)), &format)?;
+            self.text(2, &one.place, &self.styles.text)?;
+            let ratio = one.demand_capacity.map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
+            self.text(3, &ratio, &self.styles.text)?;
+            self.text(4, one.governing.map_or("–", Criterion::name), &self.styles.text)?;
+            let of = if one.is_overturn_only { "overturns: " } else { "" };
+            let chance = one.probability.map_or_else(|| "–".to_owned(), |p| format!("{of}{}", probability(p)));
+            self.text(5, &chance, &self.styles.text)?;
+            let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
+            self.text(6, &shock, &self.styles.text)?;
+            self.text(7, &one.why, &self.styles.text)?;
+            self.row += 1;
+        }
+        Ok(())
+    }
+
+    fn list<S: AsRef<str>>(&mut self, heading: &str, texts: &[S]) -> Result<(), XlsxError> {
+        self.heading(heading)?;
+        if texts.is_empty() {
+            self.text(0, "none", &self.styles.text)?;
+            self.row += 1;
+        }
+        for text in texts {
+            self.text(0, text.as_ref(), &self.styles.text)?;
+            self.row += 1;
+        }
+        Ok(())
+    }
+
+    fn pairs(&mut self, heading: &str, pairs: &[(String, String)]) -> Result<(), XlsxError> {
+        self.heading(heading)?;
+        for (name, value) in pairs {
+            self.text(0, name, &self.styles.text)?;
+            self.text(1, value, &self.styles.text)?;
+            self.row += 1;
+        }
+        Ok(())
+    }
+}

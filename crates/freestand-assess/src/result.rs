@@ -1,0 +1,450 @@
+//! The result for one object: everything that its row, its page and the workbook show.
+
+use serde::{Deserialize, Serialize};
+
+pub use freestand_study::result::Ranked;
+
+/// The verdict: what to do with an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Decision {
+    /// Fix it to the building.
+    Restrain,
+    /// Put it on a softer pad.
+    Soften,
+    /// The data that a verdict needs are incomplete.
+    NoVerdict,
+    /// Leave it as it is.
+    Leave,
+}
+
+impl Decision {
+    /// All, the most urgent first.
+    pub const ALL: [Self; 4] = [Self::Restrain, Self::Soften, Self::NoVerdict, Self::Leave];
+
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Restrain => "restrain",
+            Self::Soften => "soften",
+            Self::NoVerdict => "no-verdict",
+            Self::Leave => "leave",
+        }
+    }
+}
+
+/// What sets the accepted probability of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AcceptedFor {
+    /// The inventory gives a probability for this object.
+    ThisObject,
+    /// Life safety is rated high.
+    LifeSafety,
+    /// Property loss is rated high.
+    Property,
+    /// Functional loss is rated high.
+    Function,
+    /// No consequence is rated high.
+    Default,
+}
+
+impl AcceptedFor {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ThisObject => "this object",
+            Self::LifeSafety => "life safety",
+            Self::Property => "property",
+            Self::Function => "function",
+            Self::Default => "default",
+        }
+    }
+}
+
+/// The criteria by which a tolerance can be exceeded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Criterion {
+    /// The peak of the shock.
+    Peak,
+    /// Peak and velocity change together.
+    DamageBoundary,
+    /// The velocity change of the shock.
+    VelocityChange,
+    /// The shock response spectrum of the pulse that the object withstands.
+    Spectrum,
+    /// The uplift.
+    EdgeLift,
+    /// The acceleration of the floor itself.
+    FloorAcceleration,
+    /// Overturning, which exceeds every tolerance.
+    Overturning,
+}
+
+impl Criterion {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Peak => "peak",
+            Self::DamageBoundary => "damage-boundary",
+            Self::VelocityChange => "velocity-change",
+            Self::Spectrum => "spectrum",
+            Self::EdgeLift => "edge-lift",
+            Self::FloorAcceleration => "floor-acceleration",
+            Self::Overturning => "overturning",
+        }
+    }
+}
+
+/// The side of an object that lies in the plane of motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Axis {
+    /// The thickness.
+    Thickness,
+    /// The width.
+    Width,
+}
+
+impl Axis {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Thickness => "thickness",
+            Self::Width => "width",
+        }
+    }
+}
+
+/// A probability with its 95 % interval.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Probability {
+    /// The estimate.
+    pub value: f64,
+    /// Lower end of the interval.
+    pub low: f64,
+    /// Upper end of the interval.
+    pub high: f64,
+}
+
+/// The assessment of one object under the motions of its floor.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Assessment {
+    /// The object.
+    pub id: String,
+    /// What to do.
+    pub decision: Decision,
+    /// Why, in one or two sentences.
+    pub why: String,
+    /// The tier that decided: 0 thresholds, 1 spectra, 2 the object's own histories, 3 the compliant base.
+    pub tier: u8,
+    /// Probability that the owner accepts.
+    pub accepted_ratio: f64,
+    /// What sets that probability.
+    pub accepted_for: AcceptedFor,
+    /// Its floor; `None`: the level is missing.
+    pub floor: Option<FloorFacts>,
+    /// Its response with the values of the inventory; `None`: geometry or level is missing, or every history failed.
+    pub response: Option<Response>,
+    /// The shock of its landings; `None`: mass or cushion is missing too.
+    pub shock: Option<Shock>,
+    /// Demand/capacity; `None`: the tolerance is missing too.
+    pub capacity: Option<CapacityCheck>,
+    /// P(overturned), over all draws.
+    pub p_overturn: Option<Probability>,
+    /// P(a criterion is exceeded, or overturned), over all draws; `None` without a tolerance.
+    pub p_exceed: Option<Probability>,
+    /// Draws of the uncertain values for each motion; 0: none were needed.
+    pub draws: u32,
+    /// Sliding.
+    pub sliding: Option<Sliding>,
+    /// The softer pad, where one was looked for.
+    pub softening: Option<Softening>,
+    /// The second opinion of the compliant base, where the probability was near the accepted one.
+    pub compliant: Option<CompliantCheck>,
+    /// How far each uncertain value moves the result, the largest first.
+    pub tornado: Vec<Swing>,
+    /// Forces for the design of a restraint, for `restrain`.
+    pub restraint: Vec<RestraintForce>,
+    /// Clearance that it needs on every side while it rocks \[m\]; its height where it overturns.
+    pub clearance_m: Option<f64>,
+    /// Comparisons with published numbers, one sentence each with its source: code accelerations, fragilities.
+    pub context: Vec<String>,
+    /// Eqs. (5)–(7) at the motion that decides, for a reader to follow.
+    pub chain: Option<Chain>,
+    /// Assumptions and warnings, and how the row was read.
+    pub notes: Vec<String>,
+}
+
+/// The floor of an object.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FloorFacts {
+    /// 0 ground, 1 roof.
+    pub level_ratio: f64,
+    /// Median peak floor acceleration \[g\].
+    pub pfa_g_median: f64,
+    /// Largest peak floor acceleration \[g\].
+    pub pfa_g_max: f64,
+    /// Median peak floor velocity \[m/s\].
+    pub pfv_m_s_median: f64,
+}
+
+/// The response of an object with the values of the inventory.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Response {
+    /// Motions with a history about every axis.
+    pub motions: usize,
+    /// Motions for which a history failed.
+    pub failed: usize,
+    /// Why the first of them failed.
+    pub failure: Option<String>,
+    /// Share of the motions that cause uplift about either axis.
+    pub uplift_share: f64,
+    /// Share of the motions that overturn it.
+    pub overturn_share: f64,
+    /// Uplift \[m\] at 16, 50 and 84 %.
+    pub uplift_m: [Ranked; 3],
+    /// Peak rotation over the slenderness angle at 16, 50 and 84 %.
+    pub rotation_ratio: [Ranked; 3],
+    /// Largest number of impacts under one motion.
+    pub impacts_max: usize,
+    /// The axes, the thickness first.
+    pub axes: Vec<AxisResponse>,
+}
+
+/// The response about one axis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AxisResponse {
+    /// The side that lies in the plane of motion.
+    pub axis: Axis,
+    /// α \[rad\].
+    pub slenderness_angle_rad: f64,
+    /// R \[m\].
+    pub half_diagonal_m: f64,
+    /// Floor acceleration that causes uplift, tan α \[g\].
+    pub uplift_threshold_g: f64,
+    /// Share of the motions that cause uplift.
+    pub uplift_share: f64,
+    /// Share of the motions that overturn it.
+    pub overturn_share: f64,
+    /// Shock, the larger source, at 16, 50 and 84 % \[g\]; `None` without mass or cushion.
+    pub edge_acceleration_g: Option<[Ranked; 3]>,
+    /// The largest `uplift` shock of any motion \[g\].
+    pub ceiling_g: Option<f64>,
+}
+
+/// The shock of the landings, for each motion about the worse axis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Shock {
+    /// The larger source, at 16, 50 and 84 % \[g\].
+    pub edge_acceleration_g: [Ranked; 3],
+    /// From the rise of the centre of gravity (the paper's source), at 16, 50 and 84 % \[g\].
+    pub edge_acceleration_uplift_g: [Ranked; 3],
+    /// Largest of the motions that do not overturn it \[g\].
+    pub edge_acceleration_max_g: Option<f64>,
+    /// Duration of the pulse about the governing axis, π√(m_eff/k) on a spring \[s\].
+    pub pulse_duration_s: f64,
+    /// Velocity change at the median shock \[m/s\].
+    pub velocity_change_m_s: Ranked,
+    /// The largest `uplift` shock of any motion about either axis \[g\].
+    pub ceiling_g: f64,
+    /// Stiffness under one edge \[N/m\]; `None` for a contact law that has none.
+    pub stiffness_n_m: Option<f64>,
+    /// Impacts above the peak of its tolerance under the hardest motion that does not overturn it; `None` without a peak.
+    pub impacts_above_tolerance: Option<usize>,
+}
+
+/// Demand over capacity.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CapacityCheck {
+    /// Of the median motion; overturned ranks above every number.
+    pub demand_capacity: Ranked,
+    /// At 84 % of the motions.
+    pub demand_capacity_p84: Ranked,
+    /// The criterion that governs at the motion that decides.
+    pub governing: Criterion,
+    /// The tolerance in words: `5 g, 11 ms half-sine`.
+    pub tolerance: String,
+    /// Its source, ready to print.
+    pub source: String,
+    /// Whether a verdict may rest on this source; `false` for a recalled one.
+    pub decides: bool,
+    /// Median floor acceleration over the peak of the tolerance.
+    pub floor_ratio: Option<f64>,
+}
+
+/// Sliding of an object, judged by the friction that its motions need.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Sliding {
+    /// Whether it slides.
+    pub verdict: SlidingVerdict,
+    /// The friction that was stated or assumed, lowest and highest.
+    pub friction_ratio: (f64, f64),
+    /// Whether the inventory states it.
+    pub is_stated: bool,
+}
+
+/// Whether an object slides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SlidingVerdict {
+    /// Not even with the lowest friction.
+    No,
+    /// With the lowest friction, but not with the highest.
+    Possible,
+    /// Even with the highest friction.
+    Yes,
+}
+
+impl SlidingVerdict {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::No => "no",
+            Self::Possible => "possible",
+            Self::Yes => "yes",
+        }
+    }
+}
+
+/// A softer pad.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Softening {
+    /// Largest stiffness under one edge that keeps the probability at or below the accepted one \[N/m\].
+    pub max_stiffness_n_m: Option<f64>,
+    /// Largest compression of that pad under the motions that were repeated \[m\].
+    pub stroke_m: Option<f64>,
+    /// Thickness of the pad, stated or assumed \[m\].
+    pub pad_thickness_m: f64,
+    /// Largest shock on that pad under the motions that were repeated \[g\].
+    pub edge_acceleration_g: Option<f64>,
+    /// Whether the pad passed every check.
+    pub admissible: bool,
+    /// What was checked, and what failed.
+    pub note: String,
+}
+
+/// The compliant base compared with Eq. (5), under the motions around the one that decides.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CompliantCheck {
+    /// Motions that were repeated.
+    pub motions: usize,
+    /// How many of them overturn the object.
+    pub overturned: usize,
+    /// Median ratio of its shock to that of Eq. (5); `None` where every motion overturns it.
+    pub shock_ratio: Option<f64>,
+    /// Whether it leads to the same decision.
+    pub agrees: bool,
+}
+
+/// A bar of the tornado: one value at either end of its range, the others unchanged.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Swing {
+    /// The value that changes.
+    pub parameter: Parameter,
+    /// The low end in words: `0.8 k`.
+    pub low: String,
+    /// The high end in words.
+    pub high: String,
+    /// Demand/capacity of the median motion at the low end; without a tolerance the shock in g.
+    pub at_low: Ranked,
+    /// The same at the high end.
+    pub at_high: Ranked,
+    /// The same with the value unchanged.
+    pub as_is: Ranked,
+    /// Whether, at one end, the share of motions that exceed the limit crosses the accepted probability.
+    pub flips: bool,
+}
+
+/// The values that a tornado varies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Parameter {
+    /// Stiffness of the cushion.
+    Stiffness,
+    /// Restitution of the rocking motion.
+    Restitution,
+    /// Mass.
+    Mass,
+    /// The motion itself.
+    Motion,
+    /// The error of Eq. (5).
+    Model,
+    /// The sides of the base.
+    Geometry,
+}
+
+impl Parameter {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stiffness => "stiffness",
+            Self::Restitution => "restitution",
+            Self::Mass => "mass",
+            Self::Motion => "motion",
+            Self::Model => "model",
+            Self::Geometry => "geometry",
+        }
+    }
+}
+
+/// A force for the design of a restraint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RestraintForce {
+    /// The clause.
+    pub source: String,
+    /// Horizontal force at the centre of gravity \[N\].
+    pub force_n: f64,
+    /// Force over weight.
+    pub force_ratio: f64,
+    /// Tension of all anchors along one edge together, about the axis that needs more \[N\]; 0: the weight suffices.
+    pub anchor_tension_n: f64,
+    /// The formula with its numbers, and what was assumed.
+    pub note: String,
+}
+
+/// Eqs. (5)–(7) at one motion about one axis, with the numbers that a reader needs to repeat them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Chain {
+    /// The motion.
+    pub motion: String,
+    /// The side that lies in the plane of motion.
+    pub axis: Axis,
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Side in the plane of motion \[m\].
+    pub thickness_m: f64,
+    /// Whether Eqs. (5)–(7) hold as printed: a uniform block that rests on its full width, on a spring.
+    pub is_uniform: bool,
+    /// Distance between the edges \[m\].
+    pub base_m: f64,
+    /// R, from an edge to the centre of gravity \[m\].
+    pub half_diagonal_m: f64,
+    /// Mass \[kg\].
+    pub mass_kg: f64,
+    /// Stiffness under one edge \[N/m\]; `None` for a contact law that has none.
+    pub stiffness_n_m: Option<f64>,
+    /// Rise of the centre of gravity \[m\].
+    pub cg_rise_m: f64,
+    /// R_D, Eq. (6).
+    pub landing_ratio: f64,
+    /// Whether the landing is halted (R_D = 0, Eq. (8)).
+    pub is_halted: bool,
+    /// a, Eq. (7) \[g\].
+    pub drop_acceleration_g: f64,
+    /// m_eff \[kg\].
+    pub effective_mass_kg: f64,
+    /// a_edge, Eq. (5) \[g\].
+    pub edge_acceleration_g: f64,
+    /// a_edge from the velocity before the impact \[g\].
+    pub edge_acceleration_impact_velocity_g: f64,
+    /// Δv \[m/s\].
+    pub velocity_change_m_s: f64,
+    /// T \[s\].
+    pub pulse_duration_s: f64,
+    /// Uplift \[m\].
+    pub uplift_m: f64,
+    /// Demand/capacity under this motion.
+    pub demand_capacity_ratio: Option<f64>,
+}

@@ -1,0 +1,99 @@
+//! Published numbers to compare ours with: code accelerations, fragilities, and the forces for a restraint.
+
+use freestand::block::Block;
+use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
+use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
+use freestand::motion::Motion;
+use freestand::rocking::{Base, Restitution, rock_observed};
+
+use crate::restraint::{RestraintAxis, RestraintParameters, RestraintQuestion, restraint_forces};
+use crate::result::{AcceptedFor, RestraintForce};
+use freestand_input::words::number;
+
+use super::Context;
+use super::assessment::Found;
+use super::decision::percent;
+use super::response::{lifts, options};
+
+/// Dispersion of the FEMA P-58 fragilities of slender unanchored contents.
+const P58_BETA: f64 = 0.5;
+
+/// Median of those fragilities over the velocity of Kaneko and Hayashi: from 0.75 to 0.81 for all nine.
+const P58_SHARE: f64 = 0.8;
+
+/// Largest friction that the rocking needs; `None` where the history fails.
+pub(super) fn friction_needed_ratio(block: &Block, motion: &Motion, restitution: Restitution) -> Option<f64> {
+    let base = Base { horizontal: Some(motion), vertical: None };
+    let mut largest = 0.0f64;
+    let done = rock_observed(block, base, &options(restitution), |segment| {
+        largest = largest.max(segment.friction_needed_ratio());
+    });
+    done.ok().map(|_| largest)
+}
+
+impl Context<'_> {
+    /// Comparisons with published numbers, one sentence each.
+    pub(super) fn comparisons(&self, found: &Found) -> Vec<String> {
+        let facts = &found.floor.facts;
+        let mut lines = Vec::new();
+        if let (Some(target), Some(building)) = (self.study.ground.code_spectrum(), &self.study.building) {
+            let question = PartsQuestion {
+                level_ratio: facts.level_ratio,
+                building_height_m: building.height_m,
+                building_period_s: Some(building.along.period_s()),
+            };
+            let code_g = floor_acceleration_g(&target.spectrum, &question);
+            if let (Some(code_g), Some(clause)) = (code_g, clause(&target.spectrum)) {
+                lines.push(format!(
+                    "The code requires {} g for a rigid part on this floor ({clause}); the median PFA of the motions is {} g.",
+                    number(code_g, 3),
+                    number(facts.pfa_g_median, 3)
+                ));
+            }
+        }
+        if found.followed().any(|(_, axes)| lifts(axes)) {
+            let slender = found.member.subject.axes.iter().map(|axis| kaneko_hayashi_velocity_m_s(&axis.block));
+            let median_m_s = P58_SHARE * slender.fold(f64::INFINITY, f64::min);
+            let p = lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA);
+            lines.push(format!(
+                "By the rule that the FEMA P-58 medians for unanchored contents follow (0.8 of the overturning velocity of \
+                 Kaneko and Hayashi, recalled; β {P58_BETA}), an object of this shape has a median PFV of {} m/s. At the \
+                 median PFV of this floor, {} m/s, it overturns with a probability of {}.",
+                number(median_m_s, 3),
+                number(facts.pfv_m_s_median, 3),
+                percent(p)
+            ));
+        }
+        let thresholds = found.member.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
+        lines.push(format!(
+            "Uplift begins at {} g; the largest PFA of the motions of its floor is {} g.",
+            number(thresholds.fold(f64::INFINITY, f64::min), 3),
+            number(facts.pfa_g_max, 3)
+        ));
+        lines
+    }
+
+    /// The forces for a restraint; none where the mass is not given.
+    pub(super) fn restraint(&self, found: &Found) -> Vec<RestraintForce> {
+        let (member, facts) = (found.member, &found.floor.facts);
+        let Some(mass_kg) = member.item.mass_kg else { return Vec::new() };
+        let axes = member.subject.axes.iter().map(|axis| RestraintAxis {
+            axis: axis.axis,
+            base_m: axis.block.base_width_m(),
+            weight_lever_m: axis.block.cg_from_right_m(),
+        });
+        let building = self.study.building.as_ref();
+        let is_critical = member.accepted_for == AcceptedFor::LifeSafety;
+        restraint_forces(&RestraintQuestion {
+            mass_kg,
+            cg_height_m: member.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),
+            axes: axes.collect(),
+            level_ratio: facts.level_ratio,
+            building_height_m: building.map(|building| building.height_m),
+            building_period_s: building.map(|building| building.along.period_s()),
+            spectrum: self.study.ground.code_spectrum().map(|target| target.spectrum.clone()),
+            floor_acceleration_g: Some(facts.pfa_g_max),
+            parameters: if is_critical { RestraintParameters::critical() } else { RestraintParameters::default() },
+        })
+    }
+}

@@ -1,0 +1,141 @@
+//! One object as the models see it: its blocks about both axes, its cushion and its tolerance, or what is missing.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::cushion::Cushion;
+use freestand::impact::ImpactModel;
+use freestand::rocking::{Restitution, RockingSummary};
+use freestand::spectra::{BEYOND_ALL_G, landings};
+
+use crate::inventory::Item;
+use crate::result::Axis;
+
+use super::capacity::Capacity;
+
+/// What the models need of an [`Item`].
+#[derive(Debug, Clone)]
+pub(crate) struct Subject {
+    pub(crate) level_ratio: f64,
+    /// The thickness comes first.
+    pub(super) axes: Vec<AxisGeometry>,
+    pub(super) restitution: Restitution,
+    pub(super) body: Option<Body>,
+    pub(super) capacity: Option<Capacity>,
+}
+
+/// What a shock depends on besides the motion of the block.
+#[derive(Debug, Clone)]
+pub(super) struct Body {
+    pub(super) mass_kg: f64,
+    pub(super) cushion: Cushion,
+    pub(super) pad_thickness_m: Option<f64>,
+    /// Standard deviation of ln k; `None`: the study's.
+    pub(super) stiffness_spread: Option<f64>,
+}
+
+/// The object in one plane of motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct AxisGeometry {
+    pub(super) axis: Axis,
+    pub(super) height_m: f64,
+    pub(super) side_m: f64,
+    base_m: Option<f64>,
+    cg_height_m: Option<f64>,
+    pub(super) block: Block,
+}
+
+impl AxisGeometry {
+    fn new(axis: Axis, height_m: f64, side_m: f64, base_m: Option<f64>, cg_height_m: Option<f64>) -> Option<Self> {
+        let mut block = Block::uniform(height_m, side_m).ok()?;
+        if let Some(base_m) = base_m {
+            block = block.with_base_width(base_m).ok()?;
+        }
+        if let Some(cg_height_m) = cg_height_m {
+            block = block.with_cg_height(cg_height_m).ok()?;
+        }
+        Some(Self { axis, height_m, side_m, base_m, cg_height_m, block })
+    }
+
+    /// The block with its heights and sides multiplied by these factors; unchanged where the result is not a block.
+    pub(super) fn scaled(&self, heights: f64, sides: f64) -> Block {
+        let times = |length_m: Option<f64>, factor: f64| length_m.map(|length_m| length_m * factor);
+        let (base_m, cg_m) = (times(self.base_m, sides), times(self.cg_height_m, heights));
+        Self::new(self.axis, self.height_m * heights, self.side_m * sides, base_m, cg_m)
+            .map_or(self.block, |scaled| scaled.block)
+    }
+
+    /// Whether Eqs. (5) and (6) hold as printed.
+    pub(super) fn is_uniform(&self) -> bool {
+        self.base_m.is_none() && self.cg_height_m.is_none()
+    }
+}
+
+impl Subject {
+    /// The object, or the names of what is missing.
+    pub(crate) fn new(item: &Item) -> Result<Self, Vec<&'static str>> {
+        let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
+            (item.level_ratio, item.height_m, item.thickness_m)
+        else {
+            let known = [(item.level_ratio, "level"), (item.height_m, "height"), (item.thickness_m, "thickness")];
+            return Err(known.into_iter().filter(|(value, _)| value.is_none()).map(|(_, name)| name).collect());
+        };
+        let sides = [
+            (Axis::Thickness, Some(thickness_m), item.base_thickness_m),
+            (Axis::Width, item.width_m, item.base_width_m),
+        ];
+        let mut axes = Vec::new();
+        for (axis, side_m, base_m) in sides {
+            let Some(side_m) = side_m else { continue };
+            // The reader of inventories has refused what is not a block.
+            let geometry = AxisGeometry::new(axis, height_m, side_m, base_m, item.cg_height_m);
+            axes.push(geometry.ok_or_else(|| vec!["valid geometry"])?);
+        }
+        let body = item.mass_kg.zip(item.cushion.as_ref()).map(|(mass_kg, edge)| Body {
+            mass_kg,
+            cushion: edge.cushion.clone(),
+            pad_thickness_m: edge.pad_thickness_m,
+            stiffness_spread: item.cushion_log_sd,
+        });
+        let capacity = item.tolerance.as_ref().and_then(Capacity::new);
+        Ok(Self { level_ratio, axes, restitution: item.restitution, body, capacity })
+    }
+}
+
+/// The hardest landing of a history, from either source and on either edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Hit {
+    pub(super) uplift_g: f64,
+    pub(super) impact_velocity_g: f64,
+    pub(super) velocity_change_m_s: f64,
+    pub(super) duration_s: f64,
+    pub(super) compression_m: f64,
+}
+
+impl Hit {
+    pub(super) fn larger_g(&self) -> f64 {
+        self.uplift_g.max(self.impact_velocity_g)
+    }
+}
+
+/// The shock of a history without overturning; `None` where the cushion bottoms, so that no number can be relied on.
+pub(super) fn hit(block: &Block, rocking: &RockingSummary, mass_kg: f64, cushion: &Cushion) -> Option<Hit> {
+    let mut found =
+        Hit { uplift_g: 0.0, impact_velocity_g: 0.0, velocity_change_m_s: 0.0, duration_s: 0.0, compression_m: 0.0 };
+    for (landing, side) in landings(block, ImpactModel::Paper).iter().zip(rocking.sides) {
+        let from_uplift = landing.pivot.largest_rise_m(side.peak_rotation_rad);
+        let from_velocity = landing.equivalent_rise_m(side.impact_omega_rad_s, G0_M_S2);
+        let impact = landing.impact(mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2);
+        let shock_g = |rise_m: f64| landing.edge_acceleration_m_s2(mass_kg, cushion, rise_m, G0_M_S2) / G0_M_S2;
+        let (uplift_g, velocity_g) = (shock_g(from_uplift), shock_g(from_velocity));
+        let is_number = |shock_g: f64| shock_g <= BEYOND_ALL_G;
+        if !is_number(uplift_g) || !is_number(velocity_g) {
+            return None;
+        }
+        found.uplift_g = found.uplift_g.max(uplift_g);
+        found.impact_velocity_g = found.impact_velocity_g.max(velocity_g);
+        found.velocity_change_m_s = found.velocity_change_m_s.max(impact.velocity_change_m_s);
+        found.duration_s = found.duration_s.max(impact.pulse_duration_s);
+        found.compression_m = found.compression_m.max(impact.compression_m);
+    }
+    Some(found)
+}

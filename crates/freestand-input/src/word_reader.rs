@@ -1,0 +1,133 @@
+//! [`Words`] read key by key: each value, and a problem under its key where it is not what the key takes.
+
+use crate::keys::Words;
+use crate::problem::{Problem, ProblemKind, Problems};
+use crate::quantity::{Dimension, parse, parse_grid, shorten};
+use crate::words::nearest;
+
+/// Words, and what is wrong with them so far. Where a method returns nothing, the key is missing or its value is wrong.
+#[derive(Debug)]
+pub struct WordReader<'w> {
+    /// What was written.
+    pub words: &'w Words,
+    /// What is wrong with it.
+    pub problems: Problems,
+}
+
+impl<'w> WordReader<'w> {
+    /// Words of which nothing has been read.
+    pub fn new(words: &'w Words) -> Self {
+        Self { words, problems: Problems::default() }
+    }
+
+    /// Whether a key was written.
+    pub fn has(&self, key: &str) -> bool {
+        self.words.get(key).is_some()
+    }
+
+    /// Adds a problem with the values of some keys.
+    pub fn note(&mut self, keys: &[&'static str], message: impl Into<String>, hint: impl Into<String>) {
+        self.problems.push(Problem::value(message, hint).of(keys));
+    }
+
+    /// Adds a problem with keys of which the first is missing.
+    pub fn missing(&mut self, keys: &[&'static str], message: impl Into<String>, hint: impl Into<String>) {
+        self.problems.push(Problem::new(ProblemKind::Missing, message).hint(hint).of(keys));
+    }
+
+    /// A value read elsewhere.
+    pub fn keep<T>(&mut self, key: &'static str, result: Result<T, Problem>) -> Option<T> {
+        self.problems.keep_named(key, result)
+    }
+
+    fn accepted(
+        &mut self,
+        key: &'static str,
+        dimension: Dimension,
+        accept: impl Fn(f64) -> bool,
+        expected: [&str; 2],
+    ) -> Option<f64> {
+        let text = self.words.get(key)?;
+        let value = self.keep(key, parse(text, dimension))?;
+        if accept(value) {
+            return Some(value);
+        }
+        let message = format!("`{key}` must be {}, not \"{}\"", expected[0], shorten(text.trim()));
+        self.note(&[key], message, format!("give {} {}", dimension.with_article(), expected[1]));
+        None
+    }
+
+    /// A quantity above zero.
+    pub fn positive(&mut self, key: &'static str, dimension: Dimension) -> Option<f64> {
+        self.accepted(key, dimension, |value| value > 0.0, ["positive", "above 0"])
+    }
+
+    /// A quantity of zero or more.
+    pub fn non_negative(&mut self, key: &'static str, dimension: Dimension) -> Option<f64> {
+        self.accepted(key, dimension, |value| value >= 0.0, ["0 or more", "of 0 or more"])
+    }
+
+    /// A grid or a list of quantities.
+    pub fn grid(&mut self, key: &'static str, dimension: Dimension) -> Option<Vec<f64>> {
+        self.keep(key, parse_grid(self.words.get(key)?, dimension))
+    }
+
+    /// A whole number; one that is too large for its type is larger than any that is known.
+    pub fn whole(&mut self, key: &'static str) -> Option<u32> {
+        let text = self.words.get(key)?.trim();
+        if text.is_empty() || !text.chars().all(|c| c.is_ascii_digit()) {
+            let message = format!("`{key}` must be a whole number, not \"{}\"", shorten(text));
+            self.note(&[key], message, "write digits alone, without a sign, a point or a unit");
+            return None;
+        }
+        Some(text.parse().unwrap_or(u32::MAX))
+    }
+
+    /// One of some words, in capitals or not.
+    pub fn one_of<T: Copy>(&mut self, key: &'static str, known: &[(&str, T)]) -> Option<T> {
+        let text = self.words.get(key)?;
+        let plain = text.trim().to_lowercase().replace(['_', ' '], "-");
+        let found = known.iter().find(|(name, _)| *name == plain).map(|(_, value)| *value);
+        if found.is_none() {
+            let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+            let hint = match nearest(text, &names) {
+                Some(near) => format!("did you mean {near}?"),
+                None => format!("one of {}", names.join(", ")),
+            };
+            self.note(&[key], format!("`{key}` \"{}\" is not known", shorten(text)), hint);
+        }
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_wrong_value_is_a_problem_under_its_key() {
+        let words: Words =
+            [("mass", "-2 kg"), ("uplift", "-1 mm"), ("stiffness", "4380"), ("count", "2.5"), ("window", "lamm")]
+                .into_iter()
+                .collect();
+        let mut reader = WordReader::new(&words);
+        assert_eq!(reader.positive("mass", Dimension::Mass), None);
+        assert_eq!(reader.non_negative("uplift", Dimension::Length), None);
+        assert_eq!(reader.positive("stiffness", Dimension::Stiffness), None);
+        assert_eq!(reader.whole("count"), None);
+        assert_eq!(reader.one_of("window", &[("lam", 1), ("saragoni-hart", 2)]), None);
+        assert_eq!(reader.positive("height", Dimension::Length), None);
+        let found: Vec<(&str, &str)> =
+            reader.problems.problems.iter().map(|one| (one.keys[0], one.message.as_str())).collect();
+        assert_eq!(
+            found,
+            [
+                ("mass", "`mass` must be positive, not \"-2 kg\""),
+                ("uplift", "`uplift` must be 0 or more, not \"-1 mm\""),
+                ("stiffness", "`stiffness`: \"4380\" needs a unit"),
+                ("count", "`count` must be a whole number, not \"2.5\""),
+                ("window", "`window` \"lamm\" is not known"),
+            ]
+        );
+    }
+}

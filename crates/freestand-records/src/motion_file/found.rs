@@ -1,0 +1,203 @@
+//! One component as a reader finds it in a file, and the checks and notes about its step, its peak
+//! and its name.
+
+use super::{Component, Direction, ReadOptions};
+use crate::text::lines::Line;
+use crate::text::units;
+use freestand::motion::Motion;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Unit, shorten};
+use std::collections::HashMap;
+
+/// Time steps that a record may have \[s\]. Real ones are 1 ms to some tenths of a second. A step
+/// far outside was written in another unit or is damaged; floor motions at steps of nanoseconds
+/// would fill the memory.
+const STEPS_S: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
+
+/// Refuses a time step outside 1e-6 s to 100 s.
+///
+/// # Errors
+/// Such a step; the problem is of `kind`.
+pub fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
+    if STEPS_S.contains(&dt_s) {
+        return Ok(());
+    }
+    let (message, hint) = if dt_s > 0.0 {
+        let hint = if dt_s > 1.0 { "is it in ms?" } else { "is it in another unit?" };
+        (format!("the time step must be from 1e-6 s to 100 s, not {dt_s:?} s"), format!("{hint} state it in s"))
+    } else {
+        (format!("the time step must be positive, not {dt_s} s"), "write it in s or ms".to_owned())
+    };
+    Err(Problem::new(kind, message).hint(hint))
+}
+
+/// One component as a reader finds it in an agency's file; unit and step are known.
+pub(crate) struct Found {
+    pub(crate) name: String,
+    pub(crate) station: Option<String>,
+    pub(crate) direction: Option<Direction>,
+    /// The unit of the values.
+    pub(crate) unit: Unit,
+    pub(crate) dt_s: f64,
+    /// Line that states the step, counted from 1.
+    pub(crate) line_of_step: usize,
+    pub(crate) values: Vec<f64>,
+    /// Line of the first value, counted from 1.
+    pub(crate) line: usize,
+    pub(crate) is_raw: bool,
+}
+
+impl Found {
+    /// The component in SI.
+    ///
+    /// # Errors
+    /// A user's unit or time step that contradicts the file's, a step outside 1e-6 s to 100 s,
+    /// fewer than two values.
+    pub(crate) fn component(mut self, options: &ReadOptions) -> Result<Component, Problem> {
+        if let Some(unit) = units::requested(options.unit.as_deref())?
+            // The last bit may differ where a factor is a product, such as counts times a scale.
+            && (unit.to_si(1.0) - self.unit.to_si(1.0)).abs() > 1e-12 * self.unit.to_si(1.0)
+            && unit.symbol != self.unit.symbol
+        {
+            let message =
+                format!("the record is in {} according to the file, not in {}", self.unit.symbol, unit.symbol);
+            return Err(Problem::new(ProblemKind::Value, message)
+                .at_line(self.line)
+                .hint("leave out `unit`, or correct the file if it is wrong"));
+        }
+        let at_step = |problem: Problem| problem.at_line(self.line_of_step);
+        check_step(self.dt_s, ProblemKind::Format).map_err(at_step)?;
+        if let Some(dt_s) = options.dt_s
+            // One part in a million is a difference in printing, not in meaning.
+            && (dt_s - self.dt_s).abs() > 1e-6 * self.dt_s
+        {
+            let message = format!("the time step is {} s according to the header, not {dt_s} s", self.dt_s);
+            return Err(at_step(Problem::new(ProblemKind::Value, message))
+                .hint("leave out `dt`, or correct the file if it is wrong"));
+        }
+        for value in &mut self.values {
+            *value = self.unit.to_si(*value);
+        }
+        Ok(Component {
+            name: self.name,
+            station: self.station,
+            direction: self.direction,
+            unit: self.unit.symbol,
+            is_raw: self.is_raw,
+            start_s: None,
+            station_xml: None,
+            motion: motion(self.dt_s, self.values, self.line)?,
+            line_of_first_value: self.line,
+        })
+    }
+}
+
+/// Adds the channel number to names that several components share: a structure has several sensors
+/// in one direction.
+pub(crate) fn tell_apart(components: &mut [Component]) {
+    let mut uses: HashMap<String, usize> = HashMap::new();
+    for component in components.iter() {
+        *uses.entry(component.name.to_lowercase()).or_default() += 1;
+    }
+    for (i, component) in components.iter_mut().enumerate() {
+        if uses.get(&component.name.to_lowercase()).is_some_and(|count| *count > 1) {
+            component.name = format!("{}, channel {}", component.name, i + 1);
+        }
+    }
+}
+
+/// A note if the largest value differs from the one that the header states \[m/s², any sign\].
+///
+/// Some agencies print the peak with the opposite sign, and most with three digits, which rounds by
+/// up to 1 %.
+pub(crate) fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
+    peak_note_of(&component.name, component.motion.peak_m_s2(), header_peak_m_s2)
+}
+
+/// As [`peak_note`], for a largest value that was found in another way.
+pub(crate) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Option<String> {
+    /// Far above any earthquake. Larger values mark a missing value, in any unit.
+    const HIGHEST_M_S2: f64 = 1e4;
+    let stated = header_peak_m_s2.abs();
+    // A header without a peak has 0 or a marker of a missing value.
+    let is_stated = stated > 0.0 && stated < HIGHEST_M_S2;
+    (is_stated && (found - stated).abs() > 0.01 * stated).then(|| {
+        let name = shorten(name);
+        format!("{name}: the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2")
+    })
+}
+
+/// A note if a value is larger than any motion has.
+///
+/// The largest acceleration of the ground on record is 4.4 g (Iwate-Miyagi 2008, IWTH25). Floors
+/// amplify the ground a few times, so 20 g is beyond both: a lost decimal point or a wrong unit is
+/// more likely than a pyrotechnic shock.
+pub(crate) fn extreme_note(component: &Component) -> Option<String> {
+    const HIGHEST_M_S2: f64 = 20.0 * freestand::G0_M_S2;
+    let motion = &component.motion;
+    // The offset of an instrument's own values may be anything; it is removed before they are used.
+    let offset_m_s2 = if component.is_raw { motion.mean_m_s2() } else { 0.0 };
+    let (at, peak_m_s2) = motion
+        .accel_m_s2()
+        .iter()
+        .map(|a| (a - offset_m_s2).abs())
+        .enumerate()
+        .fold((0, 0.0), |(at, peak), (i, a)| if a > peak { (i, a) } else { (at, peak) });
+    (peak_m_s2 > HIGHEST_M_S2).then(|| {
+        let (name, peak_g) = (shorten(&component.name), peak_m_s2 / freestand::G0_M_S2);
+        format!(
+            "{name}: value {} is {peak_g:.1} g, more than any ground or floor motion: check the unit ({}) and look \
+             for a damaged digit or decimal point",
+            at + 1,
+            component.unit
+        )
+    })
+}
+
+/// A note if the values do not last as long as the header says \[s\]: the step, the length or the
+/// number is wrong.
+///
+/// Lengths are printed with few digits, may or may not count the last step, and may be those of the
+/// uncorrected record. 1 % and two steps allow for all this; a wrong step differs by far more.
+pub(crate) fn length_note(component: &Component, stated_s: f64) -> Option<String> {
+    let (dt_s, count) = (component.motion.dt_s(), component.motion.accel_m_s2().len());
+    let found_s = count as f64 * dt_s;
+    let is_stated = stated_s > 0.0 && stated_s.is_finite();
+    (is_stated && (found_s - stated_s).abs() > 2.0 * dt_s + 0.01 * stated_s).then(|| {
+        let name = shorten(&component.name);
+        format!(
+            "{name}: {count} values at {dt_s} s last {found_s:.2} s, but the header states {stated_s:.2} s: the step \
+             may be wrong"
+        )
+    })
+}
+
+/// A note if the file has fewer channels than a header says: `(3 Chns of  3 at Sta)`. Agencies also
+/// publish one channel per file, with the same words in it.
+pub(crate) fn channels_note(header: &[String], found: usize) -> Option<String> {
+    let stated: usize = header.iter().find_map(|line| {
+        let upper = line.to_ascii_uppercase();
+        let (before, _) = upper.split_once("CHNS OF")?;
+        before.rsplit(['(', ' ']).find(|word| !word.is_empty())?.parse().ok()
+    })?;
+    (found < stated)
+        .then(|| format!("the header states {stated} channels, but the file has {found}: it may be cut off"))
+}
+
+/// A note if no line with `mark` (in lower case) ends the last channel.
+pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<String> {
+    // Text after the last channel has other lines.
+    const MAX: usize = 100;
+    let lines = bytes.rsplit(|b| matches!(b, b'\n' | b'\r')).map(|bytes| Line { number: 0, bytes });
+    let mut last = lines.filter(|line| !line.is_blank()).take(MAX).take_while(Line::is_text);
+    let is_there = last.any(|line| line.text().to_ascii_lowercase().contains(mark));
+    (!is_there).then(|| format!("the last channel does not end with a line \"{mark}\": the file may be cut off"))
+}
+
+/// Samples in m/s² as a motion.
+pub(crate) fn motion(dt_s: f64, accel_m_s2: Vec<f64>, line: usize) -> Result<Motion, Problem> {
+    check_step(dt_s, ProblemKind::Format).map_err(|problem| problem.at_line(line))?;
+    Motion::new(dt_s, accel_m_s2).map_err(|error| {
+        Problem::new(ProblemKind::Format, error.to_string()).at_line(line).hint("check that the record is complete")
+    })
+}

@@ -1,0 +1,189 @@
+//! What is read from a record file: options, components, and what is checked and noted about each.
+
+mod found;
+
+pub use crate::text::direction::Direction;
+pub use found::check_step;
+pub(crate) use found::{
+    Found, channels_note, end_note, extreme_note, length_note, motion, peak_note, peak_note_of, tell_apart,
+};
+
+use crate::text::units;
+use freestand::motion::Motion;
+use freestand_input::file::InputFile;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use std::path::{Path, PathBuf};
+
+/// What the user states about a file that may not state it itself.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ReadOptions {
+    /// Unit of acceleration, such as `g` or `cm/s2`. A file that states another one is refused.
+    pub unit: Option<String>,
+    /// Time step \[s\]. With it, all columns without a header are components; without it, the first
+    /// is the time.
+    pub dt_s: Option<f64>,
+    /// Step \[s\] to which unevenly spaced samples are interpolated on straight lines; without it
+    /// they are refused. Evenly spaced samples stay as they are:
+    /// [`Processing::resample_dt_s`](crate::processing::Processing::resample_dt_s) changes their
+    /// step, on a band-limited curve.
+    pub uneven_dt_s: Option<f64>,
+    /// StationXML with the sensitivity of a miniSEED file. Without it, the program looks for one
+    /// next to the file.
+    pub station_xml: Option<PathBuf>,
+    /// The file holds a shock, not a motion of the ground or a floor: hundreds of g need no note.
+    pub is_shock: bool,
+}
+
+impl ReadOptions {
+    /// Checks what can be checked without a file.
+    ///
+    /// # Errors
+    /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
+    pub fn check(&self) -> Result<(), Problem> {
+        units::requested(self.unit.as_deref())?;
+        let steps = [self.dt_s, self.uneven_dt_s];
+        steps.into_iter().flatten().try_for_each(|dt_s| check_step(dt_s, ProblemKind::Value))
+    }
+}
+
+/// A record file, read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionFile {
+    /// Where it was read.
+    pub path: PathBuf,
+    /// What it is, such as `PEER AT2`, `COSMOS V1`, `columns` or `CSV`.
+    pub format: &'static str,
+    /// Its motions, in the order of the file; never empty.
+    pub components: Vec<Component>,
+    /// What was concluded or left out, as far as readers of the results should know it.
+    pub notes: Vec<String>,
+}
+
+/// One motion of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Component {
+    /// Direction or column name, as the file has it; else the name of the file, or `component 2`.
+    pub name: String,
+    /// Station, where the file names it.
+    pub station: Option<String>,
+    /// Which way it points, where the file says so.
+    pub direction: Option<Direction>,
+    /// The unit in the file; the motion itself is in m/s².
+    pub unit: &'static str,
+    /// Whether the values include the offset of the instrument: K-NET, miniSEED, SAC, COSMOS V0.
+    /// Their mean is removed before use, unless the user keeps it.
+    pub is_raw: bool,
+    /// Time of the first value \[s\], if the file states it: since 1970 in files with dates, else
+    /// as in the time column. The motion itself begins at 0.
+    pub start_s: Option<f64>,
+    /// The StationXML with the sensitivity of its counts, where they were scaled by one.
+    pub station_xml: Option<InputFile>,
+    /// The motion, as the file has it.
+    pub motion: Motion,
+    /// Line of the first value, counted from 1; 1 in a binary file.
+    pub line_of_first_value: usize,
+}
+
+/// What a reader finds in a file.
+pub(crate) struct Reading {
+    pub(crate) format: &'static str,
+    pub(crate) components: Vec<Component>,
+    pub(crate) notes: Vec<String>,
+}
+
+impl Reading {
+    /// # Errors
+    /// No component: every file must have at least one.
+    pub(crate) fn with_components(self) -> Result<Self, Problem> {
+        if self.components.is_empty() {
+            return Err(Problem::new(ProblemKind::Format, "holds no acceleration record").hint(
+                "the file may be cut off or damaged: fetch it again, or use the acceleration file of the same record",
+            ));
+        }
+        Ok(self)
+    }
+}
+
+impl MotionFile {
+    /// The StationXML that its components were scaled by, each once.
+    pub fn station_xml(&self) -> Vec<InputFile> {
+        let mut files: Vec<InputFile> = Vec::new();
+        for file in self.components.iter().filter_map(|component| component.station_xml.as_ref()) {
+            if !files.contains(file) {
+                files.push(file.clone());
+            }
+        }
+        files
+    }
+
+    /// Adds a note if a StationXML was named but not used.
+    pub(crate) fn with_unused(mut self, options: &ReadOptions) -> Self {
+        if let Some(xml) = options.station_xml.as_ref().filter(|_| self.station_xml().is_empty()) {
+            self.notes.push(format!(
+                "{} was not used: a {} record does not need a StationXML file",
+                xml.display(),
+                self.format
+            ));
+        }
+        self
+    }
+
+    /// The component with this name (capitals do not matter) or number (counted from 1); without a
+    /// choice, the only one.
+    ///
+    /// # Errors
+    /// Several components and no choice, or no such component; the message lists those that exist.
+    pub fn select(&self, component: Option<&str>) -> Result<&Component, Problem> {
+        let problem = match (component.map(str::trim), self.components.as_slice()) {
+            (None, [only]) => return Ok(only),
+            (None, all) => format!("has {} components: {}", all.len(), self.listing()),
+            (Some(wanted), all) => {
+                // A name may be copied from the header with its unit: "a [g]".
+                let bare = wanted.split(['[', '(']).next().unwrap_or(wanted).trim();
+                let called = |name: &str| -> Vec<&Component> {
+                    all.iter()
+                        .filter(|one| !name.is_empty() && one.name.to_lowercase() == name.to_lowercase())
+                        .collect()
+                };
+                let named =
+                    [called(wanted), called(bare)].into_iter().find(|found| !found.is_empty()).unwrap_or_default();
+                match (named.as_slice(), wanted.parse::<usize>()) {
+                    ([one], _) => return Ok(one),
+                    ([], Ok(number)) if (1..=all.len()).contains(&number) => return Ok(&all[number - 1]),
+                    ([], _) => format!("has no component \"{}\": {}", shorten(wanted), self.listing()),
+                    _ => format!("has several components \"{}\": {}", shorten(wanted), self.listing()),
+                }
+            }
+        };
+        Err(Problem::new(ProblemKind::Value, problem)
+            .in_file(&self.path)
+            .hint("choose one by name or number with `component`"))
+    }
+
+    fn listing(&self) -> String {
+        const MAX: usize = 12;
+        let mut listed: Vec<String> = self
+            .components
+            .iter()
+            .take(MAX)
+            .enumerate()
+            .map(|(i, one)| format!("{} {}", i + 1, shorten(&one.name)))
+            .collect();
+        if self.components.len() > MAX {
+            listed.push(format!("and {} more", self.components.len() - MAX));
+        }
+        listed.join(", ")
+    }
+}
+
+/// Removes the line: a binary file does not have lines.
+pub(crate) fn without_line(mut problem: Problem) -> Problem {
+    problem.line = None;
+    problem
+}
+
+/// The file's name without folder and extension, which names a component without a name of its own.
+pub(crate) fn file_stem(path: &Path) -> String {
+    path.file_stem().map_or_else(|| "motion".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}

@@ -1,0 +1,57 @@
+//! The lines above the numbers of a file, with their line numbers.
+
+use super::fortran::scan;
+use super::lines::{Line, Lines};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+
+/// The lines, counted from 1.
+pub(crate) struct Head {
+    pub(crate) lines: Vec<(usize, String)>,
+}
+
+impl Head {
+    /// Takes up to `most` lines, down to the first for which `ends` holds; that line stays unread.
+    pub(crate) fn take(rest: &mut Lines<'_>, most: usize, mut ends: impl FnMut(&Line<'_>) -> bool) -> Self {
+        let mut lines = Vec::new();
+        for _ in 0..most {
+            let before = rest.clone();
+            let Some(line) = rest.next() else { break };
+            if ends(&line) {
+                *rest = before;
+                break;
+            }
+            lines.push((line.number, line.text()));
+        }
+        Self { lines }
+    }
+
+    /// The first line for which `value` returns something, and what it returns.
+    ///
+    /// # Errors
+    /// No such line; `key` is what it should begin with.
+    pub(crate) fn find<'a>(
+        &'a self,
+        key: &str,
+        hint: &str,
+        value: impl Fn(&'a str) -> Option<&'a str>,
+    ) -> Result<(usize, &'a str), Problem> {
+        self.lines.iter().find_map(|(line, text)| Some((*line, value(text)?))).ok_or_else(|| {
+            Problem::new(ProblemKind::Format, format!("the header has no line \"{key}\""))
+                .at_line(self.lines.last().map_or(1, |(line, _)| *line))
+                .hint(hint)
+        })
+    }
+}
+
+/// The number that follows a key; text after it, as in `100Hz`, is ignored.
+///
+/// # Errors
+/// No number.
+pub(crate) fn leading_number(key: &str, (line, text): (usize, &str)) -> Result<f64, Problem> {
+    scan(text.as_bytes()).map(|number| number.value).filter(|value| value.is_finite()).ok_or_else(|| {
+        Problem::new(ProblemKind::Format, format!("\"{}\" is not a number for \"{key}\"", shorten(text)))
+            .at_line(line)
+            .hint("the header is damaged: fetch the file again")
+    })
+}
