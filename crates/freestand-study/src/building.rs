@@ -237,8 +237,6 @@ pub fn damping_words(building: &Building) -> String {
     }
 }
 
-/// Most modes that may be asked for where the model does not say.
-pub(crate) const MOST_MODES: u64 = MAX_MODES as u64;
 
 #[cfg(test)]
 mod tests {
