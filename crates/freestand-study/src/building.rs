@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoubt, Model};
+use freestand::building::{Building, BuildingError, Damping, ModalDoubt, Model};
 
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -236,7 +236,6 @@ pub fn damping_words(building: &Building) -> String {
         (None, _) => "–".to_owned(),
     }
 }
-
 
 #[cfg(test)]
 mod tests {

@@ -5,7 +5,7 @@ use freestand::signal::filter::MAX_ORDER;
 
 use super::target::fault;
 use super::{Processing, Scale, TargetSpectrum};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, ProblemKind};
 
 impl Processing {
     /// What no record allows, each problem with its key (`low_cut`).
