@@ -62,7 +62,7 @@ impl Batch {
 
     /// To the next event of each of the first lanes, or to the end of the step.
     #[inline(always)]
-    pub(super) fn solve<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: Interval, lanes: usize) {
+    pub(super) fn solve<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: &Interval, lanes: usize) {
         let vectors = lanes.div_ceil(2 * S::F64_LANES);
         for i in 0..vectors {
             self.expand::<S, K>(m, ground, i);
@@ -79,7 +79,7 @@ impl Batch {
 
     /// The series of a vector of lanes, and what happens in the rest of the step.
     #[inline(always)]
-    fn expand<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: Interval, i: usize) {
+    fn expand<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: &Interval, i: usize) {
         let (u_start, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v_start, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
         let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));

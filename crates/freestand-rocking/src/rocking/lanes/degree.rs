@@ -10,7 +10,7 @@ use super::ranks::{ABREAST, Rank};
 use super::series::{Edge, Ground, Series};
 use super::shaking::Interval;
 
-type AdvanceRanks = fn(Arch, &mut [Rank], Interval, &mut Vec<u32>);
+type AdvanceRanks = fn(Arch, &mut [Rank], &Interval, &mut Vec<u32>);
 
 /// A series of one degree, on whatever vector unit there is.
 #[derive(Debug, Clone, Copy)]
@@ -19,7 +19,7 @@ pub(super) struct Degree {
     /// One step of every lane, without and with vertical motion; puts the places of lanes with an event into the queue.
     pub(super) advance: [AdvanceRanks; 2],
     /// To the next event of each of the first lanes of a batch, or to the end of the step.
-    pub(super) solve: fn(Arch, &mut Batch, Interval, usize),
+    pub(super) solve: fn(Arch, &mut Batch, &Interval, usize),
 }
 
 /// Degrees that the kernel is compiled for.
@@ -35,7 +35,7 @@ impl Degree {
 fn advance<const K: usize, const VERTICAL: bool>(
     arch: Arch,
     ranks: &mut [Rank],
-    ground: Interval,
+    ground: &Interval,
     queue: &mut Vec<u32>,
 ) {
     arch.dispatch(Advance::<K, VERTICAL> { ranks, ground, queue });
@@ -43,7 +43,7 @@ fn advance<const K: usize, const VERTICAL: bool>(
 
 struct Advance<'a, const K: usize, const VERTICAL: bool> {
     ranks: &'a mut [Rank],
-    ground: Interval,
+    ground: &'a Interval,
     queue: &'a mut Vec<u32>,
 }
 
@@ -84,27 +84,27 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
         }
         // Apart from the loop above: a branch there would wait for a whole step, and be wrong in every third vector. Each place
         // is written, and stays if its lane has an event: another branch would be wrong as often.
-        queue.resize(ranks.len() * ABREAST, 0);
-        let mut count = 0;
         for (i, rank) in ranks.iter().enumerate() {
             if (0..pairs).any(|pair| m.any(m.gt(rank.event.get::<S>(pair), zero))) {
+                let (mut places, mut count) = ([0; ABREAST], 0);
                 for (lane, event) in rank.event.iter().enumerate() {
-                    queue[count] = (i * ABREAST + lane) as u32;
+                    places[count] = (i * ABREAST + lane) as u32;
                     count += usize::from(*event != 0.0);
                 }
+                queue.extend_from_slice(&places);
+                queue.truncate(queue.len() - ABREAST + count);
             }
         }
-        queue.truncate(count);
     }
 }
 
-fn solve<const K: usize>(arch: Arch, batch: &mut Batch, ground: Interval, lanes: usize) {
+fn solve<const K: usize>(arch: Arch, batch: &mut Batch, ground: &Interval, lanes: usize) {
     arch.dispatch(Solve::<K> { batch, ground, lanes });
 }
 
 struct Solve<'a, const K: usize> {
     batch: &'a mut Batch,
-    ground: Interval,
+    ground: &'a Interval,
     lanes: usize,
 }
 

@@ -13,7 +13,7 @@ use crate::rocking::lanes::series::TERMS;
 
 impl Tile<'_> {
     /// Takes up to [`BATCH`] lanes from where they are in the step to their next event, or to its end.
-    pub(super) fn events(&mut self, step: Step, batch: &[u32]) {
+    pub(super) fn events(&mut self, step: &Step, batch: &[u32]) {
         self.work.batches += 1;
         self.work.events += batch.len();
         self.batch.gather(&self.moving, batch);
@@ -38,7 +38,7 @@ impl Tile<'_> {
 
     /// A step with more than one event, a maximum that is hard to find, the balance lost: by all roots of the series.
     #[inline(never)]
-    fn intricate(&mut self, step: Step, lane: usize, c: &[f64; TERMS], rest: f64) {
+    fn intricate(&mut self, step: &Step, lane: usize, c: &[f64; TERMS], rest: f64) {
         let c = &c[..=self.degree.degree];
         let Moving { block, edge, best, tau, .. } = self.moving.get(lane);
         let Some(lead) = c.iter().position(|&c| c != 0.0).filter(|&k| c[k] > 0.0) else {
@@ -98,7 +98,7 @@ impl Tile<'_> {
     }
 
     /// An impact at the velocity `w` off the edge of a lane.
-    fn land(&mut self, step: Step, lane: usize, w: f64, tau: f64) {
+    fn land(&mut self, step: &Step, lane: usize, w: f64, tau: f64) {
         let Moving { block, edge, best, .. } = self.moving.get(lane);
         let rocker = &self.rockers[block as usize];
         let other = 1 - edge;
@@ -143,7 +143,7 @@ impl Tile<'_> {
 
     /// Follows short flights that leave no trace but impacts: the edge, the speed and the part of the step that is over behind
     /// the last of them; a speed of zero at the end of the step where all that were left end in rest before it.
-    fn short_flights(&mut self, step: Step, block: u32, edge: usize, w: f64, tau: f64) -> (usize, f64, f64) {
+    fn short_flights(&mut self, step: &Step, block: u32, edge: usize, w: f64, tau: f64) -> (usize, f64, f64) {
         let rocker = &self.rockers[block as usize];
         let record = &mut self.records[block as usize];
         let (mut edge, mut w, mut tau) = (edge, w, tau);
@@ -192,7 +192,7 @@ impl Tile<'_> {
     }
 
     /// A lane comes to rest in a step, and its block waits to be lifted again.
-    fn come_to_rest(&mut self, step: Step, lane: usize, tau: f64) {
+    fn come_to_rest(&mut self, step: &Step, lane: usize, tau: f64) {
         let Moving { block, edge, best, .. } = self.moving.get(lane);
         let record = &mut self.records[block as usize];
         record.state = State::AtRest;

@@ -100,12 +100,11 @@ pub(super) struct Tile<'a> {
 }
 
 /// One step of an interval.
-#[derive(Clone, Copy)]
-struct Step {
+struct Step<'a> {
     interval: usize,
-    whole: Interval,
+    whole: &'a Interval,
     part: usize,
-    ground: Interval,
+    ground: &'a Interval,
 }
 
 impl<'a> Tile<'a> {
@@ -137,9 +136,9 @@ impl<'a> Tile<'a> {
         }
         for interval in 0..self.shaking.intervals() {
             let whole = self.shaking.interval(interval);
-            self.lift_waiting(interval, whole);
+            self.lift_waiting(interval, &whole);
             if !self.moving.is_empty() || !self.pending.is_empty() {
-                self.pass(interval, whole);
+                self.pass(interval, &whole);
             }
         }
         if let Some(wait) = wait {
@@ -178,20 +177,22 @@ impl<'a> Tile<'a> {
             if self.moving.is_empty() {
                 break;
             }
-            self.pass(self.shaking.intervals(), still);
+            self.pass(self.shaking.intervals(), &still);
         }
     }
 
     /// One interval, step by step.
-    fn pass(&mut self, interval: usize, whole: Interval) {
+    fn pass(&mut self, interval: usize, whole: &Interval) {
         let share = 1.0 / self.parts as f64;
         let advance = self.degree.advance[usize::from(!self.shaking.v.is_empty())];
         for part in 0..self.parts {
+            let shared;
             let ground = if self.parts == 1 {
                 whole
             } else {
                 let (u, v) = whole.at(part as f64 * share);
-                Interval { u, u_change: share * whole.u_change, v, v_change: share * whole.v_change }
+                shared = Interval { u, u_change: share * whole.u_change, v, v_change: share * whole.v_change };
+                &shared
             };
             let step = Step { interval, whole, part, ground };
             for i in 0..self.pending.len() {
@@ -205,7 +206,7 @@ impl<'a> Tile<'a> {
             while !self.queue.is_empty() {
                 let mut queue = std::mem::take(&mut self.queue);
                 for batch in queue.chunks(BATCH) {
-                    self.events(step, batch);
+                    self.events(&step, batch);
                 }
                 queue.clear();
                 self.queue = std::mem::replace(&mut self.again, queue);

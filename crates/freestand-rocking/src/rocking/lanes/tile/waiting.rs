@@ -32,7 +32,7 @@ impl Tile<'_> {
     }
 
     /// Moves the blocks that are lifted in an interval from its list to the pending ones.
-    pub(super) fn lift_waiting(&mut self, interval: usize, whole: Interval) {
+    pub(super) fn lift_waiting(&mut self, interval: usize, whole: &Interval) {
         let mut block = std::mem::replace(&mut self.lifted_in[interval], NONE);
         while block != NONE {
             let next = self.lifted_next[block as usize];
@@ -49,7 +49,7 @@ impl Tile<'_> {
     }
 
     /// The edge about which the base lifts a block at rest, and when, from a ratio of an interval on.
-    pub(super) fn lift(&self, block: u32, whole: Interval, from: f64) -> Option<(usize, f64)> {
+    pub(super) fn lift(&self, block: u32, whole: &Interval, from: f64) -> Option<(usize, f64)> {
         let rocker = &self.rockers[block as usize];
         let ((u, v), (u_end, v_end)) = (whole.at(from), whole.at(1.0));
         let mut first: Option<(usize, f64)> = None;
