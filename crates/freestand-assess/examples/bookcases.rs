@@ -1,6 +1,6 @@
-//! The furniture of FEMA P-58 under floor motions of our own: the table of `docs/fragilities.md`.
+//! The furniture of FEMA P-58 under computed floor motions: the table of `docs/fragilities.md`.
 //!
-//! `cargo run --release -p freestand-study --example bookcases [SEED]`
+//! `cargo run --release -p freestand-assess --example bookcases [SEED]`
 
 #![expect(clippy::print_stdout, reason = "the result is what it prints")]
 
@@ -25,7 +25,7 @@ fn levels_m_s() -> Vec<f64> {
     (0..=45).map(|i| 0.1 * 2.0_f64.powf(f64::from(i) / 8.0)).collect()
 }
 
-/// Motions of one place, each scaled to a peak velocity of 1 m/s.
+/// The motions of one place, each scaled to a peak velocity of 1 m/s.
 fn floor(ground: &[Motion], place: Option<(&Building, f64)>) -> Result<Vec<Motion>, Box<dyn Error>> {
     let mut floors = Vec::new();
     for motion in ground {
@@ -39,7 +39,7 @@ fn floor(ground: &[Motion], place: Option<(&Building, f64)>) -> Result<Vec<Motio
     Ok(floors)
 }
 
-/// Overturned pieces of furniture at each level, of [`MOTIONS`].
+/// How many of the [`MOTIONS`] overturn each piece of furniture, at each level.
 fn overturned(floors: &[Motion], blocks: &[Block]) -> Result<Vec<Vec<u32>>, Box<dyn Error + Send + Sync>> {
     let options = RockingOptions { until: Until::Settled { at_most_s: 120.0 }, ..RockingOptions::default() };
     let at = |pfv_m_s: f64| {

@@ -15,7 +15,7 @@ use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Step, no_progress};
 use freestand_study::study::Study;
 
-/// A low building under four motions: what a test has time for.
+/// A low building under four motions, so that a test does not take long.
 fn study(assessment: &str) -> Study {
     let text = format!(
         "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ndraws = 2\nmost_draws = 4\ncompliant = \
@@ -27,7 +27,7 @@ fn study(assessment: &str) -> Study {
 const HEADER: &str =
     "id,item,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],tolerance [g],notes\n";
 
-/// Slender and squat ones, on three floors, some with something missing.
+/// Slender and squat objects on three floors, some with missing data.
 fn rows(count: usize) -> Vec<String> {
     (0..count)
         .map(|i| {
@@ -89,8 +89,8 @@ fn the_same_bytes_on_any_number_of_threads() {
     assert_eq!((&one, &one), (&of(2), &of(7)));
 }
 
-/// Stopped while the motions are made, in the middle of the second part, and there again; then gone
-/// on with: the bytes of a run that nobody disturbed, and no part twice.
+/// A run is stopped while the motions are generated, then twice in the second part, then finished:
+/// it writes the bytes of an undisturbed run, and computes no part twice.
 #[test]
 fn a_run_that_was_stopped_goes_on() {
     let (study, rows) = (study("pages = 3\n"), rows(300));
@@ -107,7 +107,7 @@ fn a_run_that_was_stopped_goes_on() {
             if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let report = run(&study, &rows, &out, &go_on, &stops);
-        // What was finished is there to be looked at, and says that it is not all.
+        // The outputs contain the finished objects, and say that the result is partial.
         let done = report.resumed + report.computed;
         assert_eq!(column(&out, "decision").values().filter(|decision| !decision.is_empty()).count(), done);
         (report.interrupted, report.resumed, report.computed)
@@ -119,13 +119,12 @@ fn a_run_that_was_stopped_goes_on() {
     assert_eq!((report.resumed, report.computed, report.interrupted), (256, 44, false));
     assert_eq!(contents(&whole), contents(&out));
     assert!(!out.join("progress").exists());
-    // Once more: nothing is left to do.
+    // Another run has nothing left to do.
     let report = run(&study, &rows, &out, &go_on, &no_progress);
     assert_eq!((report.resumed, report.computed), (300, 0));
 }
 
-/// A kill leaves finished parts and a manifest that knows them; one that was cut short is made
-/// again.
+/// A killed run leaves finished parts; one that is incomplete is computed again.
 #[test]
 fn a_run_that_was_killed_goes_on() {
     let (study, rows) = (study(""), rows(520));
@@ -152,7 +151,7 @@ fn a_run_that_was_killed_goes_on() {
     assert_eq!(contents(&whole), contents(&out));
 }
 
-/// What is said of an object hangs on its own row: not on the others, nor on their order.
+/// The result of an object depends on its own row, not on other rows or their order.
 #[test]
 fn the_order_of_the_rows_does_not_matter() {
     let (study, rows) = (study(""), rows(24));
@@ -175,7 +174,7 @@ fn the_order_of_the_rows_does_not_matter() {
     }
 }
 
-/// With a history that is certain, the shock is lognormal about Eq. (5): P = Σ Φ(ln(a/a_c)/β)/n,
+/// Where the history is certain, the shock is lognormal about Eq. (5): P = Σ Φ(ln(a/a_c)/β)/n,
 /// β² = (β_k² + β_m²)/4 + β_model².
 #[test]
 fn monte_carlo_against_the_integral() {
@@ -190,7 +189,7 @@ fn monte_carlo_against_the_integral() {
     let beta = ((0.3f64.powi(2) + 0.2f64.powi(2)) / 4.0 + 0.01).sqrt();
     let study = resolve(&text, None, Path::new("")).unwrap();
     let folder = tempfile::tempdir().unwrap();
-    // What `run`, which knows nothing of draws, finds for the same box under the same motions.
+    // The shocks that `run`, which does not use draws, computes for the same box and motions.
     let shocks_g = shocks();
     let mut between = 0;
     for tolerance_g in [4.5, 5.0, 5.5, 6.0, 6.5, 7.0] {
@@ -204,11 +203,11 @@ fn monte_carlo_against_the_integral() {
         let error = 4.0 * (0.25 / (4.0 * f64::from(draws))).sqrt();
         assert!((got - expected).abs() <= error, "{tolerance_g} g: {got} {expected}");
     }
-    // Certain cases are no test of a probability.
+    // Probabilities of 0 and 1 would not test the integral.
     assert!(between >= 3, "{shocks_g:?}");
 }
 
-/// Φ by its series: 1e-15 for the arguments here.
+/// Φ by its series; within 1e-15 for the arguments here.
 fn normal_probability(x: f64) -> f64 {
     if x.abs() > 8.0 {
         return if x > 0.0 { 1.0 } else { 0.0 };
@@ -222,8 +221,8 @@ fn normal_probability(x: f64) -> f64 {
     0.5 + sum * (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt()
 }
 
-/// The larger shock of the box of [`monte_carlo_against_the_integral`] under each motion, by the
-/// main job.
+/// The larger shock of the box of [`monte_carlo_against_the_integral`] under each motion, from
+/// `run`.
 fn shocks() -> Vec<f64> {
     let text = "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\nlevels = [{ name = \"roof\", level_ratio = \
          1.0 }]\n[objects]\nheights = \"1.5 m\"\nthicknesses = \"400 mm\"\n";
@@ -241,7 +240,7 @@ fn shocks() -> Vec<f64> {
         .collect()
 }
 
-/// Missing data costs the verdict, never gives one.
+/// Missing data lead to no verdict, never to another one.
 #[test]
 fn missing_data_is_no_verdict() {
     let rows = [
@@ -264,6 +263,11 @@ fn missing_data_is_no_verdict() {
         text,
         "no-height no-verdict\nno-mass no-verdict\nno-tolerance no-verdict\nfalls restrain\nstands leave\n"
     );
-    assert!(why["no-tolerance"].starts_with("rocking: none; floor PFA "), "{}", why["no-tolerance"]);
-    assert!(why["no-height"].contains("height missing"), "{}", why["no-height"]);
+    assert!(
+        why["no-tolerance"]
+            .starts_with("It does not rock. Only overturning was assessed, because its tolerance was not"),
+        "{}",
+        why["no-tolerance"]
+    );
+    assert!(why["no-height"].contains("because its height was not given"), "{}", why["no-height"]);
 }

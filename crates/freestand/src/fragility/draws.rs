@@ -1,11 +1,8 @@
 //! Random numbers keyed by their use.
 
-use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
-use statrs::function::erf::{erf, erf_inv};
-use std::f64::consts::SQRT_2;
 
 /// The random numbers of one draw for one object under one motion: ChaCha8 with a 256-bit key that
 /// holds the four numbers, each as 8 bytes, little endian.
@@ -36,23 +33,4 @@ pub fn draw_stream(seed: u64, object: u64, record: u64, draw: u64) -> ChaCha8Rng
 pub fn lognormal_draw(random: &mut ChaCha8Rng, median: f64, log_sd: f64) -> f64 {
     let normal: f64 = StandardNormal.sample(random);
     median * (log_sd * normal).exp()
-}
-
-/// A normal number truncated at `cut_sd` standard deviations on either side, for a length that must
-/// not vary without limit: mean + sd·√2 erf⁻¹((2u − 1) erf(c/√2)), u uniform. It always uses
-/// exactly one uniform number.
-///
-/// # Accuracy
-/// Rounding; a truncation beyond 6 standard deviations is one at 6.
-///
-/// # Example
-/// ```
-/// use freestand::fragility::{draw_stream, normal_draw};
-/// let mut random = draw_stream(1, 0, 0, 0);
-/// let mut off = || (normal_draw(&mut random, 0.6, 0.01, 2.0) - 0.6).abs();
-/// assert!((0..1000).all(|_| off() <= 0.02 + 1e-12));
-/// ```
-pub fn normal_draw(random: &mut ChaCha8Rng, mean: f64, sd: f64, cut_sd: f64) -> f64 {
-    let uniform: f64 = random.random();
-    mean + sd * SQRT_2 * erf_inv((2.0 * uniform - 1.0) * erf(cut_sd.min(6.0) / SQRT_2))
 }

@@ -11,7 +11,7 @@ use thiserror::Error;
 
 use crate::block::Block;
 
-pub use draws::{draw_stream, lognormal_draw, normal_draw};
+pub use draws::{draw_stream, lognormal_draw};
 pub use interval::probability_interval;
 
 /// Φ, the standard normal distribution.

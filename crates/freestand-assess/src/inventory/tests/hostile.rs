@@ -12,12 +12,12 @@ fn with_height(height: &str) -> Vec<u8> {
 }
 
 #[test]
-fn cells_that_are_no_numbers() {
+fn cells_that_are_not_numbers() {
     for (cell, said) in [
         ("<t=\"e\"><v>#REF!</v></c>", "is the error #REF!"),
-        ("<t=\"b\"><v>1</v></c>", "TRUE is no number"),
+        ("<t=\"b\"><v>1</v></c>", "TRUE is not a number"),
         ("<s=\"1\"><v>45413</v></c>", "is a date (2024-05-01)"),
-        ("<><f>B1*2</f></c>", "saved without its value"),
+        ("<><f>B1*2</f></c>", "saved without a value"),
         ("<t=\"d\"><v>2024-05-01</v></c>", "is a date"),
         ("1.500,5", "\"1.500,5\" has a comma in the number"),
         ("1 800", "is more than one number"),
@@ -76,8 +76,8 @@ fn wide_sheets() {
     headings.extend((headings.len()..16_384).map(|n| format!("x{n}")));
     let texts: Vec<&str> = headings.iter().map(String::as_str).collect();
     let said = problems(workbook(&(row(1, &texts) + &row(2, &["a", "x", "0.5", "1800", "600"])), ""));
-    assert!(said[0].contains("16379 columns are none of ours"), "{said:?}");
-    assert!(problems(headings.join(",") + "\na,x,0.5,1800,600\n")[0].contains("16379 columns"), "{said:?}");
+    assert!(said[0].contains("the file has 16379 other columns"), "{said:?}");
+    assert!(problems(headings.join(",") + "\na,x,0.5,1800,600\n")[0].contains("16379 other columns"), "{said:?}");
     let unnamed = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600", "", "stray"]);
     assert!(
         read(workbook(&unnamed, "")).unwrap().inventory.warnings[0]
@@ -93,7 +93,7 @@ fn a_cell_of_ten_megabytes() {
         + &row(3, &["b", "y", "0.5", "1800", "600", &long]);
     let said = problems(workbook(&rows, ""));
     assert!(
-        said[0].contains("column B (item): has 10485760 characters") && said[1].contains("a cell of 10485760"),
+        said[0].contains("column B (item): has 10485760 characters") && said[1].contains("a cell has 10485760"),
         "{said:?}"
     );
     let said = problems(format!("id,item,level_ratio,height [m],depth [m]\na,{long},0,1,1\n"));
@@ -115,12 +115,12 @@ fn archives_that_unpack_to_too_much_or_lie() {
     assert!(said[0].contains("unpacks to more than 64 MB"), "{said:?}");
     let styles = parts_with("xl/styles.xml", vec![b' '; 17 << 20]);
     assert!(problems(styles)[0].contains("unpacks to more than 1"));
-    // The reader would set aside 24 bytes for each text that is declared.
+    // The reader would allocate 24 bytes for each declared text.
     let liar = format!("<sst xmlns=\"{MAIN}\" uniqueCount=\"99999999999\"><si><t>a</t></si></sst>");
     assert!(problems(parts_with("xl/sharedStrings.xml", liar.into_bytes()))[0].contains("declares 99999999999 texts"));
     let places = sheet("<row r=\"1\"><c r=\"ZZZZZZZZZZ99999999999\"/></row>", "");
     assert!(problems(parts_with("xl/worksheets/sheet1.xml", places.into_bytes()))[0].contains("which no sheet has"));
-    // A header that declares another size than there is: the checksum and the count say so.
+    // A header that declares a wrong size is detected by the checksum and the count.
     let mut lying = workbook(&row(1, &HEADINGS), "");
     let start = lying.windows(4).position(|four| four == b"PK\x01\x02").unwrap();
     lying[start + 24..start + 28].copy_from_slice(&3u32.to_le_bytes());
@@ -136,9 +136,9 @@ fn what_is_no_inventory_at_all() {
         assert!(problems(&book[..cut]).len() == 1, "{cut}");
     }
     let nested = archive_of(&[("objects.xlsx".to_owned(), book)]);
-    assert!(problems(nested)[0].contains("is a zip file that holds objects.xlsx | unpack it first"));
+    assert!(problems(nested)[0].contains("is a zip file that contains objects.xlsx | unpack it first"));
     let ods = archive_of(&[("mimetype".to_owned(), b"application/vnd.oasis.opendocument.spreadsheet".to_vec())]);
-    assert!(problems(&ods)[0].contains("zip file"), "deflated, its type is not seen");
+    assert!(problems(&ods)[0].contains("zip file"), "deflated, its type is not visible");
     let stored = [
         b"PK\x03\x04................................mimetypeapplication/vnd.oasis.opendocument.spreadsheet".as_slice(),
         &ods,
@@ -148,21 +148,21 @@ fn what_is_no_inventory_at_all() {
     for (bytes, said) in [
         (b"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1".to_vec(), "old workbook (.xls), or one with a password"),
         (Vec::new(), "empty"),
-        (b"\x7FELF\x02\x01\x01\0\0\0".to_vec(), "no text"),
+        (b"\x7FELF\x02\x01\x01\0\0\0".to_vec(), "not text"),
         (b"id,level_ratio,height [m],depth [m]\na,0,1\0,1\n".to_vec(), "NUL"),
         (b"id,level_ratio,height [m],depth [m]\n\"a,0,1,1\nb,0,1,1\n".to_vec(), "a quote is not closed"),
     ] {
         assert!(problems(&bytes)[0].contains(said), "{:?}", problems(&bytes));
     }
-    // Rows that go backwards would overwrite what was read.
+    // Rows in falling order would overwrite earlier ones.
     let rows =
         row(3, &HEADINGS) + &row(5, &["a", "x", "0.5", "1800", "600"]) + &row(4, &["b", "x", "0.5", "1800", "600"]);
-    assert!(problems(workbook(&rows, ""))[0].contains("row 4 stands behind row 5"));
+    assert!(problems(workbook(&rows, ""))[0].contains("row 4 follows row 5"));
 }
 
 #[test]
 fn columns_carried_through_are_bounded() {
-    // 200 columns × 100,001 rows are one row more than are kept.
+    // 200 columns × 100,001 rows are one row over the limit.
     let mut text = "id,level_ratio,height [m],depth [m]".to_owned();
     for n in 0..200 {
         text += &format!(",x{n}");
@@ -170,7 +170,7 @@ fn columns_carried_through_are_bounded() {
     for n in 0..100_001 {
         text += &format!("\n{n},0,1,1");
     }
-    assert!(problems(text)[0].contains("20000000 cells are none of ours"));
+    assert!(problems(text)[0].contains("the other columns have more than 20000000 cells"));
 }
 
 fn check(bytes: Vec<u8>) {

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use super::*;
 
-/// Rows as a register has them: both axes, pads, tolerance, two columns of its own.
+/// Rows as in an asset register: both axes, pads, tolerance, two other columns.
 fn register(rows: usize) -> String {
     let mut text =
         "id,item,quantity,building,floor,room,LS,PL,FL,level_ratio,height [mm],depth [mm],width [mm],mass [kg],\
@@ -29,7 +29,7 @@ fn register(rows: usize) -> String {
     text
 }
 
-/// The most memory that this process had so far \[MB\], where the system says so.
+/// The most memory that this process has had \[MB\], where the system reports it.
 fn peak_mb() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
@@ -41,7 +41,7 @@ fn measured(bytes: &[u8], rows: usize) -> Inventory {
     let inventory = read(bytes).unwrap().inventory;
     println!("{rows} rows, {} MB: {:?}, peak {:?} MB", bytes.len() >> 20, started.elapsed(), peak_mb());
     assert_eq!(inventory.items.len(), rows);
-    // It takes a second or two; sixty are what a busy machine may need.
+    // It takes a second or two; a busy machine may need sixty.
     assert!(started.elapsed().as_secs() < 60 * (1 + rows as u64 / 200_000), "{:?}", started.elapsed());
     inventory
 }

@@ -99,7 +99,7 @@ fn archive_of(parts: &[(String, Vec<u8>)]) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
-/// A row of texts, from column A; what begins with `<` is a cell as it is.
+/// A row of texts from column A; a text that begins with `<` is the XML of a cell.
 fn row(number: u32, cells: &[&str]) -> String {
     let cell = |(column, text): (usize, &&str)| {
         let place = format!("{}{number}", columns::letters(column));
@@ -178,23 +178,23 @@ fn all_problems_of_a_file_at_once() {
         b,0.5,2.3 kg,n/a,,,,\"1.500,5\",0,,,,\n";
     let said = problems(text);
     let expected = [
-        "objects.csv:2: row 2, column B (level_ratio): the level is 7, not from 0 to 1 | 0 is the ground, 1 the roof",
-        "objects.csv:2: row 2, column C (height): \"2300\" needs a unit | write \"2300 m\" or \"2300 mm\", or name \
-         the unit in the heading, such as \"height [mm]\"",
+        "objects.csv:2: row 2, column B (level_ratio): the level must be from 0 to 1, not 7 | give the height of the floor",
+        "objects.csv:2: row 2, column C (height): \"2300\" needs a unit | write \"2300 m\" or \"2300 mm\", or put \
+         the unit into the heading, such as \"height [mm]\"",
         "objects.csv:3: row 3, column D (depth [mm]): must be positive, not -600",
         "objects.csv:3: row 3, column F (base_width [mm]): the base width",
-        "objects.csv:3: row 3, column H (mass [kg]): \"x\" is not a quantity | write the number alone, the heading \
-         states its unit (kg)",
-        "objects.csv:3: row 3, column I (quantity): \"1.5\" is not a whole number from 1",
-        "objects.csv:3: row 3, column J (LS): \"severe\" is no rating | write H, M or L",
+        "objects.csv:3: row 3, column H (mass [kg]): \"x\" is not a quantity | write the number alone, because \
+         the heading has the unit (kg)",
+        "objects.csv:3: row 3, column I (quantity): must be a whole number, at least 1, not \"1.5\"",
+        "objects.csv:3: row 3, column J (LS): \"severe\" is not a rating | write H, M or L",
         "objects.csv:3: row 3, column K (friction): \"0.5-0.3\" is not a positive value or a rising range",
         "objects.csv:3: row 3, column L (restitution): is 1.2 | write a value above 0, up to 1",
-        "objects.csv:3: row 3, column M (accepted): is 1 | write a value between 0 and 1",
+        "objects.csv:3: row 3, column M (accepted): must be above 0 and below 1, not 1 | write a ratio",
         "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, not a length",
-        "objects.csv:4: row 4, column D (depth [mm]): \"n/a\" is no value | leave the cell empty",
+        "objects.csv:4: row 4, column D (depth [mm]): \"n/a\" is not a value | leave the cell empty",
         "objects.csv:4: row 4, column H (mass [kg]): \"1.500,5\" has a comma in the number",
-        "objects.csv:4: row 4, column I (quantity): \"0\" is not a whole number from 1",
-        "objects.csv: row 3, column A (id): the id \"a\" is that of row 2 already",
+        "objects.csv:4: row 4, column I (quantity): must be a whole number, at least 1, not \"0\"",
+        "objects.csv: row 3, column A (id): row 2 already has the id \"a\"",
     ];
     for one in expected {
         assert!(said.iter().any(|problem| problem.starts_with(one)), "{one}\nnot in\n{}", said.join("\n"));
@@ -208,29 +208,31 @@ fn all_problems_of_a_file_at_once() {
 fn headings_are_checked_as_a_whole() {
     let said = problems("id,height [in],weight,Height (mm)\na,1,2,3\n");
     for one in [
-        "objects.csv:1: column B (height [in]): \"in\" is no unit of it | write one of m, mm, cm",
+        "objects.csv:1: column B (height [in]): \"in\" is not a unit of height | write one of m, mm, cm",
         "objects.csv:1: columns B (height [in]) and D (Height (mm)) are both height",
-        "objects.csv:1: no column is called level_ratio",
-        "objects.csv:1: no column is called thickness | add a column \"thickness [mm]\"",
+        "objects.csv:1: the column level_ratio is missing",
+        "objects.csv:1: the column thickness is missing | add a column \"thickness [mm]\"",
     ] {
         assert!(said.iter().any(|problem| problem.starts_with(one)), "{one}\nnot in\n{}", said.join("\n"));
     }
-    // No cell under a unit that is none is complained about once more.
+    // No cell under a heading with a wrong unit is reported again.
     assert_eq!(said.len(), 4, "{said:?}");
     let said = problems("id,level,height [m],thickness [m]\na,3,1,1\n");
-    assert!(said[0].contains("no column is called level_ratio | is it \"level\"? Call it \"level_ratio\""), "{said:?}");
-    assert!(problems("a,b\n1,2\n")[0].contains("no row of headings"));
-    assert!(problems("id,level_ratio,height [mm],thickness [mm]\n\n")[0].contains("no rows stand under the headings"));
+    assert!(said[0].contains("the column level_ratio is missing | if \"level\" is that column, rename it"), "{said:?}");
+    assert!(problems("a,b\n1,2\n")[0].contains("contain no row of headings"));
+    assert!(
+        problems("id,level_ratio,height [mm],thickness [mm]\n\n")[0].contains("there are no rows below the headings")
+    );
     let reading = read("id,level_ratio,height [mm],thickness [mm],tolerence [g]\na,0,1800,600,5\n").unwrap();
     assert!(
         reading.inventory.warnings[0]
-            .contains("column E (tolerence [g]) is none of ours and carried through: did you mean tolerance?")
+            .contains("column E (tolerence [g]) is not read, only carried through: did you mean tolerance?")
     );
     assert_eq!(reading.inventory.items[0].carried, ["5"]);
 }
 
 #[test]
-fn rows_that_cannot_be_right_are_warned_about_together() {
+fn doubtful_rows_are_warned_about_together() {
     let mut text = "Register of the north wing\n\nid,level_ratio,height [mm],thickness [mm],mass [kg],stiffness \
          [N/mm],pad_stiffness [N/mm]\n"
         .to_owned();
@@ -240,12 +242,12 @@ fn rows_that_cannot_be_right_are_warned_about_together() {
     text += "s,0.5,600,1000,140,4.38,\np,0.5,1800,600,140,,2190\n,0.5,1800,600,,,\nTotal,,,,420,,\n";
     let reading = read(&text).unwrap();
     let expected = [
-        "the headings are in row 3: one row stands above them, left out",
+        "the headings are in row 3; the row above them is ignored",
         "row 46 has no id",
         "row 47 is left out",
         "rows 4, 5, 6, 7, 8 and 35 more have a height below 20 mm",
         "row 44 is squat",
-        "row 44 has a stiffness under one edge on which the weight alone flattens the pad",
+        "row 44 has a stiffness under one edge that is very low",
         "row 45 has the stiffness of a pad without pads_per_edge",
     ];
     let warnings = &reading.inventory.warnings;
@@ -266,11 +268,11 @@ fn csv_of_other_countries() {
         assert_eq!(item.friction_ratio, Some((0.3, 0.45)), "{text}");
     }
     let mixed = read("id;level_ratio;height [m];thickness [m]\na;0,5;2,3;0,6\nb;0.5;1,234;0.6\n").unwrap();
-    assert!(mixed.inventory.warnings[0].starts_with("row 3 has numbers with a decimal point while others"));
-    // With commas between the cells a decimal comma makes cells too many.
+    assert!(mixed.inventory.warnings[0].starts_with("row 3 has numbers with a decimal point while other rows"));
+    // Where commas separate the cells, a decimal comma gives too many cells.
     assert!(
         problems("id,level_ratio,height [m],thickness [m]\na,0,5,2,3,0,6\n")[0]
-            .contains("7 cells stand under 4 headings")
+            .contains("the row has 7 cells for 4 headings")
     );
     let latin = b"id;item;level_ratio;height [m];thickness [m]\na;Schr\xE4nke;0,5;2,3;0,6\n";
     let reading = read(latin).unwrap();
@@ -327,7 +329,7 @@ fn entries_of_the_libraries_are_looked_up() {
     assert_eq!(items[0].tolerance.as_ref().map(|t| t.source.as_str()), Some("bench: a class"));
     let warnings = reading.inventory.warnings.join("\n");
     assert!(
-        warnings.contains("row 6 has a cushion whose damping is a ratio")
+        warnings.contains("row 6 has a cushion with a damping ratio")
             && warnings.contains("row 7 has the stiffness of a pad without")
     );
     let error = read(
@@ -337,7 +339,7 @@ fn entries_of_the_libraries_are_looked_up() {
         error.unwrap_err().problems.iter().map(|p| format!("{} | {}", p.message, p.hint.as_deref().unwrap())).collect();
     assert_eq!(said.len(), 4, "{said:?}");
     assert!(
-        said[0].contains("column H (cushion): \"dampd\" is no entry of the cushion library | did you mean damped?"),
+        said[0].contains("column H (cushion): \"dampd\" is not an entry of the cushion library | did you mean damped?"),
         "{said:?}"
     );
     assert!(said[1].contains("column E (stiffness [N/mm]): cushion and stiffness exclude each other"), "{said:?}");
@@ -371,13 +373,17 @@ fn the_sheet_with_the_headings_is_found() {
     let reading = read(&book).unwrap();
     assert_eq!(reading.inventory.sheet.as_deref(), Some("New"));
     assert!(
-        reading.inventory.warnings[0].contains("\"Copy\" look like inventories too"),
+        reading.inventory.warnings[0].contains("other sheets also look like inventories: \"Copy\""),
         "{:?}",
         reading.inventory.warnings
     );
     let named = |name: &str| parse_inventory(book.clone(), Path::new("a.xlsx"), Some(name), &Lookup::NONE);
     assert_eq!(named("old").unwrap().inventory.sheet.as_deref(), Some("Old"));
-    assert!(named("Cover").unwrap_err().problems[0].message.starts_with("sheet \"Cover\": no row of headings"));
+    assert!(
+        named("Cover").unwrap_err().problems[0]
+            .message
+            .starts_with("sheet \"Cover\": the first 100 rows contain no row of headings")
+    );
     let missing = named("Objects").unwrap_err();
     assert!(missing.problems[0].hint.as_deref().is_some_and(|hint| hint.contains("\"New\"")), "{missing}");
     let hidden = workbook_of(&[("Cover", "", &other), ("Old", "state=\"hidden\"", &objects)]);

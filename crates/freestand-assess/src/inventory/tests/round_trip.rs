@@ -39,16 +39,16 @@ fn the_template_is_an_inventory_and_always_the_same() {
     assert!(warnings[0].starts_with("rows 2, 3, 4 are examples of the template"));
     let rack = &from_csv.inventory.items[1];
     assert_eq!((rack.height_m, rack.cg_height_m, rack.accepted_ratio), (Some(2.0), Some(0.85), Some(0.05)));
-    // Whoever removes the examples has no row: that is said, and no headings are lost.
+    // Without the examples there is no row; the headings are still found.
     let first_line = csv.iter().position(|&byte| byte == b'\n').unwrap();
-    assert!(problems(&csv[..=first_line])[0].contains("no rows stand under the headings"));
+    assert!(problems(&csv[..=first_line])[0].contains("there are no rows below the headings"));
     assert_eq!(convert(&convert(&csv, Target::Xlsx), Target::Csv), csv);
 }
 
 #[test]
 fn units_of_a_row_of_their_own_and_decimal_commas_are_kept() {
     let text = "Register\nitem;height;thickness;level_ratio;price\nunits;mm;cm;-;EUR\nrack;1800,5;60;0,5;12,50\n";
-    // "EUR" is no unit of ours, so the row of units is an object with a height of "mm".
+    // "EUR" is not a unit that we know, so the row of units is an object with a height of "mm".
     assert!(problems(text).iter().any(|problem| problem.contains("\"mm\" is not a quantity")));
     let text = text.replace("EUR", "");
     let csv = String::from_utf8(convert(text.as_bytes(), Target::Csv)).unwrap();
