@@ -1,4 +1,5 @@
-//! What has to hold for any bytes whatever; the fuzz targets and the mutation test of freestand-study hold to it.
+//! What must hold for all bytes: the check of the fuzz targets and of the mutation test of
+//! freestand-assess.
 
 use freestand_records::formats::{ReadOptions, parse_motions};
 use std::path::Path;
@@ -9,25 +10,25 @@ const MAX_SAMPLES: usize = 100_000_000;
 /// Reads `bytes` as a record file, under several options; whether any of them reads it.
 ///
 /// # Panics
-/// A problem without a file or a remedy, a component without samples or with one that is not finite, or with more of them
-/// than the file can hold.
+/// A problem without a file or a remedy, a component without samples or with one that is not
+/// finite, or with more of them than the file can hold.
 pub fn check_record(bytes: &[u8]) -> bool {
     let plain = ReadOptions::default();
     let told = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
     let resampled = ReadOptions { unit: Some("cm/s2".to_owned()), uneven_dt_s: Some(0.01), ..ReadOptions::default() };
-    // Every one of them, even after one has read it.
+    // All of them, even after one has read the bytes.
     [plain, told, resampled].map(|options| check_with(bytes, &options)).contains(&true)
 }
 
 fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
-    // A folder that is not there: no reader finds a second file beside it.
+    // A folder that does not exist: no reader finds a second file in it.
     match parse_motions(bytes.to_vec(), Path::new("/nowhere/record.dat"), options) {
         Err(error) => {
             assert!(!error.problems.is_empty());
             for problem in &error.problems {
                 assert!(problem.path.is_some() && !problem.message.is_empty(), "{problem:?}");
                 assert!(problem.line.is_some() || problem.hint.is_some(), "{problem:?}");
-                // A byte of its own ends each line, and an error may stand behind the last.
+                // Each line ends with a byte of its own, and an error may be after the last.
                 assert!(problem.line.is_none_or(|line| (1..=bytes.len() + 1).contains(&line)), "{problem:?}");
             }
             false
@@ -39,7 +40,8 @@ fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
                 let accel_m_s2 = one.motion.accel_m_s2();
                 assert!(accel_m_s2.iter().all(|a| a.is_finite()) && one.motion.dt_s() > 0.0);
                 total += accel_m_s2.len();
-                // Steim-2 packs seven samples into four bytes, text at best one into two. Interpolation may add any number.
+                // Steim-2 packs seven samples into four bytes, text at best one into two.
+                // Interpolation may add any number.
                 let is_interpolated = file.notes.iter().any(|note| note.contains("straight lines"));
                 assert!(accel_m_s2.len() <= 2 * bytes.len() || is_interpolated);
             }

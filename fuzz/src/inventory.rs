@@ -1,4 +1,5 @@
-//! What has to hold for any inventory whatever; the fuzz targets and the mutation test of freestand-study hold to it.
+//! What must hold for all inventories: the check of the fuzz targets and of the mutation test of
+//! freestand-assess.
 
 use freestand_assess::inventory::{Target, convert_bytes, parse_inventory};
 use freestand_assess::library::Lookup;
@@ -7,7 +8,8 @@ use std::path::Path;
 /// Reads `bytes` as an inventory and converts them both ways.
 ///
 /// # Panics
-/// A problem without a file or a remedy, an object that cannot be, or a conversion that reads differently.
+/// A problem without a file or a remedy, an object that cannot be, or a conversion that reads
+/// differently.
 pub fn check_inventory(bytes: Vec<u8>) {
     let path = Path::new("/nowhere/objects");
     match parse_inventory(bytes.clone(), path, None, &Lookup::NONE) {
@@ -25,12 +27,14 @@ pub fn check_inventory(bytes: Vec<u8>) {
                 let values = [item.height_m, item.thickness_m, item.width_m, item.mass_kg, item.level_ratio];
                 assert!(values.into_iter().flatten().all(|value| value.is_finite() && value >= 0.0), "{item:?}");
             }
-            // A row without an id is called by its number, which is another one without the titles above.
+            // A row without an id is called by its number, which is another one without the titles
+            // above.
             if inventory.items.iter().any(|item| item.id.starts_with("row-")) {
                 return;
             }
             for target in [Target::Csv, Target::Xlsx] {
-                // What cannot be written is refused: text that is too long for a cell once it is guarded.
+                // What cannot be written is refused: text that is too long for a cell once it is
+                // guarded.
                 if let Ok(converted) = convert_bytes(bytes.clone(), path, None, target) {
                     let again =
                         parse_inventory(converted.bytes, path, None, &Lookup::NONE).expect("ours is read again");
@@ -41,7 +45,7 @@ pub fn check_inventory(bytes: Vec<u8>) {
     }
 }
 
-/// A workbook of one sheet, which is `sheet` as it stands.
+/// A workbook whose only sheet is `sheet`, unchanged.
 ///
 /// # Panics
 /// If memory cannot be written to: never.

@@ -3,7 +3,7 @@
 pub mod check;
 pub mod inventory;
 
-/// A record of a known family: `bytes`, behind the family's signature unless they begin with it.
+/// A record of a known family: `bytes`, after the family's signature unless they begin with it.
 ///
 /// Without it the fuzzer would spend its time on finding the words by which a format is told.
 pub fn check_family(signature: &[u8], bytes: &[u8]) {

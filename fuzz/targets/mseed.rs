@@ -1,4 +1,4 @@
-//! miniSEED: of version 3 the check sum is set, so that what is behind it is reached.
+//! miniSEED: the checksum of version 3 is set, so that the code after its check is reached.
 #![no_main]
 
 /// CRC-32C of the first record, whose own field counts as zero; `None` where it is cut off.

@@ -1,6 +1,8 @@
-//! Processing as flags and studies write it.
+//! Processing as people write it.
 #![no_main]
-use freestand_records::processing::{Processing, Scale, TargetSource, parse_baseline, parse_sa_target, parse_target, parse_target_source};
+use freestand_records::processing::{
+    Processing, Scale, TargetSource, parse_baseline, parse_sa_target, parse_target, parse_target_source,
+};
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
     if let Err(problem) = parse_baseline(text) {
@@ -13,7 +15,7 @@ libfuzzer_sys::fuzz_target!(|text: &str| {
     if let Ok(source) = parse_target_source(text) {
         assert!(source.range_s.is_none_or(|(from_s, to_s)| 0.0 <= from_s && from_s <= to_s && to_s.is_finite()));
     }
-    // The same bytes as a file with a target: what is read from one is a scale that processing takes.
+    // The same bytes as a file with a target: a target that is read is one that processing accepts.
     let source = TargetSource { path: "t.csv".into(), range_s: None, damping_ratio: None };
     match parse_target(text.as_bytes().to_vec(), &source) {
         Ok(target) => {

@@ -1,4 +1,5 @@
-//! Studies as text. None that could name a file elsewhere: the fuzzer must not read what it happens to name.
+//! Studies as text. None that could name a file elsewhere: the fuzzer must not read what it happens
+//! to name.
 #![no_main]
 use freestand_study::resolve::resolve;
 use std::path::Path;

@@ -21,7 +21,8 @@ pub(crate) fn stopped() -> Problems {
     Problem::new(ProblemKind::Stopped, "the run was stopped before its end").into()
 }
 
-/// Largest difference between two level ratios of the same floor: inventories give two or three digits.
+/// Largest difference between two level ratios of the same floor: inventories give two or three
+/// digits.
 const SAME_LEVEL: f64 = 5e-3;
 
 /// The ground motions of a study, and the floor motions made from them.
@@ -61,7 +62,8 @@ impl<'a> Hazard<'a> {
         Ok(Self { study, names: study.ground.names(&study.levels), ground, held: Mutex::default() })
     }
 
-    /// The floors of these levels, at most [`MAX_FLOORS_HELD`]; a level for which the study has no motion is missing.
+    /// The floors of these levels, at most [`MAX_FLOORS_HELD`]; a level for which the study has no
+    /// motion is missing.
     pub(crate) fn floors(&self, levels: &[f64]) -> Result<Floors, Problems> {
         let mut held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
         let missing: Vec<f64> = levels.iter().copied().filter(|level| !held.contains_key(&level.to_bits())).collect();

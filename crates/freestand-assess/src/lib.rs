@@ -1,8 +1,8 @@
-//! Which objects of an inventory must be restrained: the inventory, the libraries of tolerances and cushions, and the
-//! assessment.
+//! Which objects of an inventory must be restrained: the inventory, the libraries of tolerances and
+//! cushions, and the assessment.
 //!
-//! The way of an assessment: [`job::inventory_of`] reads the inventory, [`job::assess_into`] makes the motions of its
-//! floors, gives every object its verdict and writes the tables and the report.
+//! The way of an assessment: [`job::inventory_of`] reads the inventory, [`job::assess_into`] makes
+//! the motions of its floors, gives every object its verdict and writes the tables and the report.
 
 pub mod inventory;
 pub mod job;

@@ -137,7 +137,8 @@ pub struct Assessment {
     pub decision: Decision,
     /// Why, in one or two sentences.
     pub why: String,
-    /// The tier that decided: 0 thresholds, 1 spectra, 2 the object's own histories, 3 the compliant base.
+    /// The tier that decided: 0 thresholds, 1 spectra, 2 the object's own histories, 3 the
+    /// compliant base.
     pub tier: u8,
     /// Probability that the owner accepts.
     pub accepted_ratio: f64,
@@ -145,7 +146,8 @@ pub struct Assessment {
     pub accepted_for: AcceptedFor,
     /// Its floor; `None`: the level is missing.
     pub floor: Option<FloorFacts>,
-    /// Its response with the values of the inventory; `None`: geometry or level is missing, or every history failed.
+    /// Its response with the values of the inventory; `None`: geometry or level is missing, or
+    /// every history failed.
     pub response: Option<Response>,
     /// The shock of its landings; `None`: mass or cushion is missing too.
     pub shock: Option<Shock>,
@@ -169,7 +171,8 @@ pub struct Assessment {
     pub restraint: Vec<RestraintForce>,
     /// Clearance that it needs on every side while it rocks \[m\]; its height where it overturns.
     pub clearance_m: Option<f64>,
-    /// Comparisons with published numbers, one sentence each with its source: code accelerations, fragilities.
+    /// Comparisons with published numbers, one sentence each with its source: code accelerations,
+    /// fragilities.
     pub context: Vec<String>,
     /// Eqs. (5)–(7) at the motion that decides, for a reader to follow.
     pub chain: Option<Chain>,
@@ -251,7 +254,8 @@ pub struct Shock {
     pub ceiling_g: f64,
     /// Stiffness under one edge \[N/m\]; `None` for a contact law that has none.
     pub stiffness_n_m: Option<f64>,
-    /// Impacts above the peak of its tolerance under the hardest motion that does not overturn it; `None` without a peak.
+    /// Impacts above the peak of its tolerance under the hardest motion that does not overturn it;
+    /// `None` without a peak.
     pub impacts_above_tolerance: Option<usize>,
 }
 
@@ -311,7 +315,8 @@ impl SlidingVerdict {
 /// A softer pad.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Softening {
-    /// Largest stiffness under one edge that keeps the probability at or below the accepted one \[N/m\].
+    /// Largest stiffness under one edge that keeps the probability at or below the accepted one
+    /// \[N/m\].
     pub max_stiffness_n_m: Option<f64>,
     /// Largest compression of that pad under the motions that were repeated \[m\].
     pub stroke_m: Option<f64>,
@@ -353,7 +358,8 @@ pub struct Swing {
     pub at_high: Ranked,
     /// The same with the value unchanged.
     pub as_is: Ranked,
-    /// Whether, at one end, the share of motions that exceed the limit crosses the accepted probability.
+    /// Whether, at one end, the share of motions that exceed the limit crosses the accepted
+    /// probability.
     pub flips: bool,
 }
 
@@ -398,7 +404,8 @@ pub struct RestraintForce {
     pub force_n: f64,
     /// Force over weight.
     pub force_ratio: f64,
-    /// Tension of all anchors along one edge together, about the axis that needs more \[N\]; 0: the weight suffices.
+    /// Tension of all anchors along one edge together, about the axis that needs more \[N\]; 0: the
+    /// weight suffices.
     pub anchor_tension_n: f64,
     /// The formula with its numbers, and what was assumed.
     pub note: String,
@@ -415,7 +422,8 @@ pub struct Chain {
     pub height_m: f64,
     /// Side in the plane of motion \[m\].
     pub thickness_m: f64,
-    /// Whether Eqs. (5)–(7) hold as printed: a uniform block that rests on its full width, on a spring.
+    /// Whether Eqs. (5)–(7) hold as printed: a uniform block that rests on its full width, on a
+    /// spring.
     pub is_uniform: bool,
     /// Distance between the edges \[m\].
     pub base_m: f64,

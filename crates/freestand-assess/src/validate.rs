@@ -1,4 +1,5 @@
-//! Probabilities of FEMA P-58 by hand, and its medians for what topples beside an empirical formula.
+//! Probabilities of FEMA P-58 by hand, and its medians for what topples beside an empirical
+//! formula.
 
 use freestand::block::Block;
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
@@ -20,7 +21,8 @@ pub const FURNITURE: [(&str, f64, f64); 9] = [
     ("p58-lateral-file-4-drawers", 67.75, 18.6),
 ];
 
-/// The checks of the models ([`freestand_study::validate::validate`]), and those of the built-in library.
+/// The checks of the models ([`freestand_study::validate::validate`]), and those of the built-in
+/// library.
 ///
 /// # Errors
 /// A model that refuses one of the standard inputs: a defect.

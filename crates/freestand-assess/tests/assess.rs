@@ -1,4 +1,5 @@
-//! Assessments from end to end: the same bytes whatever happens to the run, probabilities against integrals.
+//! Assessments from end to end: the same bytes whatever happens to the run, probabilities against
+//! integrals.
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may stop")]
 
@@ -17,7 +18,8 @@ use freestand_study::study::Study;
 /// A low building under four motions: what a test has time for.
 fn study(assessment: &str) -> Study {
     let text = format!(
-        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ndraws = 2\nmost_draws = 4\ncompliant = false\n{assessment}"
+        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ndraws = 2\nmost_draws = 4\ncompliant = \
+         false\n{assessment}"
     );
     resolve(&text, None, Path::new("")).unwrap()
 }
@@ -87,8 +89,8 @@ fn the_same_bytes_on_any_number_of_threads() {
     assert_eq!((&one, &one), (&of(2), &of(7)));
 }
 
-/// Stopped while the motions are made, in the middle of the second part, and there again; then gone on with: the bytes of a run that
-/// nobody disturbed, and no part twice.
+/// Stopped while the motions are made, in the middle of the second part, and there again; then gone
+/// on with: the bytes of a run that nobody disturbed, and no part twice.
 #[test]
 fn a_run_that_was_stopped_goes_on() {
     let (study, rows) = (study("pages = 3\n"), rows(300));
@@ -122,7 +124,8 @@ fn a_run_that_was_stopped_goes_on() {
     assert_eq!((report.resumed, report.computed), (300, 0));
 }
 
-/// A kill leaves finished parts and a manifest that knows them; one that was cut short is made again.
+/// A kill leaves finished parts and a manifest that knows them; one that was cut short is made
+/// again.
 #[test]
 fn a_run_that_was_killed_goes_on() {
     let (study, rows) = (study(""), rows(520));
@@ -172,14 +175,16 @@ fn the_order_of_the_rows_does_not_matter() {
     }
 }
 
-/// With a history that is certain, the shock is lognormal about Eq. (5): P = Σ Φ(ln(a/a_c)/β)/n, β² = (β_k² + β_m²)/4 + β_model².
+/// With a history that is certain, the shock is lognormal about Eq. (5): P = Σ Φ(ln(a/a_c)/β)/n,
+/// β² = (β_k² + β_m²)/4 + β_model².
 #[test]
 fn monte_carlo_against_the_integral() {
     let spread =
         "restitution_spread = 0\ngeometry_spread = 0\nstiffness_spread = 0.3\nmass_spread = 0.2\nmodel_spread = 0.1\n";
     let draws = 4096;
     let text = format!(
-        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ncompliant = false\ndraws = {draws}\nmost_draws = {draws}\n{spread}"
+        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ncompliant = false\ndraws = \
+         {draws}\nmost_draws = {draws}\n{spread}"
     );
     let certain = |tolerance: &str| format!("a,box,1,1500,400,,150,4380,{tolerance},\n");
     let beta = ((0.3f64.powi(2) + 0.2f64.powi(2)) / 4.0 + 0.01).sqrt();
@@ -217,9 +222,11 @@ fn normal_probability(x: f64) -> f64 {
     0.5 + sum * (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt()
 }
 
-/// The larger shock of the box of [`monte_carlo_against_the_integral`] under each motion, by the main job.
+/// The larger shock of the box of [`monte_carlo_against_the_integral`] under each motion, by the
+/// main job.
 fn shocks() -> Vec<f64> {
-    let text = "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\nlevels = [{ name = \"roof\", level_ratio = 1.0 }]\n[objects]\nheights = \"1.5 m\"\nthicknesses = \"400 mm\"\n";
+    let text = "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\nlevels = [{ name = \"roof\", level_ratio = \
+         1.0 }]\n[objects]\nheights = \"1.5 m\"\nthicknesses = \"400 mm\"\n";
     let study = resolve(text, None, Path::new("")).unwrap();
     let result = freestand_study::run::run(&study, &no_progress).unwrap();
     let responses = result.levels[0].responses.iter().map(|row| &row[0]);

@@ -1,5 +1,5 @@
-//! Damaged records: every seed of the fuzz targets, altered in ways in which files do get damaged. Nothing may panic,
-//! hang, or be read into something that is no motion.
+//! Damaged records: every seed of the fuzz targets, altered in ways in which files do get damaged.
+//! Nothing may panic, hang, or be read into something that is no motion.
 
 #![allow(
     clippy::expect_used,
@@ -62,7 +62,8 @@ const READ: &[(&str, &str, &str)] = &[
     ("usc", "uncorrected.v1", "USC V1"),
 ];
 
-/// Families in which a part may be a whole: rows without a number that counts them, and records that end one another.
+/// Families in which a part may be a whole: rows without a number that counts them, and records
+/// that end one another.
 const WITHOUT_COUNT: &[&str] = &["columns"];
 /// Families whose last lines are no acceleration, or that have no lines.
 const OTHER_ENDS: &[&str] = &["columns", "csmip_v2", "geonet", "mseed", "sac", "usc"];
@@ -86,7 +87,8 @@ fn seeds() -> Vec<(String, PathBuf, Vec<u8>)> {
     seeds
 }
 
-/// The same mutations in every run: Knuth's linear congruential generator (TAOCP 2, MMIX), its upper bits.
+/// The same mutations in every run: Knuth's linear congruential generator (TAOCP 2, MMIX), its
+/// upper bits.
 struct Chance(u64);
 
 impl Chance {
@@ -193,7 +195,8 @@ fn every_seed_is_read_as_its_format() {
     assert_eq!(seeds().into_iter().map(named).collect::<Vec<_>>(), expected.collect::<Vec<_>>());
 }
 
-/// Formats that state how many values they have, or how long they last, tell that some of it is missing.
+/// Formats that state how many values they have, or how long they last, tell that some of it is
+/// missing.
 #[test]
 fn part_of_a_file_is_refused() {
     for (family, path, bytes) in seeds() {

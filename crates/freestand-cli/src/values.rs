@@ -10,11 +10,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, Value
 use clap::{Arg, Command};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{self, Dimension};
+pub(crate) use freestand_input::words::{Choices, name_of};
 
 use crate::failure::{Failure, problem};
 
-/// What a flag says, or what is wrong with it. How it is read stands in its definition, see
-/// [`Reads`].
+/// The value of a flag, or what is wrong with it. Its definition says how it is read, see [`Reads`].
 #[derive(Debug, Clone)]
 pub(crate) struct Given<T = f64>(pub(crate) Result<T, Problem>);
 
@@ -35,7 +35,7 @@ where
     }
 }
 
-/// clap's derive asks every type for a reader; that of the definition takes the place of this one.
+/// clap's derive needs a reader for every type; the definition of a flag replaces this one.
 impl<T: Clone + Send + Sync + 'static> ValueParserFactory for Given<T> {
     type Parser = Reader<fn(&str) -> Result<T, Problem>>;
 
@@ -50,54 +50,43 @@ fn named(flag: &str, mut problem: Problem) -> Problem {
     problem
 }
 
-/// How the value of a flag is read: `#[arg(long, positive = Dimension::Length)]`. Its name in the
-/// help is the dimension.
-pub(crate) trait Reads: Sized {
+/// How the value of a flag is read: `#[arg(long, positive = Dimension::Length)]`. The help calls
+/// the value by its dimension.
+pub(crate) trait Reads: Into<Arg> {
     /// By a function; the definition also states the name of the value.
-    fn read<T, F>(self, read: F) -> Self
-    where
-        T: Clone + Send + Sync + 'static,
-        F: Fn(&str) -> Result<T, Problem> + Clone + Send + Sync + 'static;
-
-    /// The name of values of a dimension.
-    fn dimension(self, dimension: Dimension) -> Self;
-
-    /// Any finite value.
-    fn any(self, dimension: Dimension) -> Self {
-        self.dimension(dimension).read(move |text| quantity::parse(text, dimension))
-    }
-
-    /// A value above zero.
-    fn positive(self, dimension: Dimension) -> Self {
-        self.dimension(dimension).read(move |text| quantity::parse_positive(text, dimension, "the value"))
-    }
-
-    /// A value of zero or more.
-    fn non_negative(self, dimension: Dimension) -> Self {
-        self.dimension(dimension).read(move |text| quantity::parse_non_negative(text, dimension, "the value"))
-    }
-
-    /// A grid or a list.
-    fn grid(self, dimension: Dimension) -> Self;
-}
-
-impl Reads for Arg {
-    fn read<T, F>(self, read: F) -> Self
+    fn read<T, F>(self, read: F) -> Arg
     where
         T: Clone + Send + Sync + 'static,
         F: Fn(&str) -> Result<T, Problem> + Clone + Send + Sync + 'static,
     {
-        self.value_parser(Reader(read))
+        self.into().value_parser(Reader(read))
     }
 
-    fn dimension(self, dimension: Dimension) -> Self {
-        self.value_name(value_name(dimension))
+    /// Any finite value.
+    fn any(self, dimension: Dimension) -> Arg {
+        let arg = self.into().value_name(value_name(dimension));
+        arg.read(move |text| quantity::parse(text, dimension))
     }
 
-    fn grid(self, dimension: Dimension) -> Self {
-        self.value_name("GRID").read(move |text| quantity::parse_grid(text, dimension))
+    /// A value above zero.
+    fn positive(self, dimension: Dimension) -> Arg {
+        let arg = self.into().value_name(value_name(dimension));
+        arg.read(move |text| quantity::parse_positive(text, dimension, "the value"))
+    }
+
+    /// A value of zero or more.
+    fn non_negative(self, dimension: Dimension) -> Arg {
+        let arg = self.into().value_name(value_name(dimension));
+        arg.read(move |text| quantity::parse_non_negative(text, dimension, "the value"))
+    }
+
+    /// A grid or a list.
+    fn grid(self, dimension: Dimension) -> Arg {
+        self.into().value_name("GRID").read(move |text| quantity::parse_grid(text, dimension))
     }
 }
+
+impl Reads for Arg {}
 
 /// `LENGTH`, `ANGULAR-VELOCITY`.
 fn value_name(dimension: Dimension) -> String {
@@ -124,9 +113,6 @@ pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
     }
 }
 
-/// Values with their names in flags and what they mean.
-pub(crate) type Choices<T> = &'static [(T, &'static str, &'static str)];
-
 /// One of these values, by its name.
 pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedValueParser<Value = T> {
     let names = choices.iter().map(|(_, name, meaning)| PossibleValue::new(*name).help(*meaning));
@@ -134,11 +120,6 @@ pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedVa
         let known = choices.iter().find(|(_, name, _)| *name == text);
         known.map(|(value, ..)| *value).ok_or("not one of the values")
     })
-}
-
-/// The name of a value, for a default.
-pub(crate) fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
-    choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
 }
 
 /// A command and those below it, whose flags take negative values and whose help ends with the

@@ -1,4 +1,4 @@
-//! The files that results are made from, by their fingerprints.
+//! Input files and their fingerprints.
 
 use std::fmt::Write;
 use std::fs::File;
@@ -19,7 +19,7 @@ pub struct InputFile {
 }
 
 impl InputFile {
-    /// A file of which these are the bytes.
+    /// The file with these bytes.
     pub fn new(path: &Path, bytes: &[u8]) -> Self {
         Self { path: path.to_path_buf(), sha256: sha256_hex(bytes) }
     }
@@ -40,15 +40,16 @@ pub fn sha256_hex(bytes: &[u8]) -> String {
     })
 }
 
-/// Longest file that is read into memory: about a hundred million samples, far beyond any record.
+/// Longest file that is read into memory: about a hundred million samples, more than any record
+/// has.
 const MAX_BYTES: u64 = 2 << 30;
 
-/// The bytes of a file, read once: a pipe has them only once.
+/// The bytes of a file. They are read once, because a pipe can be read only once.
 pub fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     load_up_to(path, MAX_BYTES, "is longer than 2 GiB", "split the record")
 }
 
-/// As [`load`], of a file of another greatest length \[bytes\]; what is said of a longer one, and the remedy.
+/// As [`load`], with another limit of length \[bytes\], and the message and hint for a longer file.
 pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Result<Vec<u8>, Problem> {
     let io = |what: &str, error: &std::io::Error| {
         Problem::new(ProblemKind::Io, format!("{what}: {error}"))
@@ -56,9 +57,9 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
             .hint("check the path and its permissions")
     };
     let file = File::open(path).map_err(|error| io("cannot open the file", &error))?;
-    // Opening a folder succeeds on Unix; only reading it fails, with a message that helps nobody.
+    // On Unix, opening a folder succeeds; only reading it fails, with an unhelpful message.
     if file.metadata().is_ok_and(|data| data.is_dir()) {
-        return Err(Problem::new(ProblemKind::Io, "is a folder; a file is expected")
+        return Err(Problem::new(ProblemKind::Io, "is a folder, not a file")
             .in_file(path)
             .hint("name the record files themselves"));
     }

@@ -1,5 +1,6 @@
-//! What a person wrote, to SI values: quantities with units, located TOML, files with their fingerprints, and everything
-//! that is wrong with an input, each problem with its place and its remedy.
+//! What a person wrote, to SI values: quantities with units, located TOML, files with their
+//! fingerprints, and everything that is wrong with an input, each problem with its place and its
+//! remedy.
 
 pub mod file;
 pub mod keys;

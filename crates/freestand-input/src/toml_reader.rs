@@ -1,4 +1,4 @@
-//! A TOML text and its tables, read value by value: each with its line, and a problem where it is not what the key takes.
+//! Reads a TOML text value by value, each with its line, and collects problems.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{self, Dimension, Unit};
 use crate::words::nearest;
 
-/// A value and the line on which it stands.
+/// A value and its line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Written<T> {
     /// The value.
@@ -31,12 +31,12 @@ pub fn value_problem(message: String) -> Problem {
     Problem::new(ProblemKind::Value, message)
 }
 
-/// A text with every run of white space made one blank.
+/// A text with each run of white space replaced by one blank.
 pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// What stands in the file, for a message.
+/// A value as a message shows it.
 pub fn describe(value: &DeValue) -> String {
     match value {
         DeValue::String(text) => format!("\"{}\"", quantity::shorten(text)),
@@ -58,7 +58,7 @@ pub fn bare_number(value: &DeValue) -> Option<String> {
     }
 }
 
-/// The text, its lines, and what is wrong with it.
+/// Reads the values of a text and collects what is wrong with it.
 pub struct Reader<'s> {
     /// The file, where there is one.
     pub source: Option<&'s Path>,
@@ -83,13 +83,13 @@ impl<'s> Reader<'s> {
 
     /// The keys and values of the text, unless it is not TOML.
     pub fn document<'t>(&mut self, text: &'t str) -> Option<Spanned<DeTable<'t>>> {
-        // An editor's byte order mark is no part of the first key.
+        // A byte-order mark does not belong to the first key.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         self.set_text(text);
         let (document, errors) = DeTable::parse_recoverable(text);
         for error in errors {
             let line = error.span().map(|span| self.line_of(span.start));
-            // What else is wrong with the same line follows from the first.
+            // Further errors on the same line follow from the first.
             if self.problems.problems.last().is_some_and(|last| last.line == line) {
                 continue;
             }
@@ -101,7 +101,7 @@ impl<'s> Reader<'s> {
             };
             self.note(line, problem.hint(hint));
         }
-        // In a text that is not TOML the rest may be rubbish: do not bury the cause under its consequences.
+        // In a text that is not TOML, other problems would only be consequences.
         self.problems.is_empty().then_some(document)
     }
 
@@ -110,7 +110,8 @@ impl<'s> Reader<'s> {
         self.line_starts.partition_point(|&start| start <= byte)
     }
 
-    /// Adds a problem of the file, at a line where that is known; it names the keys as the file does.
+    /// Adds a problem of the file, at a line where that is known; it names the keys as the file
+    /// does.
     pub fn note(&mut self, line: Option<usize>, problem: Problem) {
         let problem = line.into_iter().fold(problem.shown(KeyStyle::File), Problem::at_line);
         self.problems.push(self.source.into_iter().fold(problem, Problem::in_file));
@@ -179,7 +180,7 @@ pub fn key_suffix(unit: &Unit) -> String {
     unit.symbol.to_lowercase().replace(['/', '·'], "_")
 }
 
-/// A table being read, and the keys that were asked for.
+/// A table being read, and the keys that are known.
 pub struct Section<'t, 'i> {
     /// Name of the table; empty for the document.
     pub name: &'static str,
@@ -187,14 +188,14 @@ pub struct Section<'t, 'i> {
     pub entries: &'t DeTable<'i>,
     /// Line of its heading.
     pub line: usize,
-    /// Keys that were asked for.
+    /// Known keys.
     pub known: Vec<&'static str>,
-    /// Keys that were there, as written.
+    /// Keys that were found, as written.
     pub taken: Vec<String>,
 }
 
 impl<'t, 'i> Section<'t, 'i> {
-    /// A table of which nothing has been read.
+    /// A table before reading.
     pub fn new(name: &'static str, entries: &'t DeTable<'i>, line: usize) -> Self {
         Self { name, entries, line, known: Vec::new(), taken: Vec::new() }
     }
@@ -302,7 +303,7 @@ impl<'t, 'i> Section<'t, 'i> {
         reader.ratio_value(key, value, line)
     }
 
-    /// The key, or the key with a unit at its end; both at once contradict each other.
+    /// The value of the key, or of the key with a unit at its end; both together are refused.
     pub fn take_with_unit(
         &mut self,
         reader: &mut Reader,
@@ -313,7 +314,8 @@ impl<'t, 'i> Section<'t, 'i> {
         for unit in dimension.units() {
             let stated = format!("{key}_{}", key_suffix(unit));
             let Some((name, value)) = self.entry(&stated) else { continue };
-            // N/mm and kN/m share no suffix, but two spellings of one unit would be seen twice here.
+            // N/mm and kN/m share no suffix, but two spellings of one unit would be seen twice
+            // here.
             if self.taken.contains(&stated) {
                 continue;
             }
@@ -335,7 +337,7 @@ impl<'t, 'i> Section<'t, 'i> {
         reader.quantity_value(&name, value, line, dimension, unit)
     }
 
-    /// A grid text, a list of quantities, or one; of bare numbers where the key states the unit.
+    /// A grid text, a list of quantities or one quantity; bare numbers if the key states the unit.
     pub fn grid(&mut self, reader: &mut Reader, key: &'static str, dimension: Dimension) -> Option<Written<Vec<f64>>> {
         let (name, value, line, unit) = self.take_with_unit(reader, key, dimension)?;
         match (value, unit) {
@@ -362,7 +364,7 @@ impl<'t, 'i> Section<'t, 'i> {
         }
     }
 
-    /// Refuses the keys that nobody asked for.
+    /// Refuses unknown keys.
     pub fn finish(self, reader: &mut Reader) {
         for (name, value) in self.entries {
             let key = name.get_ref().as_ref();

@@ -1,11 +1,13 @@
-//! [`Words`] read key by key: each value, and a problem under its key where it is not what the key takes.
+//! [`Words`] read key by key: each value, and a problem under its key where it is not what the key
+//! takes.
 
 use crate::keys::Words;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Dimension, parse, parse_grid, shorten};
 use crate::words::nearest;
 
-/// Words, and what is wrong with them so far. Where a method returns nothing, the key is missing or its value is wrong.
+/// Words, and what is wrong with them so far. Where a method returns nothing, the key is missing or
+/// its value is wrong.
 #[derive(Debug)]
 pub struct WordReader<'w> {
     /// What was written.

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-/// A number with `digits` significant digits: `300.0`, `1.500`, `1.50e-5`; an exponent only where the plain form would be
-/// long, `–` where it is not finite.
+/// A number with `digits` significant digits: `300.0`, `1.500`, `1.50e-5`; with an exponent only if
+/// the plain form would be long; `–` if it is not finite.
 pub fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
@@ -30,7 +30,7 @@ pub fn number(value: f64, digits: usize) -> String {
     power.map_or_else(|| mantissa.to_owned(), |power| format!("{mantissa}e{power}"))
 }
 
-/// A number with a fixed count of decimals; `–` where it is not finite.
+/// A number with a fixed number of decimals; `–` if it is not finite.
 pub fn fixed(value: f64, decimals: usize) -> String {
     if value.is_finite() { format!("{value:.decimals$}") } else { "–".to_owned() }
 }
@@ -45,9 +45,13 @@ pub fn percent_significant(share: f64, digits: usize) -> String {
     format!("{} %", number(100.0 * share, digits))
 }
 
-/// A count with its noun, which takes an s but for one: `1 motion`, `20 motions`.
+/// A count with its noun in singular or plural: `1 motion`, `20 motions`, `3 entries`.
 pub fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+    match noun.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u'])) {
+        _ if count == 1 => format!("{count} {noun}"),
+        Some(stem) => format!("{count} {stem}ies"),
+        None => format!("{count} {noun}s"),
+    }
 }
 
 /// A number of a CSV: the shortest text that reads back as `value`.
@@ -57,10 +61,19 @@ pub fn shortest(value: f64) -> String {
     text
 }
 
-/// The shortest text that reads back as `value`; plain where that is short. (Writing to a `String` cannot fail.)
+/// The shortest text that reads back as `value`; without an exponent if that is short. (Writing to
+/// a `String` cannot fail.)
 pub fn push_shortest(out: &mut String, value: f64) {
     let size = value.abs();
     let _ = if size == 0.0 || (1e-5..1e16).contains(&size) { write!(out, "{value}") } else { write!(out, "{value:e}") };
+}
+
+/// Values with their names in inputs and outputs, and what they mean.
+pub type Choices<T> = &'static [(T, &'static str, &'static str)];
+
+/// The name of one of these values.
+pub fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
+    choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
 }
 
 /// The candidate that a mistyped word most likely meant: at most a third of its letters differ.
@@ -73,7 +86,8 @@ pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     (3 * distance <= word.chars().count().max(best.chars().count())).then_some(best)
 }
 
-/// Levenshtein distance with transpositions counted as two; words are short, so the plain table does.
+/// Levenshtein distance; a transposition counts as two. Words are short, so a plain table is fast
+/// enough.
 pub fn edit_distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
@@ -115,6 +129,12 @@ mod tests {
     fn rounding_up_a_decade_adds_no_digit() {
         assert_eq!((significant(9.99996, 4), significant(0.0999999, 3)), ("10.00".to_owned(), "0.100".to_owned()));
         assert_eq!((significant(2.7835e-5, 4), significant(4.38e6, 3)), ("2.784e-5".to_owned(), "4380000".to_owned()));
+    }
+
+    #[test]
+    fn nouns_follow_their_count() {
+        let found = [(1, "entry"), (2, "entry"), (0, "motion"), (30, "storey")].map(|(n, noun)| counted(n, noun));
+        assert_eq!(found, ["1 entry", "2 entries", "0 motions", "30 storeys"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
-//! Output that is either complete or not there: nothing half-written is ever found under the name that was asked for.
+//! Output that is either complete or absent: an incomplete file never has its final name.
 
 use crate::paths::{
-    STAGING_PREFIX, clear_leftovers, io_problem, no_name, prefix_beside, real_path, refuse_input, staging_prefix,
+    STAGING_PREFIX, clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input, staging_prefix,
 };
 use crate::streamed::StreamedFile;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -12,57 +12,60 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use tempfile::TempDir;
 
-/// Files by which we know a folder as ours.
+/// A folder with one of these files was written by freestand.
 const MANIFESTS: [&str; 2] = [MANIFEST, "summary.json"];
 
 /// The manifest of most commands.
 pub const MANIFEST: &str = "manifest.json";
 
-/// Schema of a manifest of files that are not all in their place.
+/// Schema of the manifest of an incomplete folder.
 const INCOMPLETE: &str = "freestand.incomplete/1";
 
-/// Most of a manifest that is read to see whose it is. Ours are far shorter; a stranger's may be of any size.
+/// The longest manifest that is read. Ours are far shorter; other files of that name may be of any
+/// size.
 const MANIFEST_BYTES: u64 = 64 << 20;
 
 const ANOTHER_FOLDER: &str = "name another folder with `out`";
 
-/// Writes a file under a temporary name beside `path`, then gives it its name. A file that was there is replaced; if
-/// anything fails it stays as it was. No file of `inputs` is replaced.
+/// Writes a file under a temporary name next to `path`, then renames it. An existing file is
+/// replaced; if anything fails, it stays as it was. Files in `inputs` are never replaced.
 ///
 /// # Errors
-/// A folder that is absent or may not be written, a full disk, or a folder in the file's place.
+/// A folder that does not exist or is not writable, a full disk, or a folder with the file's name.
 pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), Problem> {
     let mut file = StreamedFile::begin(path, inputs)?;
     file.write(bytes)?;
     file.finish()
 }
 
-/// An output folder in the making. Everything is written to a staging folder first, and moves to the target on
-/// [`commit`](OutputFolder::commit); dropped without it, the staging folder goes and the target is as it was.
+/// An output folder before it is complete. Files are written to a staging folder and move to the
+/// target on [`commit`](OutputFolder::commit). Dropped without a commit, it removes the staging
+/// folder and leaves the target unchanged.
 ///
-/// A manifest in the target lists the files of an earlier run. Those, and only those, are replaced.
+/// A manifest in the target lists the files of an earlier run. Only those are replaced.
 #[derive(Debug)]
 pub struct OutputFolder {
     target: PathBuf,
     /// Removed when dropped, unless it became the target.
     staging: TempDir,
     force: bool,
-    /// What the work was read from, and so must outlive it.
+    /// The inputs, which must not be replaced.
     inputs: Vec<PathBuf>,
-    /// Held while we live, so that nobody takes the staging folder for a leftover.
+    /// Held so that no other process takes the staging folder for a leftover.
     _lock: Option<fs::File>,
 }
 
 impl OutputFolder {
-    /// Begins a folder that will be `target`. `force` allows to write into a folder with files that are not ours; they
-    /// stay, but for those that have the names of ours. No file of `inputs` is replaced, whatever is allowed.
+    /// Begins a folder that will become `target`. `force` allows writing into a folder with other
+    /// files; those stay, except for files with the names of ours. Files in `inputs` are never
+    /// replaced.
     ///
     /// # Errors
-    /// A file in the target's place, a target with content that is not ours (without `force`), a folder that may not be
-    /// written, or an input among the files to be replaced. All this is found now, before hours of work, and again on
-    /// commit.
+    /// A file with the target's name, a target with other content (without `force`), a folder that
+    /// is not writable, or an input among the files to replace. These are checked here, before
+    /// hours of work, and again on commit.
     pub fn stage(target: &Path, force: bool, inputs: &[PathBuf]) -> Result<Self, Problem> {
-        // "out/." and "out/.." have no name that a sibling could be made from; absolute paths settle "." too.
+        // "out/." and "out/.." do not end in a name; an absolute path does.
         let target = real_path(&absolute(target)?);
         let parent = target.parent().ok_or_else(|| no_name(&target))?;
         clear_leftovers(&target, false);
@@ -71,11 +74,12 @@ impl OutputFolder {
         for name in place.listed() {
             refuse_input(&inputs, &target.join(name), ANOTHER_FOLDER)?;
         }
-        // A folder that exists may be a mount point, or stand where nothing else may be written: we stay inside it.
+        // An existing folder may be a mount point, or its parent may not be writable: we stay
+        // inside it.
         let (folder, prefix) = match place {
             Place::Absent => {
                 fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot create the folder", &error))?;
-                (parent, prefix_beside(&target).ok_or_else(|| no_name(&target))?)
+                (parent, prefix_next_to(&target).ok_or_else(|| no_name(&target))?)
             }
             Place::Folder { .. } => (target.as_path(), staging_prefix().into()),
         };
@@ -88,10 +92,11 @@ impl OutputFolder {
         Ok(Self { target, staging, force, inputs, _lock: lock })
     }
 
-    /// Whether files of these names may be put into the folder. To be asked before long work.
+    /// Checks whether files with these names may be put into the folder; to be called before long
+    /// work.
     ///
     /// # Errors
-    /// A name that would replace an input, or (without `force`) a file that is not ours.
+    /// A name that would replace an input or, without `force`, a file that freestand did not write.
     pub fn check(&self, names: &[String]) -> Result<(), Problem> {
         let place = check_replaceable(&self.target, self.force)?;
         for name in names {
@@ -136,7 +141,7 @@ impl OutputFolder {
     /// A name that leaves the folder or was begun before, or a disk that is full.
     pub fn begin(&self, name: &str) -> Result<StreamedFile, Problem> {
         let path = self.path_of(name)?;
-        // Errors name the place that the user knows, not the staging folder.
+        // Errors name the final place, not the staging folder.
         let target = self.target.join(name);
         let failed = |error: io::Error| io_problem(&target, "cannot write the file", &error);
         if let Some(parent) = path.parent() {
@@ -162,7 +167,8 @@ impl OutputFolder {
         Ok(self.staging.path().join(name))
     }
 
-    /// Where a file of the folder is until the commit, its folders made: for one that is linked rather than written.
+    /// Where a file of the folder is until the commit, with its folders created: for a file that is
+    /// linked, not written.
     ///
     /// # Errors
     /// A name that leaves the folder, or a disk that is full.
@@ -176,7 +182,7 @@ impl OutputFolder {
     /// The names of the files that were written so far, sorted, with `/` between folder and file.
     ///
     /// # Errors
-    /// A staging folder that somebody has taken away.
+    /// A staging folder that was removed.
     pub fn names(&self) -> Result<Vec<String>, Problem> {
         let mut names = Vec::new();
         collect_names(self.staging.path(), "", &mut names)
@@ -185,11 +191,12 @@ impl OutputFolder {
         Ok(names)
     }
 
-    /// Puts the files in their place and returns the folder's path.
+    /// Moves the files into place and returns the path of the folder.
     ///
     /// # Errors
-    /// As [`stage`](OutputFolder::stage), if the target has changed since; it is then as it was. Where a file cannot be
-    /// moved although all that was checked, the manifest says that the folder is incomplete, and lists what is ours.
+    /// As [`stage`](OutputFolder::stage), if the target has changed since; it is then left as it
+    /// was. If a file cannot be moved in spite of these checks, the manifest says that the folder
+    /// is incomplete and lists our files.
     pub fn commit(mut self) -> Result<PathBuf, Problem> {
         let names = self.names()?;
         self.check(&names)?;
@@ -204,7 +211,7 @@ impl OutputFolder {
         Ok(self.target.clone())
     }
 
-    /// Replaces the files of an earlier run by ours, the manifest last.
+    /// Replaces the files of an earlier run, the manifest last.
     fn move_in(&self, names: &[String], listed: &BTreeSet<String>) -> Result<(), Problem> {
         let failed = |name: &str, error: io::Error| {
             io_problem(&self.target.join(name), "cannot move the file into place; the output is incomplete", &error)
@@ -212,7 +219,8 @@ impl OutputFolder {
         let (manifests, others): (Vec<&String>, Vec<&String>) =
             names.iter().partition(|name| MANIFESTS.contains(&name.as_str()));
         if let Some(manifest) = manifests.first() {
-            // Until all is in place, whoever looks (the next run, too) sees old and new as ours and incomplete.
+            // Until all files are in place, this manifest lists old and new files and says that the
+            // folder is incomplete.
             let all: BTreeSet<&String> = names.iter().chain(listed).collect();
             let text = serde_json::json!({"schema": INCOMPLETE, "files": all}).to_string();
             let marker = self.staging.path().join(".incomplete");
@@ -234,8 +242,8 @@ impl OutputFolder {
     }
 }
 
-/// Begins a long run in `target` itself: the folder is made, and its manifest says that files of these `names` are ours too, so that
-/// whatever a kill leaves is known again.
+/// Begins a long run in `target` itself. The folder is created, and its manifest lists these
+/// `names` too, so that the files of a killed run are recognised.
 ///
 /// # Errors
 /// As [`OutputFolder::stage`].
@@ -251,11 +259,11 @@ pub fn announce(target: &Path, force: bool, names: &[String]) -> Result<(), Prob
     write_file(&target.join(MANIFEST), text.as_bytes(), &[])
 }
 
-/// What stands where the output folder is to be.
+/// What is at the place of the output folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Place {
     Absent,
-    /// A folder that we may write into, with the files of it that are ours.
+    /// A folder that we may write into, and which of its files freestand wrote.
     Folder {
         listed: BTreeSet<String>,
     },
@@ -289,12 +297,13 @@ fn collect_names(folder: &Path, prefix: &str, names: &mut Vec<String>) -> io::Re
     Ok(())
 }
 
-/// Whether a name can only be that of something below the folder that it is joined to.
+/// Whether a name, joined to a folder, stays below that folder.
 fn stays_inside(name: &str) -> bool {
     !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
 }
 
-/// Removes a file that a manifest lists, and the folders that it leaves empty. What is gone already is no error.
+/// Removes a file that a manifest lists, and folders that become empty. A missing file is not an
+/// error.
 fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
     match fs::remove_file(target.join(name)) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
@@ -308,7 +317,7 @@ fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether `target` may become our output folder, and what of it is ours.
+/// Whether `target` may become our output folder, and which of its files freestand wrote.
 fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     let data = match fs::symlink_metadata(target) {
         Ok(data) => data,
@@ -334,8 +343,8 @@ fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
         .hint("name another folder with `out`, or add to this one with `force = true`"))
 }
 
-/// The files that a manifest of ours lists, itself included; `None` if it is not ours. A manifest is a text that anybody
-/// can write: a name that leaves the folder, or passes through a link, is not believed.
+/// The files that a manifest lists, and the manifest itself; `None` if freestand did not write it.
+/// Anybody can write a manifest: names that leave the folder or pass through a link are ignored.
 fn listed_files(target: &Path, manifest: &str) -> Option<BTreeSet<String>> {
     let path = target.join(manifest);
     let small = fs::metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= MANIFEST_BYTES);
@@ -450,7 +459,7 @@ mod tests {
         fs::write(target.join("thesis.doc"), "years of work").unwrap();
         assert!(folder.commit().is_err());
         assert_eq!((names(&target), names(parent.path())), (vec!["thesis.doc".to_owned()], vec!["out".to_owned()]));
-        // With --force we move in beside it, and replace only what has our names.
+        // With force we add our files and replace only those with our names.
         fs::create_dir(target.join("motions")).unwrap();
         fs::write(target.join("motions/mine.csv"), "mine").unwrap();
         fs::write(target.join("a"), "old").unwrap();
@@ -597,7 +606,8 @@ mod tests {
         drop(OutputFolder::stage(&target, false, &[]).unwrap());
         let left = names(parent.path());
         assert!(!left.contains(&dead.to_owned()) && left.len() == others.len() + 1, "{left:?}");
-        // Inside a target that exists they make no content of it, and a lock protects whoever has another kernel's view.
+        // Inside a target that exists they make no content of it, and a lock protects whoever has
+        // another kernel's view.
         for name in [".freestand-partial-4194999-0", ".freestand-partial-4194998-0"] {
             fs::create_dir_all(target.join(name)).unwrap();
         }

@@ -1,5 +1,5 @@
-//! The skeleton of a report and pieces of HTML. Everything that is called `html` here is markup
-//! already; everything called `text` is escaped.
+//! The skeleton of a report and pieces of HTML. Arguments called `html` are markup
+//! already; those called `text` are escaped here.
 
 /// How every report looks on a screen.
 const SCREEN_CSS: &str = include_str!("style.css");
@@ -59,7 +59,7 @@ pub fn markup(html: String, class: &'static str) -> Cell {
 }
 
 impl Cell {
-    /// The same over several columns.
+    /// The same cell across several columns.
     pub fn over(mut self, columns: usize) -> Self {
         self.columns = columns;
         self
@@ -88,7 +88,7 @@ pub fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> Strin
     classed_table("plain", caption, headings, rows)
 }
 
-/// The same with a look of its own.
+/// The same with a style class.
 pub fn classed_table(class: &str, caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
     let mut html = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">");
     if !caption.is_empty() {
@@ -140,7 +140,7 @@ pub fn list<S: AsRef<str>>(items: &[S]) -> String {
     html
 }
 
-/// A section with its heading, which links lead to.
+/// A section with its heading; `id` is the target of links.
 pub fn section(id: &str, heading: &str, html: &str) -> String {
     format!("<section id=\"{id}\">\n<h2>{}</h2>\n{html}</section>\n", escape(heading))
 }
@@ -150,7 +150,8 @@ pub fn heading(text: &str) -> String {
     format!("<h3>{}</h3>\n", escape(text))
 }
 
-/// Text for HTML: between tags and in quoted attributes. Characters that no document may hold are left out.
+/// Text for HTML: between tags and in quoted attributes. Characters that are not allowed in a
+/// document are left out.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

@@ -4,10 +4,11 @@ use freestand_input::{Problem, ProblemKind};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// One JSON document: the keys of `body` between `schema` and `warnings`; a number that is not finite is `null`.
+/// One JSON document: the keys of `body` between `schema` and `warnings`; a number that is not
+/// finite is `null`.
 ///
 /// # Errors
-/// A body that is no JSON: a defect.
+/// A body that is not JSON: a defect.
 pub fn document<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<String, Problem> {
     let not_json = |error: serde_json::Error| {
         Problem::new(ProblemKind::Computation, format!("the result is not JSON: {error}"))

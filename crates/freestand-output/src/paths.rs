@@ -10,20 +10,21 @@ use freestand_input::{Problem, ProblemKind};
 /// The name of a staging folder inside a target that exists begins with this.
 pub const STAGING_PREFIX: &str = ".freestand-partial-";
 
-/// `PREFIX` with our process number. tempfile adds random letters, so that no two threads share a name.
+/// `PREFIX` with our process number. tempfile adds random letters, so that no two threads share a
+/// name.
 pub fn staging_prefix() -> String {
     format!("{STAGING_PREFIX}{}-", std::process::id())
 }
 
-/// `.NAME.partial-` with our process number, for a file or folder beside `path`. It is on the same file system, so that
-/// the target appears in one step.
-pub fn prefix_beside(path: &Path) -> Option<OsString> {
-    let mut prefix = beginning_beside(path)?;
+/// `.NAME.partial-` with our process number, for a file or folder next to `path`. It is on the same
+/// file system, so that the target appears in one step.
+pub fn prefix_next_to(path: &Path) -> Option<OsString> {
+    let mut prefix = beginning_next_to(path)?;
     prefix.push(format!("{}-", std::process::id()));
     Some(prefix)
 }
 
-fn beginning_beside(path: &Path) -> Option<OsString> {
+fn beginning_next_to(path: &Path) -> Option<OsString> {
     let mut beginning = OsString::from(".");
     beginning.push(path.file_name()?);
     beginning.push(".partial-");
@@ -32,10 +33,10 @@ fn beginning_beside(path: &Path) -> Option<OsString> {
 
 /// Removes what killed runs left for `target`: staging folders, or temporary `files`.
 ///
-/// A leftover is removed if its process is gone and its lock is free. Either alone is not enough: processes in other
-/// containers are not visible here, and not every file system has locks.
+/// A leftover is removed if its process is gone and its lock is free. Either alone is not enough:
+/// processes in other containers are not visible here, and not every file system has locks.
 pub fn clear_leftovers(target: &Path, files: bool) {
-    let places = [(Some(target), Some(STAGING_PREFIX.into())), (target.parent(), beginning_beside(target))];
+    let places = [(Some(target), Some(STAGING_PREFIX.into())), (target.parent(), beginning_next_to(target))];
     for (folder, beginning) in places {
         let (Some(folder), Some(beginning)) = (folder, beginning) else { continue };
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {

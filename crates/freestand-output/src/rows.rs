@@ -48,7 +48,7 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     let mut header = Vec::new();
     let mut rows = Vec::with_capacity(records.len());
     for record in records {
-        // The csv crate would write its own numbers, `0.0` and `1e16`.
+        // Left to itself, the csv crate writes numbers as `0.0` and `1e16`.
         let Ok(Value::Object(fields)) = serde_json::to_value(record) else {
             return Err(Problem::new(ProblemKind::Io, "a table cannot be written: its records have no fields"));
         };

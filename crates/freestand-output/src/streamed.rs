@@ -1,4 +1,5 @@
-//! Output that is too long for memory: a file that grows under a temporary name, and a document of rows in pieces.
+//! Output that does not fit in memory: a file that grows under a temporary name, and a document of
+//! rows in pieces.
 
 use std::fs;
 use std::io::{self, Write};
@@ -9,11 +10,11 @@ use serde_json::json;
 use tempfile::TempPath;
 
 use crate::json::document;
-use crate::paths::{clear_leftovers, io_problem, no_name, prefix_beside, real_path, refuse_input};
+use crate::paths::{clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input};
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// A file in the making. It has its name only after [`finish`](StreamedFile::finish); dropped before, it is gone, and
-/// what stood in its place is as it was.
+/// A file before it is complete. It gets its name on [`finish`](StreamedFile::finish). Dropped
+/// before that, it is removed, and an existing file of that name stays as it was.
 #[derive(Debug)]
 pub struct StreamedFile {
     file: io::BufWriter<fs::File>,
@@ -25,10 +26,11 @@ pub struct StreamedFile {
 }
 
 impl StreamedFile {
-    /// Begins the file that will be `path`, under a temporary name beside it. No file of `inputs` is replaced.
+    /// Begins the file that will become `path`, under a temporary name next to it. Files in
+    /// `inputs` are never replaced.
     ///
     /// # Errors
-    /// A folder that is absent or may not be written, a folder in the file's place, or an input.
+    /// A folder that does not exist or is not writable, a folder with the file's name, or an input.
     pub fn begin(path: &Path, inputs: &[PathBuf]) -> Result<Self, Problem> {
         let inputs: Vec<PathBuf> = inputs.iter().filter_map(|input| fs::canonicalize(input).ok()).collect();
         refuse_input(&inputs, path, "name another file to write")?;
@@ -38,32 +40,33 @@ impl StreamedFile {
                 .in_file(path)
                 .hint("name a file"));
         }
-        // A device such as /dev/null or a pipe is written into, not replaced by a file.
+        // A device such as /dev/null, or a pipe, is written to, not replaced by a file.
         if fs::metadata(path).is_ok_and(|data| !data.is_file()) {
             let device = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
             return Ok(Self::of(device, path));
         }
-        // A link stays a link: the file that it names is the one to replace.
+        // A link stays a link: its target is replaced.
         let target = std::path::absolute(real_path(path)).map_err(failed)?;
-        let (prefix, folder) = prefix_beside(&target).zip(target.parent()).ok_or_else(|| no_name(path))?;
+        let (prefix, folder) = prefix_next_to(&target).zip(target.parent()).ok_or_else(|| no_name(path))?;
         clear_leftovers(&target, true);
-        // Created by us, the file has the permissions that the user's umask leaves; tempfile's own has 0600.
+        // Created by us, the file has the permissions that the user's umask leaves; tempfile's own
+        // has 0600.
         let temporary = tempfile::Builder::new().prefix(&prefix).make_in(folder, |path| fs::File::create_new(path));
         let (file, temporary) = temporary.map_err(failed)?.into_parts();
-        // Locked while we write, so that nobody takes it for a leftover. Where files cannot be locked, the process
-        // number says whose it is.
+        // Locked while we write, so that nobody takes it for a leftover. Where files cannot be
+        // locked, the process number says whose it is.
         let _ = file.try_lock();
         let mut file = Self::of(file, path);
         file.rename = Some((temporary, target));
         Ok(file)
     }
 
-    /// A file that is written where it stands; `path` is its name in messages.
+    /// A file that is written in its final place; `path` is its name in messages.
     pub fn of(file: fs::File, path: &Path) -> Self {
         Self { file: io::BufWriter::with_capacity(1 << 16, file), path: path.to_path_buf(), rename: None }
     }
 
-    /// Appends, and hands everything to the system: a disk that is full is met here, before what is said of it elsewhere.
+    /// Appends and flushes, so that a full disk is reported here.
     ///
     /// # Errors
     /// A disk that is full.
@@ -100,13 +103,13 @@ pub fn rows_head(schema: &str) -> Result<String, Problem> {
 /// What follows the last row: the other keys of the body, and the warnings.
 ///
 /// # Errors
-/// A body that is no JSON: a defect.
+/// A body that is not JSON: a defect.
 pub fn rows_tail<T: Serialize>(schema: &str, others: &T, warnings: &[String]) -> Result<String, Problem> {
     let (_, tail) = split(schema, others, warnings)?;
     Ok(format!("\n  ],\n{tail}"))
 }
 
-/// A document before and behind the end of its `schema`.
+/// A document, split after its `schema`.
 fn split<T: Serialize>(schema: &str, body: &T, warnings: &[String]) -> Result<(String, String), Problem> {
     let text = document(schema, body, warnings)?;
     // The first line is the brace, the second the schema; a line end within a text is escaped.
@@ -139,7 +142,8 @@ mod tests {
         file.write(b"after").unwrap();
         file.finish().unwrap();
         assert_eq!((names(folder.path()), fs::read(&path).unwrap()), (vec!["rows.csv".into()], b"after".to_vec()));
-        // Of a process that was killed, and of one that runs: no process has a number above 2^22, and 1 always runs.
+        // Of a process that was killed, and of one that runs: no process has a number above 2^22,
+        // and 1 always runs.
         for process in [4_194_999, 1] {
             fs::write(folder.path().join(format!(".rows.csv.partial-{process}-0")), "left").unwrap();
         }

@@ -18,7 +18,7 @@ pub struct HorizontalMotion {
 
 impl HorizontalMotion {
     /// The component in a direction counted from the first one towards the second \[degrees\]:
-    /// `a₁ cos θ + a₂ sin θ`. Without a second component, the first whatever the direction.
+    /// `a₁ cos θ + a₂ sin θ`. Without a second component, the first one in every direction.
     ///
     /// # Errors
     /// Samples that overflow.
@@ -35,7 +35,8 @@ impl HorizontalMotion {
         Motion::new(self.along.dt_s(), samples.collect()).map(Cow::Owned)
     }
 
-    /// Largest velocity, from rest by the trapezoid rule; of two components, in whatever direction it is \[m/s\].
+    /// Largest velocity, from rest by the trapezoid rule; of two components, the largest in any
+    /// direction \[m/s\].
     pub fn peak_velocity_m_s(&self) -> f64 {
         let velocity = |motion: &Motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
         let along = velocity(&self.along);
@@ -53,7 +54,8 @@ impl HorizontalMotion {
         }
     }
 
-    /// Largest acceleration at the samples; of two components, in whatever direction it is \[m/s²\].
+    /// Largest acceleration at the samples; of two components, the largest in any direction
+    /// \[m/s²\].
     pub fn peak_m_s2(&self) -> f64 {
         match &self.across {
             None => self.along.peak_m_s2(),

@@ -1,4 +1,5 @@
-//! Ground and floor motions from strong-motion records: read, processed and written. Also other tables that come as text.
+//! Ground and floor motions from strong-motion records: read, processed and written. Also other
+//! tables that come as text.
 //!
 //! ```text
 //! text <- motion_file <- formats <- horizontal, processing      text <- tables

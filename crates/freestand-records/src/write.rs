@@ -1,4 +1,4 @@
-//! Motions as text that others, and we, can read back.
+//! Writes motions as text that this program and others can read.
 
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
@@ -26,7 +26,8 @@ pub fn write_csv(motion: &Motion) -> String {
     out
 }
 
-/// Two components of one length and step: `time_s,along_m_s2,across_m_s2`, numbers as in [`write_csv`].
+/// Two components of one length and step: `time_s,along_m_s2,across_m_s2`, numbers as in
+/// [`write_csv`].
 ///
 /// # Example
 /// ```
@@ -53,7 +54,8 @@ pub fn write_pair_csv(along: &Motion, across: &Motion) -> String {
 /// PEER AT2 in g: four header lines, five values a line.
 ///
 /// # Limitation
-/// AT2 prints 8 significant digits: a value read back differs by up to 5·10⁻⁸ of itself. Use CSV to keep every bit.
+/// AT2 prints 8 significant digits: a value read back differs by up to 5·10⁻⁸ of itself. Use CSV to
+/// keep every bit.
 pub fn write_at2(motion: &Motion, title: &str) -> String {
     // The title is one line of ASCII: Fortran readers count lines and bytes.
     let title: String =
@@ -75,7 +77,7 @@ pub fn write_at2(motion: &Motion, title: &str) -> String {
     out
 }
 
-/// Width 16, so that a blank stands before `-1.2345678E-101` too.
+/// Width 16 leaves a blank before `-1.2345678E-101` too.
 fn push_e15_7(out: &mut String, value: f64) {
     let text = format!("{value:.7e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

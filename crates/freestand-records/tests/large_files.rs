@@ -1,5 +1,6 @@
-//! Files of 100 MB that hold nothing, and records of ten million samples: read or refused in bounded time and memory.
-//! What it took is printed; a limit on time would fail on a busy machine, so a reader that does not end is what fails.
+//! Files of 100 MB that hold nothing, and records of ten million samples: read or refused in
+//! bounded time and memory. What it took is printed; a limit on time would fail on a busy machine,
+//! so a reader that does not end is what fails.
 
 #![allow(
     clippy::expect_used,
@@ -61,9 +62,9 @@ fn large_files_end() {
         ("zeros", || vec![0; BYTES], "binary file"),
         ("random bytes", || random_bytes(&Vec::from_iter(0..=255)), "binary file"),
         ("random digits and line ends", || random_bytes(DIGITS), "is not a number"),
-        ("one line of digits", || vec![b'7'; BYTES], "no row of a table"),
-        ("one line of numbers", || b" 1.25".repeat(BYTES / 5), "no row of a table"),
-        ("one line of letters", || vec![b'x'; BYTES], "no row of a table"),
+        ("one line of digits", || vec![b'7'; BYTES], "not a row of a table"),
+        ("one line of numbers", || b" 1.25".repeat(BYTES / 5), "not a row of a table"),
+        ("one line of letters", || vec![b'x'; BYTES], "not a row of a table"),
         ("line ends", || vec![b'\n'; BYTES], "empty"),
         ("comments", || b"#\n".repeat(BYTES / 2), "no row of numbers"),
     ];
@@ -103,7 +104,8 @@ fn large_files_end() {
 /// Of 26 MB: making the bytes takes longer than reading them.
 const CHANNELS: usize = 50_000;
 
-/// A record repeated: every one of them is looked at, and all of them are one record that stands there often.
+/// A record repeated: every one of them is looked at, and all of them are one record that stands
+/// there often.
 #[test]
 fn two_hundred_thousand_records_end() {
     let told = ReadOptions { unit: Some("g".to_owned()), ..ReadOptions::default() };
@@ -138,7 +140,7 @@ fn ten_million_counts_are_read() {
 }
 
 #[test]
-#[ignore = "takes as long as all others together: cargo test -p freestand-study --test large_files -- --ignored"]
+#[ignore = "takes as long as all others together: cargo test -p freestand-records --test large_files -- --ignored"]
 fn ten_million_rows_are_read() {
     let mut text = String::from("time [s],a [g]\n");
     for i in 0..SAMPLES {

@@ -1,5 +1,6 @@
-//! Recorded motions against facts that were found by other means. The records belong to others and are not shipped: the
-//! tests read them where they are at hand (`FREESTAND_SHARED`, else `../shared` beside the workspace) and say so if not.
+//! Recorded motions against facts that were found by other means. The records belong to others and
+//! are not shipped: the tests read them where they are at hand (`FREESTAND_SHARED`, else
+//! `../shared` beside the workspace) and say so if not.
 
 #![allow(
     clippy::expect_used,
@@ -100,7 +101,8 @@ fn records_agree_with_their_facts() {
     assert!(esm.notes.is_empty() && geonet.notes.is_empty(), "{:?} {:?}", esm.notes, geonet.notes);
 }
 
-/// Counts with the instrument's offset in them: as they are read, and about their mean as they are used.
+/// Counts with the instrument's offset in them: as they are read, and about their mean as they are
+/// used.
 #[test]
 fn counts_agree_with_their_facts() {
     let Some(shared) = shared() else { return };
@@ -153,7 +155,8 @@ fn channels_of_the_caltech_family_are_named() {
     }
 }
 
-/// Counts with a StationXML beside them, and single-precision values in g: both with the offset of the instrument.
+/// Counts with a StationXML next to them, and single-precision values in g: both with the offset of
+/// the instrument.
 #[test]
 fn raw_binary_records_agree_with_their_facts() {
     let Some(shared) = shared() else { return };
@@ -248,7 +251,8 @@ fn validation_motions_state_their_unit_and_step() {
     assert!(count >= 9, "{count}");
 }
 
-/// Peak floor accelerations of El Centro: T₁ = 2 s, α₀ = 5, 5 % damping, 6 modes and the residual, 20 s of zeros behind.
+/// Peak floor accelerations of El Centro: T₁ = 2 s, α₀ = 5, 5 % damping, 6 modes and the residual,
+/// 20 s of zeros after it.
 #[test]
 fn floors_under_el_centro() {
     let Some(shared) = shared() else { return };
@@ -264,8 +268,8 @@ fn floors_under_el_centro() {
     }
 }
 
-/// Ten equal storeys under El Centro, against the matrices integrated in time by `validation/building/mdof.py`: floors 1
-/// and 5, half-way to floor 6, and the roof.
+/// Ten equal storeys under El Centro, against the matrices integrated in time by
+/// `validation/building/mdof.py`: floors 1 and 5, half-way to floor 6, and the roof.
 #[test]
 fn a_shear_building_under_el_centro() {
     use freestand::building::{Building, Damping, Storey, floor_peaks};

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand::building::{Building, BuildingError, Damping, MAX_MODES, ModalDoubt, Model};
+use freestand::building::{Building, BuildingError, Damping, ModalDoubt, Model};
 
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -238,9 +238,6 @@ pub fn damping_words(building: &Building) -> String {
         (None, _) => "–".to_owned(),
     }
 }
-
-/// Largest number of modes of a study.
-pub(crate) const MOST_MODES: u64 = MAX_MODES as u64;
 
 #[cfg(test)]
 mod tests {

@@ -15,12 +15,19 @@ use freestand::spectra::{UpliftCell, landings};
 
 use crate::cushion::EdgeCushion;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::{Choices, name_of};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
 
 /// Sampling of a history without a motion \[s\].
 const FREE_HISTORY_DT_S: f64 = 0.005;
+
+/// The equations of motion by name.
+pub const MODELS: Choices<RockingModel> = &[
+    (RockingModel::Rigid, "rigid", "The exact equation of motion"),
+    (RockingModel::Linearised, "linear", "Linearised (sin x → x, tan α → α), for comparison with closed forms"),
+];
 
 /// An object under a motion.
 #[derive(Debug, Clone)]
@@ -61,11 +68,10 @@ pub fn rock(request: &RockRequest, record: bool) -> Result<RockReport, Problem> 
         && record
         && end_s / sampled > MAX_SAMPLES as f64
     {
-        return Err(Problem::new(
-            ProblemKind::Value,
+        return Err(Problem::value(
             format!("a history of {end_s} s at steps of {sampled} s is too long"),
-        )
-        .hint("give a shorter --duration, or leave --history out"));
+            "give a shorter `duration`, or leave `history` out",
+        ));
     }
     let mut recorder = HistoryRecorder::new(base.horizontal, FREE_HISTORY_DT_S);
     let mut friction: Option<f64> = None;
@@ -122,7 +128,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     let mut sliding = |needed: f64, when| {
         if needed > limit {
             let assumed =
-                if request.friction.is_some() { "" } else { "; this friction is an assumption, --friction sets it" };
+                if request.friction.is_some() { "" } else { "; this coefficient is assumed, `friction` sets it" };
             let warning = ValidityWarning::Sliding { needed_ratio: needed, friction_ratio: limit, when };
             warnings.push(format!("{warning}{assumed}"));
         }
@@ -137,8 +143,8 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     }
     if friction.is_some_and(f64::is_infinite) {
         warnings.push(
-            "at some instant the contact would have to pull the object down: the object would leave the floor, which \
-             the model does not include"
+            "at some instant the contact would have to pull the object down: the object would leave the floor, \
+             which the model does not include"
                 .to_owned(),
         );
     }
@@ -150,10 +156,6 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
             .key("edge_acceleration_impact_velocity_g", shock_of(i.omega_before_rad_s))
     };
     let is_up = rocking.outcome != Outcome::NoUplift;
-    let model = match options.model {
-        RockingModel::Rigid => "rigid",
-        RockingModel::Linearised => "linear",
-    };
     let by_velocity_g = shock.and_then(|s| s.edge_acceleration_impact_velocity_g);
     let threshold_g = options.model.uplift_threshold_ratio(block) * gravity / G0_M_S2;
     let facts = Facts::default()
@@ -179,7 +181,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .and(facts!(pivot; half_diagonal_m, slenderness_angle_rad))
         .fact("frequency_parameter_rad_s", "frequency parameter p", pivot.frequency_parameter_rad_s(gravity))
         .fact("uplift_threshold_g", "uplift threshold", threshold_g)
-        .key("model", model)
+        .key("model", name_of(MODELS, options.model))
         .key("accuracy", crate::summary::accuracy_words(options.accuracy))
         .fact("edge_acceleration_g", "shock, from the uplift", shock.and_then(|s| s.edge_acceleration_g))
         .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)
@@ -193,15 +195,15 @@ pub fn problem(error: RockingError) -> Problem {
     let hint = match error {
         RockingError::FreeFlight { .. } => "check the unit and the scale of the vertical motion",
         RockingError::TooManyImpacts { .. } => {
-            "a restitution of 1 never loses energy: give a smaller one or a shorter duration"
+            "a `restitution` of 1 loses no energy: give a smaller one or a shorter `duration`"
         }
         RockingError::StepTooSmall { .. } => "check the unit and the scale of the motion, and the size of the object",
-        RockingError::Restitution { .. } => "give a restitution in (0, 1]",
+        RockingError::Restitution { .. } => "give a `restitution` in (0, 1]",
         RockingError::InitialState { .. } => "an object is overturned at 90 deg",
-        RockingError::Duration { .. } => "give --motion, or --initial-rotation with --duration",
-        RockingError::Gravity { .. } => "leave gravity out for 9.80665 m/s2",
-        RockingError::Accuracy { .. } => "use fast, standard or tight",
-        RockingError::VerticalMismatch { .. } => "resample one of them, so that both have the same step and length",
+        RockingError::Duration { .. } => "give `motion`, or `initial_rotation` with `duration`",
+        RockingError::Gravity { .. } => "leave `gravity` out for 9.80665 m/s2",
+        RockingError::Accuracy { .. } => "use `accuracy` fast, standard or tight",
+        RockingError::VerticalMismatch { .. } => "resample one of them so that both have the same step and length",
     };
     let kind = match error {
         RockingError::FreeFlight { .. } | RockingError::TooManyImpacts { .. } | RockingError::StepTooSmall { .. } => {
@@ -212,8 +214,8 @@ pub fn problem(error: RockingError) -> Problem {
     Problem::new(kind, error.to_string()).hint(hint)
 }
 
-/// A history as CSV: time, rotation, angular velocity, uplift, base acceleration. Its rows are at the
-/// steps of the motion and just before and after every impact.
+/// A history as CSV: time, rotation, angular velocity, uplift, base acceleration. Its rows are at
+/// the steps of the motion and just before and after every impact.
 pub fn history_csv(block: &Block, history: &[HistoryPoint]) -> String {
     let uplift_m = |p: &HistoryPoint| block.base_width_m() * p.theta_rad.abs().sin();
     let row = |p: &HistoryPoint| [p.time_s, p.theta_rad, p.omega_rad_s, uplift_m(p), p.base_accel_m_s2];

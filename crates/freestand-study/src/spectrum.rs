@@ -16,14 +16,15 @@ use serde::Serialize;
 
 use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_output::facts::Facts;
 
 /// Block-steps of a chunk: seconds of work, after which a request to stop is noticed.
 const CHUNK_STEPS: usize = 200_000_000;
 /// Objects of a chunk for each thread, enough to fill its lanes and its caches.
 const CHUNK_OBJECTS_PER_THREAD: usize = 2048;
-/// The largest number of objects in a chunk, which keeps them and their rows within tens of megabytes.
+/// The largest number of objects in a chunk, which keeps them and their rows within tens of
+/// megabytes.
 const MAX_CHUNK_OBJECTS: usize = 65_536;
 /// Objects whose rows one thread writes at a time.
 const ROWS_AT_A_TIME: usize = 512;
@@ -43,13 +44,12 @@ impl Grid {
     pub fn new(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
         if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
             let message = format!("{} × {} objects are too many", heights_m.len(), thicknesses_m.len());
-            return Err(Problem::new(ProblemKind::Value, message).hint(format!("at most {MAX_OBJECTS} in one call")));
+            return Err(Problem::value(message, format!("at most {MAX_OBJECTS} in one call")));
         }
         let grid = Self { heights_m, thicknesses_m };
         for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
-            Block::uniform(height_m, thickness_m).map_err(|error| {
-                Problem::new(ProblemKind::Value, error.to_string()).hint("check heights and thicknesses")
-            })?;
+            Block::uniform(height_m, thickness_m)
+                .map_err(|error| Problem::value(error.to_string(), "check `heights` and `thicknesses`"))?;
         }
         Ok(grid)
     }
@@ -185,8 +185,8 @@ impl SpectrumChunk<'_> {
         }
     }
 
-    /// The landing of most energy among the objects that rocked and stayed upright, by their largest rise: the one that
-    /// compresses the cushion most.
+    /// The landing of most energy among the objects that rocked and stayed upright, by their
+    /// largest rise: the one that compresses the cushion most.
     pub fn deepest_impact(&self) -> Option<Impact> {
         let (mass_kg, cushion) = self.cushion?;
         let rocked = self.cells.iter().flatten().filter(|cell| cell.rocking.outcome == Outcome::Rocked);
@@ -199,7 +199,8 @@ impl SpectrumChunk<'_> {
         Some(landing.impact(mass_kg, cushion, cell.rocking.cg_rise_m, G0_M_S2))
     }
 
-    /// Applies `words` to a few rows at a time, on all threads; the results are in the order of the rows.
+    /// Applies `words` to a few rows at a time, on all threads; the results are in the order of the
+    /// rows.
     pub fn pieces<T: Send>(&self, words: impl Fn(&mut dyn Iterator<Item = Facts<'_>>) -> T + Sync) -> Vec<T> {
         let starts: Vec<usize> = (0..self.objects()).step_by(ROWS_AT_A_TIME).collect();
         let piece = |&start: &usize| {
@@ -209,7 +210,8 @@ impl SpectrumChunk<'_> {
     }
 }
 
-/// The number of objects in a chunk under a motion of so many intervals, on the current thread pool.
+/// The number of objects in a chunk under a motion of so many intervals, on the current thread
+/// pool.
 pub fn chunk_objects(intervals: usize) -> usize {
     let least = CHUNK_OBJECTS_PER_THREAD.saturating_mul(rayon::current_num_threads());
     (CHUNK_STEPS / intervals.max(1)).max(least).min(MAX_CHUNK_OBJECTS)
@@ -217,8 +219,8 @@ pub fn chunk_objects(intervals: usize) -> usize {
 
 /// Follows every object of the grid under every motion, in the order motion, height, thickness, and
 /// calls `each` for every chunk. `chunk` gives its size for a number of intervals (see
-/// [`chunk_objects`]); the rows depend neither on it nor on the number of threads. The first error of
-/// `each` ends the work.
+/// [`chunk_objects`]); the rows depend neither on it nor on the number of threads. The first error
+/// of `each` ends the work.
 ///
 /// # Errors
 /// What `each` returns.
@@ -335,7 +337,8 @@ mod tests {
         }
     }
 
-    /// A pad that bottoms after 0.1 mm cannot hold a rocking cabinet: a reason in place of a number.
+    /// A pad that bottoms after 0.1 mm cannot hold a rocking cabinet: a reason in place of a
+    /// number.
     #[test]
     fn a_cushion_that_bottoms_gives_a_reason_and_no_number() {
         let words = [("law", "tangent"), ("stiffness", "100 N/mm"), ("bottoming", "0.1 mm")].into_iter().collect();

@@ -85,7 +85,8 @@ impl DamageBoundary {
     /// ```
     /// use freestand::damage_boundary::DamageBoundary;
     /// let boundary = DamageBoundary::of_component(100.0, 40.0 * 9.80665)?;
-    /// let at = |ratio: f64| boundary.knee_acceleration_m_s2(ratio * boundary.velocity_change_m_s());
+    /// let critical_m_s = boundary.velocity_change_m_s();
+    /// let at = |ratio: f64| boundary.knee_acceleration_m_s2(ratio * critical_m_s);
     /// assert!(at(1.2).is_some_and(|a| (a / (40.0 * 9.80665) - 0.58437).abs() < 1e-5));
     /// assert_eq!((at(0.99), at(2.0)), (None, Some(20.0 * 9.80665)));
     /// # Ok::<(), freestand::damage_boundary::DamageBoundaryError>(())
@@ -122,7 +123,8 @@ impl DamageBoundary {
     /// # Example
     /// 100 Hz and 40 g: V_c = 0.62431 m/s, A_c = 20 g.
     /// ```
-    /// let boundary = freestand::damage_boundary::DamageBoundary::of_component(100.0, 40.0 * 9.80665)?;
+    /// use freestand::damage_boundary::DamageBoundary;
+    /// let boundary = DamageBoundary::of_component(100.0, 40.0 * 9.80665)?;
     /// assert!((boundary.velocity_change_m_s() - 0.62431).abs() < 5e-6);
     /// assert!((boundary.acceleration_m_s2() / 9.80665 - 20.0).abs() < 1e-12);
     /// # Ok::<(), freestand::damage_boundary::DamageBoundaryError>(())

@@ -44,9 +44,11 @@
 //! use freestand::spectra::UpliftCell;
 //!
 //! let cabinet = Block::uniform(2.3, 0.6)?;
-//! let cycle = (0..=200).map(|i| 0.35 * 9.80665 * (std::f64::consts::TAU * f64::from(i) / 200.0).sin());
+//! let phase = |i: i32| std::f64::consts::TAU * f64::from(i) / 200.0;
+//! let cycle = (0..=200).map(|i| 0.35 * 9.80665 * phase(i).sin());
 //! let floor = Motion::new(0.004, cycle.collect())?;
-//! let options = RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() };
+//! let until = Until::Settled { at_most_s: 60.0 };
+//! let options = RockingOptions { until, ..RockingOptions::default() };
 //! let base = Base { horizontal: Some(&floor), vertical: None };
 //!
 //! let history = rock(&cabinet, base, &options)?;
@@ -54,7 +56,8 @@
 //! assert!(history.peak_rotation_rad < cabinet.pivot().slenderness_angle_rad);
 //!
 //! let pads = Cushion::linear(4.38e6)?;
-//! let shock = UpliftCell::new(cabinet, &history).shock(140.0, &pads, ImpactModel::Paper, freestand::G0_M_S2);
+//! let cell = UpliftCell::new(cabinet, &history);
+//! let shock = cell.shock(140.0, &pads, ImpactModel::Paper, freestand::G0_M_S2);
 //! assert!(shock.edge_acceleration_g < Some(shock.ceiling_g));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

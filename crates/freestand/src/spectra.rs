@@ -161,7 +161,7 @@ impl UpliftCell {
     /// The shock on a cushion (everything under the landing edge): the larger one of the landings
     /// from the two edges, which are equal unless the centre of gravity is off the middle.
     pub fn shock(&self, mass_kg: f64, cushion: &Cushion, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
-        let stands = self.rocking.outcome != Outcome::Overturned;
+        let upright = self.rocking.outcome != Outcome::Overturned;
         let landings = landings(&self.block, model);
         let largest = |rise_m: &dyn Fn(&Landing, SideExtremes) -> f64| {
             let shocks = landings.iter().zip(self.rocking.sides).map(|(landing, side)| {
@@ -174,8 +174,8 @@ impl UpliftCell {
         let velocity =
             |landing: &Landing, side: SideExtremes| landing.equivalent_rise_m(side.impact_omega_rad_s, gravity_m_s2);
         ShockCell {
-            edge_acceleration_g: stands.then(|| largest(&uplift)),
-            edge_acceleration_impact_velocity_g: stands.then(|| largest(&velocity)),
+            edge_acceleration_g: upright.then(|| largest(&uplift)),
+            edge_acceleration_impact_velocity_g: upright.then(|| largest(&velocity)),
             ceiling_g: largest(&|landing, _| landing.pivot.balance_rise_m()),
         }
     }
@@ -229,15 +229,15 @@ mod tests {
     /// without bound.
     #[test]
     fn sensitivity_grows_towards_overturning() {
-        let (mut stands, mut falls) = (0.6, 5.0);
-        assert_eq!(under_pulse(stands).0, Outcome::Rocked);
+        let (mut upright, mut falls) = (0.6, 5.0);
+        assert_eq!(under_pulse(upright).0, Outcome::Rocked);
         assert_eq!(under_pulse(falls).0, Outcome::Overturned);
-        while falls - stands > 1e-9 {
-            let middle = 0.5 * (stands + falls);
-            if under_pulse(middle).0 == Outcome::Overturned { falls = middle } else { stands = middle }
+        while falls - upright > 1e-9 {
+            let middle = 0.5 * (upright + falls);
+            if under_pulse(middle).0 == Outcome::Overturned { falls = middle } else { upright = middle }
         }
         let ratio = |missing: f64| {
-            let (outcome, sensitivity) = under_pulse(stands * (1.0 - missing));
+            let (outcome, sensitivity) = under_pulse(upright * (1.0 - missing));
             assert_eq!(outcome, Outcome::Rocked);
             (sensitivity.ratio.unwrap(), sensitivity.sensitive)
         };
@@ -246,7 +246,7 @@ mod tests {
         // √10 = 3.16; the change itself is a twentieth of that distance, which changes the slope.
         assert!((2.8..3.6).contains(&(nearer.0 / near.0)), "{near:?} {nearer:?}");
         // A millionth more overturns it.
-        let edge = under_pulse(stands * (1.0 - 0.5 * PERTURBATION_RATIO));
+        let edge = under_pulse(upright * (1.0 - 0.5 * PERTURBATION_RATIO));
         assert_eq!(edge, (Outcome::Rocked, Sensitivity { ratio: None, sensitive: true }));
     }
 

@@ -1,5 +1,5 @@
-//! What every solver of the rocking block must keep: symmetries, event rules, a periodic orbit, accuracy. The closed
-//! forms are checks of `freestand validate`.
+//! Properties of every solver of the rocking block: symmetries, event rules, a periodic orbit,
+//! accuracy. The closed forms are checked by `freestand validate`.
 
 #![expect(clippy::unwrap_used, reason = "a test may stop at an error")]
 
@@ -41,20 +41,22 @@ fn free(rotation_rad: f64, omega_rad_s: f64, until_s: f64, model: RockingModel) 
     }
 }
 
-/// A periodic orbit under ü/(αg) = β cos(wτ+ψ) has one impact each half period, at ω⁺/(pα) = 0.7360089115 for
-/// (β, w, r) = (5, 8, 0.85); from there the solver must come back to it.
+/// A periodic orbit under ü/(αg) = β cos(wτ+ψ) has one impact in each half period, at ω⁺/(pα) =
+/// 0.7360089115 for (β, w, r) = (5, 8, 0.85); a solver that starts there must return there.
 #[test]
 fn forced_periodic_orbit() {
     let (beta, w, r, v) = (5.0, 8.0, 0.85, 0.7360089115);
     let (alpha, half) = (0.2, PI / w);
     let block = block(alpha);
     let p = frequency(&block);
-    // y'' = y − 1 − β cos(wτ+ψ) on the right side from (0, v) to (0, −v/r) at τ = π/w. With the forcing's particular
-    // solution y = 1 + b cos(wτ+ψ), b = β/(1+w²), the two conditions give cos ψ and sin ψ.
+    // y'' = y − 1 − β cos(wτ+ψ) on the right side from (0, v) to (0, −v/r) at τ = π/w. With the
+    // forcing's particular solution y = 1 + b cos(wτ+ψ), b = β/(1+w²), the two conditions give cos
+    // ψ and sin ψ.
     let b = beta / (1.0 + w * w);
     let (ch, sh) = (half.cosh(), half.sinh());
-    // y = 1 + b cos(wτ+ψ) + C cosh τ + S sinh τ; C = −1 − b cos ψ, S = v + b w sin ψ; y(half) = 0, y'(half) = −v/r.
-    // 1 − b c + (−1 − b c) ch + (v + b w s) sh = 0 ; b w s + (−1 − b c) sh + (v + b w s) ch = −v/r.
+    // y = 1 + b cos(wτ+ψ) + C cosh τ + S sinh τ; C = −1 − b cos ψ, S = v + b w sin ψ; y(half) = 0,
+    // y'(half) = −v/r. 1 − b c + (−1 − b c) ch + (v + b w s) sh = 0 ; b w s + (−1 − b c) sh + (v +
+    // b w s) ch = −v/r.
     let (a11, a12, r1) = (-b * (1.0 + ch), b * w * sh, ch - 1.0 - v * sh);
     let (a21, a22, r2) = (-b * sh, b * w * (1.0 + ch), sh - v * ch - v / r);
     let det = a11 * a22 - a12 * a21;
@@ -76,11 +78,12 @@ fn forced_periodic_orbit() {
         assert!((p * impact.time_s - half * (k + 1) as f64).abs() < 1e-6, "{k}");
         assert!((impact.omega_after_rad_s.abs() / (p * alpha) - v).abs() < 1e-6);
     }
-    // The second lies on the last sample and may fall just behind it.
+    // The second one is on the last sample and may fall just after it.
     assert!(!got.impacts.is_empty());
 }
 
-/// A motion of a few sines with an envelope: rough enough to start, hit, rest and start again.
+/// A motion of a few sines with an envelope: irregular enough for uplift, impact, rest and uplift
+/// again.
 fn rough(seed: u64, peak_g: f64, seconds: f64) -> Motion {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
     let mut uniform = || {
@@ -107,7 +110,8 @@ fn solve(block: &Block, motion: &Motion) -> Rocking {
     rock(block, under(motion), &RockingOptions::default()).unwrap()
 }
 
-/// Whether a change of the motion by 1e-7 leaves outcome and peak alone: only then is there something to compare.
+/// Whether a change of the motion by 1e-7 hardly changes outcome and peak: only then is a
+/// comparison meaningful.
 fn insensitive(block: &Block, motion: &Motion) -> bool {
     let (a, b) = (solve(block, motion), solve(block, &motion.scaled(1.0 + 1e-7).unwrap()));
     a.outcome == b.outcome && (a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-5 * a.peak_rotation_rad
@@ -140,7 +144,8 @@ proptest! {
         prop_assert_eq!(a.peak_rotation_rad, b.peak_rotation_rad);
     }
 
-    /// R·4 and time·2 at the same accelerations give the same θ: powers of two, so to the bit, but for the rest speed.
+    /// R·4 and time·2 at the same accelerations give the same θ: powers of two, so to the bit,
+    /// except for the rest speed.
     #[test]
     fn similarity(seed: u64, height in 0.3f64..2.0, ratio in 1.0f64..8.0, peak in 0.1f64..1.0) {
         let small = Block::uniform(height, height / ratio).unwrap();
@@ -150,11 +155,12 @@ proptest! {
         prop_assume!(insensitive(&small, &fast));
         let (a, b) = (solve(&small, &fast), solve(&large, &slow));
         prop_assert_eq!(a.outcome, b.outcome);
-        // The rest speed is in rad/s and does not scale: a block that rested differs by what that speed is worth.
+        // The rest speed is in rad/s and does not scale: the results of a block that came to rest
+        // differ accordingly.
         prop_assert!((a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-8 * a.peak_rotation_rad);
     }
 
-    /// Zeros behind the motion change nothing before them.
+    /// Zeros appended to the motion change nothing before them.
     #[test]
     fn zero_padding(seed: u64, height in 0.3f64..4.0, ratio in 0.8f64..8.0, peak in 0.1f64..1.2) {
         let block = Block::uniform(height, height / ratio).unwrap();
@@ -164,7 +170,7 @@ proptest! {
         prop_assert!(long.peak_rotation_rad >= short.peak_rotation_rad);
         prop_assert!(long.impacts.len() >= short.impacts.len());
         prop_assert_eq!(&short.impacts[..], &long.impacts[..short.impacts.len()]);
-        // And a longer duration is the same as zeros.
+        // A longer duration is equivalent to zeros.
         let options = RockingOptions { until: Until::Time(motion.duration_s() + 5.0), ..RockingOptions::default() };
         let lasting = rock(&block, under(&motion), &options).unwrap();
         prop_assert_eq!(lasting.outcome, long.outcome);
@@ -177,7 +183,7 @@ proptest! {
         prop_assert!((lasting.peak_rotation_rad - long.peak_rotation_rad).abs() <= 1e-9 * long.peak_rotation_rad);
     }
 
-    /// A sample more on the straight line between two is no change.
+    /// An additional sample on the straight line between two others changes nothing.
     #[test]
     fn resampling_on_the_straight_lines(seed: u64, height in 0.3f64..4.0, ratio in 1.0f64..8.0, peak in 0.1f64..1.0) {
         let block = Block::uniform(height, height / ratio).unwrap();
@@ -190,11 +196,12 @@ proptest! {
         prop_assume!(insensitive(&block, &coarse));
         let (a, b) = (solve(&block, &coarse), solve(&block, &fine));
         prop_assert_eq!(a.outcome, b.outcome);
-        // 1e-13 a step, times an amplification of up to 100 (`insensitive`), times the steps.
+        // 1e-13 per step, times an amplification of up to 100 (`insensitive`), times the number of
+        // steps.
         prop_assert!((a.peak_rotation_rad - b.peak_rotation_rad).abs() <= 1e-9 * a.peak_rotation_rad);
     }
 
-    /// Without base motion and with r = 1 the energy p²cos(α−|θ|) + ω²/2 stays.
+    /// Without base motion and with r = 1 the energy p²cos(α−|θ|) + ω²/2 is constant.
     #[test]
     fn energy(alpha in 0.05f64..1.0, share in 0.01f64..0.99) {
         let block = block(alpha);
@@ -210,13 +217,19 @@ proptest! {
         rock_observed(&block, Base::default(), &options, |segment| {
             worst = worst.max((energy(segment.rotation(segment.end_ratio)) - start).abs());
         }).unwrap();
-        // 1e-13 a step over some hundreds of steps, against the height of the well.
+        // 1e-13 per step over some hundreds of steps, relative to the height of the potential well.
         prop_assert!(worst <= 1e-10 * swing, "{} of {}", worst, swing);
     }
 
-    /// Nothing that is finite may panic, hang or give a number that is none.
+    /// No finite input causes a panic, an endless loop or a result that is not a number.
     #[test]
-    fn any_finite_input_ends(seed: u64, log_height in -3.0f64..2.0, ratio in 0.3f64..50.0, log_peak in -6.0f64..6.0, r in 0.0f64..=1.0) {
+    fn any_finite_input_ends(
+        seed: u64,
+        log_height in -3.0f64..2.0,
+        ratio in 0.3f64..50.0,
+        log_peak in -6.0f64..6.0,
+        r in 0.0f64..=1.0,
+    ) {
         let height = 10f64.powf(log_height);
         let block = Block::uniform(height, height / ratio).unwrap();
         let motion = rough(seed, 10f64.powf(log_peak), 4.0);
@@ -228,7 +241,7 @@ proptest! {
     }
 }
 
-/// The error of a history falls with the tolerance of its steps.
+/// The error of a history decreases with the tolerance of its steps.
 #[test]
 fn accuracy_is_what_was_asked_for() {
     let block = Block::uniform(1.5, 0.5).unwrap();
@@ -240,16 +253,16 @@ fn accuracy_is_what_was_asked_for() {
     let exact = peak(Accuracy::Tight);
     for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11] {
         let error = (peak(Accuracy::Tolerance(tolerance)) / exact - 1.0).abs();
-        // Hundreds of steps, amplified, against series that stop well below the tolerance.
+        // Hundreds of steps, amplified, with series that stop well below the tolerance.
         assert!(error < 10.0 * tolerance, "{tolerance:e}: {error:e}");
     }
-    // The levels differ, or they would be one.
+    // The levels really differ.
     assert!((peak(Accuracy::Tolerance(1e-5)) / exact - 1.0).abs() > 1e-9);
 }
 
 #[test]
 fn an_impact_on_a_sample_is_one_impact() {
-    // Free rocking whose first impact is placed on a sample of a record of zeros.
+    // Free rocking with its first impact on a sample of a record of zeros.
     let block = block(0.2);
     let first = rock(&block, Base::default(), &free(0.1, 0.0, 3.0, RockingModel::Rigid)).unwrap();
     let dt = first.impacts[0].time_s / 100.0;
@@ -277,7 +290,8 @@ fn two_impacts_between_two_samples_are_both_found() {
     }
 }
 
-/// The geometric series of a block left alone: it comes to rest, exactly at 0, and says when.
+/// The geometric series of impacts of a block without base motion: it comes to rest, exactly at 0,
+/// and the time is reported.
 #[test]
 fn chatter_ends_in_rest() {
     let block = block(0.2);
@@ -287,12 +301,13 @@ fn chatter_ends_in_rest() {
     assert_eq!((got.stop, got.at_rest, got.final_rotation_rad), (StopReason::Settled, true, 0.0));
     let last = got.impacts.last().unwrap();
     assert!(last.omega_after_rad_s.abs() <= 1e-9 && got.rest_time_s == Some(last.time_s));
-    // A halted landing rests at the first impact.
+    // A halted landing comes to rest at the first impact.
     let halted = RockingOptions { restitution: Restitution::Value(0.0), ..options };
     assert_eq!(rock(&block, Base::default(), &halted).unwrap().impacts.len(), 1);
 }
 
-/// The quiet behind a short record is passed once: a block released at α + 0.01 is still falling at 0.8 s.
+/// The quiet after a short record is calculated once: a block released at α + 0.01 is still falling
+/// at 0.8 s.
 #[test]
 fn the_tail_is_passed_once() {
     let block = Block::uniform(1.0, 0.2).unwrap();
@@ -305,12 +320,13 @@ fn the_tail_is_passed_once() {
     assert!((behind.peak_rotation_rad / alone.peak_rotation_rad - 1.0).abs() < 1e-10);
 }
 
-/// Free rocking without loss of energy on the way: both sources of energy agree in the first landing, off either edge.
+/// In free rocking, which loses no energy between impacts, both sources of energy agree at the
+/// first landing, from either edge.
 #[test]
 fn both_energy_sources_agree_in_a_free_landing() {
     for (offset, rotation) in [(0.0, 0.1), (0.2, 0.1), (0.2, -0.1), (-0.1, 0.15)] {
         let block = Block::uniform(2.0, 0.8).unwrap().with_cg_offset(offset).unwrap();
-        // To the first impact: further ones are off the other edge.
+        // Up to the first impact: later ones start from the other edge.
         let first = rock(&block, Base::default(), &free(rotation, 0.0, 5.0, RockingModel::Rigid)).unwrap().impacts[0];
         let options = free(rotation, 0.0, first.time_s * (1.0 + 1e-9), RockingModel::Rigid);
         let got = rock(&block, Base::default(), &options).unwrap();
@@ -318,7 +334,7 @@ fn both_energy_sources_agree_in_a_free_landing() {
             UpliftCell::new(block, &got).shock(100.0, &Cushion::linear(4e6).unwrap(), ImpactModel::Paper, G0_M_S2);
         let (uplift, velocity) =
             (shock.edge_acceleration_g.unwrap(), shock.edge_acceleration_impact_velocity_g.unwrap());
-        // Energy to 1e-13 a step.
+        // Energy to 1e-13 per step.
         assert!((velocity / uplift - 1.0).abs() < 1e-10, "{offset} {rotation}: {uplift} {velocity}");
     }
 }

@@ -1,7 +1,9 @@
-//! Checks before a workbook is opened: what kind of zip file it is, and how much it really unpacks to.
+//! Checks before a workbook is opened: what kind of zip file it is, and how much it really unpacks
+//! to.
 //!
-//! The library that reads workbooks trusts the sizes and counts that the file declares. Here everything is unpacked once,
-//! counted and discarded, and the few declarations that determine memory are compared with the actual content.
+//! The library that reads workbooks trusts the sizes and counts that the file declares. Here
+//! everything is unpacked once, counted and discarded, and the few declarations that determine
+//! memory are compared with the actual content.
 
 use std::io::{Cursor, Read};
 
@@ -13,7 +15,8 @@ use freestand_input::quantity::shorten;
 
 /// Largest size of all unpacked members together \[bytes\]: about ten million cells.
 const MAX_UNPACKED: u64 = 1 << 30;
-/// Largest size of a member that does not grow with the rows: styles, relations, the list of sheets \[bytes\].
+/// Largest size of a member that does not grow with the rows: styles, relations, the list of sheets
+/// \[bytes\].
 const MAX_SMALL: u64 = 16 << 20;
 /// Parts of the names of members that grow with the rows.
 const LARGE: [&str; 8] =
@@ -45,7 +48,8 @@ fn wrong(message: impl Into<String>, hint: &str) -> Problem {
 /// Unpacks everything once.
 ///
 /// # Errors
-/// A zip file that is not a workbook, is damaged or encrypted, or unpacks to more than any inventory needs.
+/// A zip file that is not a workbook, is damaged or encrypted, or unpacks to more than any
+/// inventory needs.
 pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
     let damaged =
         |error: &dyn std::fmt::Display| wrong(format!("is a damaged workbook or zip file ({error})"), SAVE_AGAIN);
@@ -216,7 +220,8 @@ impl Tags {
     }
 }
 
-/// A count, whatever is written: what is not a number counts as 0, what is too large as the largest number.
+/// A count, whatever is written: what is not a number counts as 0, what is too large as the largest
+/// number.
 fn declared(text: &str) -> u64 {
     let digits = text.trim();
     if digits.bytes().all(|byte| byte.is_ascii_digit()) { digits.parse().unwrap_or(u64::MAX) } else { 0 }

@@ -86,8 +86,8 @@ pub(super) enum Flow {
     Enough,
 }
 
-/// In a CSV a text that a spreadsheet would take for a formula gets a leading `'`, and so does such a text that has one
-/// already, so that [`unguarded`] restores it.
+/// In a CSV a text that a spreadsheet would take for a formula gets a leading `'`, and so does such
+/// a text that has one already, so that [`unguarded`] restores it.
 pub(super) fn guarded(text: &str) -> String {
     if is_formula_like(text.trim_start_matches('\'')) { format!("'{text}") } else { text.to_owned() }
 }

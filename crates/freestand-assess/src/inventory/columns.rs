@@ -294,7 +294,8 @@ impl Column {
     }
 }
 
-/// The form in which headings are compared: lower-case letters and digits, with one `_` for everything between them.
+/// The form in which headings are compared: lower-case letters and digits, with one `_` for
+/// everything between them.
 pub(super) fn canonical(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars().flat_map(char::to_lowercase) {
@@ -326,7 +327,8 @@ fn named(name: &str) -> Option<&'static ColumnSpec> {
 /// Longest heading that is interpreted; ours are far shorter.
 const MAX_HEADING_BYTES: usize = 100;
 
-/// Interprets a heading such as `height [mm]`, `Height (mm)`, `height_mm`, `Height, mm` or `HEIGHT`.
+/// Interprets a heading such as `height [mm]`, `Height (mm)`, `height_mm`, `Height, mm` or
+/// `HEIGHT`.
 pub(super) fn heading(text: &str) -> Heading {
     let text = text.trim();
     if text.is_empty() || text.len() > MAX_HEADING_BYTES {

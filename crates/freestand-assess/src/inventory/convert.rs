@@ -35,12 +35,12 @@ pub struct Converted {
     pub warnings: Vec<String>,
 }
 
-/// Converts an inventory; every cell is kept. Text that begins with `= + - @` gets a leading `'` in CSV and is a string
-/// cell in XLSX; reading removes the `'`. The same file gives the same bytes.
+/// Converts an inventory; every cell is kept. Text that begins with `= + - @` gets a leading `'` in
+/// CSV and is a string cell in XLSX; reading removes the `'`. The same file gives the same bytes.
 ///
 /// # Errors
-/// A file that cannot be read or has none of our headings, formulas without values, cells that are too long, and
-/// inventories that do not fit into a sheet.
+/// A file that cannot be read or has none of our headings, formulas without values, cells that are
+/// too long, and inventories that do not fit into a sheet.
 pub fn convert_inventory(path: &Path, sheet: Option<&str>, target: Target) -> Result<Converted, Problems> {
     convert_bytes(load(path)?, path, sheet, target)
 }

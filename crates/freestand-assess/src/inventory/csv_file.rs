@@ -10,7 +10,8 @@ const MAX_ROW_BYTES: u64 = 4 << 20;
 /// Passes the rows that are not empty to `on_row`, as long as it asks for more.
 ///
 /// # Errors
-/// Quotes that are not closed or end within a cell, and rows, columns or lines beyond what a sheet has.
+/// Quotes that are not closed or end within a cell, and rows, columns or lines beyond what a sheet
+/// has.
 pub(super) fn rows(text: &str, separator: u8, on_row: &mut dyn FnMut(Row) -> Flow) -> Result<(), Problem> {
     let mut reader =
         csv::ReaderBuilder::new().delimiter(separator).has_headers(false).flexible(true).from_reader(text.as_bytes());
@@ -105,7 +106,8 @@ fn check_row(
     Ok(())
 }
 
-/// The CSV library reads `"19" rack` as `19 rack`, and a quote that is not closed as the rest of the file.
+/// The CSV library reads `"19" rack` as `19 rack`, and a quote that is not closed as the rest of
+/// the file.
 fn bad_quotes(raw: &[u8], separator: u8) -> Option<String> {
     if !raw.contains(&b'"') {
         return None;

@@ -39,7 +39,8 @@ pub(super) fn decode(mut bytes: Vec<u8>) -> Result<(String, Option<String>), Pro
         Err(error) => {
             let warning = "the file is not UTF-8 and is read as Windows-1252 (Latin-1): check letters with accents";
             let (text, _) = WINDOWS_1252.decode_without_bom_handling(error.as_bytes());
-            // Five bytes mean nothing in Windows-1252; the decoder makes control characters of them.
+            // Five bytes mean nothing in Windows-1252; the decoder makes control characters of
+            // them.
             let text = text.replace(|c| ('\u{80}'..='\u{9f}').contains(&c), "\u{fffd}");
             not_empty(text).map(|text| (text, Some(warning.to_owned())))
         }

@@ -40,7 +40,8 @@ impl Doubt {
             Self::NoId => "have no id: the row number is used, such as row-12",
             Self::Totals => "are left out: they begin with \"total\" and have no dimensions",
             Self::FewCells => {
-                "have fewer cells than there are headings: the missing ones count as empty; check that the file is complete"
+                "have fewer cells than there are headings: the missing ones count as empty; check that the file is \
+                 complete"
             }
             Self::Unnamed => "have cells in columns without a heading: these are ignored",
             Self::CarriedError => "have an error such as #REF! in a column that is carried through",
@@ -48,8 +49,8 @@ impl Doubt {
                 "have a formula without a value in a column that is carried through: it is left empty"
             }
             Self::DecimalPoint => {
-                "have numbers with a decimal point while other rows have a decimal comma: check that no comma separates \
-                 thousands"
+                "have numbers with a decimal point while other rows have a decimal comma: check that no comma \
+                 separates thousands"
             }
             Self::SmallLength => {
                 "have a height below 20 mm or a side below 5 mm: check that it was not typed in m in a column of mm"
@@ -58,14 +59,16 @@ impl Doubt {
                 "have a height or a side above 50 m: check that it was not typed in mm in a column of m"
             }
             Self::Squat => {
-                "are squat (Housner's restitution is negative; h/t < 0.707 for a uniform block): their landings are halted"
+                "are squat (Housner's restitution is negative; h/t < 0.707 for a uniform block): their landings are \
+                 halted"
             }
             Self::Stiffness => {
-                "have a stiffness under one edge that is very low, or with which the weight alone flattens the pad: check \
-                 that N/m was not typed in place of N/mm"
+                "have a stiffness under one edge that is very low, or with which the weight alone flattens the pad: \
+                 check that N/m was not typed in place of N/mm"
             }
             Self::PadsMissing => {
-                "have the stiffness of a pad without pads_per_edge: their cushion is not known, and no shock is computed"
+                "have the stiffness of a pad without pads_per_edge: their cushion is not known, and no shock is \
+                 computed"
             }
             Self::DampingMass => {
                 "have a cushion with a damping ratio but no mass: their cushion is not known, and no shock is computed"

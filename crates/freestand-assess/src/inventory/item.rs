@@ -145,8 +145,8 @@ fn level(values: &mut Values<'_, '_, '_>) -> Option<f64> {
         return Some(level);
     }
     let hint = if level > 1.0 {
-        "give the height of the floor over the height of the building, not its number: 0 is the ground, 1 the roof, and \
-         50 % is 0.5"
+        "give the height of the floor over the height of the building, not its number: 0 is the ground, 1 the roof, \
+         and 50 % is 0.5"
     } else {
         "0 is the ground, 1 the roof; a basement moves like the ground, so give 0"
     };
@@ -289,10 +289,12 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
     }
 }
 
-/// The words of a row with those of the entry that it names. They may add pads, layers and a thickness, but no other law.
+/// The words of a row with those of the entry that it names. They may add pads, layers and a
+/// thickness, but no other law.
 fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
     let mut words = words;
-    // An entry for a whole edge needs no count of pads; for one pad, a missing count only costs the shock.
+    // An entry for a whole edge needs no count of pads; for one pad, a missing count only costs the
+    // shock.
     let is_counted = words.get("pads_per_edge").is_some() || entry.get("pads_per_edge").is_some();
     if !is_counted {
         words.set("pads_per_edge", "1");

@@ -1,4 +1,5 @@
-//! Inventories: the objects of a building, read from a spreadsheet into SI, with all problems reported at once.
+//! Inventories: the objects of a building, read from a spreadsheet into SI, with all problems
+//! reported at once.
 
 mod archive;
 mod cell;
@@ -54,7 +55,8 @@ pub enum Rating {
     High,
 }
 
-/// One row of an inventory. `None` is an empty cell: missing data cost the object its verdict, but do not stop the reading.
+/// One row of an inventory. `None` is an empty cell: missing data cost the object its verdict, but
+/// do not stop the reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Item {
     /// Its row in the sheet or file, counted from 1 as in a spreadsheet.
@@ -95,7 +97,8 @@ pub struct Item {
     pub mass_kg: Option<f64>,
     /// The cushion under one edge.
     pub cushion: Option<EdgeCushion>,
-    /// Half of the 16–84 % range of ln k, where a library entry gives a range of stiffness in place of a value.
+    /// Half of the 16–84 % range of ln k, where a library entry gives a range of stiffness in place
+    /// of a value.
     pub cushion_log_sd: Option<f64>,
     /// The entry of the cushion library that it comes from, with its source in words.
     pub cushion_source: Option<String>,

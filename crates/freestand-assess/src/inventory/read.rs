@@ -17,7 +17,8 @@ use super::source::{Source, load};
 use super::values::{Signs, Values};
 use super::{Inventory, Item};
 
-/// Largest number of cells that are carried through, over all rows: half a gigabyte if they are empty.
+/// Largest number of cells that are carried through, over all rows: half a gigabyte if they are
+/// empty.
 const MAX_CARRIED_CELLS: usize = 20_000_000;
 
 /// An inventory, and how its file was understood.
@@ -31,18 +32,20 @@ pub struct Reading {
     pub header_row: u32,
 }
 
-/// Reads an inventory from a CSV or a workbook (XLSX), recognised by its content: every quantity in SI, missing values as
-/// `None`.
+/// Reads an inventory from a CSV or a workbook (XLSX), recognised by its content: every quantity in
+/// SI, missing values as `None`.
 ///
-/// `sheet` names a sheet of a workbook; without it the first visible sheet with our headings is read. The headings may be
-/// in any order, each with its unit, and below titles. Other columns are carried through.
+/// `sheet` names a sheet of a workbook; without it the first visible sheet with our headings is
+/// read. The headings may be in any order, each with its unit, and below titles. Other columns are
+/// carried through.
 ///
 /// # Accuracy
 /// A number in a CSV and the same number in a workbook are the same f64, whatever the unit.
 ///
 /// # Errors
-/// All problems of the file at once, up to 200, each with its sheet, row and column and a hint. A file with more than
-/// 512 MB, 1,048,576 rows, 16,384 columns or 32,767 characters in a cell, or that unpacks to more than 1 GiB, is refused.
+/// All problems of the file at once, up to 200, each with its sheet, row and column and a hint. A
+/// file with more than 512 MB, 1,048,576 rows, 16,384 columns or 32,767 characters in a cell, or
+/// that unpacks to more than 1 GiB, is refused.
 ///
 /// # Example
 /// ```

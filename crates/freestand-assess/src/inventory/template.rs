@@ -1,4 +1,5 @@
-//! An inventory to fill in: headings with units, rows marked as examples, and the meaning of each column.
+//! An inventory to fill in: headings with units, rows marked as examples, and the meaning of each
+//! column.
 
 use rust_xlsxwriter::{Format, FormatAlign, Workbook, XlsxError};
 
@@ -101,7 +102,8 @@ pub fn template_csv() -> Result<Vec<u8>, Problem> {
     csv(&table())
 }
 
-/// The template as a workbook, with a second sheet that explains the columns. Always the same bytes.
+/// The template as a workbook, with a second sheet that explains the columns. Always the same
+/// bytes.
 ///
 /// # Errors
 /// None that a user can cause.
@@ -128,11 +130,12 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
         }
     }
     let notes = [
-        "The columns may be in any order. Columns that nobody fills in may be removed; other columns may be added and are \
-         carried through.",
-        "Units may be changed: height [m], mass [t], stiffness [kN/m] … Under a heading without a unit, each cell has its \
-         own, such as 2.3 m.",
-        "Leave a cell empty if its value is not known. The object may then have no verdict, but the file is still read.",
+        "The columns may be in any order. Columns that nobody fills in may be removed; other columns may be added \
+         and are carried through.",
+        "Units may be changed: height [m], mass [t], stiffness [kN/m] … Under a heading without a unit, each cell \
+         has its own, such as 2.3 m.",
+        "Leave a cell empty if its value is not known. The object may then have no verdict, but the file is still \
+         read.",
     ];
     let first = COLUMNS.len() as u32 + 2;
     for (row, text) in (first..).zip(notes) {

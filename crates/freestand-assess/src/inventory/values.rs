@@ -57,7 +57,8 @@ impl Values<'_, '_, '_> {
         self.wrong(column, &Problem::value(message, hint));
     }
 
-    /// A cell that is not empty. A cell that is empty because it is merged with another is a problem.
+    /// A cell that is not empty. A cell that is empty because it is merged with another is a
+    /// problem.
     pub(super) fn cell(&mut self, column: Column) -> Option<(&Place, &Cell)> {
         let layout = self.layout;
         let place = layout.place(column).filter(|place| place.is_readable)?;
@@ -243,7 +244,8 @@ fn plain_text(text: &str, has_decimal_comma: bool) -> Result<(String, bool), Pro
     ))
 }
 
-/// A number or a range with decimal commas, with points in their place; any other text is unchanged.
+/// A number or a range with decimal commas, with points in their place; any other text is
+/// unchanged.
 pub(super) fn pointed(text: &str) -> String {
     let is_plain = |part: &str| plain_text(part, true).is_ok();
     let is_number = match split_range(text) {
@@ -302,7 +304,8 @@ fn explained(problem: Problem, text: &str, column: Column, unit: Option<&Unit>) 
     }
 }
 
-/// The two ends of `0.3-0.5`, `0.3 – 0.5`, `0.3 to 0.5` or `0.3..0.5`; a minus at the start or after an `e` is a sign.
+/// The two ends of `0.3-0.5`, `0.3 – 0.5`, `0.3 to 0.5` or `0.3..0.5`; a minus at the start or
+/// after an `e` is a sign.
 fn split_range(text: &str) -> Option<(&str, &str)> {
     let text = text.trim();
     for mark in [" to ", "...", "..", "…", "–", "—"] {

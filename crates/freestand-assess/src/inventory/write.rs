@@ -45,8 +45,8 @@ impl Written {
     }
 }
 
-/// A table as CSV: commas, LF, UTF-8 without a byte-order mark. Text that a spreadsheet would take for a formula gets a
-/// leading `'`.
+/// A table as CSV: commas, LF, UTF-8 without a byte-order mark. Text that a spreadsheet would take
+/// for a formula gets a leading `'`.
 ///
 /// # Errors
 /// None that a user can cause.

@@ -1,4 +1,5 @@
-//! The key of a run: whatever the finished parts depend on, as one hash. Parts of another key are not resumed.
+//! The key of a run: whatever the finished parts depend on, as one hash. Parts of another key are
+//! not resumed.
 
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -9,10 +10,12 @@ use freestand_input::file::{InputFile, sha256_hex};
 use freestand_study::study::assessment::{Accepted, Settings, Spread};
 use freestand_study::study::{Ground, Study};
 
-/// Version of the text that is hashed; to be raised with every change of it, and of what a part holds.
+/// Version of the text that is hashed; to be raised with every change of it, and of what a part
+/// holds.
 const FORMAT: u32 = 1;
 
-/// Tables of a study that do not change a part: the settings are hashed as they are used, and the others have no effect.
+/// Tables of a study that do not change a part: the settings are hashed as they are used, and the
+/// others have no effect.
 const TABLES_WITHOUT_EFFECT: [&str; 3] = ["assessment", "objects", "outputs"];
 
 /// The key of a run in parts of `part` objects.
@@ -47,7 +50,8 @@ fn study_text(toml: &str) -> String {
     study.to_string()
 }
 
-/// The motions that were read from files, by their samples: flags of the caller may have changed how a file is read.
+/// The motions that were read from files, by their samples: flags of the caller may have changed
+/// how a file is read.
 fn recorded(study: &Study) -> Vec<Value> {
     let recorded = study.ground.recorded(&study.levels);
     let one = |motion: &freestand_study::study::RecordedMotion| {

@@ -1,4 +1,5 @@
-//! A whole assessment, from an inventory to a folder of results. It can be stopped or killed at any moment and resumed.
+//! A whole assessment, from an inventory to a folder of results. It can be stopped or killed at any
+//! moment and resumed.
 
 mod key;
 mod portfolio;
@@ -69,7 +70,8 @@ pub struct JobReport {
     pub warnings: Vec<String>,
 }
 
-/// Reads the inventory at `path`, or the one that the study names, with the libraries that the study names.
+/// Reads the inventory at `path`, or the one that the study names, with the libraries that the
+/// study names.
 ///
 /// # Errors
 /// No inventory, or all problems of a library or an inventory.
@@ -89,14 +91,17 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
     Ok(inventory)
 }
 
-/// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the current thread pool.
+/// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the
+/// current thread pool.
 ///
-/// Finished parts are in `progress/` of the folder until the run is complete. A run that was stopped leaves them beside
-/// valid outputs of the finished objects; one that was killed leaves only the parts. With [`Job::resume`] either is
-/// continued and writes the same bytes as a run that was not interrupted.
+/// Finished parts are in `progress/` of the folder until the run is complete. A run that was
+/// stopped leaves them beside valid outputs of the finished objects; one that was killed leaves
+/// only the parts. With [`Job::resume`] either is continued and writes the same bytes as a run that
+/// was not interrupted.
 ///
 /// # Errors
-/// A motion that cannot be generated, or a folder that cannot be written or was not written by freestand.
+/// A motion that cannot be generated, or a folder that cannot be written or was not written by
+/// freestand.
 pub fn assess_into(
     study: &Study,
     inventory: &Inventory,
@@ -172,7 +177,8 @@ fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
     })
 }
 
-/// Nothing here depends on how the run went: the same inputs give the same bytes, however often it was stopped.
+/// Nothing here depends on how the run went: the same inputs give the same bytes, however often it
+/// was stopped.
 fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str) -> Result<String, Problem> {
     let body = json!({
         "version": env!("CARGO_PKG_VERSION"),

@@ -51,15 +51,16 @@ pub(super) fn progress_names(items: usize) -> Vec<String> {
     Store::names(items.div_ceil(PART)).map(|name| format!("{}/{name}", PROGRESS)).collect()
 }
 
-/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool. Finished parts are stored in
-/// a folder with the key of the run; with `resume` those of an earlier run with the same key are used.
+/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool.
+/// Finished parts are stored in a folder with the key of the run; with `resume` those of an earlier
+/// run with the same key are used.
 ///
-/// The result of an object depends on its own row, the study and the seed, but not on other rows, their order, the number
-/// of threads or interruptions.
+/// The result of an object depends on its own row, the study and the seed, but not on other rows,
+/// their order, the number of threads or interruptions.
 ///
 /// # Errors
-/// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error: the result then has the
-/// objects that were finished.
+/// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error:
+/// the result then has the objects that were finished.
 pub(super) fn assess<'a>(
     study: &Study,
     inventory: &'a Inventory,
@@ -181,7 +182,8 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
     Ok(found.into_iter().flatten().collect())
 }
 
-/// What an object is ranked by: decision, life safety, probability, other consequences, demand/capacity.
+/// What an object is ranked by: decision, life safety, probability, other consequences,
+/// demand/capacity.
 struct Urgency<'a> {
     id: &'a str,
     decision: Decision,

@@ -1,7 +1,8 @@
-//! Finished parts of a long run on disk: what a killed run leaves, and what a resumed run starts from.
+//! Finished parts of a long run on disk: what a killed run leaves, and what a resumed run starts
+//! from.
 //!
-//! The results of a million objects do not fit into memory. They are written part by part and read again for the outputs,
-//! so that a run writes the same bytes whether or not it was interrupted.
+//! The results of a million objects do not fit into memory. They are written part by part and read
+//! again for the outputs, so that a run writes the same bytes whether or not it was interrupted.
 
 use std::fs;
 use std::io::{self, BufRead, BufReader, Write};
@@ -29,7 +30,8 @@ pub(super) struct Store {
 }
 
 impl Store {
-    /// Opens the folder for a run with this `key`. Parts of another run are removed, those of the same run unless `resume`.
+    /// Opens the folder for a run with this `key`. Parts of another run are removed, those of the
+    /// same run unless `resume`.
     pub(super) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
         let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
         fs::create_dir_all(folder).map_err(failed)?;
@@ -88,7 +90,8 @@ impl Store {
         .map_err(|error| io_problem(&self.folder.join(&name), "cannot write a finished part", &error))
     }
 
-    /// Puts the file of this name in a second place as well: as a link, or as a copy where links are not possible.
+    /// Puts the file of this name in a second place as well: as a link, or as a copy where links
+    /// are not possible.
     pub(super) fn link(&self, name: &str, to: &Path) -> Result<(), Problem> {
         let from = self.folder.join(name);
         fs::hard_link(&from, to)

@@ -53,7 +53,8 @@ impl<E> Library<E> {
         Self { shelf, entries: entries.unwrap_or_default(), inputs: Vec::new(), warnings: Vec::new() }
     }
 
-    /// The same library with the entries of a user's file, if there is one; an entry with the same id replaces ours.
+    /// The same library with the entries of a user's file, if there is one; an entry with the same
+    /// id replaces ours.
     ///
     /// # Errors
     /// All problems of the file, with line and column.

@@ -31,8 +31,8 @@ pub const CUSHION_COLUMNS: [Column; 12] = [
 /// Pads under one edge where the entry does not say: two feet.
 const PADS_PER_EDGE: u32 = 2;
 
-/// An estimate for one pad, foot or patch of floor under a foot: a range, never a measurement. The keys are those of the
-/// JSON document.
+/// An estimate for one pad, foot or patch of floor under a foot: a range, never a measurement. The
+/// keys are those of the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CushionEntry {
     /// Unique, in lower case.
@@ -138,10 +138,12 @@ impl CushionLibrary {
         Self::new(&SHELF)
     }
 
-    /// The estimate of an entry, or of layers in series: `rubber-foot`, `rubber-foot + carpet-underlay`.
+    /// The estimate of an entry, or of layers in series: `rubber-foot`, `rubber-foot +
+    /// carpet-underlay`.
     ///
-    /// The stiffness is the geometric mean of the range. Layers act in series under each foot, 1/k = Σ 1/kᵢ, and the scatter of
-    /// ln k is √Σ(wᵢ sᵢ)² with the shares wᵢ = k/kᵢ of the compression: the softest layer governs.
+    /// The stiffness is the geometric mean of the range. Layers act in series under each foot,
+    /// 1/k = Σ 1/kᵢ, and the scatter of ln k is √Σ(wᵢ sᵢ)² with the shares wᵢ = k/kᵢ of the
+    /// compression: the softest layer governs.
     ///
     /// # Errors
     /// An unknown id.

@@ -1,9 +1,10 @@
-//! The tolerance library and the cushion library: what objects withstand and what they rest on, with the source of every
-//! number.
+//! The tolerance library and the cushion library: what objects withstand and what they rest on,
+//! with the source of every number.
 //!
-//! Both are built-in tables. A user's file with the same columns adds entries, and replaces those with the same id. An
-//! entry names its source; without a source and a page or clause it is `recalled`. A recalled tolerance may be shown but
-//! never decides a verdict. A cushion is a range from which stiffnesses are drawn, and the report says so.
+//! Both are built-in tables. A user's file with the same columns adds entries, and replaces those
+//! with the same id. An entry names its source; without a source and a page or clause it is
+//! `recalled`. A recalled tolerance may be shown but never decides a verdict. A cushion is a range
+//! from which stiffnesses are drawn, and the report says so.
 
 mod collection;
 mod cushions;
@@ -43,7 +44,8 @@ impl Libraries {
         })
     }
 
-    /// What a reader of inventories needs. A fragility is not a tolerance, and is not among the names.
+    /// What a reader of inventories needs. A fragility is not a tolerance, and is not among the
+    /// names.
     pub fn looked_up<T>(&self, read: impl FnOnce(&Lookup) -> T) -> T {
         let names = self.tolerances.entries().iter().filter(|entry| to_tolerance(entry).is_some());
         read(&Lookup {
@@ -67,7 +69,8 @@ pub enum Confidence {
     Secondary,
     /// An assumption, without a source.
     Assumption,
-    /// Quoted from memory, without a source and a page: such a tolerance may be shown but never decides.
+    /// Quoted from memory, without a source and a page: such a tolerance may be shown but never
+    /// decides.
     Recalled,
 }
 
@@ -99,9 +102,11 @@ pub struct Tolerance {
 /// An estimate of a cushion, never a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CushionPrior {
-    /// The cushion in the words of [`freestand_study::cushion`]: the geometric mean of the range, with the pads per edge.
+    /// The cushion in the words of [`freestand_study::cushion`]: the geometric mean of the range,
+    /// with the pads per edge.
     pub words: Words,
-    /// ln(high/low)/2: the range is taken as that from 16 to 84 %, which contains two pads of three.
+    /// ln(high/low)/2: the range is taken as that from 16 to 84 %, which contains two pads of
+    /// three.
     pub log_sd: f64,
     /// Its source, ready to print.
     pub source: String,

@@ -36,7 +36,8 @@ impl<'s> RowReader<'s> {
         text
     }
 
-    /// A positive number in SI, in the unit of its column or with a unit of its own; `None` for an empty cell.
+    /// A positive number in SI, in the unit of its column or with a unit of its own; `None` for an
+    /// empty cell.
     pub(super) fn positive(&mut self, column: &'static str, dimension: Dimension) -> Option<f64> {
         let cell = self.table.cell(self.row, column);
         if cell.text.is_empty() {

@@ -1,4 +1,5 @@
-//! A library as a table: named columns with units, one entry in each row, all problems reported at once.
+//! A library as a table: named columns with units, one entry in each row, all problems reported at
+//! once.
 
 use std::path::Path;
 
@@ -83,7 +84,8 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
 /// Splits a library into its cells.
 ///
 /// # Errors
-/// A file that is not text, has no header or lacks a column, has rows of different lengths, or too many rows.
+/// A file that is not text, has no header or lacks a column, has rows of different lengths, or too
+/// many rows.
 pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Problems> {
     let format = |message: String| Problem::new(ProblemKind::Format, message);
     let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes))

@@ -12,7 +12,8 @@ fn the_builtin_libraries_are_read_whole() {
     assert_eq!(CushionLibrary::builtin().entries().len(), text.lines().count() - 1);
 }
 
-/// An entry without a source, or without page and clause, is recalled and decides nothing; nor does a fragility.
+/// An entry without a source, or without page and clause, is recalled and decides nothing; nor does
+/// a fragility.
 #[test]
 fn nothing_without_a_page_decides() {
     for entry in ToleranceLibrary::builtin().entries() {
@@ -85,7 +86,8 @@ fn a_range_gives_its_low_end_and_a_sawtooth_nothing() {
     assert_eq!((lift.edge_lift_m, lift.peak_m_s2), (Some(0.05), None));
 }
 
-/// E₀A/t and E₀(1 + 2kS²)A/t of a pad of 78 × 78 × 20 mm, S = 0.975, by hand: 669 and 1598, 1354 and 2821, 2233 and 4483 N/mm.
+/// E₀A/t and E₀(1 + 2kS²)A/t of a pad of 78 × 78 × 20 mm, S = 0.975, by hand: 669 and 1598, 1354
+/// and 2821, 2233 and 4483 N/mm.
 #[test]
 fn pads_follow_gent_and_lindley() {
     let library = CushionLibrary::builtin();
@@ -102,8 +104,8 @@ fn pads_follow_gent_and_lindley() {
     );
 }
 
-/// √(50·500) = 158.114 in series with √(300·3000) = 948.683 N/mm: 135.527 each, two to an edge. The carpet has 0.857 of the
-/// compression: ln k scatters by 1.1513 √(0.857² + 0.143²) = 1.0004.
+/// √(50·500) = 158.114 in series with √(300·3000) = 948.683 N/mm: 135.527 each, two to an edge. The
+/// carpet has 0.857 of the compression: ln k scatters by 1.1513 √(0.857² + 0.143²) = 1.0004.
 #[test]
 fn layers_act_in_series() {
     let prior = CushionLibrary::builtin().prior("rubber-foot + Carpet-underlay").unwrap();
@@ -210,7 +212,8 @@ fn entries_are_found_by_words_and_by_slips() {
     assert!(library.get("zzz").unwrap_err().hint.unwrap().starts_with("freestand tolerance list"));
 }
 
-/// As much of JSON Schema as the two schemas use: type, enum, const, required, exclusiveMinimum, additionalProperties.
+/// As much of JSON Schema as the two schemas use: type, enum, const, required, exclusiveMinimum,
+/// additionalProperties.
 fn conforms(value: &serde_json::Value, schema: &serde_json::Value) -> Result<(), String> {
     let properties = schema["properties"].as_object().ok_or("no properties")?;
     let object = value.as_object().ok_or("no object")?;
@@ -246,7 +249,8 @@ fn conforms(value: &serde_json::Value, schema: &serde_json::Value) -> Result<(),
     Ok(())
 }
 
-/// Every entry conforms to its schema, which has exactly the keys of an entry and refuses wrong ones.
+/// Every entry conforms to its schema, which has exactly the keys of an entry and refuses wrong
+/// ones.
 #[test]
 fn entries_follow_their_schemas() {
     let schema = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();

@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
-use freestand_study::shock_spectrum::pulse_name;
+use freestand_input::words::{name_of, number};
+use freestand_study::shock_spectrum::SHAPES;
 
 use super::collection::{Library, Shelf};
 use super::reader::RowReader;
@@ -82,8 +82,8 @@ pub enum Kind {
     TestSeverity,
     /// A range for a class of objects; the low end is the tolerance.
     Class,
-    /// Median and dispersion of the floor motion at which such objects fail or overturn: for comparison only, never a
-    /// tolerance.
+    /// Median and dispersion of the floor motion at which such objects fail or overturn: for
+    /// comparison only, never a tolerance.
     Fragility,
 }
 
@@ -131,7 +131,8 @@ impl State {
     }
 }
 
-/// An entry of the tolerance library; `None` where its source gives no value. The keys are those of the JSON document.
+/// An entry of the tolerance library; `None` where its source gives no value. The keys are those of
+/// the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ToleranceEntry {
     /// Unique, in lower case.
@@ -156,7 +157,8 @@ pub struct ToleranceEntry {
     pub duration_s: Option<f64>,
     /// `half-sine`, `trapezoid`, `terminal-sawtooth`, …; `None` without a duration.
     pub shape: Option<&'static str>,
-    /// Velocity change of that pulse itself, 2AT/π for a half-sine \[m/s\]; not a tolerance by itself.
+    /// Velocity change of that pulse itself, 2AT/π for a half-sine \[m/s\]; not a tolerance by
+    /// itself.
     pub pulse_velocity_change_m_s: Option<f64>,
     /// Critical velocity change: below it no peak causes damage \[m/s\].
     pub velocity_change_m_s: Option<f64>,
@@ -221,7 +223,7 @@ impl ToleranceEntry {
             peak_high_m_s2,
             peak_high_g: in_g(peak_high_m_s2),
             duration_s,
-            shape: shape.map(pulse_name),
+            shape: shape.map(|shape| name_of(SHAPES, shape)),
             pulse_velocity_change_m_s: pulse
                 .and_then(|((shape, peak), duration)| Pulse::new(shape, peak, duration).ok())
                 .map(|pulse| pulse.velocity_change_m_s()),
@@ -327,7 +329,7 @@ fn shape(reader: &mut RowReader<'_>, duration_s: Option<f64>) -> Option<PulseSha
             reader.note("shape", "a shape needs a duration", hint);
             None
         }
-        (false, Some(_)) => reader.word("shape", &PulseShape::ALL.map(|shape| (pulse_name(shape), shape))),
+        (false, Some(_)) => reader.word("shape", &PulseShape::ALL.map(|shape| (name_of(SHAPES, shape), shape))),
     }
 }
 
@@ -336,12 +338,13 @@ fn notice(text: String) -> String {
     if text == "dlml" { include_str!("dlml-notice.txt").trim().to_owned() } else { text }
 }
 
-/// The tolerance of an object with this entry; `None`: the entry is a fragility, or its pulse is not a half-sine, the only
-/// shape with which demands are compared.
+/// The tolerance of an object with this entry; `None`: the entry is a fragility, or its pulse is
+/// not a half-sine, the only shape with which demands are compared.
 ///
-/// A range gives its low end. The velocity change of the pulse does not become a critical velocity change.
+/// A range gives its low end. The velocity change of the pulse does not become a critical velocity
+/// change.
 pub fn to_tolerance(entry: &ToleranceEntry) -> Option<Tolerance> {
-    let is_comparable = entry.shape.is_none_or(|shape| shape == pulse_name(PulseShape::HalfSine));
+    let is_comparable = entry.shape.is_none_or(|shape| shape == name_of(SHAPES, PulseShape::HalfSine));
     (entry.kind != Kind::Fragility && is_comparable).then(|| Tolerance {
         peak_m_s2: entry.peak_m_s2,
         duration_s: entry.duration_s,

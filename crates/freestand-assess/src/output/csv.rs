@@ -77,7 +77,8 @@ impl CsvTable {
     }
 }
 
-/// A cell as a field. A spreadsheet takes a text that begins with one of `= + - @` for a formula, so a `'` precedes it.
+/// A cell as a field. A spreadsheet takes a text that begins with one of `= + - @` for a formula,
+/// so a `'` precedes it.
 fn push_field(out: &mut String, cell: &Cell) {
     match cell {
         Cell::Text(text) => {

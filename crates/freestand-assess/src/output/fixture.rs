@@ -1,5 +1,5 @@
-//! Invented assessments for tests: every kind of row, with hostile texts among them. The numbers of a row are unrelated,
-//! except for the chain, which is computed.
+//! Invented assessments for tests: every kind of row, with hostile texts among them. The numbers of
+//! a row are unrelated, except for the chain, which is computed.
 
 use std::path::PathBuf;
 
@@ -104,7 +104,8 @@ pub(super) fn inventory(items: Vec<Item>) -> Inventory {
     }
 }
 
-/// The chain of an item about its thickness, computed by the core, for a quarter of the rise at the balance point.
+/// The chain of an item about its thickness, computed by the core, for a quarter of the rise at the
+/// balance point.
 pub(super) fn chain(item: &Item) -> Option<Chain> {
     let (height_m, thickness_m) = (item.height_m?, item.thickness_m?);
     let (base_m, cg_height_m) = (item.base_thickness_m, item.cg_height_m);

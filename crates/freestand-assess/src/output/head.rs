@@ -8,8 +8,8 @@ use freestand_study::study::{Ground, Study};
 /// What all outputs of an assessment share.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Head {
-    /// Name and value in words: the inventory and its fingerprint, the study, the hazard, the building, the motions,
-    /// seed, version.
+    /// Name and value in words: the inventory and its fingerprint, the study, the hazard, the
+    /// building, the motions, seed, version.
     pub facts: Vec<(String, String)>,
     /// What was assumed, one sentence each, with its source.
     pub assumptions: Vec<String>,
@@ -76,37 +76,37 @@ fn assumptions(study: &Study) -> Vec<String> {
     vec![
         "Every probability applies to these motions; it is not an annual probability.".to_owned(),
         format!(
-            "Accepted probability of overturning or damage: {}; {} where life safety is rated high, {} for property and {} \
-             for function. No code prescribes it: the owner chooses it.",
+            "Accepted probability of overturning or damage: {}; {} where life safety is rated high, {} for property \
+             and {} for function. No code prescribes it: the owner chooses it.",
             percent(accepted.other_ratio),
             percent(accepted.life_safety_ratio),
             percent(accepted.property_ratio),
             percent(accepted.function_ratio)
         ),
         format!(
-            "Uncertain values were drawn {draws} to {most_draws} times for each motion, lognormally about the values of \
-             the inventory. Standard deviations of the logarithms: restitution {} (never above 0.99), stiffness {} (a \
-             library entry has its own), mass {}, sides and heights {}, Eq. (5) {}. The last is the coefficient of \
-             variation in Table I of Al Abadi et al., from five tests of one cabinet.",
+            "Uncertain values were drawn {draws} to {most_draws} times for each motion, lognormally about the values \
+             of the inventory. Standard deviations of the logarithms: restitution {} (never above 0.99), stiffness \
+             {} (a library entry has its own), mass {}, sides and heights {}, Eq. (5) {}. The last is the \
+             coefficient of variation in Table I of Al Abadi et al., from five tests of one cabinet.",
             spread.restitution, spread.stiffness, spread.mass, spread.geometry, spread.model
         ),
-        "Intervals of probabilities are 95 % intervals by Korn and Graubard (1998), with the motions as clusters. They show \
-         the effect of the number of motions, not whether the motions suit the site."
+        "Intervals of probabilities are 95 % intervals by Korn and Graubard (1998), with the motions as clusters. \
+         They show the effect of the number of motions, not whether the motions suit the site."
             .to_owned(),
         format!(
-            "Friction where the inventory does not give it: {} to {}. Sliding is not computed; where it occurs, rocking and \
-             its shock are smaller.",
+            "Friction where the inventory does not give it: {} to {}. Sliding is not computed; where it occurs, \
+             rocking and its shock are smaller.",
             friction_ratio.0, friction_ratio.1
         ),
         format!(
-            "A softer pad may be compressed by {} of its thickness (20 mm where it is not given). On the compliant base, a \
-             pad with a stiffness but no damping is given {} of critical damping; without any, objects would bounce far \
-             higher.",
+            "A softer pad may be compressed by {} of its thickness (20 mm where it is not given). On the compliant \
+             base, a pad with a stiffness but no damping is given {} of critical damping; without any, objects would \
+             bounce far higher.",
             percent(*pad_strain_ratio),
             percent(*pad_damping_ratio)
         ),
-        "Every object is free-standing on a level, rigid floor and moves in one plane at a time. The objects do not affect \
-         the motion of the floor."
+        "Every object is free-standing on a level, rigid floor and moves in one plane at a time. The objects do not \
+         affect the motion of the floor."
             .to_owned(),
     ]
 }

@@ -1,4 +1,5 @@
-//! The outputs of an assessment, written in one pass over its rows: a million objects are never in memory together.
+//! The outputs of an assessment, written in one pass over its rows: a million objects are never in
+//! memory together.
 
 pub mod csv;
 #[cfg(test)]
@@ -69,11 +70,13 @@ impl Wanted {
 /// Rows in the list of the most urgent objects.
 pub const URGENT_ROWS: usize = 50;
 
-/// Writes the outputs of an assessment into `folder` in a single pass over `rows`, which are in the order of the
-/// inventory. Objects without a row were not assessed, because the run was interrupted: they are in the tables without a
-/// decision, and every output says that it is partial and how many objects were assessed.
+/// Writes the outputs of an assessment into `folder` in a single pass over `rows`, which are in the
+/// order of the inventory. Objects without a row were not assessed, because the run was
+/// interrupted: they are in the tables without a decision, and every output says that it is partial
+/// and how many objects were assessed.
 ///
-/// Only the counts, the pages of the most urgent objects and one group of rows are in memory, whatever the number of rows.
+/// Only the counts, the pages of the most urgent objects and one group of rows are in memory,
+/// whatever the number of rows.
 ///
 /// # Errors
 /// The first problem of `rows`, rows that are not in the order of the inventory, or a full disk.

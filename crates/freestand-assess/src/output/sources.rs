@@ -67,7 +67,8 @@ mod tests {
             sources.add(&Line::of(row));
         }
         let found: Vec<_> = sources.rows().collect();
-        // Some 2000 pads and the others together; a tolerance in three of four rows; the two clauses were counted first.
+        // Some 2000 pads and the others together; a tolerance in three of four rows; the two
+        // clauses were counted first.
         assert!(found.len() <= MAX_SOURCES + 1);
         let of = |what: &str| found.iter().filter(|row| row.0 == what).map(|row| row.3).sum::<usize>();
         assert_eq!((of("tolerance"), of("cushion")), (1_575, 2_100));

@@ -43,7 +43,8 @@ pub fn advice(decision: Decision) -> &'static str {
     }
 }
 
-/// The colours of a decision (after Okabe and Ito). The colour-blind can tell them apart; in grey their lightness differs.
+/// The colours of a decision (after Okabe and Ito). The colour-blind can tell them apart; in grey
+/// their lightness differs.
 pub fn colours(decision: Decision) -> Colours {
     match decision {
         Decision::Restrain => Colours { ink: 0x00A8_4300, fill: 0x00F7_C5A0 },
@@ -120,8 +121,9 @@ pub const HOW_TO_READ: [&str; 7] = [
      number.",
     "A probability counts motions, and draws of the uncertain values (stiffness, restitution, mass, geometry, model); \
      overturning counts as exceeding the tolerance. The 95 % interval follows the probability.",
-    "Shocks are those of the edge that lands, by Eq. (5) of Al Abadi et al., or by Eq. (8) where the landing is halted. \
-     Of two energy sources, the rise of the centre of gravity and the velocity before the impact, the larger counts.",
+    "Shocks are those of the edge that lands, by Eq. (5) of Al Abadi et al., or by Eq. (8) where the landing is \
+     halted. Of two energy sources, the rise of the centre of gravity and the velocity before the impact, the larger \
+     counts.",
 ];
 
 #[cfg(test)]

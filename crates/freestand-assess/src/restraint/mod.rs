@@ -1,5 +1,5 @@
-//! The forces for the design of a restraint, by the codes and by the computed floor motion, and the clearance of an
-//! object without a restraint.
+//! The forces for the design of a restraint, by the codes and by the computed floor motion, and the
+//! clearance of an object without a restraint.
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::part_forces::{
@@ -96,15 +96,17 @@ const TALL_M: f64 = 30.0;
 
 const RECALLED: &str = "This clause is recalled, not read: check it in your edition.";
 
-/// The forces for the design of a restraint, one for each source: AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13,
-/// Eurocode 8 or NZS 1170.5 where the hazard is theirs, and the computed floor acceleration times the mass.
+/// The forces for the design of a restraint, one for each source: AS 1170.4 section 8, ASCE 7-16
+/// and 7-22 chapter 13, Eurocode 8 or NZS 1170.5 where the hazard is theirs, and the computed floor
+/// acceleration times the mass.
 ///
-/// The force acts at the centre of gravity. All anchors along one edge together hold
-/// T = max(0, (F h − W (1 − v) e)/b), with h the height of the centre of gravity, e the lever of the weight, b the base
-/// and v the share of the weight that the clause deducts for vertical shaking; the axis that needs more counts.
+/// The force acts at the centre of gravity. All anchors along one edge together hold T = max(0, (F
+/// h − W (1 − v) e)/b), with h the height of the centre of gravity, e the lever of the weight, b
+/// the base and v the share of the weight that the clause deducts for vertical shaking; the axis
+/// that needs more counts.
 ///
-/// A code other than the study's receives the study's spectrum: kpZ Ch(0) is then Sa(0), S_DS its plateau, and the note
-/// says so. There is no force for an object without mass or size.
+/// A code other than the study's receives the study's spectrum: kpZ Ch(0) is then Sa(0), S_DS its
+/// plateau, and the note says so. There is no force for an object without mass or size.
 pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     let is_positive = |value: f64| value > 0.0 && value.is_finite();
     if !is_positive(question.mass_kg) || !is_positive(question.cg_height_m) {
@@ -304,12 +306,13 @@ fn new_zealand(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<
     Some(force(question, "NZS 1170.5:2004, section 8", found.force_ratio, 0.0, &formula))
 }
 
-/// Clearance that an object needs beside it while it rocks \[m\]: its highest corner moves h sin θ beyond its side. Past
-/// the balance point, tan θ > t/h, it overturns and needs its height.
+/// Clearance that an object needs beside it while it rocks \[m\]: its highest corner moves h sin θ
+/// beyond its side. Past the balance point, tan θ > t/h, it overturns and needs its height.
 ///
-/// With the pivot at the origin the corners are (0, 0), (−t, 0), (−t, h) and (0, h). After a rotation θ towards the
-/// pivot, a corner (x, z) is at x cos θ + z sin θ: the corner above the pivot moves farthest, h sin θ beyond the side;
-/// on the other side the free edge draws in by t (1 − cos θ).
+/// With the pivot at the origin the corners are (0, 0), (−t, 0), (−t, h) and (0, h). After a
+/// rotation θ towards the pivot, a corner (x, z) is at x cos θ + z sin θ: the corner above the
+/// pivot moves farthest, h sin θ beyond the side; on the other side the free edge draws in by t
+/// (1 − cos θ).
 ///
 /// # Example
 /// A cabinet of 2.3 m × 0.6 m at 5°, and past its balance point at 14.6°:

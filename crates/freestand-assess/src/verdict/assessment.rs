@@ -50,7 +50,8 @@ impl Found<'_> {
         self.as_is.iter().enumerate().filter_map(|(i, one)| Some((i, one.as_ref().ok()?.as_slice())))
     }
 
-    /// What a motion is ranked by: demand/capacity where it is known, else the shock, else the rise.
+    /// What a motion is ranked by: demand/capacity where it is known, else the shock, else the
+    /// rise.
     fn severity(&self, axes: &[AxisMotion]) -> f64 {
         match (self.capacity().and_then(|_| demand_capacity(axes)), self.body()) {
             (Some(ratio), _) => ratio,
@@ -66,7 +67,8 @@ impl Found<'_> {
         order.into_iter().map(|(_, i)| i).collect()
     }
 
-    /// The place of the motion that decides: the hardest after the accepted share of them is left out.
+    /// The place of the motion that decides: the hardest after the accepted share of them is left
+    /// out.
     pub(super) fn deciding_place(&self, motions: usize) -> Option<usize> {
         let beyond = (self.member.accepted_ratio * motions as f64).floor() as usize;
         motions.checked_sub(1 + beyond.min(motions.saturating_sub(1)))
@@ -188,7 +190,8 @@ fn unknown_ratio(context: &Context, found: &Found, failed: usize) -> f64 {
     motions.max(1.0 - done as f64 / wanted.max(1) as f64)
 }
 
-/// Whether a motion that does not overturn it compresses its pads by more than their stated thickness.
+/// Whether a motion that does not overturn it compresses its pads by more than their stated
+/// thickness.
 fn bottoms(found: &Found) -> bool {
     let Some(thickness_m) = found.body().and_then(|body| body.pad_thickness_m) else { return false };
     let pressed = |one: &AxisMotion| one.hit.as_ref().is_some_and(|hit| hit.compression_m > thickness_m);
@@ -281,8 +284,8 @@ fn shock(found: &Found) -> Option<Shock> {
     })
 }
 
-/// The duration of the pulse on the cushion; for a curved contact law, of a landing from a hundredth of the rise at the
-/// balance point.
+/// The duration of the pulse on the cushion; for a curved contact law, of a landing from a
+/// hundredth of the rise at the balance point.
 fn pulse_duration_s(found: &Found, axis: usize, body: &Body) -> f64 {
     let landing = Landing::rocking(&found.member.subject.axes[axis].block, ImpactModel::Paper);
     let rise_m = 0.01 * landing.pivot.balance_rise_m();
@@ -297,7 +300,8 @@ fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
             probability(&shares(draws, |one| one.overturned)).unwrap_or(never),
             if comparable { probability(&shares(draws, |one| one.exceeds())) } else { floor_alone(found) },
         ),
-        // It does not uplift, so that only the acceleration of the floor remains, and only a peak can be exceeded by it.
+        // It does not uplift, so that only the acceleration of the floor remains, and only a peak
+        // can be exceeded by it.
         None => {
             let zeros: Vec<f64> = found.followed().map(|_| 0.0).collect();
             let floor = found.capacity().map(|capacity| {
@@ -309,8 +313,8 @@ fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
     }
 }
 
-/// For an object without a known shock, the probability that the acceleration of its floor alone exceeds its tolerance,
-/// where that is above the accepted one: a shock could only add to it.
+/// For an object without a known shock, the probability that the acceleration of its floor alone
+/// exceeds its tolerance, where that is above the accepted one: a shock could only add to it.
 fn floor_alone(found: &Found) -> Option<Probability> {
     let peak_m_s2 = found.capacity()?.peak_m_s2?;
     let above = |(motion, _): (usize, _)| f64::from(u8::from(found.floor.pfa_m_s2[motion] > peak_m_s2));
@@ -357,7 +361,8 @@ fn capacity_check(found: &Found, governing: Option<Criterion>) -> Option<Capacit
     })
 }
 
-/// Impacts above the peak of its tolerance, about the governing axis; `None` where no peak is known.
+/// Impacts above the peak of its tolerance, about the governing axis; `None` where no peak is
+/// known.
 fn impacts_above(found: &Found, motion: usize) -> Option<usize> {
     let (body, peak) = (found.body()?, found.capacity()?.peak_m_s2?);
     let axes = found.as_is.get(motion)?.as_ref().ok()?;
@@ -376,8 +381,8 @@ fn impacts_above(found: &Found, motion: usize) -> Option<usize> {
     found.floor.motions[motion].iter().filter_map(in_direction).max()
 }
 
-/// Whether it slides, by the friction that rocking and its impacts need under the hardest motion, or that an object at
-/// rest needs on its floor; `None` where that is not known.
+/// Whether it slides, by the friction that rocking and its impacts need under the hardest motion,
+/// or that an object at rest needs on its floor; `None` where that is not known.
 fn sliding(context: &Context, found: &Found, order: &[usize]) -> Option<Sliding> {
     let rocks = |motion: usize| found.as_is[motion].as_ref().is_ok_and(|axes| lifts(axes));
     let Some(motion) = order.iter().rev().copied().find(|&motion| rocks(motion)) else {

@@ -1,4 +1,5 @@
-//! Demand over capacity, kept in parts so that a softer pad or an error of the model can be applied afterwards.
+//! Demand over capacity, kept in parts so that a softer pad or an error of the model can be applied
+//! afterwards.
 
 use std::sync::OnceLock;
 
@@ -28,11 +29,12 @@ pub(super) struct Demand {
     pub(super) duration_s: f64,
 }
 
-/// Demand over capacity in its parts: `max(min(acceleration · f, velocity_change), spectrum · s, lift, floor)`, where f
-/// and s are [`Factors`] on the shock of the edge.
+/// Demand over capacity in its parts: `max(min(acceleration · f, velocity_change), spectrum · s,
+/// lift, floor)`, where f and s are [`Factors`] on the shock of the edge.
 ///
-/// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps it. Neither Δv/V_c nor
-/// the uplift depends on the stiffness. The spectrum is that of the pulse that the object withstands.
+/// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps
+/// it. Neither Δv/V_c nor the uplift depends on the stiffness. The spectrum is that of the pulse
+/// that the object withstands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Terms {
     pub(super) acceleration: f64,
@@ -40,11 +42,13 @@ pub(super) struct Terms {
     pub(super) spectrum: f64,
     pub(super) lift: f64,
     pub(super) floor: f64,
-    /// Duration of the pulse \[s\], which a spectrum depends on; 0 for an object that does not rock.
+    /// Duration of the pulse \[s\], which a spectrum depends on; 0 for an object that does not
+    /// rock.
     pub(super) duration_s: f64,
 }
 
-/// Factors on the peak of a shock, and on the ratio of its spectrum to that of the pulse that the object withstands.
+/// Factors on the peak of a shock, and on the ratio of its spectrum to that of the pulse that the
+/// object withstands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Factors {
     pub(super) peak: f64,
@@ -137,8 +141,8 @@ impl Capacity {
         self.peak_m_s2.is_some() || self.velocity_change_m_s.is_some()
     }
 
-    /// The parts of demand over capacity; `None` where a shock is needed and not known. An object at rest has no shock:
-    /// only the acceleration of the floor itself is compared.
+    /// The parts of demand over capacity; `None` where a shock is needed and not known. An object
+    /// at rest has no shock: only the acceleration of the floor itself is compared.
     pub(super) fn terms(
         &self,
         demand: Option<Demand>,
@@ -169,7 +173,8 @@ impl Capacity {
         Some(Terms { acceleration, velocity_change, spectrum, lift, floor, duration_s: demand.duration_s })
     }
 
-    /// Severity of a pulse of this duration over the tolerated pulse at the same peak; 1 where that has no duration.
+    /// Severity of a pulse of this duration over the tolerated pulse at the same peak; 1 where that
+    /// has no duration.
     pub(super) fn severity_ratio(&self, duration_s: f64) -> f64 {
         match self.duration_s {
             Some(survived_s) if duration_s > 0.0 => severity_ratio(duration_s / survived_s),
@@ -194,11 +199,12 @@ const TABLE_END: f64 = 7.0;
 /// Steps of the table between −[`TABLE_END`] and [`TABLE_END`].
 const TABLE_STEPS: usize = 2800;
 
-/// The largest ratio of the two shock response spectra of half-sines of equal peak, by the ratio of their durations.
+/// The largest ratio of the two shock response spectra of half-sines of equal peak, by the ratio of
+/// their durations.
 ///
 /// # Accuracy
-/// Interpolated between exact values 0.5 % apart in duration: within 1e-3, which is reached at the kinks of the curve and
-/// is far below the spread of a stiffness. Exact outside e^±7.
+/// Interpolated between exact values 0.5 % apart in duration: within 1e-3, which is reached at the
+/// kinks of the curve and is far below the spread of a stiffness. Exact outside e^±7.
 pub(super) fn severity_ratio(durations_ratio: f64) -> f64 {
     static TABLE: OnceLock<Vec<f64>> = OnceLock::new();
     let exact = |log_ratio: f64| {
@@ -241,8 +247,8 @@ mod tests {
         (terms.ratio(), terms.governing(&capacity))
     }
 
-    /// The shock of the paper's cabinet (4.1 g, 17.8 ms, 0.5 m/s) is within the boundary of a disk (70 g, 0.874 m/s); one
-    /// of 6 g exceeds both legs of the boundary of a card (5 g, 0.343 m/s).
+    /// The shock of the paper's cabinet (4.1 g, 17.8 ms, 0.5 m/s) is within the boundary of a disk
+    /// (70 g, 0.874 m/s); one of 6 g exceeds both legs of the boundary of a card (5 g, 0.343 m/s).
     #[test]
     fn a_boundary_is_an_and() {
         let disk = tolerance(Some(70.0), None, Some(0.874), None);
@@ -253,7 +259,8 @@ mod tests {
         assert!((ratio(&card, 60.0, 0.2, 0.0178, 0.0).0 - 0.2 / 0.343).abs() < 1e-12);
     }
 
-    /// 4.5 g of 5 g and 0.5 m/s of 1 m/s are within the boundary, but a pulse of 17.8 ms is more severe than one of 11 ms.
+    /// 4.5 g of 5 g and 0.5 m/s of 1 m/s are within the boundary, but a pulse of 17.8 ms is more
+    /// severe than one of 11 ms.
     #[test]
     fn a_boundary_does_not_hide_a_tolerated_pulse() {
         let both = tolerance(Some(5.0), Some(0.011), Some(1.0), None);
@@ -276,7 +283,8 @@ mod tests {
         assert_eq!(Capacity::new(&tolerance(None, Some(0.011), None, None)), None);
     }
 
-    /// Interpolated and exact values, between the nodes and at the kinks of the curve, differ by less than the bound.
+    /// Interpolated and exact values, between the nodes and at the kinks of the curve, differ by
+    /// less than the bound.
     #[test]
     fn the_table_of_severities_is_within_its_bound() {
         for i in 0..200 {

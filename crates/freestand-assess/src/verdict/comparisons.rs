@@ -1,4 +1,5 @@
-//! Published numbers to compare ours with: code accelerations, fragilities, and the forces for a restraint.
+//! Published numbers to compare ours with: code accelerations, fragilities, and the forces for a
+//! restraint.
 
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
@@ -18,7 +19,8 @@ use super::response::{lifts, options};
 /// Dispersion of the FEMA P-58 fragilities of slender unanchored contents.
 const P58_BETA: f64 = 0.5;
 
-/// Median of those fragilities over the velocity of Kaneko and Hayashi: from 0.75 to 0.81 for all nine.
+/// Median of those fragilities over the velocity of Kaneko and Hayashi: from 0.75 to 0.81 for all
+/// nine.
 const P58_SHARE: f64 = 0.8;
 
 /// Largest friction that the rocking needs; `None` where the history fails.
@@ -45,7 +47,8 @@ impl Context<'_> {
             let code_g = floor_acceleration_g(&target.spectrum, &question);
             if let (Some(code_g), Some(clause)) = (code_g, clause(&target.spectrum)) {
                 lines.push(format!(
-                    "The code requires {} g for a rigid part on this floor ({clause}); the median PFA of the motions is {} g.",
+                    "The code requires {} g for a rigid part on this floor ({clause}); the median PFA of the motions \
+                     is {} g.",
                     number(code_g, 3),
                     number(facts.pfa_g_median, 3)
                 ));
@@ -56,9 +59,9 @@ impl Context<'_> {
             let median_m_s = P58_SHARE * slender.fold(f64::INFINITY, f64::min);
             let p = lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA);
             lines.push(format!(
-                "By the rule that the FEMA P-58 medians for unanchored contents follow (0.8 of the overturning velocity of \
-                 Kaneko and Hayashi, recalled; β {P58_BETA}), an object of this shape has a median PFV of {} m/s. At the \
-                 median PFV of this floor, {} m/s, it overturns with a probability of {}.",
+                "By the rule that the FEMA P-58 medians for unanchored contents follow (0.8 of the overturning \
+                 velocity of Kaneko and Hayashi, recalled; β {P58_BETA}), an object of this shape has a median PFV \
+                 of {} m/s. At the median PFV of this floor, {} m/s, it overturns with a probability of {}.",
                 number(median_m_s, 3),
                 number(facts.pfv_m_s_median, 3),
                 percent(p)

@@ -34,13 +34,16 @@ pub(super) struct Case<'a> {
     /// What a comparison lacks: `tolerance`, `mass`, `cushion`.
     pub(super) missing: &'a [&'static str],
     pub(super) pfa_g: f64,
-    /// Demand/capacity of the hardest motion; without a tolerance, rotation over the slenderness angle.
+    /// Demand/capacity of the hardest motion; without a tolerance, rotation over the slenderness
+    /// angle.
     pub(super) hardest: f64,
     /// Share of the motions or draws whose histories failed.
     pub(super) unknown_ratio: f64,
-    /// Whether its pads are compressed beyond their thickness, where the computed shock is too small.
+    /// Whether its pads are compressed beyond their thickness, where the computed shock is too
+    /// small.
     pub(super) bottoms: bool,
-    /// The softer pad that was looked for because the shock alone is too large: whether it passed, and what was checked.
+    /// The softer pad that was looked for because the shock alone is too large: whether it passed,
+    /// and what was checked.
     pub(super) softer: Option<(bool, &'a str)>,
     /// Why no softer pad was found.
     pub(super) beyond_pads: &'a str,
@@ -147,8 +150,9 @@ pub(crate) fn listed(names: &[&str]) -> String {
 /// Demand/capacity of the hardest motion from which one more motion could exceed it.
 const CLOSE_DEMAND: f64 = 0.5;
 
-/// A sentence where the interval includes the accepted probability, so that more motions could change the verdict. Where
-/// no motion comes near the tolerance, the interval only shows how few motions there are.
+/// A sentence where the interval includes the accepted probability, so that more motions could
+/// change the verdict. Where no motion comes near the tolerance, the interval only shows how few
+/// motions there are.
 fn doubt(p: Probability, case: &Case) -> String {
     let is_close = p.value > 0.0 || case.hardest >= CLOSE_DEMAND;
     if is_close && p.low <= case.accepted_ratio && p.high > case.accepted_ratio {
@@ -214,8 +218,8 @@ mod tests {
         assert_eq!(decision, Decision::NoVerdict);
         assert_eq!(
             why,
-            "It does not rock. Only overturning was assessed, because its tolerance was not given; the median PFA of its \
-             floor is 0.2 g."
+            "It does not rock. Only overturning was assessed, because its tolerance was not given; the median PFA of \
+             its floor is 0.2 g."
         );
     }
 

@@ -1,4 +1,5 @@
-//! Objects on floors whose motions are in memory: first all histories in batches, then each object by itself.
+//! Objects on floors whose motions are in memory: first all histories in batches, then each object
+//! by itself.
 
 use std::collections::HashMap;
 
@@ -61,7 +62,8 @@ impl Variant {
     }
 }
 
-/// Assesses the members, whose floors are all in `floors`; a result does not depend on the other members.
+/// Assesses the members, whose floors are all in `floors`; a result does not depend on the other
+/// members.
 pub(crate) fn assess_group(
     context: &Context,
     floors: &Floors,
@@ -116,8 +118,8 @@ fn screen_all(context: &Context, floors: &Floors, members: &[Member]) -> Result<
     Ok(screened)
 }
 
-/// Whether uplift is possible in any draw: with a base five standard deviations narrower and a centre of gravity as many
-/// higher than in the inventory.
+/// Whether uplift is possible in any draw: with a base five standard deviations narrower and a
+/// centre of gravity as many higher than in the inventory.
 fn may_lift(subject: &Subject, floors: &Floors, settings: &Settings) -> bool {
     let margin = (5.0 * settings.spread.geometry).exp();
     let Some(floor) = floors.get(&subject.level_ratio.to_bits()) else { return false };

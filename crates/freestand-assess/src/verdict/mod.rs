@@ -1,9 +1,10 @@
 //! The verdict on each object: restrain it, put it on a softer pad, or leave it as it is.
 //!
-//! Tier 0 decides objects that no motion of their floor can uplift, by their threshold. Tier 1, which is off unless the
-//! study asks for it, decides objects whose probability is far from the accepted one, by the uplift spectra of their
-//! floor. Tier 2 follows every other object about both axes under every motion, with repeated draws of its uncertain
-//! values. Tier 3 repeats the motions on a compliant base where the probability is near the accepted one.
+//! Tier 0 decides objects that no motion of their floor can uplift, by their threshold. Tier 1,
+//! which is off unless the study asks for it, decides objects whose probability is far from the
+//! accepted one, by the uplift spectra of their floor. Tier 2 follows every other object about both
+//! axes under every motion, with repeated draws of its uncertain values. Tier 3 repeats the motions
+//! on a compliant base where the probability is near the accepted one.
 
 mod assessment;
 mod capacity;

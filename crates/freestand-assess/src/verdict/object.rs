@@ -1,4 +1,5 @@
-//! One object as the models see it: its blocks about both axes, its cushion and its tolerance, or what is missing.
+//! One object as the models see it: its blocks about both axes, its cushion and its tolerance, or
+//! what is missing.
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
@@ -56,7 +57,8 @@ impl AxisGeometry {
         Some(Self { axis, height_m, side_m, base_m, cg_height_m, block })
     }
 
-    /// The block with its heights and sides multiplied by these factors; unchanged where the result is not a block.
+    /// The block with its heights and sides multiplied by these factors; unchanged where the result
+    /// is not a block.
     pub(super) fn scaled(&self, heights: f64, sides: f64) -> Block {
         let times = |length_m: Option<f64>, factor: f64| length_m.map(|length_m| length_m * factor);
         let (base_m, cg_m) = (times(self.base_m, sides), times(self.cg_height_m, heights));
@@ -117,7 +119,8 @@ impl Hit {
     }
 }
 
-/// The shock of a history without overturning; `None` where the cushion bottoms, so that no number can be relied on.
+/// The shock of a history without overturning; `None` where the cushion bottoms, so that no number
+/// can be relied on.
 pub(super) fn hit(block: &Block, rocking: &RockingSummary, mass_kg: f64, cushion: &Cushion) -> Option<Hit> {
     let mut found =
         Hit { uplift_g: 0.0, impact_velocity_g: 0.0, velocity_change_m_s: 0.0, duration_s: 0.0, compression_m: 0.0 };

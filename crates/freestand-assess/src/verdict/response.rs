@@ -41,7 +41,8 @@ pub(super) fn options(subject_restitution: Restitution) -> RockingOptions {
     }
 }
 
-/// Blocks under one motion, each in its worst direction: one that overturns it, otherwise the envelope of all directions.
+/// Blocks under one motion, each in its worst direction: one that overturns it, otherwise the
+/// envelope of all directions.
 pub(super) fn rock_directions(
     objects: &[(Block, Restitution)],
     directions: &[Motion],
@@ -119,7 +120,8 @@ pub(super) fn lifts(axes: &[AxisMotion]) -> bool {
     axes.iter().any(|one| one.rocking.outcome != Outcome::NoUplift)
 }
 
-/// The governing axis: the one that overturns, else the one with the largest demand/capacity, else shock, else rise.
+/// The governing axis: the one that overturns, else the one with the largest demand/capacity, else
+/// shock, else rise.
 pub(super) fn governing(axes: &[AxisMotion]) -> Option<(usize, &AxisMotion)> {
     let rank = |one: &AxisMotion| {
         let shock_g = one.hit.as_ref().map_or(0.0, Hit::larger_g);

@@ -1,9 +1,9 @@
 //! Tier 1: objects that the uplift spectra of their floor decide, without histories of their own.
 //!
-//! The rocking of a uniform block depends on its half diagonal R and its slenderness angle α alone, so that a grid of both
-//! is a spectrum for all such blocks. Between the nodes rocking is not a smooth function: an object is decided here only
-//! where all sixteen nodes around it are far on the same side. Its reported response is that of the nearest node, scaled to
-//! its size.
+//! The rocking of a uniform block depends on its half diagonal R and its slenderness angle α alone,
+//! so that a grid of both is a spectrum for all such blocks. Between the nodes rocking is not a
+//! smooth function: an object is decided here only where all sixteen nodes around it are far on the
+//! same side. Its reported response is that of the nearest node, scaled to its size.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -26,10 +26,12 @@ const SIZES: (f64, f64, usize) = (0.15, 3.5, 17);
 /// tan α of the grid: from, to and count.
 const SLENDERNESSES: (f64, f64, usize) = (0.05, 1.0, 31);
 
-/// An object is restrained where every node around it overturns in at least this share of the motions more than accepted.
+/// An object is restrained where every node around it overturns in at least this share of the
+/// motions more than accepted.
 const CLEAR_SHARE: f64 = 0.3;
 
-/// An object is left as it is where demand/capacity of every node around it is at most this under every motion.
+/// An object is left as it is where demand/capacity of every node around it is at most this under
+/// every motion.
 const CLEAR_DEMAND: f64 = 0.4;
 
 /// Floors whose grids are kept in memory: 2 MB each with 20 motions.
@@ -47,7 +49,8 @@ struct Grid {
     nodes: Vec<(Block, Vec<Option<RockingSummary>>)>,
 }
 
-/// What the spectra decided: responses in place of the object's own, and one draw of each motion made from them.
+/// What the spectra decided: responses in place of the object's own, and one draw of each motion
+/// made from them.
 pub(super) struct Screened {
     pub(super) as_is: Vec<MotionResponse>,
     pub(super) draws: Draws,
@@ -160,7 +163,8 @@ fn responses(
         .collect()
 }
 
-/// A history of one block scaled to another: the same rotation over α, the same angular velocity over p α.
+/// A history of one block scaled to another: the same rotation over α, the same angular velocity
+/// over p α.
 fn scaled(of: &RockingSummary, node: &Block, block: &Block) -> RockingSummary {
     if of.outcome != RockingOutcome::Rocked {
         let uplift_m = if of.outcome == RockingOutcome::Overturned { block.base_width_m() } else { 0.0 };

@@ -1,5 +1,5 @@
-//! The compliant base: a second opinion on Eq. (5) near the accepted probability, and the check of a softer pad before it
-//! is recommended.
+//! The compliant base: a second opinion on Eq. (5) near the accepted probability, and the check of
+//! a softer pad before it is recommended.
 
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantAccuracy, CompliantBase, CompliantOptions, CompliantRocking, rock_compliant};
@@ -19,8 +19,8 @@ use super::uncertainty::{Outcome as Draw, shares};
 /// A second opinion is asked for where the probability is within this factor of the accepted one.
 const NEAR_FACTOR: f64 = 4.0;
 
-/// Demand/capacity from which the ratio of the two models is computed and applied. Below it, rocking on a soft pad is a
-/// different motion, but far from any limit.
+/// Demand/capacity from which the ratio of the two models is computed and applied. Below it,
+/// rocking on a soft pad is a different motion, but far from any limit.
 const FROM_DEMAND: f64 = 0.5;
 
 /// Motions around the deciding one that are repeated on the compliant base.
@@ -38,11 +38,13 @@ const NEXT_PAD: f64 = 0.7;
 /// Factor on a stiffness that no pad reaches.
 const SOFTEST: f64 = 1e-6;
 
-/// Factor on the largest stiffness of a softer pad, so that rounding does not take it past its limit.
+/// Factor on the largest stiffness of a softer pad, so that rounding does not take it past its
+/// limit.
 const SOFTER_SHARE: f64 = 0.999;
 
-/// The comparison with Eq. (5), and the probability of exceedance with every shock multiplied by the ratio; `None` where
-/// the probability is far from the accepted one, or nothing can be compared.
+/// The comparison with Eq. (5), and the probability of exceedance with every shock multiplied by
+/// the ratio; `None` where the probability is far from the accepted one, or nothing can be
+/// compared.
 pub(super) fn second_opinion(
     context: &Context,
     found: &Found,
@@ -87,7 +89,8 @@ pub(super) fn second_opinion(
     Some((CompliantCheck { motions, overturned: fallen.len(), shock_ratio, agrees }, p))
 }
 
-/// The motions nearest to the one that decides which do not overturn the object, each with the governing axis.
+/// The motions nearest to the one that decides which do not overturn the object, each with the
+/// governing axis.
 fn tried<'a>(found: &'a Found, order: &[usize]) -> Vec<(usize, usize, &'a AxisMotion)> {
     let survived: Vec<usize> = order
         .iter()
@@ -104,8 +107,8 @@ fn tried<'a>(found: &'a Found, order: &[usize]) -> Vec<(usize, usize, &'a AxisMo
     chosen.iter().filter_map(governing).collect()
 }
 
-/// The history on a cushion, in the worst direction; `None` where it fails. A spring is given damping, since without any it
-/// would return all energy.
+/// The history on a cushion, in the worst direction; `None` where it fails. A spring is given
+/// damping, since without any it would return all energy.
 fn follow(
     context: &Context,
     found: &Found,
@@ -134,11 +137,13 @@ fn follow(
     })
 }
 
-/// The largest stiffness that keeps the probability at or below the accepted one, checked by repeating the motions;
-/// `None` where the shock of the edge does not govern, so that no pad can help. Every shock is multiplied by `harder`.
+/// The largest stiffness that keeps the probability at or below the accepted one, checked by
+/// repeating the motions; `None` where the shock of the edge does not govern, so that no pad can
+/// help. Every shock is multiplied by `harder`.
 ///
-/// By Eq. (5) a shock is proportional to √k; its spectrum also depends on the longer pulse. The probability falls with
-/// the stiffness, so the limit is found by bisection with the draws that exist.
+/// By Eq. (5) a shock is proportional to √k; its spectrum also depends on the longer pulse. The
+/// probability falls with the stiffness, so the limit is found by bisection with the draws that
+/// exist.
 pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: f64) -> Option<Softening> {
     let (body, capacity, draws) = (found.body()?, found.capacity()?, found.draws.as_ref()?);
     let stiffness_n_m = body.cushion.linear_stiffness_n_m()?;
@@ -149,7 +154,8 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
             shares(draws, |one| one.exceeds_by(|terms| softened(capacity, terms, log_factor.exp()).times(harder)));
         by_motion.iter().sum::<f64>() / by_motion.len().max(1) as f64
     };
-    // With a millionth of the stiffness, whatever still exceeds its limit does not depend on the stiffness.
+    // With a millionth of the stiffness, whatever still exceeds its limit does not depend on the
+    // stiffness.
     let (mut low, mut high) = (SOFTEST.ln(), 0.0);
     if probability(low) > accepted {
         return None;
@@ -176,8 +182,8 @@ pub(super) fn softer(context: &Context, found: &Found, order: &[usize], harder: 
     softest
 }
 
-/// Why no pad suffices where the probability stays above the accepted one on the softest of all: what most of the
-/// exceeding draws then exceed.
+/// Why no pad suffices where the probability stays above the accepted one on the softest of all:
+/// what most of the exceeding draws then exceed.
 pub(super) fn beyond_pads(found: &Found) -> &'static str {
     let (Some(body), Some(capacity), Some(draws)) = (found.body(), found.capacity(), found.draws.as_ref()) else {
         return "its pads are not known";
@@ -207,15 +213,16 @@ fn limit_m(context: &Context, pad_thickness_m: f64) -> f64 {
     context.study.assessment.pad_strain_ratio * pad_thickness_m
 }
 
-/// The factors on a shock when k/m is multiplied by a factor: the peak by its root, and the duration is divided by it.
+/// The factors on a shock when k/m is multiplied by a factor: the peak by its root, and the
+/// duration is divided by it.
 pub(super) fn softened(capacity: &Capacity, terms: &Terms, stiffness_factor: f64) -> Factors {
     let peak = stiffness_factor.sqrt();
     let longer_s = terms.duration_s / peak;
     Factors { peak, spectrum: peak * capacity.severity_ratio(longer_s) / capacity.severity_ratio(terms.duration_s) }
 }
 
-/// Repeats the motions on the softer pad: the object must not overturn, nor exceed its tolerance, nor compress the pad
-/// too far.
+/// Repeats the motions on the softer pad: the object must not overturn, nor exceed its tolerance,
+/// nor compress the pad too far.
 fn tried_softer(
     context: &Context,
     found: &Found,
@@ -279,7 +286,8 @@ fn tried_softer(
     } else {
         let shock_g = number(shock_m_s2 / G0_M_S2, 3);
         let note = format!(
-            "at most {stiffness} under one edge. On a compliant base ({motions}) {pressed}, and the shock is {shock_g} g."
+            "at most {stiffness} under one edge. On a compliant base ({motions}) {pressed}, and the shock is \
+             {shock_g} g."
         );
         (true, note)
     };

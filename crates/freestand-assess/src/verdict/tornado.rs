@@ -97,7 +97,8 @@ fn swing(
     mut at_low: Vec<f64>,
     mut at_high: Vec<f64>,
 ) -> Swing {
-    // Whether the share of motions that exceed the tolerance, or without one that overturn, is above the accepted one.
+    // Whether the share of motions that exceed the tolerance, or without one that overturn, is
+    // above the accepted one.
     let decides = found.capacity().is_some_and(|capacity| capacity.decides);
     let limit = if decides { 1.0 } else { f64::MAX };
     let is_above = |values: &[f64]| {

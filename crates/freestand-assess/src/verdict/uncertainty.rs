@@ -14,11 +14,12 @@ use super::object::{AxisGeometry, Subject};
 /// Confidence level of every interval.
 pub(super) const CONFIDENCE: f64 = 0.95;
 
-/// Standard error of a probability, from the draws alone, below which more draws are not worthwhile.
+/// Standard error of a probability, from the draws alone, below which more draws are not
+/// worthwhile.
 const ENOUGH_ERROR: f64 = 0.005;
 
-/// Distance between a probability and the accepted one, in standard errors, from which more draws cannot change the
-/// decision.
+/// Distance between a probability and the accepted one, in standard errors, from which more draws
+/// cannot change the decision.
 const CLEAR_ERRORS: f64 = 4.0;
 
 /// The uncertain values of one history.
@@ -32,7 +33,8 @@ pub(super) struct Draw {
     pub(super) model: f64,
 }
 
-/// A key that depends on a text alone: random numbers are keyed by the names of objects and motions, not by their place.
+/// A key that depends on a text alone: random numbers are keyed by the names of objects and
+/// motions, not by their place.
 pub(super) fn key(text: &str) -> u64 {
     let digest = Sha256::digest(text.as_bytes());
     digest.iter().take(8).fold(0, |key, byte| key << 8 | u64::from(*byte))
@@ -54,10 +56,12 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, record: 
     Draw { restitution, heights, sides, stiffness, mass, model }
 }
 
-/// Largest restitution that is drawn: no landing on a floor is more elastic, and with more a block rocks for minutes.
+/// Largest restitution that is drawn: no landing on a floor is more elastic, and with more a block
+/// rocks for minutes.
 const MAX_RESTITUTION: f64 = 0.99;
 
-/// The factor that takes the restitution of an object to [`MAX_RESTITUTION`]; 1 where the stated value is above.
+/// The factor that takes the restitution of an object to [`MAX_RESTITUTION`]; 1 where the stated
+/// value is above.
 pub(super) fn max_restitution_factor(subject: &Subject, block: &Block) -> f64 {
     (MAX_RESTITUTION / ratio(subject.restitution, block)).max(1.0)
 }
@@ -89,7 +93,8 @@ pub(super) struct Outcome {
 }
 
 impl Outcome {
-    /// Whether a criterion is exceeded, with factors on the shocks about each axis; overturned counts as exceeded.
+    /// Whether a criterion is exceeded, with factors on the shocks about each axis; overturned
+    /// counts as exceeded.
     pub(super) fn exceeds_by(&self, factors: impl Fn(&Terms) -> Factors) -> bool {
         self.overturned || self.terms.iter().flatten().any(|one| one.ratio_by(factors(one).times(self.model)) > 1.0)
     }
@@ -121,8 +126,8 @@ pub(super) fn probability(by_motion: &[f64]) -> Option<Probability> {
 
 /// Whether `count` draws for each motion are enough to compare a probability with the accepted one.
 ///
-/// More draws reduce only the error within the motions, Σ pⱼ(1−pⱼ)/(count n²). The uncertainty from the number of motions
-/// remains and is part of the interval.
+/// More draws reduce only the error within the motions, Σ pⱼ(1−pⱼ)/(count n²). The uncertainty from
+/// the number of motions remains and is part of the interval.
 pub(super) fn enough(by_motion: &[f64], count: u32, accepted_ratio: f64) -> bool {
     let n = by_motion.len() as f64;
     let within = by_motion.iter().map(|p| p * (1.0 - p)).sum::<f64>() / (f64::from(count) * n * n);

@@ -1,11 +1,13 @@
-//! `freestand assess`: an inventory in, the list of what must be restrained out.
+//! `freestand assess`: which objects of an inventory must be restrained.
 
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use freestand_assess::job::{Job, JobReport, SCHEMA, assess_into, inventory_of};
+use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
+use freestand_input::words::counted;
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 
@@ -111,26 +113,20 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
 
 fn text(report: &JobReport) -> String {
     let count = |one: &Decision| report.decisions.get(one.name()).map_or_else(String::new, ToString::to_string);
-    let meaning = |one: &Decision| match one {
-        Decision::Restrain => "fix it to the building",
-        Decision::Soften => "put it on a softer pad",
-        Decision::NoVerdict => "something is missing for a verdict",
-        Decision::Leave => "let it stand as it is",
-    };
-    let rows: Vec<Vec<String>> =
-        Decision::ALL.iter().map(|one| vec![one.name().to_owned(), count(one), meaning(one).to_owned()]).collect();
+    let row = |one: &Decision| vec![one.name().to_owned(), count(one), advice(*one).to_owned()];
+    let rows: Vec<Vec<String>> = Decision::ALL.iter().map(row).collect();
     let mut text = table(&["decision", "objects", ""], &rows);
     let done = report.resumed + report.computed;
-    text.push_str(&format!("\n{done} of {} objects", report.objects));
+    text.push_str(&format!("\n{done} of {}", counted(report.objects, "object")));
     if report.resumed > 0 {
         text.push_str(&format!(", {} of them from an earlier run", report.resumed));
     }
-    text.push_str(&format!("; {} rocking histories\n", report.histories));
+    text.push_str(&format!("; {}\n", counted(report.histories as usize, "rocking history")));
     if report.failed > 0 {
-        text.push_str(&format!("{} objects could not be followed under every motion\n", report.failed));
+        text.push_str(&format!("{} with histories that failed\n", counted(report.failed, "object")));
     }
     if report.interrupted {
-        text.push_str("stopped before its end: go on with --resume\n");
+        text.push_str("stopped before the end: continue with --resume\n");
     }
     text.push_str(&format!("report.html, assessment.xlsx, objects.csv in {}\n", report.out));
     text

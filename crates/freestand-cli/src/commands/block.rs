@@ -5,6 +5,7 @@ use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
 use freestand_input::quantity::Dimension;
 use freestand_study::restitution::checked;
+use freestand_study::rock::MODELS;
 use freestand_study::shape::Shape;
 
 use crate::failure::problem;
@@ -28,11 +29,6 @@ pub(crate) struct RockingArgs {
     #[arg(long, value_parser = choice(ACCURACIES), default_value = name_of(ACCURACIES, Accuracy::default()))]
     pub(crate) accuracy: Accuracy,
 }
-
-const MODELS: Choices<RockingModel> = &[
-    (RockingModel::Rigid, "rigid", "The exact equation of motion"),
-    (RockingModel::Linearised, "linear", "Linearised (sin x → x, tan α → α), for comparison with closed forms"),
-];
 
 const ACCURACIES: Choices<Accuracy> = &[
     (Accuracy::Fast, "fast", "Error of 1e-9 a step; rotations in spectra to about 1e-7"),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::impact::ImpactModel;
 use freestand_input::quantity::Dimension;
-use freestand_study::shock::{Energy, Scenario, ShockRequest, Verdict, boundary_tests, shock};
+use freestand_study::shock::{Energy, MODELS, SCENARIOS, Scenario, ShockRequest, Verdict, boundary_tests, shock};
 
 use super::Done;
 use super::block::ShapeArgs;
@@ -14,7 +14,7 @@ use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, lines};
-use crate::values::{Choices, Given, Reads, Values, choice, name_of, point};
+use crate::values::{Given, Reads, Values, choice, name_of, point};
 
 /// The shock of one landing: acceleration of the edge, pulse, ceiling and verdict
 #[derive(Debug, Args)]
@@ -126,19 +126,6 @@ pub(crate) struct ShockArgs {
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The verdict")]
     component_capacity: Option<Given>,
 }
-
-const SCENARIOS: Choices<Scenario> = &[
-    (Scenario::Rocking, "rocking", "The edge lands and the object continues to rock"),
-    (Scenario::Halted, "halted", "The edge lands and the object stops"),
-    (Scenario::OverturnFloor, "overturn-floor", "The object falls over onto the floor"),
-    (Scenario::OverturnObstacle, "overturn-obstacle", "The object falls against an obstacle"),
-];
-
-const MODELS: Choices<ImpactModel> = &[
-    (ImpactModel::Paper, "paper", "Eq. (5): the landing edge does not slip"),
-    (ImpactModel::Halted, "halted", "Eq. (8): the rotation is halted"),
-    (ImpactModel::FreeCorner, "free-corner", "The landing edge slides without friction; for comparison"),
-];
 
 pub(crate) fn run(args: &ShockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;

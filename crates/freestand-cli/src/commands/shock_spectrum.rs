@@ -7,7 +7,8 @@ use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKin
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse, parse_grid};
 use freestand_study::shock_spectrum::{
-    ShockSpectrumReport, ShockSpectrumRequest, acceleration_unit, pulse_shock_spectrum, recorded_shock_spectra,
+    KINDS, PEAKS, SHAPES, ShockSpectrumReport, ShockSpectrumRequest, acceleration_unit, pulse_shock_spectrum,
+    recorded_shock_spectra,
 };
 
 use super::Done;
@@ -16,7 +17,7 @@ use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
-use crate::values::{Choices, Given, Reads, Values, choice, name_of};
+use crate::values::{Given, Reads, Values, choice, name_of};
 
 /// Shock response spectrum of records or of a classical pulse (ISO 18431-4)
 #[derive(Debug, Args)]
@@ -75,29 +76,6 @@ pub(crate) struct ShockSpectrumArgs {
     #[command(flatten)]
     read: Named<ReadArgs>,
 }
-
-const SHAPES: Choices<PulseShape> = &[
-    (PulseShape::HalfSine, "half-sine", "A sin(πt/T)"),
-    (PulseShape::Haversine, "haversine", "A sin²(πt/T)"),
-    (PulseShape::InitialPeakSawtooth, "initial-peak-sawtooth", "From A down to 0"),
-    (PulseShape::TerminalPeakSawtooth, "terminal-peak-sawtooth", "From 0 up to A"),
-    (PulseShape::Rectangle, "rectangle", "A"),
-    (PulseShape::Trapezoid, "trapezoid", "A, with a tenth of the duration to rise and to fall"),
-];
-
-const KINDS: Choices<ResponseKind> = &[
-    (ResponseKind::AbsoluteAcceleration, "absolute-acceleration", "Acceleration of the component"),
-    (ResponseKind::RelativeDisplacement, "relative-displacement", "Displacement of the component relative to its base"),
-    (ResponseKind::PseudoVelocity, "pseudo-velocity", "That displacement times ω"),
-];
-
-const PEAKS: Choices<Peak> = &[
-    (Peak::Maximax, "maximax", "The largest of either sign, during the record or after it"),
-    (Peak::Positive, "positive", "The largest positive value"),
-    (Peak::Negative, "negative", "The magnitude of the largest negative value"),
-    (Peak::Primary, "primary", "The largest of either sign during the record"),
-    (Peak::Residual, "residual", "The largest of either sign after the record"),
-];
 
 pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();

@@ -87,7 +87,7 @@ pub(crate) struct SpectrumArgs {
     csv: Option<PathBuf>,
 }
 
-/// What stands in the document behind the rows.
+/// What follows the rows in the document.
 #[derive(Debug, Serialize)]
 struct Others {
     processing: Vec<Processed>,
@@ -100,7 +100,7 @@ struct Processed {
     steps: Vec<String>,
 }
 
-/// The motions, and what is to be said about them.
+/// The motions, their processing and warnings.
 #[derive(Debug, Default)]
 struct Reading {
     motions: Vec<SpectrumMotion>,
@@ -136,17 +136,17 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
 
     if let Some((impact, (_, edge))) = deepest.zip(request.cushion.as_ref()) {
         let beyond = compression_warnings(impact.compression_m, &edge.cushion, edge.pad_thickness_m);
-        warnings.extend(beyond.iter().map(|warning| format!("the deepest of the landings: {warning}")));
+        warnings.extend(beyond.iter().map(|warning| format!("the landing with the largest compression: {warning}")));
     }
     let sum = |count: fn(&SpectrumTally) -> usize| seen.tallies.iter().map(count).sum::<usize>();
     let (failed, sensitive) = (sum(|tally| tally.failed), sum(|tally| tally.sensitive));
     if failed > 0 {
-        warnings.push(format!("{failed} of {total} histories could not be followed: see their `reason`"));
+        warnings.push(format!("{failed} of {total} histories could not be followed: the column reason says why"));
     }
     if sensitive > 0 {
         warnings.push(format!(
             "{sensitive} of {total} histories are sensitive: an error of the motion grows more than {SENSITIVE_RATIO} times \
-             in the rotation or the impacts, or {PERTURBATION_RATIO:e} of the motion changes the outcome or puts it in doubt"
+             in the rotation or the impacts, or an error of {PERTURBATION_RATIO:e} of the motion may change the outcome"
         ));
     }
     let place = args.csv.as_deref().map(path_text).or_else(|| files.path(ROWS));
@@ -204,8 +204,7 @@ fn validity_warnings(request: &SpectrumRequest) -> Vec<String> {
     squat.into_iter().chain(soft.iter().map(ToString::to_string)).collect()
 }
 
-/// Reads all records before any work: the fault of the last one is found at once. They are what
-/// stays in memory.
+/// Reads all records before the calculation, so that a problem of the last one is found at once.
 fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     let mut reading = Reading::default();
     for read in args.read.read_all(&args.motion)? {
@@ -228,7 +227,7 @@ fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     Ok(reading)
 }
 
-/// Whether the two have the same step and length: told once, not by every object.
+/// Checks that both have the same step and length: once, not for every object.
 fn check_vertical(motion: &SpectrumMotion, vertical: &Motion) -> Result<(), RockingError> {
     let size = |motion: &Motion| (motion.accel_m_s2().len(), motion.dt_s());
     let ((samples, dt_s), (vertical_samples, vertical_dt_s)) = (size(&motion.horizontal), size(vertical));

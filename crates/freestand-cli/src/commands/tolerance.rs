@@ -29,9 +29,9 @@ Examples:
   freestand tolerance list --library ours.csv --json
 
 Columns of a library, with units in brackets such as \"peak [g]\":
-  id, class, kind (vendor-limit, test-severity, class, fragility), state (operating, non-operating, packaged, any), axis, peak,
-  peak_high, duration, shape, velocity_change, edge_lift, pfa_median, pfv_median, beta, n_shocks, source, edition, clause, page,
-  licence, notice, confidence (stated, primary, secondary, assumption, recalled), note")]
+  id, class, kind (vendor-limit, test-severity, class, fragility), state (operating, non-operating, packaged, any),
+  axis, peak, peak_high, duration, shape, velocity_change, edge_lift, pfa_median, pfv_median, beta, n_shocks, source,
+  edition, clause, page, licence, notice, confidence (stated, primary, secondary, assumption, recalled), note")]
 pub(crate) struct ToleranceArgs {
     #[command(subcommand)]
     command: ToleranceCommand,

@@ -1,7 +1,7 @@
-//! Numbers with units, as people write them in files and flags, read into SI.
+//! Numbers with units, as people write them, converted to SI.
 //!
-//! A bare number is refused wherever a dimension is expected: a height of `200` is 200 m to one reader and 200 mm to the
-//! next. Ratios are bare, or percentages.
+//! A bare number is refused where a dimension is expected: a height of `200` means 200 m to one
+//! reader and 200 mm to another. Ratios are bare numbers or percentages.
 
 use crate::problem::{Problem, ProblemKind};
 use crate::words::number;
@@ -101,11 +101,12 @@ impl Dimension {
 
 /// A unit: `value_si = value · 10^decimal_exponent · factor`.
 ///
-/// The power of ten is kept apart from the factor because it can be applied to the decimal digits before they become
-/// binary: "2300 mm", "230 cm" and "2.3 m" are then the same f64, and so is the result of a study that states either.
+/// The power of ten is kept apart from the factor because it can be applied to the decimal digits
+/// before they become binary: "2300 mm", "230 cm" and "2.3 m" are then the same f64, and so is the
+/// result of a study that states either.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
-    /// How we write it.
+    /// Its usual spelling.
     pub symbol: &'static str,
     /// What it measures.
     pub dimension: Dimension,
@@ -113,20 +114,22 @@ pub struct Unit {
     factor: f64,
     /// Other spellings, in the canonical form of [`canonical`].
     aliases: &'static [&'static str],
-    /// Whether capitals do not matter. Not for a leading milli (`mm`, `mg`, `ms`): with a capital it means mega. Nor for
-    /// the one-letter `m`, `s` and `t`, whose capitals are other units or prefixes.
+    /// Whether capitals are ignored. They matter for a leading milli (`mm`, `mg`, `ms`), which as a
+    /// capital means mega, and for `m`, `s` and `t`, whose capitals are other units or prefixes.
     any_case: bool,
 }
 
 impl Unit {
-    /// A unit of acceleration that only a record format has: one is `10^decimal_exponent · factor` m/s².
+    /// A unit of acceleration that only a record format has: one is `10^decimal_exponent · factor`
+    /// m/s².
     pub const fn acceleration(symbol: &'static str, decimal_exponent: i32, factor: f64) -> Self {
         Self { factor, ..unit(symbol, Dimension::Acceleration, decimal_exponent, false) }
     }
 
     /// A value in this unit, in SI.
     pub fn to_si(&self, value: f64) -> f64 {
-        // Powers of ten up to 10^22 are exact in binary, negative ones are not: divide by the exact one. One rounding.
+        // Powers of ten up to 10^22 are exact in binary, negative ones are not: divide by the exact
+        // one. One rounding.
         let shifted = if self.decimal_exponent < 0 {
             value / 10f64.powi(-self.decimal_exponent)
         } else {
@@ -152,7 +155,8 @@ const fn unit(symbol: &'static str, dimension: Dimension, decimal_exponent: i32,
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Every unit, the first of a dimension being its SI unit or the one that engineers expect in a hint.
+/// Every unit, the first of a dimension being its SI unit or the one that engineers expect in a
+/// hint.
 static UNITS: &[Unit] = &[
     unit("m", Dimension::Length, 0, false),
     unit("mm", Dimension::Length, -3, false),
@@ -218,7 +222,8 @@ static UNITS: &[Unit] = &[
 
 /// One spelling for many: `m / s²`, `m s^-2`, `m·s⁻²` → `m/s2`, `kg m^2` and `kg*m2` → `kg·m2`.
 fn canonical(text: &str) -> String {
-    let spaced = text.replace('⁻', "-").replace('²', "2").replace(['⋅', '*'], "·").replace('^', "").replace('º', "°");
+    let plain = text.replace('⁻', "-").replace('²', "2").replace(['⋅', '*'], "·");
+    let spaced = plain.replace('^', "").replace('º', "°");
     let mut out = spaced.split_whitespace().collect::<Vec<_>>().join(" ");
     for sign in ["/", "·"] {
         out = out.split(sign).map(str::trim).collect::<Vec<_>>().join(sign);
@@ -257,7 +262,8 @@ pub fn find_unit(text: &str, dimension: Dimension) -> Result<&'static Unit, Prob
 
 fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
     let name = canonical(text);
-    // A capital that changes the meaning is refused, but the reader should hear which unit we nearly took.
+    // A capital that changes the meaning is refused; the hint names the unit that was probably
+    // meant.
     let near = dimension.units().find(|unit| unit.symbol.eq_ignore_ascii_case(&name));
     let problem = value_problem(format!("\"{}\" is not a unit of {}", shorten(text), dimension.with_article()));
     match near {
@@ -271,13 +277,10 @@ fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
 
 fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
     let text = shorten(text);
-    let problem = value_problem(format!(
-        "\"{text}\" is {}; {} is expected",
-        unit.dimension.with_article(),
-        expected.with_article()
-    ));
+    let problem =
+        value_problem(format!("\"{text}\" is {}, not {}", unit.dimension.with_article(), expected.with_article()));
     match expected {
-        // Someone who writes "150 g" for a mass means grams.
+        // Who writes "150 g" for a mass means grams.
         Dimension::Mass if unit.symbol == "g" => problem.hint("g is the acceleration of gravity here; write kg or t"),
         Dimension::Ratio => problem.hint("write a bare number or a percentage, such as 0.05 or 5 %"),
         _ => problem.hint(format!("known units: {}", expected.unit_list())),
@@ -287,7 +290,8 @@ fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
 /// A quantity such as `"2.3 m"`, `2300mm`, `0.35g` or `5 %`, in SI.
 ///
 /// # Errors
-/// No number, a number without its unit, a unit that is unknown or measures something else, or a value that is not finite.
+/// No number, a number without its unit, a unit that is unknown or measures something else, or a
+/// value that is not finite.
 ///
 /// # Example
 /// ```
@@ -360,17 +364,19 @@ pub fn parse_non_negative(text: &str, dimension: Dimension, name: &str) -> Resul
     }
 }
 
-/// Most values that a grid may have: a slip of the finger in the count should be a message, not a full memory.
+/// The most values that a grid may have: a typing error in the count must not fill the memory.
 pub const MAX_GRID_VALUES: usize = 1_000_000;
 
-/// A grid, in SI: `from:to:count` (linear, both ends exact) or a list `200 mm, 400 mm`, each value with its own unit.
+/// A grid, in SI: `from:to:count` (linear, both ends exact) or a list `200 mm, 400 mm`, each value
+/// with its own unit.
 ///
-/// Frequencies may also be spaced by parts of an octave, `1 Hz:10 kHz:12/oct`: from the first upwards in steps of
-/// 2^(1/12), as far as the last, which is added where the steps do not meet it.
+/// Frequencies may also be spaced by parts of an octave, `1 Hz:10 kHz:12/oct`: from the first
+/// upwards in steps of 2^(1/12), up to the last, which is added if the steps do not reach it.
 ///
 /// # Errors
-/// A value that [`parse`] refuses, a count that is not a whole number from 2 (from 1 where both ends are equal) to
-/// [`MAX_GRID_VALUES`], or an octave grid that does not rise from a positive frequency.
+/// A value that [`parse`] refuses, a count that is not a whole number from 2 (from 1 where both
+/// ends are equal) to [`MAX_GRID_VALUES`], or an octave grid that does not rise from a positive
+/// frequency.
 ///
 /// # Example
 /// ```
@@ -383,7 +389,8 @@ pub fn parse_grid(text: &str, dimension: Dimension) -> Result<Vec<f64>, Problem>
     grid_of(text, dimension, |item| parse(item, dimension))
 }
 
-/// As [`parse_grid`], of bare numbers in a place whose key states the unit: `("500:1000:3", "mm")`, in SI.
+/// As [`parse_grid`], of bare numbers in a place whose key states the unit: `("500:1000:3", "mm")`,
+/// in SI.
 ///
 /// # Errors
 /// As [`parse_grid`], with [`parse_in_unit`] for each value.
@@ -414,11 +421,12 @@ fn grid_of(
 }
 
 fn linear_point(from: f64, to: f64, i: usize, count: usize) -> f64 {
-    // The ends are returned as they were written: 0.3 + (4 - 0.3)·1 need not be 4.
+    // The ends are returned exactly as written: 0.3 + (4 - 0.3)·1 may differ from 4.
     match i {
         0 => from,
         _ if i + 1 == count => to,
-        // One division behind exact weights: 0.5 m:3 m:26 gives 1.5 m and 0.9 m, not their neighbours.
+        // One division after exact weights: 0.5 m:3 m:26 gives 1.5 m and 0.9 m, not their
+        // neighbours.
         _ => (from * (count - 1 - i) as f64 + to * i as f64) / (count - 1) as f64,
     }
 }
@@ -431,8 +439,8 @@ fn octave_grid(from_hz: f64, to_hz: f64, per_octave: usize) -> Result<Vec<f64>, 
     if steps >= MAX_GRID_VALUES as f64 {
         return Err(too_many());
     }
-    // 1e-9 of a step is far above the rounding of the logarithm and far below any difference that matters: it keeps
-    // "1 Hz:8 Hz:3/oct" from ending in two values that differ by rounding.
+    // 1e-9 of a step is far above the rounding of the logarithm and far below any difference that
+    // matters: it keeps "1 Hz:8 Hz:3/oct" from ending in two values that differ by rounding.
     let whole = (steps + 1e-9).floor();
     let mut grid: Vec<f64> = (0..=whole as usize).map(|i| from_hz * (i as f64 / per_octave as f64).exp2()).collect();
     if steps - whole > 1e-9 {
@@ -456,7 +464,8 @@ fn too_many() -> Problem {
     value_problem(format!("a grid may have at most {MAX_GRID_VALUES} values"))
 }
 
-/// An SI value in the unit in which engineers read it, to 6 significant digits: `200 mm`, `2.3 m`, `4380 N/mm`, `0.35 g`.
+/// An SI value in the unit in which engineers read it, to 6 significant digits: `200 mm`, `2.3 m`,
+/// `4380 N/mm`, `0.35 g`.
 pub fn format_si(value_si: f64, dimension: Dimension) -> String {
     let symbol = match dimension {
         Dimension::Length if value_si.abs() < 1.0 && value_si != 0.0 => "mm",
@@ -482,7 +491,7 @@ pub fn format_si(value_si: f64, dimension: Dimension) -> String {
     format!("{} {}", number(value, 6), symbol.replace("m2", "m²"))
 }
 
-/// A number in its parts, with what follows it.
+/// A number in parts, and the text that follows it.
 struct Number<'a> {
     /// Sign, digits and point, without exponent.
     mantissa: String,
@@ -491,7 +500,8 @@ struct Number<'a> {
 }
 
 impl Number<'_> {
-    /// The value, times `10^decimal_exponent · factor`; the power of ten goes in before the digits become binary.
+    /// The value, times `10^decimal_exponent · factor`; the power of ten goes in before the digits
+    /// become binary.
     fn scaled(&self, text: &str, decimal_exponent: i32, factor: f64) -> Result<f64, Problem> {
         let exponent = self.exponent.saturating_add(decimal_exponent);
         match format!("{}e{exponent}", self.mantissa).parse::<f64>() {

@@ -1,8 +1,9 @@
 use super::*;
 use proptest::prelude::*;
 
-/// Exact comparisons throughout: the power of ten goes into the decimal digits, so each result is the nearest f64 to the
-/// decimal value; g and degrees are one product, written here as the same product.
+/// Exact comparisons throughout: the power of ten goes into the decimal digits, so each result is
+/// the nearest f64 to the decimal value; g and degrees are one product, written here as the same
+/// product.
 #[test]
 fn every_spelling_of_every_unit() {
     use Dimension::*;
@@ -101,13 +102,13 @@ fn what_is_refused_and_what_is_said() {
         ("2.3", Length, "\"2.3\" needs a unit", "write \"2.3 m\" or \"2.3 mm\""),
         ("0", Length, "\"0\" needs a unit", "write \"0 m\" or \"0 mm\""),
         ("7", Inertia, "\"7\" needs a unit", "write \"7 kg·m2\""),
-        ("5 kg", Length, "\"5 kg\" is a mass, a length is expected", "m, mm"),
-        ("5 %", Length, "\"5 %\" is a ratio, a length is expected", "m, mm"),
-        ("5 m", Ratio, "\"5 m\" is a length, a ratio is expected", "bare number"),
-        ("150 g", Mass, "\"150 g\" is an acceleration, a mass is expected", "acceleration of gravity"),
-        ("2 rad", AngularVelocity, "\"2 rad\" is an angle, an angular velocity is expected", "rad/s"),
+        ("5 kg", Length, "\"5 kg\" is a mass, not a length", "m, mm"),
+        ("5 %", Length, "\"5 %\" is a ratio, not a length", "m, mm"),
+        ("5 m", Ratio, "\"5 m\" is a length, not a ratio", "bare number"),
+        ("150 g", Mass, "\"150 g\" is an acceleration, not a mass", "acceleration of gravity"),
+        ("2 rad", AngularVelocity, "\"2 rad\" is an angle, not an angular velocity", "rad/s"),
         ("5 furlong", Length, "\"furlong\" is not a unit of a length", "m, mm"),
-        ("5 MM", Length, "\"MM\" is not a unit of a length", "capitals matter"),
+        ("5 MM", Length, "\"MM\" is not a unit of a length", "capital letters matter"),
         ("5 M", Length, "\"M\" is not a unit of a length", "write \"m\""),
         ("5 Mg", Acceleration, "\"Mg\" is not a unit of an acceleration", "write \"mg\""),
         ("5 mN/m", Stiffness, "\"mN/m\" is not a unit of a stiffness", "write \"MN/m\""),
@@ -147,7 +148,7 @@ fn signs_are_checked_where_asked() {
 fn a_header_states_the_unit() {
     let mm = find_unit("mm", Dimension::Length).unwrap();
     assert_eq!(parse_in_unit(" 200 ", mm), Ok(0.2));
-    assert!(parse_in_unit("200 mm", mm).unwrap_err().hint.unwrap().contains("stated already"));
+    assert!(parse_in_unit("200 mm", mm).unwrap_err().hint.unwrap().contains("already stated"));
     assert!(parse_in_unit("", mm).is_err());
     assert!(find_unit("kg", Dimension::Length).unwrap_err().message.contains("is a mass"));
 }
@@ -183,7 +184,8 @@ fn grids() {
 
 #[test]
 fn grids_in_octaves() {
-    // 3 octaves of 3 steps; the ends are exact, the inner points one exp2 and one product from it: a few ulp.
+    // 3 octaves of 3 steps; the ends are exact, the inner points one exp2 and one product from it:
+    // a few ulp.
     let grid = parse_grid("1 Hz:8 Hz:3/oct", Dimension::Frequency).unwrap();
     assert_eq!((grid.len(), grid[0], grid[9]), (10, 1.0, 8.0));
     assert!((grid[3] - 2.0).abs() < 1e-14 && (grid[6] - 4.0).abs() < 1e-14);

@@ -5,7 +5,7 @@ use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
 
 use super::style::{CurveStyle, DARK, TEXT_PX, WIDTH_PX};
 
-/// One entry of the legend: what is drawn before its words.
+/// One entry of the legend.
 #[derive(Debug, Clone)]
 pub struct Entry {
     /// What is drawn.
@@ -57,14 +57,14 @@ const SIGN_PX: f64 = 34.0;
 const GAP_PX: f64 = 6.0;
 const BETWEEN_PX: f64 = 18.0;
 const ROW_PX: f64 = 21.0;
-/// Mean width of a character of DejaVu Sans as a share of its size, a little generous.
+/// Mean width of a character of DejaVu Sans as a share of its size, rounded up.
 const CHARACTER_SHARE: f64 = 0.6;
 
 fn width_px(entry: &Entry) -> f64 {
     SIGN_PX + GAP_PX + CHARACTER_SHARE * f64::from(TEXT_PX) * entry.words.chars().count() as f64
 }
 
-/// Adds the entries under the scene, in as many centred rows as they need, and makes the scene higher by them.
+/// Adds the entries below the scene in as many centred rows as they need, and increases its height.
 pub fn add_legend(scene: &mut Scene, entries: &[Entry]) {
     let mut rows: Vec<(f64, Vec<&Entry>)> = Vec::new();
     for entry in entries {
@@ -161,7 +161,7 @@ fn add_line(scene: &mut Scene, x: f64, y: f64, colour: &str, width_px: f64, dash
     });
 }
 
-/// The markers as the plot library draws them, which keeps its own to itself.
+/// Markers like those of the plot library, which does not export its own.
 fn add_marker(scene: &mut Scene, marker: MarkerShape, x: f64, y: f64, colour: &str) {
     let corners: &[(f64, f64)] = match marker {
         MarkerShape::Square => &[(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)],

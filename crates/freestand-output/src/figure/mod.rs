@@ -1,5 +1,5 @@
-//! Figures as SVG and PNG: pages of panels, legends, and what all of them share. Colours after Okabe and Ito (2008), and
-//! never colour alone: dashes and markers differ as well.
+//! Figures as SVG and PNG: pages of panels, legends, and a common style. Colours are those of Okabe
+//! and Ito (2008); dashes and markers differ as well.
 
 pub mod legend;
 pub mod page;

@@ -59,7 +59,7 @@ pub fn draw(page: Page) -> Result<Figure, FigureError> {
         plots.push(panel.plots);
         layouts.push(panel.layout);
     }
-    // The library takes a cell without a layout for an empty one only where it has no plots either.
+    // The library treats a cell without a layout as empty only if it has no plots either.
     while layouts.len() < rows * page.columns {
         plots.push(Vec::new());
         layouts.push(Layout::new((0.0, 1.0), (0.0, 1.0)));
@@ -87,8 +87,8 @@ pub fn draw(page: Page) -> Result<Figure, FigureError> {
     Ok(Figure { name, title: page.title, caption: page.caption, svg, png })
 }
 
-/// Names the clipping paths after the figure: the library counts them over the whole process, so that the same figure
-/// would differ from run to run.
+/// Names the clipping paths after the figure: the library numbers them across the process, so the
+/// same figure would differ from run to run.
 fn name_clips(scene: &mut Scene, figure: &str) {
     let mut count = 0;
     let mut names: Vec<(String, String)> = Vec::new();
@@ -107,7 +107,7 @@ fn name_clips(scene: &mut Scene, figure: &str) {
     }
 }
 
-/// Lets the drawing scale with the width that it is given.
+/// Lets the drawing scale to the available width.
 fn with_view_box(svg: String, width: f64, height: f64) -> String {
     svg.replacen("<svg ", &format!("<svg viewBox=\"0 0 {width} {height}\" "), 1)
 }

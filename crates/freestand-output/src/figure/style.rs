@@ -9,7 +9,8 @@ use kuva::render::plots::Plot;
 
 use freestand_input::words::number;
 
-/// Width of every figure \[px\]. At 180 mm in print a pixel is 0.64 pt, so that [`TEXT_PX`] is 8.3 pt.
+/// Width of every figure \[px\]. At 180 mm in print a pixel is 0.64 pt, so that [`TEXT_PX`] is 8.3
+/// pt.
 pub const WIDTH_PX: f64 = 800.0;
 /// Size of the smallest text \[px\].
 pub const TEXT_PX: u32 = 13;
@@ -26,7 +27,7 @@ pub const BAND_OPACITY: f64 = 0.14;
 
 /// Okabe and Ito (2008), without the yellow, which is too light for lines on white paper.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
-/// With round ends, which the PNG has, a gap is narrower by the width of the line.
+/// The PNG has round ends, which narrow a gap by the width of the line.
 const DASHES: [Option<&str>; 5] = [None, Some("10 6"), Some("10 5 1.5 5"), Some("4 5"), Some("12 5 1.5 5 1.5 5")];
 const MARKERS: [MarkerShape; 6] = [
     MarkerShape::Circle,
@@ -37,7 +38,8 @@ const MARKERS: [MarkerShape; 6] = [
     MarkerShape::Plus,
 ];
 
-/// How one curve among several is drawn: colour, dashes and marker all differ, so that colour is never the only sign.
+/// How one curve among several is drawn: colour, dashes and marker all differ, so that colour is
+/// never the only sign.
 #[derive(Debug, Clone, Copy)]
 pub struct CurveStyle {
     /// Colour.
@@ -73,7 +75,8 @@ pub fn markers(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px:
     ScatterPlot::new().with_data(points.iter().copied()).with_color(colour).with_marker(shape).with_size(size_px).into()
 }
 
-/// Outlines of markers at points: white on top of coloured, because the PNG knows no transparent filling.
+/// Outlines of markers at points: white on top of coloured, because the PNG does not have
+/// transparent fills.
 pub fn hollow(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: f64) -> [Plot; 2] {
     [markers(points, colour, shape, size_px), markers(points, "#ffffff", shape, size_px - 1.8)]
 }
@@ -105,7 +108,8 @@ pub fn axes(x: Axis, y: Axis) -> Layout {
     layout
 }
 
-/// One axis: its range, the distance of its ticks (`None`: chosen by the plot library) and its label with the unit.
+/// One axis: its range, the distance of its ticks (`None`: chosen by the plot library) and its
+/// label with the unit.
 #[derive(Debug, Clone)]
 pub struct Axis {
     /// Lower end.
@@ -126,7 +130,7 @@ impl Axis {
         Self { from: 0.0, to: step * (max / step - 1e-9).ceil(), step: Some(step), label: label.into() }
     }
 
-    /// Over `from..to` with a little room at both ends; a single value gets a range of its own.
+    /// From `from` to `to` with a margin at both ends; a single value also gets a range.
     pub fn around(from: f64, to: f64, label: &str) -> Self {
         let span = if to > from { to - from } else { from.abs().max(1.0) };
         Self { from: from - 0.04 * span, to: to + 0.04 * span, step: Some(round_step(span / 5.0)), label: label.into() }
@@ -140,7 +144,8 @@ pub fn round_step(step: f64) -> f64 {
     factor * decade
 }
 
-/// Text that the plot library takes as it stands: `$` starts a formula there, control characters break an SVG.
+/// Text that the plot library shows unchanged: `$` starts a formula there, and control characters
+/// break an SVG.
 pub fn plain(text: &str) -> String {
     text.chars().filter(|c| !c.is_control()).collect::<String>().replace('$', "\\$")
 }
@@ -148,19 +153,20 @@ pub fn plain(text: &str) -> String {
 /// Tick labels of an axis over `span` in plain digits, `0.0125` and not `0.013` or `1.25e-2`.
 pub fn plain_ticks(span: f64) -> TickFormat {
     TickFormat::Custom(Arc::new(move |value| {
-        // The zero of an axis may be what is left of a subtraction.
+        // The zero of an axis may be a rounding error.
         if value.abs() < 1e-9 * span { "0".to_owned() } else { number(value, 4) }
     }))
 }
 
-/// A factor and a unit in which values up to `largest` are neither 0.001 nor 1e-5: `units` are the unit, a thousandth and
-/// a millionth of it.
+/// A factor and a unit that make values up to `largest` easy to read; `units` are the unit, its
+/// thousandth and its millionth.
 pub fn readable(largest: f64, units: [&'static str; 3]) -> (f64, &'static str) {
     let power = [0.02, 0.02e-3].iter().filter(|&&least| largest != 0.0 && largest.abs() < least).count();
     (1e3_f64.powi(power as i32), units[power.min(2)])
 }
 
-/// Labels at 0.1, 1, 10 only: those of 2 and 5 would touch each other in a narrow panel. Their grid lines stay.
+/// Labels only at 0.1, 1, 10: those at 2 and 5 would touch in a narrow panel. Their grid lines
+/// stay.
 pub fn decades() -> TickFormat {
     TickFormat::Custom(Arc::new(|v| {
         let decade = v.log10();

@@ -1,4 +1,4 @@
-//! What figures along time share: the axis, panels above one another, long series thinned to the pixels.
+//! Figures along time: the axis, stacked panels, long series reduced to the pixels.
 
 use kuva::render::layout::Layout;
 
@@ -10,12 +10,12 @@ const MARGINS_PX: (f64, f64) = (76.0, 18.0);
 /// Room above and below a panel between others \[px\].
 const BETWEEN_PX: (f64, f64) = (8.0, 10.0);
 
-/// The time axis; only the lowest panel writes its label.
+/// The time axis; only the lowest panel shows its label.
 pub fn time_axis(from: f64, to: f64) -> Axis {
     Axis { from, to, step: Some(round_step((to - from) / 8.0)), label: "Time (s)".into() }
 }
 
-/// One of several panels above one another, whose axes of x are the same.
+/// One of several stacked panels with the same x axis.
 pub fn stacked(x: Axis, y: Axis, lowest: bool) -> Layout {
     let mut layout = axes(x, y).with_force_margins(MARGINS_PX.0, MARGINS_PX.1);
     if !lowest {
@@ -46,7 +46,8 @@ pub fn pixel(t: f64, from: f64, to: f64) -> usize {
     ((t - from) / (to - from) * (panel_width_px(1) - MARGINS_PX.0 - MARGINS_PX.1)) as usize
 }
 
-/// At most four points for each pixel column: first, lowest, highest, last, so that the drawing looks the same.
+/// At most four points for each pixel column: first, lowest, highest, last, so that the drawing
+/// looks the same.
 pub fn thin(points: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Vec<(f64, f64)> {
     let mut thinned: Vec<(f64, f64)> = Vec::new();
     let mut column: Vec<(f64, f64)> = Vec::new();

@@ -7,7 +7,7 @@ pub(super) enum Order {
     Big,
 }
 
-/// `N` bytes from `at`, where the file has them.
+/// `N` bytes from `at`, if the file has them.
 fn bytes<const N: usize>(data: &[u8], at: usize) -> Option<[u8; N]> {
     data.get(at..at.checked_add(N)?)?.try_into().ok()
 }
@@ -38,8 +38,8 @@ impl Order {
     }
 }
 
-/// The decimal that was meant by a single-precision header field: 0.02 is stored as 0.0199999995529…, and the shortest
-/// decimal that has the same single-precision value is 0.02.
+/// The decimal that a single-precision header field stands for: 0.02 is stored as 0.0199999995529…,
+/// and the shortest decimal that has the same single-precision value is 0.02.
 pub(super) fn as_written(value: f32) -> f64 {
     value.to_string().parse().unwrap_or_else(|_| f64::from(value))
 }

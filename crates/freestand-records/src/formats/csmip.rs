@@ -1,5 +1,5 @@
-//! CSMIP, formerly CDMG, the programme of the State of California: volumes I and II; and RENADIC of Chile, which uses
-//! volume I.
+//! CSMIP, formerly CDMG, the programme of the State of California: volumes I and II; and RENADIC of
+//! Chile, which uses volume I.
 
 use super::volumes::{self, Network, head, refuse_spectra};
 use crate::motion_file::{ReadOptions, Reading};
@@ -10,8 +10,9 @@ use std::path::Path;
 const CSMIP: Network = Network { volume_one: "CSMIP V1", volume_two: "CSMIP V2", columns: 200, end_mark: Some("/&") };
 const RENADIC: Network = Network { volume_one: "RENADIC", volume_two: "RENADIC", columns: 200, end_mark: None };
 
-/// Whether the text is a CSMIP or RENADIC file: volume I says so on its first line, volume II and the spectra of volume
-/// III on the second or third too. A title alone does not make one: rows of whole numbers follow in every volume.
+/// Whether the text is a CSMIP or RENADIC file: volume I says so on its first line, volume II and
+/// the spectra of volume III on the second or third too. A title alone does not make one: rows of
+/// whole numbers follow in every volume.
 pub(super) fn is_csmip(bytes: &[u8]) -> bool {
     let head = head(bytes, 13);
     let has = |line: usize, words: &str| head.get(line).is_some_and(|text| text.contains(words));

@@ -39,12 +39,14 @@ impl Instant {
 
     /// Seconds from `earlier` to this instant.
     pub(super) fn seconds_since(self, earlier: Self) -> f64 {
-        // Divided before it is added up: the difference of two records is small, but that of two epochs is not.
+        // Divided before it is added up: the difference of two records is small, but that of two
+        // epochs is not.
         let ns = self.0 - earlier.0;
         (ns / SECOND_NS) as f64 + (ns % SECOND_NS) as f64 / 1e9
     }
 
-    /// `2012-04-13T17:28:00`, with a fraction, with `Z` or an offset such as `+01:00`, or the date alone.
+    /// `2012-04-13T17:28:00`, with a fraction, with `Z` or an offset such as `+01:00`, or the date
+    /// alone.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         let (date, time) = text.split_once(['T', ' ']).unwrap_or((text, "00:00:00"));
@@ -81,7 +83,8 @@ mod tests {
 
     #[test]
     fn dates_are_counted_as_the_calendar_has_them() {
-        // Seconds since 1970 from the table of POSIX time: 2000-03-01 is day 11017, 2019-07-06 is day 18083.
+        // Seconds since 1970 from the table of POSIX time: 2000-03-01 is day 11017, 2019-07-06 is
+        // day 18083.
         for (text, days) in [("1970-01-01", 0), ("2000-03-01", 11_017), ("2019-07-06", 18_083), ("1969-12-31", -1)] {
             let instant = Instant(days * 86_400 * SECOND_NS);
             assert_eq!(Instant::parse(text), Some(instant), "{text}");

@@ -1,8 +1,9 @@
 //! Formats of record files. The content of a file decides which format it has, never its name.
 //!
-//! A family of formats is one module with a function that recognises its files and a function that reads them. To add
-//! one, write the module and add a line to `FAMILIES` below. Several families share a module: `volumes` is the layout
-//! of `csmip` and `usc`, `binary` and `instant` are numbers and times of `mseed` and `sac`.
+//! A family of formats is one module with a function that recognises its files and a function that
+//! reads them. To add one, write the module and add a line to `FAMILIES` below. Several families
+//! share a module: `volumes` is the layout of `csmip` and `usc`, `binary` and `instant` are numbers
+//! and times of `mseed` and `sac`.
 
 mod at2;
 mod bhrc;
@@ -37,14 +38,14 @@ use freestand_input::problem::{Problem, Problems};
 /// Reads a record file.
 ///
 /// # Errors
-/// A file that cannot be read, whose format is not known, that is broken or has gaps, or that leaves the unit or the time
-/// step open where the options do too. Nothing is guessed from the size of values.
+/// A file that cannot be read, is of an unknown format, is broken or has gaps. A unit or time step
+/// that neither the file nor the options state: nothing is guessed from the size of values.
 pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, Problems> {
     parse_motions(load(path)?, path, options)
 }
 
-/// As [`read_motions`], from bytes in memory; `path` names them in messages, and a miniSEED file's StationXML is looked for
-/// beside it.
+/// As [`read_motions`], from bytes in memory; `path` names them in messages. The StationXML of a
+/// miniSEED file is looked for next to it.
 ///
 /// # Errors
 /// As [`read_motions`].
@@ -57,7 +58,7 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, Pr
 /// # Ok::<(), freestand_input::problem::Problems>(())
 /// ```
 pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> Result<MotionFile, Problems> {
-    // A wrong flag is no fault of the file.
+    // Checked first, because a wrong option is not a fault of the file.
     options.check()?;
     let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
@@ -71,18 +72,18 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
 
 /// A family of formats that share a layout.
 struct Family {
-    /// Looks at the first lines; the first family that says yes reads the file.
+    /// Looks at the first lines. The first family that recognises the file reads it.
     recognises: fn(&[u8]) -> bool,
     read: Reader,
 }
 
 type Reader = fn(&[u8], &Path, &ReadOptions) -> Result<Reading, Problem>;
 
-/// Formats that are no text. They are asked first: what they do not recognise must be text.
+/// Binary formats. They come first: what they do not recognise must be text.
 const BINARY: &[Family] =
     &[Family { recognises: mseed::is_mseed, read: mseed::read }, Family { recognises: sac::is_sac, read: sac::read }];
 
-/// From the most particular signature to the least; what none recognises is columns.
+/// From the most specific signature to the least. What no family recognises is read as columns.
 const FAMILIES: &[Family] = &[
     Family { recognises: smc::is_smc, read: smc::read },
     Family { recognises: cosmos::is_cosmos, read: cosmos::read },
@@ -100,11 +101,11 @@ const FAMILIES: &[Family] = &[
     Family { recognises: at2::is_at2, read: at2::read },
 ];
 
-/// How much of a text is looked at to tell its format: more than the longest header, 300 lines of 80 characters. A file of
-/// one endless line must not be searched for each signature.
+/// How much of a text is searched for signatures: more than the longest header, which has 300 lines
+/// of 80 characters. A file of one endless line would take long to search.
 const SNIFFED_BYTES: usize = 64 << 10;
 
-/// The reader of the format that the content shows; what is not binary is made sure to be text.
+/// The reader for the content. What is not binary must be text.
 fn reader(bytes: &mut Vec<u8>) -> Result<Reader, Problem> {
     if let Some(family) = BINARY.iter().find(|family| (family.recognises)(bytes)) {
         return Ok(family.read);

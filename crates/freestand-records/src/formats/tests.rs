@@ -28,7 +28,7 @@ fn components_are_chosen_by_name_or_number() {
     }
     let problem = file.select(None).unwrap_err();
     assert_eq!(problem.message, "has 3 components: 1 NS, 2 EW, 3 360");
-    assert!(problem.hint.unwrap().contains("--component"));
+    assert!(problem.hint.unwrap().contains("`component`"));
     let mut one = file;
     one.components.truncate(1);
     assert_eq!(one.select(None).unwrap().name, "NS");
@@ -73,7 +73,8 @@ fn samples() -> Vec<Vec<u8>> {
     ]
 }
 
-/// Whatever a file is, it is read or refused with a message of one line, and what is read is finite.
+/// Whatever a file is, it is read or refused with a message of one line, and what is read is
+/// finite.
 fn survives(bytes: Vec<u8>) -> Result<(), TestCaseError> {
     let given = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.01), ..ReadOptions::default() };
     let resampled = ReadOptions { unit: Some("g".to_owned()), uneven_dt_s: Some(0.01), ..ReadOptions::default() };
@@ -126,7 +127,7 @@ proptest! {
     }
 }
 
-/// Every agency's title may stand above a table of someone else's.
+/// Every agency's title may be above a table from another source.
 #[test]
 fn a_title_alone_makes_no_agency_s_file() {
     let titles = [

@@ -1,4 +1,5 @@
-//! One component as readers find it in a file, and what is checked and said of each: its step, its peak, its name.
+//! One component as a reader finds it in a file, and the checks and notes about its step, its peak
+//! and its name.
 
 use super::{Component, Direction, ReadOptions};
 use crate::text::lines::Line;
@@ -8,15 +9,15 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::collections::HashMap;
 
-/// Time steps that a record of the ground or of a floor may have \[s\]. Records have 1 ms to some
-/// tenths of a second. Far outside, the step was written in another unit or is damaged, and a building's floors at steps
-/// of nanoseconds would fill the memory.
+/// Time steps that a record may have \[s\]. Real ones are 1 ms to some tenths of a second. A step
+/// far outside was written in another unit or is damaged; floor motions at steps of nanoseconds
+/// would fill the memory.
 const STEPS_S: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
 
 /// Refuses a time step outside 1e-6 s to 100 s.
 ///
 /// # Errors
-/// Such a step, as a problem of `kind`.
+/// Such a step; the problem is of `kind`.
 pub fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
     if STEPS_S.contains(&dt_s) {
         return Ok(());
@@ -30,7 +31,7 @@ pub fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
     Err(Problem::new(kind, message).hint(hint))
 }
 
-/// One component as a reader finds it in an agency's file, where unit and step are not open any more.
+/// One component as a reader finds it in an agency's file; unit and step are known.
 pub(crate) struct Found {
     pub(crate) name: String,
     pub(crate) station: Option<String>,
@@ -50,10 +51,11 @@ impl Found {
     /// The component in SI.
     ///
     /// # Errors
-    /// A user's unit or time step that contradicts the file's, a step outside 1e-6 s to 100 s, fewer than two values.
+    /// A user's unit or time step that contradicts the file's, a step outside 1e-6 s to 100 s,
+    /// fewer than two values.
     pub(crate) fn component(mut self, options: &ReadOptions) -> Result<Component, Problem> {
         if let Some(unit) = units::requested(options.unit.as_deref())?
-            // The last bit may differ where a factor is composed, as in counts times a scale.
+            // The last bit may differ where a factor is a product, such as counts times a scale.
             && (unit.to_si(1.0) - self.unit.to_si(1.0)).abs() > 1e-12 * self.unit.to_si(1.0)
             && unit.symbol != self.unit.symbol
         {
@@ -90,7 +92,8 @@ impl Found {
     }
 }
 
-/// Adds the place in the file to names that several components share: a structure has several sensors of one direction.
+/// Adds the channel number to names that several components share: a structure has several sensors
+/// in one direction.
 pub(crate) fn tell_apart(components: &mut [Component]) {
     let mut uses: HashMap<String, usize> = HashMap::new();
     for component in components.iter() {
@@ -103,20 +106,20 @@ pub(crate) fn tell_apart(components: &mut [Component]) {
     }
 }
 
-/// What is to be said where the largest value is not the one that the header states \[m/s², any sign\].
+/// A note if the largest value differs from the one that the header states \[m/s², any sign\].
 ///
-/// Some agencies print the peak with the opposite sign, and most with three digits: 1 % is what rounding of three can
-/// make of it.
+/// Some agencies print the peak with the opposite sign, and most with three digits, which rounds by
+/// up to 1 %.
 pub(crate) fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
     peak_note_of(&component.name, component.motion.peak_m_s2(), header_peak_m_s2)
 }
 
-/// As [`peak_note`], of a largest value that was found otherwise.
+/// As [`peak_note`], for a largest value that was found in another way.
 pub(crate) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Option<String> {
-    /// Far above any earthquake: values that stand for a missing one, in whatever unit.
+    /// Far above any earthquake. Larger values mark a missing value, in any unit.
     const HIGHEST_M_S2: f64 = 1e4;
     let stated = header_peak_m_s2.abs();
-    // A header without a peak has 0 or a value that stands for a missing one.
+    // A header without a peak has 0 or a marker of a missing value.
     let is_stated = stated > 0.0 && stated < HIGHEST_M_S2;
     (is_stated && (found - stated).abs() > 0.01 * stated).then(|| {
         let name = shorten(name);
@@ -124,10 +127,11 @@ pub(crate) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Opt
     })
 }
 
-/// What is to be said of values that no motion has.
+/// A note if a value is larger than any motion has.
 ///
-/// The largest acceleration of the ground on record is 4.4 g (Iwate-Miyagi 2008, IWTH25). Floors amplify the ground some
-/// times, so that 20 g is beyond both; a lost decimal point or another unit is nearer at hand than a shock of pyrotechnics.
+/// The largest acceleration of the ground on record is 4.4 g (Iwate-Miyagi 2008, IWTH25). Floors
+/// amplify the ground a few times, so 20 g is beyond both: a lost decimal point or a wrong unit is
+/// more likely than a pyrotechnic shock.
 pub(crate) fn extreme_note(component: &Component) -> Option<String> {
     const HIGHEST_M_S2: f64 = 20.0 * freestand::G0_M_S2;
     let motion = &component.motion;
@@ -142,19 +146,19 @@ pub(crate) fn extreme_note(component: &Component) -> Option<String> {
     (peak_m_s2 > HIGHEST_M_S2).then(|| {
         let (name, peak_g) = (shorten(&component.name), peak_m_s2 / freestand::G0_M_S2);
         format!(
-            "{name}: value {} is {peak_g:.1} g, more than any ground or floor motion: check the unit ({}) and look for a \
-             damaged digit or decimal point",
+            "{name}: value {} is {peak_g:.1} g, more than any ground or floor motion: check the unit ({}) and look \
+             for a damaged digit or decimal point",
             at + 1,
             component.unit
         )
     })
 }
 
-/// What is to be said where the values do not last as long as the header says \[s\]: one of step, length and number is
-/// wrong.
+/// A note if the values do not last as long as the header says \[s\]: the step, the length or the
+/// number is wrong.
 ///
-/// Lengths are printed with few digits, count the last step or not, and of a corrected record may be the uncorrected one's:
-/// 1 % and two steps are none of these, and far less than a step that is wrong.
+/// Lengths are printed with few digits, may or may not count the last step, and may be those of the
+/// uncorrected record. 1 % and two steps allow for all this; a wrong step differs by far more.
 pub(crate) fn length_note(component: &Component, stated_s: f64) -> Option<String> {
     let (dt_s, count) = (component.motion.dt_s(), component.motion.accel_m_s2().len());
     let found_s = count as f64 * dt_s;
@@ -162,13 +166,14 @@ pub(crate) fn length_note(component: &Component, stated_s: f64) -> Option<String
     (is_stated && (found_s - stated_s).abs() > 2.0 * dt_s + 0.01 * stated_s).then(|| {
         let name = shorten(&component.name);
         format!(
-            "{name}: {count} values at {dt_s} s last {found_s:.2} s, but the header states {stated_s:.2} s: the step may be wrong"
+            "{name}: {count} values at {dt_s} s last {found_s:.2} s, but the header states {stated_s:.2} s: the step \
+             may be wrong"
         )
     })
 }
 
-/// What is to be said where the file has fewer channels than a header says: `(3 Chns of  3 at Sta)`. Agencies also give
-/// one channel a file, with the same words in it.
+/// A note if the file has fewer channels than a header says: `(3 Chns of  3 at Sta)`. Agencies also
+/// publish one channel per file, with the same words in it.
 pub(crate) fn channels_note(header: &[String], found: usize) -> Option<String> {
     let stated: usize = header.iter().find_map(|line| {
         let upper = line.to_ascii_uppercase();
@@ -179,12 +184,12 @@ pub(crate) fn channels_note(header: &[String], found: usize) -> Option<String> {
         .then(|| format!("the header states {stated} channels, but the file has {found}: it may be cut off"))
 }
 
-/// What is to be said where no line with `mark` (in lower case) ends the last channel.
+/// A note if no line with `mark` (in lower case) ends the last channel.
 pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<String> {
-    // Text behind the last channel has other lines.
-    const MOST: usize = 100;
+    // Text after the last channel has other lines.
+    const MAX: usize = 100;
     let lines = bytes.rsplit(|b| matches!(b, b'\n' | b'\r')).map(|bytes| Line { number: 0, bytes });
-    let mut last = lines.filter(|line| !line.is_blank()).take(MOST).take_while(Line::is_text);
+    let mut last = lines.filter(|line| !line.is_blank()).take(MAX).take_while(Line::is_text);
     let is_there = last.any(|line| line.text().to_ascii_lowercase().contains(mark));
     (!is_there).then(|| format!("the last channel does not end with a line \"{mark}\": the file may be cut off"))
 }

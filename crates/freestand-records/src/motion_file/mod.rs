@@ -15,25 +15,28 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::{Path, PathBuf};
 
-/// What the user says about a file that may not say it itself.
+/// What the user states about a file that may not state it itself.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ReadOptions {
     /// Unit of acceleration, such as `g` or `cm/s2`. A file that states another one is refused.
     pub unit: Option<String>,
-    /// Time step \[s\]. Columns without a header are then all components; otherwise the first is the time.
+    /// Time step \[s\]. With it, all columns without a header are components; without it, the first
+    /// is the time.
     pub dt_s: Option<f64>,
-    /// Step \[s\] at which the straight lines between unevenly spaced samples are read; without it they are refused. Evenly
-    /// spaced samples stay as they are: their step is changed by
-    /// [`Processing::resample_dt_s`](crate::processing::Processing::resample_dt_s), on a band-limited curve.
+    /// Step \[s\] to which unevenly spaced samples are interpolated on straight lines; without it
+    /// they are refused. Evenly spaced samples stay as they are:
+    /// [`Processing::resample_dt_s`](crate::processing::Processing::resample_dt_s) changes their
+    /// step, on a band-limited curve.
     pub uneven_dt_s: Option<f64>,
-    /// StationXML with the sensitivity of a miniSEED file; without it one is looked for beside the file.
+    /// StationXML with the sensitivity of a miniSEED file. Without it, the program looks for one
+    /// next to the file.
     pub station_xml: Option<PathBuf>,
-    /// A shock and no motion of the ground or a floor: hundreds of g in it are nothing to be noted.
+    /// The file holds a shock, not a motion of the ground or a floor: hundreds of g need no note.
     pub is_shock: bool,
 }
 
 impl ReadOptions {
-    /// Whether they can be meant, whatever the file.
+    /// Checks what can be checked without a file.
     ///
     /// # Errors
     /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
@@ -53,7 +56,7 @@ pub struct MotionFile {
     pub format: &'static str,
     /// Its motions, in the order of the file; never empty.
     pub components: Vec<Component>,
-    /// What was concluded or left out that a reader of results should know.
+    /// What was concluded or left out, as far as readers of the results should know it.
     pub notes: Vec<String>,
 }
 
@@ -68,11 +71,11 @@ pub struct Component {
     pub direction: Option<Direction>,
     /// The unit in the file; the motion itself is in m/s².
     pub unit: &'static str,
-    /// Whether these are an instrument's own values, with its offset in them: K-NET, miniSEED, SAC, COSMOS V0. Their mean
-    /// is removed before use, unless the user keeps it.
+    /// Whether the values include the offset of the instrument: K-NET, miniSEED, SAC, COSMOS V0.
+    /// Their mean is removed before use, unless the user keeps it.
     pub is_raw: bool,
-    /// Time of the first value \[s\] where the file has one: since 1970 in files with dates for each component, else on
-    /// the clock of their time column. The motion itself begins at 0.
+    /// Time of the first value \[s\], if the file states it: since 1970 in files with dates, else
+    /// as in the time column. The motion itself begins at 0.
     pub start_s: Option<f64>,
     /// The StationXML with the sensitivity of its counts, where they were scaled by one.
     pub station_xml: Option<InputFile>,
@@ -91,7 +94,7 @@ pub(crate) struct Reading {
 
 impl Reading {
     /// # Errors
-    /// No component: every file has one at least, whichever reader it had.
+    /// No component: every file must have at least one.
     pub(crate) fn with_components(self) -> Result<Self, Problem> {
         if self.components.is_empty() {
             return Err(Problem::new(ProblemKind::Format, "holds no acceleration record").hint(
@@ -114,7 +117,7 @@ impl MotionFile {
         files
     }
 
-    /// Notes a StationXML that was named and had no use.
+    /// Adds a note if a StationXML was named but not used.
     pub(crate) fn with_unused(mut self, options: &ReadOptions) -> Self {
         if let Some(xml) = options.station_xml.as_ref().filter(|_| self.station_xml().is_empty()) {
             self.notes.push(format!(
@@ -126,11 +129,11 @@ impl MotionFile {
         self
     }
 
-    /// The component called for: by name (capitals do not matter), or by number counted from 1; the only one where
-    /// nothing is called for.
+    /// The component with this name (capitals do not matter) or number (counted from 1); without a
+    /// choice, the only one.
     ///
     /// # Errors
-    /// Several components and no choice, or a choice that is not there; the message lists what is.
+    /// Several components and no choice, or no such component; the message lists those that exist.
     pub fn select(&self, component: Option<&str>) -> Result<&Component, Problem> {
         let problem = match (component.map(str::trim), self.components.as_slice()) {
             (None, [only]) => return Ok(only),
@@ -159,28 +162,28 @@ impl MotionFile {
     }
 
     fn listing(&self) -> String {
-        const MOST: usize = 12;
+        const MAX: usize = 12;
         let mut listed: Vec<String> = self
             .components
             .iter()
-            .take(MOST)
+            .take(MAX)
             .enumerate()
             .map(|(i, one)| format!("{} {}", i + 1, shorten(&one.name)))
             .collect();
-        if self.components.len() > MOST {
-            listed.push(format!("and {} more", self.components.len() - MOST));
+        if self.components.len() > MAX {
+            listed.push(format!("and {} more", self.components.len() - MAX));
         }
         listed.join(", ")
     }
 }
 
-/// In a binary file nothing stands on a line.
+/// Removes the line: a binary file does not have lines.
 pub(crate) fn without_line(mut problem: Problem) -> Problem {
     problem.line = None;
     problem
 }
 
-/// The file's name without folder and extension, as the name of what is in it.
+/// The file's name without folder and extension, which names a component without a name of its own.
 pub(crate) fn file_stem(path: &Path) -> String {
     path.file_stem().map_or_else(|| "motion".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }

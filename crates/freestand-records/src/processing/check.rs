@@ -1,4 +1,4 @@
-//! What can be meant of no record: known before one is read.
+//! Checks of options that do not need a record.
 
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
 use freestand::signal::filter::MAX_ORDER;
@@ -8,12 +8,12 @@ use super::{Processing, Scale, TargetSpectrum};
 use freestand_input::problem::{Problem, ProblemKind};
 
 impl Processing {
-    /// What can be meant of no record, each with the name of the field as flags and studies have it (`low_cut`).
+    /// What no record allows, each problem with its key (`low_cut`).
     pub fn problems(&self) -> Vec<(&'static str, Problem)> {
         let mut found = Vec::new();
         let mut check = |key, holds: bool, message: String, hint: &str| {
             if !holds {
-                found.push((key, wrong(message, hint)));
+                found.push((key, Problem::value(message, hint)));
             }
         };
         if let Some(azimuth_deg) = self.azimuth_deg {
@@ -47,7 +47,7 @@ impl Processing {
     }
 }
 
-/// A degree and times that some record allows.
+/// Checks a degree and times that some record may allow.
 fn check_baseline(baseline: Baseline) -> Result<(), Problem> {
     let degree = |degree: usize, least: usize| {
         let message = format!("the degree must be {least} to {MAX_DEGREE}, not {degree}");
@@ -73,7 +73,7 @@ fn check_baseline(baseline: Baseline) -> Result<(), Problem> {
     }
 }
 
-/// A factor or a target that some record can be taken to, with the name of its field.
+/// Checks a factor or target that some record may allow; returns the key with the result.
 fn check_target(scale: &Scale) -> (&'static str, Result<(), Problem>) {
     match *scale {
         Scale::Factor(factor) => ("scale", check_scale(factor)),
@@ -109,14 +109,10 @@ fn is_zero_or_more(value: f64) -> bool {
 }
 
 fn require(holds: bool, message: String, hint: &str) -> Result<(), Problem> {
-    if holds { Ok(()) } else { Err(wrong(message, hint)) }
+    if holds { Ok(()) } else { Err(Problem::value(message, hint)) }
 }
 
-fn wrong(message: String, hint: &str) -> Problem {
-    Problem::new(ProblemKind::Value, message).hint(hint)
-}
-
-/// Whether a factor on the samples leaves a motion; a negative one turns it round.
+/// Checks a factor on the samples; a negative factor inverts the motion.
 ///
 /// # Errors
 /// Zero, or a factor that is not finite.

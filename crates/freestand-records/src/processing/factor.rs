@@ -1,4 +1,4 @@
-//! The factor that a record is multiplied by at last.
+//! The factor by which a record is multiplied in the last step.
 
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
@@ -25,19 +25,20 @@ pub(super) fn factor(motion: &Motion, scale: &Scale) -> Result<(f64, String), Pr
         Scale::Spectrum(ref target) => {
             let SpectrumFit { factor, misfit_ln } =
                 fit_to_spectrum(motion, target.damping_ratio, &target.periods_s, &target.psa_m_s2).map_err(wrong)?;
-            // Below, it is made of the digits that the target is written with.
+            // Anything smaller comes from the rounding of the target's digits.
             let misfit = if misfit_ln < 1e-4 { "below 0.01".to_owned() } else { number(100.0 * misfit_ln, 3) };
             (factor, format!(" to the spectrum of {}; misfit {misfit} % rms in ln)", target.words()))
         }
     })
 }
 
-/// A factor with every digit, or where that would be a row of zeros with six; `scale_ratio` has them all.
+/// A factor with all digits, or with six if it needs many zeros; `scale_ratio` has all digits.
 pub(super) fn factor_words(factor: f64) -> String {
     if (1e-4..1e9).contains(&factor.abs()) { factor.to_string() } else { number(factor, 6) }
 }
 
-/// What is to be said of a target: what was left out of its file, periods that the record has few samples for.
+/// Notes about a target: what was left out of its file, and periods for which the record has few
+/// samples.
 pub(super) fn target_notes(scale: &Scale, dt_s: f64) -> Vec<String> {
     let (note, periods_s) = match scale {
         Scale::Factor(_) | Scale::Peak { .. } => return Vec::new(),

@@ -1,4 +1,4 @@
-//! What is done to a record between its file and its use, each step in words.
+//! What is done to a record after reading, each step in words.
 
 mod align;
 mod check;
@@ -30,13 +30,14 @@ pub use short_period::{few_steps, samples_needed};
 pub use target::{TargetSource, TargetSpectrum, parse_target, read_target};
 pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_target_source};
 
-/// What the user asks to be done to the samples of a record, in the order in which it is done. The default alters nothing
-/// but the mean of raw formats.
+/// What the user requests for the samples of a record, in the order of the steps. The default only
+/// removes the mean of raw formats.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Processing {
-    /// Leave the mean of a raw record in it.
+    /// Keep the mean of a raw record.
     pub keep_mean: bool,
-    /// Azimuth of the component that is made of two horizontal ones \[degrees clockwise from north\].
+    /// Azimuth of the component that is made of two horizontal ones \[degrees clockwise from
+    /// north\].
     pub azimuth_deg: Option<f64>,
     /// Baseline to be removed.
     pub baseline: Option<Baseline>,
@@ -50,14 +51,14 @@ pub struct Processing {
     pub filter_order: u32,
     /// New time step \[s\].
     pub resample_dt_s: Option<f64>,
-    /// What the samples are multiplied by at last.
+    /// The factor on the samples, the last step.
     pub scale: Scale,
 }
 
-/// How a factor on the samples is found.
+/// How the factor on the samples is determined.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Scale {
-    /// It is given; 1 changes nothing.
+    /// It is given. 1 changes nothing.
     Factor(f64),
     /// To a largest |a|.
     Peak {
@@ -73,7 +74,8 @@ pub enum Scale {
         /// Its damping ratio.
         damping_ratio: f64,
     },
-    /// As near as may be to a pseudo-acceleration spectrum: least squares of the logarithms, every period counting the same.
+    /// To a pseudo-acceleration spectrum as nearly as possible: least squares of the logarithms,
+    /// with equal weights for all periods.
     Spectrum(TargetSpectrum),
 }
 
@@ -96,24 +98,25 @@ impl Default for Processing {
     }
 }
 
-/// A motion as it is used, and how it came about.
+/// A processed motion, and what was done to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Processed {
     /// The motion.
     pub motion: Motion,
-    /// What was done, one step each, in order; for people.
+    /// What was done, in order, one sentence per step.
     pub steps: Vec<String>,
     /// The factor that the samples were multiplied by.
     pub scale_ratio: f64,
-    /// What a reader of results should be warned of.
+    /// Warnings for readers of the results.
     pub notes: Vec<String>,
 }
 
-/// Does what is asked to one component, in this order: mean of a raw record, baseline, taper, filter, time step, scale.
+/// Processes one component, in this order: mean of a raw record, baseline, taper, filter, time
+/// step, scale.
 ///
 /// # Errors
-/// An azimuth, for which one component is not enough; a corner above half the sampling rate, a time outside the record and
-/// whatever else this record does not allow.
+/// An azimuth, for which one component is not enough; a corner above half the sampling rate, a time
+/// outside the record, or anything else that this record does not allow.
 ///
 /// # Example
 /// ```
@@ -137,8 +140,8 @@ pub fn process(component: &Component, processing: &Processing) -> Result<Process
     finish(motion, unasked, None, processing)
 }
 
-/// The component of a file that is asked for, processed, and what it is in words; with an azimuth, the two horizontal
-/// components turned to it.
+/// The requested component of a file, processed, and its name in words; with an azimuth, the two
+/// horizontal components rotated to it.
 ///
 /// # Errors
 /// As [`MotionFile::select`], [`horizontal_pair`] and [`process`].
@@ -165,9 +168,10 @@ fn station_words(component: &Component) -> String {
     component.station.as_ref().map_or(String::new(), |station| format!(", {station}"))
 }
 
-/// All steps that come after the choice of a component.
+/// All steps after the choice of a component.
 ///
-/// What was done unasked, the mean of a raw record above all, is said wherever the motion is used.
+/// What was done without a request, such as removing the mean of a raw record, is reported wherever
+/// the motion is used.
 fn finish(
     motion: Motion,
     unasked: Vec<String>,
@@ -194,7 +198,7 @@ fn finish(
     }
     let (factor, target) = factor(&done.motion, &processing.scale)?;
     let is_found = !matches!(processing.scale, Scale::Factor(_));
-    // What a target asks for is said also where it asks for nothing.
+    // The step of a target is reported even if its factor is 1.
     if factor != 1.0 || is_found {
         let hint = "check the values and the scale";
         let words = factor_words(factor);
@@ -238,8 +242,8 @@ fn without_baseline(motion: &Motion, baseline: Baseline) -> Result<(Motion, Stri
         Baseline::Boore2001 { t1_s, t2_s } => {
             let last = removed.last().map_or_else(String::new, |&a| number(a, 4));
             format!(
-                "offsets removed between {t1_s} s and {t2_s} s and after them (Iwan 1985, Boore 2001), at most {largest} \
-                 m/s2, at the end {last} m/s2"
+                "offsets removed between {t1_s} s and {t2_s} s and after them (Iwan 1985, Boore 2001), at most \
+                 {largest} m/s2, at the end {last} m/s2"
             )
         }
     };
@@ -265,8 +269,8 @@ fn through_filter(motion: &Motion, pass: Pass, order: u32) -> Result<(Motion, St
     };
     let pad = number(pad_s, 6);
     let step = format!(
-        "Butterworth {band} of order {order}, forwards and backwards; {pad} s of zeros added before and after the record: \
-         the motion starts {pad} s earlier"
+        "Butterworth {band} of order {order}, forwards and backwards; {pad} s of zeros added before and after the \
+         record: the motion starts {pad} s earlier"
     );
     Ok((motion, step))
 }

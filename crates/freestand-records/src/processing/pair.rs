@@ -45,16 +45,16 @@ fn azimuth_of(component: &Component) -> Option<f64> {
 }
 
 fn names(components: &[&Component]) -> String {
-    const MOST: usize = 8;
-    let listed: Vec<String> = components.iter().take(MOST).map(|one| shorten(&one.name)).collect();
-    listed.join(", ") + if components.len() > MOST { ", …" } else { "" }
+    const MAX: usize = 8;
+    let listed: Vec<String> = components.iter().take(MAX).map(|one| shorten(&one.name)).collect();
+    listed.join(", ") + if components.len() > MAX { ", …" } else { "" }
 }
 
-/// Two components of one file: those that are called for by name or number, else the only two that have an azimuth, else
-/// the only two that do not point up.
+/// Two components of one file: those requested by name or number, else the only two that have an
+/// azimuth, else the only two that do not point up.
 ///
 /// # Errors
-/// No such two.
+/// No such pair.
 pub fn pair_of_one<'f>(
     file: &'f MotionFile,
     called: Option<(&str, &str)>,
@@ -74,7 +74,7 @@ pub fn pair_of_one<'f>(
         ([first, second], _) | (_, [first, second]) => Ok((first, second)),
         _ => {
             let all: Vec<&Component> = file.components.iter().collect();
-            let message = format!("more than two components could be meant: {}", names(&all));
+            let message = format!("cannot tell which two components are meant: {}", names(&all));
             Err(Problem::new(ProblemKind::Value, message)
                 .in_file(&file.path)
                 .hint("name two with `components`, or give two files"))
@@ -104,11 +104,12 @@ pub fn with_azimuths<'f>(
     Ok((bearing(first)?, bearing(second)?))
 }
 
-/// Both components of a pair, each processed by itself. `names` are what they are called in words; what concerns both
-/// stands with the first.
+/// Both components of a pair, each processed separately. `names` are their names in words; what
+/// concerns both is with the first.
 ///
 /// # Errors
-/// A scale that is found from the record, which would not be the same for both; otherwise as [`super::process`].
+/// A scale that depends on the record, which would differ between the two; otherwise as
+/// [`super::process`].
 pub fn process_pair(
     (first, second): (&Component, &Component),
     names: (&str, &str),
@@ -123,7 +124,7 @@ pub fn process_pair(
     Ok((finished(one)?, finished(two)?))
 }
 
-/// What must be said of components that are taken as perpendicular but point otherwise.
+/// A warning if components that are treated as perpendicular are not.
 pub fn not_perpendicular(first: &Component, second: &Component) -> Option<String> {
     let turn = (azimuth_of(first)? - azimuth_of(second)?).rem_euclid(180.0);
     let between = turn.min(180.0 - turn);
@@ -134,8 +135,8 @@ pub fn not_perpendicular(first: &Component, second: &Component) -> Option<String
     })
 }
 
-/// The component at an azimuth, of two others, processed. The means of raw ones are removed before; where one is longer,
-/// what the other does not have is left out. `names` are what they are called in words.
+/// The component at an azimuth, from two others, processed. The means of raw ones are removed
+/// first; the times that only one has are left out. `names` are their names in words.
 ///
 /// # Errors
 /// Different time steps, components nearly parallel; otherwise as [`super::process`].

@@ -1,4 +1,4 @@
-//! Raw records, with the offset of their instrument in them.
+//! Raw records, which include the offset of their instrument.
 
 use freestand::motion::Motion;
 use freestand::signal::baseline::{Baseline, corrected};
@@ -7,7 +7,7 @@ use super::{Processing, refused};
 use crate::formats::Component;
 use freestand_input::problem::Problem;
 
-/// The samples, of a raw record without their mean.
+/// The samples; those of a raw record without their mean.
 pub(super) fn without_mean(
     component: &Component,
     processing: &Processing,

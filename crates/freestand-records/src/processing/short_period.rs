@@ -1,20 +1,21 @@
-//! Periods that a record has few samples for.
+//! Periods for which a record has few samples.
 
-/// Samples in a period from which on its peaks are hardly missed: between two of ten samples a sine loses at most
-/// 1 − cos(π/10) = 5 % of its peak, and straight lines between them 1 − sinc²(1/10) = 3 % of its amplitude.
+/// Samples per period that resolve its peaks well enough: between two of ten samples a sine loses
+/// at most 1 − cos(π/10) = 5 % of its peak, and straight lines between them lose 1 − sinc²(1/10) =
+/// 3 % of its amplitude.
 const SAMPLES_A_PERIOD: f64 = 10.0;
 
-/// The shortest period of oscillators, and the samples in place of each that it needs; `None`: there are enough. A period
-/// of zero is the peak of the record itself.
+/// The shortest period, and by how much the samples must be refined for it; `None` if there are
+/// enough. A period of zero is the peak of the record itself.
 pub fn samples_needed(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<(f64, f64)> {
     let shortest_s = periods_s.iter().copied().filter(|&t| t > 0.0).fold(f64::INFINITY, f64::min);
-    // A period of ten steps, but for its last bits, has ten.
+    // Rounding in the last bits must not turn ten steps into fewer.
     let needed = (SAMPLES_A_PERIOD * dt_s / shortest_s * (1.0 - 1e-9)).ceil();
     (needed > upsample.max(1) as f64).then_some((shortest_s, needed))
 }
 
-/// Peaks at the samples of a motion miss those between them where a period has fewer than ten. `of` is whose periods they
-/// are.
+/// A warning if a period has fewer than ten samples: peaks between them are missed. `of` says whose
+/// periods they are.
 ///
 /// # Example
 /// ```
@@ -25,13 +26,13 @@ pub fn samples_needed(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<(
 /// ```
 pub fn short_period_warning(of: &str, periods_s: &[f64], dt_s: f64) -> Option<String> {
     let (shortest_s, needed) = samples_needed(periods_s, dt_s, 1)?;
-    // Halves of a step are in a simple ratio to it, and short.
+    // Half a step is in a simple ratio to the step and is short to write.
     let step_s = dt_s / needed.log2().ceil().exp2();
     let few = few_steps(&format!("the shortest period of {of}"), shortest_s, dt_s);
     Some(format!("{few}: peaks between them are missed; `resample = \"{step_s} s\"` gives it ten"))
 }
 
-/// The words that all such warnings begin with.
+/// The beginning of all such warnings.
 pub fn few_steps(which: &str, shortest_s: f64, dt_s: f64) -> String {
     format!("{which}, {shortest_s} s, has fewer than ten steps of {dt_s} s")
 }

@@ -2,7 +2,8 @@ use super::*;
 use crate::formats::{Direction, ReadOptions, parse_motions};
 use freestand::G0_M_S2;
 
-/// Two horizontal components and a vertical one: north 0.2 g, east −0.1 g and up 0.05 g times a wave of 2 Hz for 8 s.
+/// Two horizontal components and a vertical one: north 0.2 g, east −0.1 g and up 0.05 g times a
+/// wave of 2 Hz for 8 s.
 fn file(header: &str) -> MotionFile {
     let rows: String = (0..=800)
         .map(|k| {
@@ -50,8 +51,8 @@ fn everything_is_done_in_the_order_that_the_steps_say() {
         "components N-S (0 deg) and E-W (90 deg) turned to 30 deg",
         "polynomial of degree 1 in the acceleration removed, at most ",
         "cosine taper over 5 % at each end",
-        "Butterworth filters from 0.5 Hz to 20 Hz of order 4, forwards and backwards; zeros of 12 s before and after, kept: \
-         the motion starts 12 s earlier",
+        "Butterworth filters from 0.5 Hz to 20 Hz of order 4, forwards and backwards; 12 s of zeros added before and after \
+         the record: the motion starts 12 s earlier",
         "resampled from 0.01 s to 0.005 s (band-limited)",
         "multiplied by ",
     ];
@@ -78,8 +79,8 @@ fn everything_is_done_in_the_order_that_the_steps_say() {
     let by_hand = filtered(&by_hand, Pass::Band { low_cut_hz: 0.5, high_cut_hz: 20.0 }, 4).unwrap().motion;
     let by_hand = resampled(&by_hand, 0.005).unwrap().scaled(done.scale_ratio).unwrap();
     for (a, b) in done.motion.accel_m_s2().iter().zip(by_hand.accel_m_s2()) {
-        // The sine and cosine of 30 and 60 degrees differ in their last bit; the filter, of corner π·0.5·0.01, magnifies
-        // that by the inverse of its square.
+        // The sine and cosine of 30 and 60 degrees differ in their last bit; the filter, of corner
+        // π·0.5·0.01, magnifies that by the inverse of its square.
         assert!((a - b).abs() < 1e-11, "{a} {b}");
     }
 }
@@ -104,7 +105,7 @@ fn an_azimuth_needs_two_directions() {
     let refused = |file: &MotionFile| process_file(file, None, &azimuth).unwrap_err().to_string();
     let mut silent = three();
     silent.components[1].direction = None;
-    assert_eq!(refused(&silent), "three.csv: the file does not say which way it points: E-W");
+    assert_eq!(refused(&silent), "three.csv: the file does not state the direction of E-W");
     let mut four = three();
     four.components.push(four.components[0].clone());
     assert!(refused(&four).contains("has 3 horizontal components, but two are needed: N-S, E-W, N-S"));
@@ -114,7 +115,7 @@ fn an_azimuth_needs_two_directions() {
     let mut parallel = three();
     parallel.components[1].direction = Some(Direction::Azimuth(170.0));
     assert!(refused(&parallel).contains("too close to parallel"));
-    assert!(process(&three().components[0], &azimuth).unwrap_err().message.contains("made of two components"));
+    assert!(process(&three().components[0], &azimuth).unwrap_err().message.contains("needs two components"));
 }
 
 #[test]
@@ -165,7 +166,7 @@ fn factors_are_found_and_large_ones_are_noted() {
     for (target_m_s2, notes) in [(9.9 * peak, 0), (10.1 * peak, 1), (peak / 9.9, 0), (peak / 10.1, 1)] {
         assert_eq!(scaled(Scale::Peak { target_m_s2 }).unwrap().notes.len(), notes, "{target_m_s2}");
     }
-    // A factor that the user gives is no finding.
+    // A factor that the user gives needs no note.
     assert_eq!(scaled(Scale::Factor(100.0)).unwrap().notes.len(), 0);
     let mut still = file.components[0].clone();
     still.motion = Motion::new(0.01, vec![0.0; 10]).unwrap();
@@ -184,8 +185,8 @@ fn target(periods_s: &[f64], psa_m_s2: &[f64], damping_ratio: f64) -> TargetSpec
     }
 }
 
-/// Its own spectrum twice as high is met by a factor of 2 everywhere; a spectrum of another shape in the mean of the
-/// logarithms, and the step says how nearly.
+/// Its own spectrum twice as high is met by a factor of 2 everywhere; a spectrum of another shape
+/// in the mean of the logarithms, and the step says how nearly.
 #[test]
 fn a_motion_is_scaled_to_a_spectrum() {
     let file = three();
@@ -199,7 +200,7 @@ fn a_motion_is_scaled_to_a_spectrum() {
     assert!((done.scale_ratio - 2.0).abs() < 1e-15, "{}", done.scale_ratio);
     let end = " to the spectrum of own (4 periods from 0 s to 1 s, 2 % damping; misfit below 0.01 % rms in ln)";
     assert!(done.steps[0].starts_with("multiplied by ") && done.steps[0].ends_with(end), "{:?}", done.steps);
-    // Factors of e and 1/e besides that of 3: each period is 1 off, in ln.
+    // Factors of e and 1/e in addition to that of 3: each period is 1 off, in ln.
     let e = std::f64::consts::E;
     let apart: Vec<f64> = own.iter().zip([e, 1.0 / e, e, 1.0 / e]).map(|(a, off)| 3.0 * a * off).collect();
     let done = scaled(target(&periods_s, &apart, 0.02)).unwrap();
@@ -234,7 +235,8 @@ fn huge_and_tiny_factors_are_short_in_words_and_exact_in_numbers() {
     }
 }
 
-/// Ten steps of 0.01 s are 0.1 s: shorter periods of a target are warned of, the peak itself and longer ones are not.
+/// Ten steps of 0.01 s are 0.1 s: shorter periods of a target are warned of, the peak itself and
+/// longer ones are not.
 #[test]
 fn short_periods_of_a_target_are_warned_of() {
     let file = three();
@@ -243,7 +245,7 @@ fn short_periods_of_a_target_are_warned_of() {
     assert_eq!((notes(at(0.0)).len(), notes(at(0.1)).len()), (0, 0));
     let said = "the shortest period of the target, 0.03 s, has fewer than ten steps of 0.01 s";
     let sa = notes(at(0.03));
-    assert!(sa[0].starts_with(said) && sa[0].ends_with("resampled to 0.0025 s (--resample) it has ten"), "{sa:?}");
+    assert!(sa[0].starts_with(said) && sa[0].ends_with("`resample = \"0.0025 s\"` gives it ten"), "{sa:?}");
     let spectrum = notes(Scale::Spectrum(target(&[0.0, 0.03, 1.0], &[2.0, 2.0, 2.0], 0.05)));
     assert!(spectrum.iter().any(|note| note.starts_with(said)), "{spectrum:?}");
     // At a quarter of the step it has ten.

@@ -1,4 +1,4 @@
-//! Processing as people write it, in flags and in studies.
+//! Processing as people write it.
 
 use freestand::oscillator::DAMPING_RATIO;
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
@@ -9,11 +9,11 @@ use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
 
 const KNOWN: &str = "known: mean, pre-event:5s, linear, quadratic, cubic, poly:4, graizer, graizer:2:5s, boore:10s:25s";
 
-/// A baseline, as `mean`, `pre-event:5s`, `linear`, `quadratic`, `cubic`, `poly:4`, `graizer` (degree 2 from 0 s),
-/// `graizer:3:5s`, `boore:10s:25s`.
+/// A baseline, as `mean`, `pre-event:5s`, `linear`, `quadratic`, `cubic`, `poly:4`, `graizer`
+/// (degree 2 from 0 s), `graizer:3:5s`, `boore:10s:25s`.
 ///
 /// # Errors
-/// An unknown word, a part that is missing or too many, a time without its unit, a degree above 10.
+/// An unknown word, too few or too many parts, a time without its unit, a degree above 10.
 ///
 /// # Example
 /// ```
@@ -62,7 +62,8 @@ fn parse_degree(text: &str, least: usize) -> Result<usize, Problem> {
     })
 }
 
-/// A target of scaling, as `0.4 g at 1.2 s`, or with another damping than 5 % `0.4 g at 1.2 s, 2 %`.
+/// A target for scaling, such as `0.4 g at 1.2 s`, or for a damping other than 5 %
+/// `0.4 g at 1.2 s, 2 %`.
 ///
 /// # Errors
 /// Anything else, a target that is not positive, a negative period, damping of 100 % or more.
@@ -94,11 +95,11 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
     })
 }
 
-/// A file with a target spectrum, as `target.csv`, and behind commas a range of periods and a damping that is not the file's,
-/// `target.csv, 0.1 s to 2 s, 2 %`. The path stays as it is written.
+/// A file with a target spectrum, such as `target.csv`, and after commas a range of periods and
+/// another damping, `target.csv, 0.1 s to 2 s, 2 %`. The path is kept as it is written.
 ///
 /// # Errors
-/// No file, a range that ends before it begins, damping of 100 % or more, a part too many.
+/// No file, a range that ends before it begins, damping of 100 % or more, too many parts.
 ///
 /// # Example
 /// ```
@@ -136,7 +137,7 @@ pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
     Ok(source)
 }
 
-/// Radians to degrees, without the last bits that the way there and back leaves: 30 degrees are 30.
+/// Radians to degrees, rounded so that 30 degrees converted to radians come back as 30.
 pub fn azimuth_deg(azimuth_rad: f64) -> f64 {
     (azimuth_rad.to_degrees() * 1e9).round() / 1e9
 }

@@ -12,8 +12,8 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{self, Dimension, shorten};
 
 const STOREYS: &str = "one row per storey from the ground up, under \"storey,height [m],mass [t],stiffness [kN/mm]\"";
-const MODES: &str = "one row per mode, under \"mode,period [s],participation,damping [%],effective mass [%],3.2 m,6.4 m\" \
-                     and so on: the shape at each floor under its height";
+const MODES: &str = "one row per mode, under \"mode,period [s],participation,damping [%],effective mass [%],3.2 m,6.4 \
+                     m\" and so on: the shape at each floor under its height";
 
 /// The rows of a table of storeys, and their lines.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +31,7 @@ pub struct ModeTable {
     pub lines: Vec<usize>,
 }
 
-/// The bytes of a table, checked to be text.
+/// Reads the bytes of a table, which must be text.
 pub fn load_table(path: &Path) -> Result<Vec<u8>, Problem> {
     let mut bytes = load(path)?;
     check_text(&mut bytes).map_err(|problem| problem.in_file(path))?;
@@ -41,7 +41,7 @@ pub fn load_table(path: &Path) -> Result<Vec<u8>, Problem> {
 /// Reads a table of storeys from the ground up.
 ///
 /// # Errors
-/// No such columns, a cell that is no number, storeys that are numbered downwards.
+/// A missing column, a cell that is not a number, storeys that are numbered downwards.
 pub fn read_storeys(bytes: &[u8]) -> Result<StoreyTable, Problem> {
     let cells = Cells::read(bytes, STOREYS)?;
     let height = cells.needed(Dimension::Length, "the height of a storey")?;
@@ -73,7 +73,7 @@ pub fn read_storeys(bytes: &[u8]) -> Result<StoreyTable, Problem> {
     })
 }
 
-/// Programs list storeys from the roof down; their numbers give it away.
+/// Some programs list storeys from the roof down; the storey numbers reveal it.
 fn check_upwards<'a>(rows: impl Iterator<Item = (usize, &'a str)>) -> Result<(), Problem> {
     let number = |text: &str| text.trim_start_matches(|c: char| !c.is_ascii_digit()).parse::<u32>().ok();
     let mut below: Option<u32> = None;
@@ -90,7 +90,7 @@ fn check_upwards<'a>(rows: impl Iterator<Item = (usize, &'a str)>) -> Result<(),
     Ok(())
 }
 
-/// What a column of a table of modes holds.
+/// What a column in a table of modes holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ModeColumn {
     Name,
@@ -129,7 +129,7 @@ fn mode_column(heading: &Heading) -> Option<ModeColumn> {
 /// Reads a table of modes.
 ///
 /// # Errors
-/// No such columns or one that is not known, floors that do not rise, a cell that is no number.
+/// A missing or unknown column, floors that do not rise, a cell that is not a number.
 pub fn read_modes(bytes: &[u8]) -> Result<ModeTable, Problem> {
     let cells = Cells::read(bytes, MODES)?;
     let (mut kinds, mut floors) = (Vec::new(), Vec::new());
@@ -147,9 +147,7 @@ pub fn read_modes(bytes: &[u8]) -> Result<ModeTable, Problem> {
         kinds.push((index, kind));
     }
     let of = |kind: ModeColumn| kinds.iter().find(|&&(_, other)| other == kind).map(|&(index, _)| index);
-    let needed = |kind: ModeColumn, what: &str| {
-        of(kind).ok_or_else(|| wrong(cells.line, format!("no column holds {what}")).hint(MODES))
-    };
+    let needed = |kind: ModeColumn, what: &str| of(kind).ok_or_else(|| cells.missing(what));
     check_heights(&floors, cells.line)?;
     let (period, is_frequency) = match (of(ModeColumn::Period), of(ModeColumn::Frequency)) {
         (Some(period), _) => (period, false),
@@ -181,7 +179,7 @@ fn check_heights(floors: &[(usize, f64)], line: usize) -> Result<(), Problem> {
     }
     let mut below_m = 0.0;
     for &(_, height_m) in floors {
-        // The negation catches what is no number, too.
+        // This also refuses NaN.
         if height_m.partial_cmp(&below_m) != Some(std::cmp::Ordering::Greater) {
             let message = format!("the floor at {height_m} m is not above the one before it, at {below_m} m");
             let hint = "write the floors from the lowest above the ground to the roof, without the ground";

@@ -1,18 +1,19 @@
-//! Tests of cushion curves (ASTM D1596): static stress, drop height, thickness and peak acceleration in columns.
+//! Tests of cushion curves (ASTM D1596): static stress, drop height, thickness and peak
+//! acceleration in columns.
 
 use std::path::Path;
 
-use crate::text::headings::{Heading, headings_of};
+use crate::text::headings::{Heading, headings_of, in_si, only};
 use crate::text::lines::check_text;
 use crate::text::table;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::quantity::Dimension;
 
 const HINT: &str = "name the columns and their units, such as \
                     \"static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]\"";
 
-/// One drop on a cushion; `None` where the file has no such column.
+/// One drop on a cushion; `None` if the file does not have the column.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurveRow {
     /// Its line, from 1.
@@ -44,17 +45,10 @@ fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
     let column = |dimension: Dimension, words: &[&str]| -> Result<Option<Vec<f64>>, Problem> {
         let is_it = |heading: &Heading| {
             let name = heading.name.to_lowercase();
-            heading.unit.is_some_and(|unit| unit.dimension == dimension)
-                && (words.is_empty() || words.iter().any(|word| name.contains(word)))
+            heading.measures(dimension) && (words.is_empty() || words.iter().any(|word| name.contains(word)))
         };
-        let mut found = headings.iter().zip(&table.columns).filter(|(heading, _)| is_it(heading));
-        let Some((one, column)) = found.next() else { return Ok(None) };
-        if let Some((other, _)) = found.next() {
-            let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
-            let problem = Problem::new(ProblemKind::Format, format!("{names} are both {}", dimension.with_article()));
-            return Err(problem.at_line(line).hint("keep only one of them in the file"));
-        }
-        Ok(Some(column.values.iter().map(|&value| one.unit.map_or(value, |unit| unit.to_si(value))).collect()))
+        let found = only(&headings, line, is_it, dimension.with_article())?;
+        Ok(found.map(|index| in_si(&table, &headings, index)))
     };
     let missing = |what: &str| {
         Problem::new(ProblemKind::Format, format!("no column holds a {what} with its unit")).at_line(line).hint(HINT)
@@ -63,13 +57,14 @@ fn read_curve(bytes: &[u8]) -> Result<Vec<CurveRow>, Problem> {
     let peak = column(Dimension::Acceleration, &[])?.ok_or_else(|| missing("peak acceleration"))?;
     let heights = column(Dimension::Length, &["height", "drop", "fall"])?;
     let thicknesses = column(Dimension::Length, &["thick"])?;
-    let rows = stress.iter().zip(&peak).enumerate();
+    let at = |column: &Option<Vec<f64>>, row: usize| column.as_ref().and_then(|column| column.get(row).copied());
+    let rows = table.lines_of_rows(bytes).zip(stress.into_iter().zip(peak)).enumerate();
     Ok(rows
-        .map(|(row, (&static_stress_pa, &peak_acceleration_m_s2))| CurveRow {
-            line: table.line_of_row(bytes, row),
+        .map(|(row, (line, (static_stress_pa, peak_acceleration_m_s2)))| CurveRow {
+            line,
             static_stress_pa,
-            drop_height_m: heights.as_ref().and_then(|column| column.get(row).copied()),
-            thickness_m: thicknesses.as_ref().and_then(|column| column.get(row).copied()),
+            drop_height_m: at(&heights, row),
+            thickness_m: at(&thicknesses, row),
             peak_acceleration_m_s2,
         })
         .collect())
@@ -82,7 +77,8 @@ mod tests {
 
     #[test]
     fn columns_are_found_by_unit_and_name() {
-        let text = "# foam\nthickness [mm],static stress [kPa],drop height [cm],peak acceleration [g]\n50,3,60,42\n50,6,60,38\n";
+        let text = "# foam\nthickness [mm],static stress [kPa],drop height [cm],peak acceleration \
+                    [g]\n50,3,60,42\n50,6,60,38\n";
         let rows = read_curve(text.as_bytes()).unwrap();
         assert_eq!(rows.len(), 2);
         assert_eq!((rows[1].line, rows[1].static_stress_pa), (4, 6e3));

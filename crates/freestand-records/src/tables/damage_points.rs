@@ -1,10 +1,11 @@
-//! Test points of a damage boundary (ASTM D3332): velocity change, peak acceleration, and whether it did harm.
+//! Test points of a damage boundary (ASTM D3332): velocity change, peak acceleration, and whether
+//! the object was damaged.
 
 use std::path::Path;
 
-use crate::text::headings::{Heading, heading};
-use crate::text::lines::{Line, check_text, lines};
-use crate::text::table::quoted_cells;
+use crate::text::cells::Cells;
+use crate::text::headings::Heading;
+use crate::text::lines::check_text;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
@@ -12,7 +13,7 @@ use freestand_input::quantity::{Dimension, shorten};
 const HINT: &str = "name the columns and their units, such as \
                     \"velocity change [m/s],peak acceleration [g],damaged,method\"";
 
-/// One shock of a test; `None` where the file does not say.
+/// One shock of a test; `None` if the file does not state it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DamageRow {
     /// Its line, from 1.
@@ -21,7 +22,7 @@ pub struct DamageRow {
     pub velocity_change_m_s: f64,
     /// \[m/s²\].
     pub peak_acceleration_m_s2: f64,
-    /// Whether it did harm.
+    /// Whether the object was damaged.
     pub damaged: bool,
     /// `'A'` or `'B'`.
     pub method: Option<char>,
@@ -32,113 +33,58 @@ pub struct DamageRow {
 /// Reads a file of such points.
 ///
 /// # Errors
-/// No such columns, or a cell that says something else.
+/// A missing column, or a cell that cannot be read.
 pub fn load_damage_points(path: &Path) -> Result<Vec<DamageRow>, Problem> {
     let mut bytes = load(path)?;
     check_text(&mut bytes).and_then(|()| read_damage_points(&bytes)).map_err(|problem| problem.in_file(path))
 }
 
-fn wrong(line: usize, message: String) -> Problem {
-    Problem::new(ProblemKind::Format, message).at_line(line)
-}
-
-/// Where the columns stand.
-struct Columns {
-    separator: u8,
-    headings: Vec<Heading>,
-    velocity_change: usize,
-    peak: usize,
-    damaged: usize,
-    method: Option<usize>,
-    duration: Option<usize>,
-}
-
-fn columns(line: &Line<'_>) -> Result<Columns, Problem> {
-    let text = line.text();
-    let separator = [b';', b'\t'].into_iter().find(|byte| text.as_bytes().contains(byte)).unwrap_or(b',');
-    let headings: Vec<Heading> = quoted_cells(&text, separator).iter().map(|cell| heading(cell)).collect();
-    let only = |is_it: &dyn Fn(&Heading) -> bool, what: &str| -> Result<Option<usize>, Problem> {
-        let mut found = headings.iter().enumerate().filter(|(_, heading)| is_it(heading));
-        let first = found.next();
-        if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
-            let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
-            return Err(
-                wrong(line.number, format!("{names} are both {what}")).hint("keep only one of them in the file")
-            );
-        }
-        Ok(first.map(|(index, _)| index))
-    };
-    let of = |dimension: Dimension| move |heading: &Heading| heading.unit.is_some_and(|u| u.dimension == dimension);
-    let named = |word: &'static str| move |heading: &Heading| heading.name.to_lowercase().starts_with(word);
-    let needed = |found: Option<usize>, what: &str| {
-        found.ok_or_else(|| wrong(line.number, format!("no column holds {what}")).hint(HINT))
-    };
-    Ok(Columns {
-        velocity_change: needed(
-            only(&of(Dimension::Velocity), "a velocity change")?,
-            "a velocity change with its unit",
-        )?,
-        peak: needed(only(&of(Dimension::Acceleration), "a peak acceleration")?, "a peak acceleration with its unit")?,
-        damaged: needed(only(&named("damage"), "about damage")?, "whether there was damage")?,
-        method: only(&named("method"), "a method")?,
-        duration: only(&of(Dimension::Time), "a duration")?,
-        separator,
-        headings,
-    })
-}
-
 fn read_damage_points(bytes: &[u8]) -> Result<Vec<DamageRow>, Problem> {
-    let mut rest = lines(bytes).filter(|line| !line.is_blank() && !line.is_comment());
-    let header = rest.next().ok_or_else(|| Problem::new(ProblemKind::Format, "the file is empty").hint(HINT))?;
-    let columns = columns(&header)?;
-    rest.map(|line| row(&line, &columns)).collect()
+    let cells = Cells::read(bytes, HINT)?;
+    let velocity_change = cells.needed(Dimension::Velocity, "a velocity change")?;
+    let peak = cells.needed(Dimension::Acceleration, "a peak acceleration")?;
+    let named = |word: &'static str| move |heading: &Heading| heading.name.to_lowercase().starts_with(word);
+    let damaged = cells.only(named("damage"), "about damage")?;
+    let damaged = damaged.ok_or_else(|| cells.missing("whether there was damage"))?;
+    let method = cells.only(named("method"), "a method")?;
+    let duration = cells.only(|heading| heading.measures(Dimension::Time), "a duration")?;
+    let rows = cells.rows.iter().map(|row| {
+        let duration = duration.filter(|&column| !row.text(column).is_empty());
+        Ok(DamageRow {
+            line: row.line,
+            velocity_change_m_s: cells.positive(row, velocity_change, "velocity change")?,
+            peak_acceleration_m_s2: cells.positive(row, peak, "peak acceleration")?,
+            damaged: is_damaged(row.text(damaged)).map_err(|problem| problem.at_line(row.line))?,
+            method: method_of(method.map_or("", |column| row.text(column)))
+                .map_err(|problem| problem.at_line(row.line))?,
+            duration_s: duration.map(|column| cells.positive(row, column, "duration")).transpose()?,
+        })
+    });
+    rows.collect()
 }
 
-fn row(line: &Line<'_>, columns: &Columns) -> Result<DamageRow, Problem> {
-    let cells = quoted_cells(&line.text(), columns.separator);
-    if cells.len() != columns.headings.len() {
-        let message = format!("{} cells under {} headings", cells.len(), columns.headings.len());
-        return Err(wrong(line.number, message).hint("write one point per line"));
-    }
-    let cell = |index: usize| cells.get(index).map_or("", String::as_str);
-    let number = |index: usize, what: &str| -> Result<f64, Problem> {
-        let text = cell(index);
-        // Where semicolons separate, a comma is that of a decimal.
-        let plain = if columns.separator == b';' { text.replace(',', ".") } else { text.to_owned() };
-        let unit = columns.headings.get(index).and_then(|heading| heading.unit);
-        let value = plain.parse::<f64>().ok().zip(unit).map(|(value, unit)| unit.to_si(value));
-        value.filter(|value| *value > 0.0 && value.is_finite()).ok_or_else(|| {
-            wrong(line.number, format!("the {what} is \"{}\", not a positive number", shorten(text)))
-                .hint("correct the row, or make it a comment with #")
-        })
-    };
-    let damaged = match cell(columns.damaged).to_lowercase().as_str() {
-        "1" | "yes" | "y" | "true" => true,
-        "0" | "no" | "n" | "false" => false,
+fn is_damaged(text: &str) -> Result<bool, Problem> {
+    match text.to_lowercase().as_str() {
+        "1" | "yes" | "y" | "true" => Ok(true),
+        "0" | "no" | "n" | "false" => Ok(false),
         other => {
             let message = format!("\"{}\" does not say whether there was damage", shorten(other));
-            return Err(wrong(line.number, message).hint("write 0 or 1, yes or no, true or false"));
+            Err(Problem::new(ProblemKind::Format, message).hint("write 0 or 1, yes or no, true or false"))
         }
-    };
-    let method = match columns.method.map_or("", cell).to_uppercase().as_str() {
-        "" => None,
-        "A" => Some('A'),
-        "B" => Some('B'),
+    }
+}
+
+fn method_of(text: &str) -> Result<Option<char>, Problem> {
+    match text.to_uppercase().as_str() {
+        "" => Ok(None),
+        "A" => Ok(Some('A')),
+        "B" => Ok(Some('B')),
         other => {
             let message = format!("\"{}\" is not a method of ASTM D3332", shorten(other));
             let hint = "write A (short pulses, critical velocity change) or B (critical acceleration)";
-            return Err(wrong(line.number, message).hint(hint));
+            Err(Problem::new(ProblemKind::Format, message).hint(hint))
         }
-    };
-    let duration = columns.duration.filter(|&index| !cell(index).is_empty());
-    Ok(DamageRow {
-        line: line.number,
-        velocity_change_m_s: number(columns.velocity_change, "velocity change")?,
-        peak_acceleration_m_s2: number(columns.peak, "peak acceleration")?,
-        damaged,
-        method,
-        duration_s: duration.map(|index| number(index, "duration")).transpose()?,
-    })
+    }
 }
 
 #[cfg(test)]

@@ -1,11 +1,12 @@
-//! Files of the laboratory: columns of force and displacement, and what is said about a test in comments.
+//! Files from a laboratory: columns of force and displacement, and facts about the test in
+//! comments.
 
-use crate::text::headings::headings_of;
+use crate::text::headings::{headings_of, in_si, only};
 use crate::text::lines::{check_text, lines};
 use crate::text::table;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::quantity::Dimension;
 use std::path::Path;
 
 /// Force and displacement in the order of the test.
@@ -15,7 +16,7 @@ pub struct ForceDisplacement {
     pub force_n: Vec<f64>,
     /// \[m\].
     pub displacement_m: Vec<f64>,
-    /// What the comments say: key, value, line.
+    /// Facts from the comments: key, value, line.
     pub said: Vec<(String, String, usize)>,
 }
 
@@ -30,33 +31,25 @@ pub fn comments(bytes: &[u8]) -> Vec<(String, String, usize)> {
     .collect()
 }
 
-/// Reads a static test: a header names one column of force and one of displacement with their units.
+/// Reads a static test. The header must name one column of force and one of displacement, with
+/// units.
 pub fn load_static(path: &Path) -> Result<ForceDisplacement, Problem> {
     let mut bytes = load(path)?;
     check_text(&mut bytes).and_then(|()| read_static(&bytes)).map_err(|problem| problem.in_file(path))
 }
 
 fn read_static(bytes: &[u8]) -> Result<ForceDisplacement, Problem> {
-    let mut table = table::read(bytes)?;
+    let table = table::read(bytes)?;
     let wanted = "name the columns and their units, such as \"displacement [mm],force [N]\"";
     let Some((headings, line)) = headings_of(&table) else {
         return Err(Problem::new(ProblemKind::Format, "the columns have no names").hint(wanted));
     };
-    let mut column = |dimension: Dimension, what: &str| -> Result<Vec<f64>, Problem> {
-        let mut found = headings
-            .iter()
-            .enumerate()
-            .filter(|(_, heading)| heading.unit.is_some_and(|unit| unit.dimension == dimension));
-        let problem = |message: String| Problem::new(ProblemKind::Format, message).at_line(line).hint(wanted);
-        let Some((index, heading)) = found.next() else {
-            return Err(problem(format!("no column holds a {what} with its unit")));
-        };
-        if let Some((_, other)) = found.next() {
-            let names = format!("\"{}\" and \"{}\"", shorten(&heading.name), shorten(&other.name));
-            return Err(problem(format!("{names} are both a {what}")).hint("keep only one of them in the file"));
-        }
-        let values = table.columns.get_mut(index).map(|column| std::mem::take(&mut column.values)).unwrap_or_default();
-        Ok(heading.unit.map_or_else(Vec::new, |unit| values.iter().map(|value| unit.to_si(*value)).collect()))
+    let column = |dimension: Dimension, what: &str| -> Result<Vec<f64>, Problem> {
+        let found = only(&headings, line, |heading| heading.measures(dimension), &format!("a {what}"))?;
+        found.map(|index| in_si(&table, &headings, index)).ok_or_else(|| {
+            let message = format!("no column holds a {what} with its unit");
+            Problem::new(ProblemKind::Format, message).at_line(line).hint(wanted)
+        })
     };
     let force_n = column(Dimension::Force, "force")?;
     let displacement_m = column(Dimension::Length, "displacement")?;

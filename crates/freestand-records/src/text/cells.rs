@@ -1,12 +1,12 @@
-//! Small tables of named columns, words and empty cells among the numbers: one row a line, read cell by cell.
+//! Small tables with named columns, read cell by cell: cells may hold words or nothing.
 
-use super::headings::{Heading, heading};
+use super::headings::{Heading, heading, only};
 use super::lines::{Line, lines};
 use super::table::quoted_cells;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
 
-/// A table as it was read.
+/// A table.
 pub(crate) struct Cells {
     separator: u8,
     pub(crate) headings: Vec<Heading>,
@@ -47,38 +47,51 @@ impl Cells {
         Ok(Self { separator, headings, line: header.number, rows, hint })
     }
 
-    /// The only column that `is_it`.
+    /// The only column for which `is_it` holds.
     pub(crate) fn only(&self, is_it: impl Fn(&Heading) -> bool, what: &str) -> Result<Option<usize>, Problem> {
-        let mut found = self.headings.iter().enumerate().filter(|(_, heading)| is_it(heading));
-        let first = found.next();
-        if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
-            let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
-            return Err(wrong(self.line, format!("{names} are both {what}")).hint("keep only one of them in the file"));
-        }
-        Ok(first.map(|(index, _)| index))
+        only(&self.headings, self.line, is_it, what)
     }
 
     /// The only column of a dimension.
     pub(crate) fn needed(&self, dimension: Dimension, what: &str) -> Result<usize, Problem> {
-        let is_it = |heading: &Heading| heading.unit.is_some_and(|unit| unit.dimension == dimension);
-        self.only(is_it, what)?
-            .ok_or_else(|| wrong(self.line, format!("no column holds {what} with its unit")).hint(self.hint))
+        let found = self.only(|heading| heading.measures(dimension), what)?;
+        found.ok_or_else(|| self.missing(&format!("{what} with its unit")))
     }
 
-    /// The number in a cell, in SI where the heading has a unit.
+    /// The problem that no column holds `what`.
+    pub(crate) fn missing(&self, what: &str) -> Problem {
+        wrong(self.line, format!("no column holds {what}")).hint(self.hint)
+    }
+
+    /// The number in a cell, in SI if the heading has a unit.
     pub(crate) fn number(&self, row: &Row, column: usize, what: &str) -> Result<f64, Problem> {
+        self.number_that(row, column, what, ("a number", |value| value.is_finite()))
+    }
+
+    /// The same for a number that must be positive.
+    pub(crate) fn positive(&self, row: &Row, column: usize, what: &str) -> Result<f64, Problem> {
+        self.number_that(row, column, what, ("a positive number", |value| value > 0.0 && value.is_finite()))
+    }
+
+    fn number_that(
+        &self,
+        row: &Row,
+        column: usize,
+        what: &str,
+        (kind, holds): (&str, fn(f64) -> bool),
+    ) -> Result<f64, Problem> {
         let text = row.text(column);
-        // Where semicolons separate, a comma is that of a decimal.
+        // Where semicolons separate the cells, a comma is a decimal sign.
         let plain = if self.separator == b';' { text.replace(',', ".") } else { text.to_owned() };
         let unit = self.headings.get(column).and_then(|heading| heading.unit);
         let value = plain.parse::<f64>().ok().map(|value| unit.map_or(value, |unit| unit.to_si(value)));
-        value.filter(|value| value.is_finite()).ok_or_else(|| {
-            wrong(row.line, format!("the {what} is \"{}\", not a number", shorten(text)))
+        value.filter(|value| holds(*value)).ok_or_else(|| {
+            wrong(row.line, format!("the {what} is \"{}\", not {kind}", shorten(text)))
                 .hint("correct the cell, or make the row a comment with #")
         })
     }
 
-    /// The same of a cell that may be empty.
+    /// The same for a cell that may be empty.
     pub(crate) fn optional(&self, row: &Row, column: Option<usize>, what: &str) -> Result<Option<f64>, Problem> {
         let filled = column.filter(|&column| !row.text(column).is_empty());
         filled.map(|column| self.number(row, column, what)).transpose()

@@ -1,8 +1,9 @@
-//! How a row of numbers is written: its separators and its decimal sign, told by looking at it.
+//! How a row of numbers is written: its separators and its decimal sign, detected from the row
+//! itself.
 
 use super::fortran::{BadField, Number, fields, number};
 
-/// What stands between the columns.
+/// What separates the columns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Separator {
     Byte(u8),
@@ -35,8 +36,8 @@ pub(crate) fn dialect_of(line: &[u8]) -> Option<Dialect> {
         .find(|dialect| looks_like_a_row(dialect, line))
 }
 
-/// All cells are numbers, missing or empty, and not all are empty. Missing counts: `NaN` in the first row is to be
-/// refused as a value, not skipped as a header.
+/// All cells are numbers, missing or empty, and not all are empty. Missing values count: `NaN` in
+/// the first row must be refused as a value, not skipped as a header.
 fn looks_like_a_row(dialect: &Dialect, line: &[u8]) -> bool {
     let (mut numbers, mut words, mut others) = (0, 0, 0);
     for cell in cells(dialect, line) {
@@ -50,7 +51,7 @@ fn looks_like_a_row(dialect: &Dialect, line: &[u8]) -> bool {
     others == 0 && (numbers > 0 || words > 1)
 }
 
-/// The cells of a line, each a number or what stands instead of one.
+/// The cells of a line, each a number or the reason why it is not one.
 pub(crate) fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadField>> {
     let mut out = Vec::new();
     match dialect.separator {
@@ -70,7 +71,7 @@ pub(crate) fn cells(dialect: &Dialect, line: &[u8]) -> Vec<Result<Number, BadFie
                 line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).map(|word| cell(dialect, word)),
             );
         }
-        // Tabs before the first column and behind the last align, and hold no cells.
+        // Tabs before the first column and after the last one only align the columns.
         Separator::Byte(b'\t') => {
             out.extend(line.trim_ascii().split(|&b| b == b'\t').map(|text| cell(dialect, text)));
         }

@@ -1,25 +1,27 @@
-//! How the numbers of a column are printed: mostly all in one form, and then one in another form is damaged.
+//! How the numbers of a column are printed. Where all but one have the same form, that one is
+//! damaged.
 
 use super::fortran::Number;
 
-/// So many numbers must agree before one that does not says anything. Programs that leave out zeros at the end print one
-/// number in ten shorter: that just one in a hundred is, has a chance of 1 in 3000.
-const LEAST: usize = 100;
+/// A single number in another form means something only among at least this many. Programs that
+/// omit trailing zeros print one number in ten shorter; that only one in a hundred is shorter has a
+/// probability of 1 in 3000.
+const MIN_NUMBERS: usize = 100;
 
-/// How many characters the numbers of a column have behind their points: all the same in Fortran's F and E and in what
-/// most programs print.
+/// How many characters the numbers of a column have after their decimal points. In Fortran's F and
+/// E formats, and in the output of most programs, all have the same.
 #[derive(Debug, Default)]
 pub(crate) struct DigitStyle {
-    /// The first two counts of characters that were met, how many numbers have each, and where the first of these is.
+    /// The first two counts of characters, how many numbers have each, and the line of the first.
     met: [Option<(usize, usize, usize)>; 2],
-    /// Whether there is a third.
+    /// Whether there is a third count.
     has_more: bool,
 }
 
 impl DigitStyle {
-    /// Takes a number of line `at`.
+    /// Adds a number from line `at`.
     pub(crate) fn see(&mut self, number: &Number, at: usize) {
-        // Zero is often written short where nothing else is.
+        // Zero is often written in a short form of its own.
         if number.value == 0.0 && number.tail <= 2 {
             return;
         }
@@ -44,7 +46,7 @@ impl DigitStyle {
         self.met[0].is_some_and(|(tail, ..)| tail == 0)
     }
 
-    /// What is to be said of the one number that is printed otherwise than every other.
+    /// A note about the only number that is printed in a different form.
     pub(crate) fn note(&self) -> Option<String> {
         self.odd_one().map(|line| {
             format!(
@@ -54,11 +56,11 @@ impl DigitStyle {
         })
     }
 
-    /// The line of the one number that is printed otherwise than every other.
+    /// The line of the only number that is printed in a different form.
     fn odd_one(&self) -> Option<usize> {
         match self.met {
             [Some((_, 1, at)), Some((_, count, _))] | [Some((_, count, _)), Some((_, 1, at))] => {
-                (count >= LEAST && !self.has_more).then_some(at)
+                (count >= MIN_NUMBERS && !self.has_more).then_some(at)
             }
             _ => None,
         }

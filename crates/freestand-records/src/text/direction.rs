@@ -1,4 +1,4 @@
-//! Which way a component points.
+//! Direction of a component.
 
 /// The direction of positive motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,9 +10,9 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// The direction that a record's header names: `N-S`, `EW`, `UP`, `360`, `90 DEG`, `N08W`, `S 74 E`, and the last
-    /// letter of a SEED channel such as `HNE`. `None` for `H1`, `LONG` and other names that point nowhere, and
-    /// for `WE` and `SN`, whose sign is not the same everywhere.
+    /// The direction that a record's header names: `N-S`, `EW`, `UP`, `360`, `90 DEG`, `N08W`,
+    /// `S 74 E`, and the last letter of a SEED channel such as `HNE`. `None` for `H1`, `LONG` and
+    /// other names without a direction, and for `WE` and `SN`, whose sign differs between agencies.
     ///
     /// # Example
     /// ```

@@ -1,9 +1,9 @@
-//! Unevenly spaced points as equally spaced samples on the straight lines between them.
+//! Interpolates unevenly spaced points on straight lines to equally spaced samples.
 
 /// Why times are not equally spaced.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Uneven {
-    /// The row, from 0, at which it shows.
+    /// The row where it was found, from 0.
     pub(crate) row: usize,
     pub(crate) message: String,
     pub(crate) hint: &'static str,
@@ -11,10 +11,12 @@ pub(crate) struct Uneven {
 
 /// Samples at `times_s[0] + i·dt_s`, up to the last time, on the straight lines between the points.
 ///
-/// A point that lies on the grid keeps its value to the bit. Two points at one time are one point if their values agree.
+/// A point on the grid keeps its value to the bit. Two points at one time count as one point if
+/// their values are equal.
 ///
 /// # Errors
-/// A time that does not increase, a step that is not positive, more than `most` samples; the row counts from 0.
+/// A time that does not increase, a step that is not positive, more than `most` samples; the row
+/// counts from 0.
 pub(crate) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64, most: usize) -> Result<Vec<f64>, Uneven> {
     let uneven = |row: usize, message: String, hint: &'static str| Uneven { row, message, hint };
     let (Some(&first), Some(&last)) = (times_s.first(), times_s.last()) else {
@@ -26,7 +28,7 @@ pub(crate) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64, most: usi
         let message = format!("the time does not increase: {} after {}", times_s[row], times_s[row - 1]);
         return Err(uneven(row, message, "a record has one value at each time: repair the record"));
     }
-    // The last point is on the grid if it is missed by rounding only.
+    // The last point is on the grid if only rounding separates them.
     let steps = ((last - first) / dt_s + ON_GRID).floor();
     if !(dt_s > 0.0 && steps < most as f64) {
         let message = format!("the record from {first} s to {last} s is too long for steps of {dt_s} s");
@@ -50,27 +52,28 @@ pub(crate) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64, most: usi
     Ok(samples)
 }
 
-/// Part of a step within which a point and a sample are at the same time: i·dt is off by some units in the last place,
-/// 1e-16 of a time, and a record has fewer than 1e8 steps.
+/// A point and a sample closer than this part of a step are at the same time: i·dt is off by some
+/// units in the last place, 1e-16 of a time, and a record has fewer than 1e8 steps.
 const ON_GRID: f64 = 1e-6;
 
-/// The longest step that has every one of `times_s` on its grid, where the last printed digit counts
-/// 10^`last_digit_exponent` seconds; `None` if they are one time, or span more than 2⁵³ such units.
+/// The longest step that has all of `times_s` on its grid. The last printed digit counts
+/// 10^`last_digit_exponent` seconds. `None` if all times are equal or span more than 2⁵³ such
+/// units.
 ///
-/// With this step [`on_even_grid`] loses no point, and what is between the points was a straight line before.
+/// With this step, [`on_even_grid`] keeps every point.
 pub(crate) fn common_step(times_s: &[f64], last_digit_exponent: i32) -> Option<f64> {
     let first = *times_s.first()?;
     let per_second = 10f64.powi(last_digit_exponent.checked_neg()?.clamp(-300, 300));
     let mut divisor = 0u64;
     for time_s in times_s {
         let units = ((time_s - first).abs() * per_second).round();
-        // Beyond, not every whole number is an f64.
+        // Beyond this, f64 does not hold every whole number.
         if units.is_nan() || units > 9_007_199_254_740_992.0 {
             return None;
         }
         divisor = greatest_common_divisor(divisor, units as u64);
     }
-    // As the nearest number to the decimal: 5e-3 and not 5 times 0.001.
+    // Parsed, so that it is the f64 nearest to the decimal: 5e-3, not 5 times 0.001.
     (divisor > 0).then(|| format!("{divisor}e{last_digit_exponent}").parse().ok()).flatten()
 }
 
@@ -85,19 +88,19 @@ fn greatest_common_divisor(mut a: u64, mut b: u64) -> u64 {
 mod tests {
     use super::*;
 
-    const MOST: usize = 1_000_000;
+    const MAX: usize = 1_000_000;
 
     #[test]
     fn points_keep_their_values_and_lines_stay_straight() {
         // Exact: halves and quarters are exact in binary.
         assert_eq!(
-            on_even_grid(&[0.0, 1.0, 1.5, 3.5], &[2.0, 4.0, -1.0, 7.0], 0.5, MOST).unwrap(),
+            on_even_grid(&[0.0, 1.0, 1.5, 3.5], &[2.0, 4.0, -1.0, 7.0], 0.5, MAX).unwrap(),
             [2.0, 3.0, 4.0, -1.0, 1.0, 3.0, 5.0, 7.0]
         );
         // The grid starts at the first time and ends at or before the last.
-        assert_eq!(on_even_grid(&[0.25, 1.0, 1.25], &[1.0, 4.0, 4.0], 0.75, MOST).unwrap(), [1.0, 4.0]);
+        assert_eq!(on_even_grid(&[0.25, 1.0, 1.25], &[1.0, 4.0, 4.0], 0.75, MAX).unwrap(), [1.0, 4.0]);
         // One point twice is one point.
-        assert_eq!(on_even_grid(&[0.0, 1.0, 1.0, 2.0], &[0.0, 3.0, 3.0, 1.0], 1.0, MOST).unwrap(), [0.0, 3.0, 1.0]);
+        assert_eq!(on_even_grid(&[0.0, 1.0, 1.0, 2.0], &[0.0, 3.0, 3.0, 1.0], 1.0, MAX).unwrap(), [0.0, 3.0, 1.0]);
     }
 
     #[test]
@@ -107,13 +110,14 @@ mod tests {
         let times: Vec<f64> = ms.iter().map(|ms| format!("{ms}e-3").parse().unwrap()).collect();
         let values: Vec<f64> = (0..4000).map(|i| f64::from(i * 7919 % 2001 - 1000) * 1e-3).collect();
         assert_eq!(common_step(&times, -3), Some(0.001));
-        let samples = on_even_grid(&times, &values, 0.001, MOST).unwrap();
+        let samples = on_even_grid(&times, &values, 0.001, MAX).unwrap();
         assert_eq!(samples.len() as u32, ms.last().unwrap() - ms[0] + 1);
         for (ms_of, value) in ms.iter().zip(&values) {
             assert_eq!(samples[(ms_of - ms[0]) as usize], *value, "exact: a point on the grid is taken as it is");
         }
-        // Straight between: the second difference vanishes but for rounding. Times below 200 s are off by 3e-14 s, intervals
-        // are 3 ms or more and values differ by 2 at most, in four terms: 8e-11.
+        // Straight between: the second difference vanishes but for rounding. Times below 200 s are
+        // off by 3e-14 s, intervals are 3 ms or more and values differ by 2 at most, in four terms:
+        // 8e-11.
         let is_point: std::collections::HashSet<u32> = ms.iter().map(|t| t - ms[0]).collect();
         for i in (1..samples.len() - 1).filter(|i| !is_point.contains(&(*i as u32))) {
             assert!((samples[i - 1] - 2.0 * samples[i] + samples[i + 1]).abs() < 1e-10);
@@ -132,16 +136,16 @@ mod tests {
 
     #[test]
     fn what_is_no_time_is_refused() {
-        let row = |times: &[f64], dt_s: f64| on_even_grid(times, &[1.0, 2.0, 3.0], dt_s, MOST).unwrap_err().row;
+        let row = |times: &[f64], dt_s: f64| on_even_grid(times, &[1.0, 2.0, 3.0], dt_s, MAX).unwrap_err().row;
         assert_eq!(row(&[0.0, 1.0, 0.5], 0.1), 2);
         assert_eq!(row(&[0.0, 0.0, 0.5], 0.1), 1);
         assert_eq!(row(&[0.0, f64::NAN, 0.5], 0.1), 1);
         assert_eq!(row(&[0.0, 1.0, 1e6], 0.001), 0);
-        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.0, MOST).is_err());
-        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], f64::NAN, MOST).is_err());
-        assert!(on_even_grid(&[], &[], 0.1, MOST).is_err());
+        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.0, MAX).is_err());
+        assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], f64::NAN, MAX).is_err());
+        assert!(on_even_grid(&[], &[], 0.1, MAX).is_err());
         // Nothing is reserved for more samples than there is room for: 1e15 of them here.
-        assert!(on_even_grid(&[0.0, 1e9], &[1.0, 2.0], 1e-6, MOST).is_err());
+        assert!(on_even_grid(&[0.0, 1e9], &[1.0, 2.0], 1e-6, MAX).is_err());
         assert_eq!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 5).unwrap().len(), 5);
         assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 4).is_err());
     }

@@ -1,4 +1,5 @@
-//! Blocks of numbers in columns of fixed width, as a Fortran format describes them: `8F10.3`, `16I5`, `10F8`.
+//! Blocks of numbers in columns of fixed width, as a Fortran format describes them: `8F10.3`,
+//! `16I5`, `10F8`.
 
 use super::fortran::{bad_field, fields, number};
 use super::gaps::{gap, ordinary_note};
@@ -8,7 +9,7 @@ use super::units::missing;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
-/// One repeated field: how many stand on a line, and how wide each is.
+/// One repeated field: how many a line has, and how wide each is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Format {
     pub(crate) per_line: usize,
@@ -30,10 +31,10 @@ impl Format {
 
     /// The format that `text` names: `(8F10.3)`, `8f9.6`, `1P5E14.7`, `16I5`, `10F8`, `F10.4`.
     ///
-    /// Fields of several kinds on a line (`2I5,6F10.3`) have no single width and are `None`.
+    /// `None` for fields of several kinds (`2I5,6F10.3`), which do not have a single width.
     pub(crate) fn parse(text: &str) -> Option<Self> {
         let text = text.trim().trim_start_matches('(').trim_end_matches(')').trim().to_ascii_uppercase();
-        // A scale factor, 1P, changes what is printed and not how wide it is.
+        // A scale factor, 1P, changes what is printed but not its width.
         let text = text.split_once('P').map_or(text.as_str(), |(_, rest)| rest.trim_start_matches(','));
         let kind = text.find(|c: char| !c.is_ascii_digit())?;
         let (repeat, rest) = text.split_at(kind);
@@ -48,7 +49,8 @@ impl Format {
         sensible.then_some(Self { per_line, width })
     }
 
-    /// The format that a line names behind the word, as in `Format: (8f9.6)` or `Format=8F10.3`, else in brackets.
+    /// The format that a line names after the word, as in `Format: (8f9.6)` or `Format=8F10.3`,
+    /// else in brackets.
     pub(crate) fn named_in(text: &str) -> Option<Self> {
         let behind_word = text.to_ascii_lowercase().rfind("format").and_then(|at| {
             let tail = text.get(at + 6..)?.trim_start_matches(|c: char| c.is_whitespace() || "=:(".contains(c));
@@ -58,15 +60,15 @@ impl Format {
         behind_word.or_else(in_brackets)
     }
 
-    /// Reads `count` values from the lines that follow, and leaves `lines` behind the last of them.
+    /// Reads `count` values from the lines that follow, and leaves `lines` after the last of them.
     ///
-    /// A field is what stands in its columns, whether or not a blank separates it from the next. Fortran sets its
-    /// numbers flush right, so a line whose last number ends elsewhere than at the end of a field was not written by this
-    /// format: it is read as numbers between blanks.
+    /// A field ends at its last column, whether or not a blank separates it from the next. Fortran
+    /// aligns numbers to the right, so a line whose last number does not end at the end of a field
+    /// was not written in this format: it is read as numbers between blanks.
     ///
     /// # Errors
-    /// A field that is no number, too few or too many fields on a line, a line too short for its fields where the others
-    /// are not, the end of the file.
+    /// A field that is not a number, too few or too many fields on a line, a line that is too short
+    /// although the others are not, the end of the file.
     pub(crate) fn read(self, lines: &mut Lines<'_>, count: usize, what: &str) -> Result<Block, Problem> {
         // A count in a damaged header must not reserve memory that the file cannot fill.
         let mut values: Vec<f64> = Vec::with_capacity(count.min(lines.bytes_left() / 2 + 1));
@@ -101,14 +103,14 @@ impl Format {
             }
         }
         line_width.check()?;
-        // A block of no values has no line; the one that was read last announced it.
+        // A block without values has no line of its own; the line read last announced it.
         Ok(Block { values, first_line: if first_line == 0 { lines.line_number().max(1) } else { first_line } })
     }
 
-    /// Reads up to `wanted` values of a line, and tells whether they fill its columns.
+    /// Reads up to `wanted` values of a line, and returns whether they fill its columns.
     ///
     /// # Errors
-    /// A field that is no number.
+    /// A field that is not a number.
     pub(crate) fn read_line(self, line: &Line<'_>, wanted: usize, values: &mut Vec<f64>) -> Result<bool, Problem> {
         let text = line.bytes.trim_ascii_end();
         let before = values.len();
@@ -127,11 +129,11 @@ impl Format {
 }
 
 impl Block {
-    /// Refuses values that stand for missing ones, by the line on which they are; says where there is one that
-    /// `is_marker` names and that is a value like others.
+    /// Refuses values that mark missing values, naming the line. Returns a note if a value is a
+    /// marker by `is_marker` but no larger than the others.
     ///
     /// # Errors
-    /// The first value that stands for a missing one.
+    /// The first value that marks a missing value.
     pub(crate) fn refuse_missing(
         &self,
         format: Format,
@@ -145,10 +147,10 @@ impl Block {
         Ok(ordinary.map(|at| ordinary_note(self.values[at], line_of(at))))
     }
 
-    /// The number of something that a header has at place `at`, counted from 0.
+    /// The count that a header has at place `at`, from 0.
     ///
     /// # Errors
-    /// What is no whole number from 0 to 1e9, or not there.
+    /// A value that is not a whole number from 0 to 1e9, or is missing.
     pub(crate) fn count(&self, at: usize, format: Format, what: &str) -> Result<usize, Problem> {
         let value = self.values.get(at).copied().unwrap_or(f64::NAN);
         if (0.0..1e9).contains(&value) && value.fract() == 0.0 {

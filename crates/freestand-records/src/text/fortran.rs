@@ -1,4 +1,5 @@
-//! Numbers as Fortran programs print them, which is how strong-motion records have been written for fifty years.
+//! Numbers as Fortran programs print them; strong-motion records have been written so for fifty
+//! years.
 
 use super::units::missing;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -8,21 +9,22 @@ use freestand_input::quantity::shorten;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Number {
     pub(crate) value: f64,
-    /// Bytes that it takes.
+    /// Its length in bytes.
     pub(crate) length: usize,
-    /// The last printed digit counts 10^this; it tells how far a printed time may be off.
+    /// The last printed digit counts 10^this, which limits the accuracy of a printed time.
     pub(crate) last_digit_exponent: i32,
-    /// A whole number that begins with a zero, `0123`: not a number in its own right, but the digits behind a decimal comma.
+    /// A whole number that begins with a zero, `0123`: the digits after a decimal comma.
     pub(crate) zero_padded: bool,
-    /// How many characters it has from its point on; 0 where it has none.
+    /// How many characters it has from its point on; 0 without a point.
     pub(crate) tail: usize,
 }
 
 /// The number at the start of `text`, if there is one.
 ///
-/// Reads what Fortran's F, E, D and G formats print: `.123`, `5.`, `1.5E-03`, `1.5D-03`, and `1.2345-101`, which is how
-/// a three-digit exponent is printed where the field has no room for its E. In a plain `.1234-.5678` the second sign
-/// begins the next field: only a sign with exactly three digits and no point after a mantissa with a point is an exponent.
+/// Reads what Fortran's F, E, D and G formats print: `.123`, `5.`, `1.5E-03`, `1.5D-03`, and
+/// `1.2345-101`, a three-digit exponent in a field without room for its E. In `.1234-.5678` the
+/// second sign begins the next field: a sign begins an exponent only after a mantissa with a point
+/// and before exactly three digits without a point.
 pub(crate) fn scan(text: &[u8]) -> Option<Number> {
     let is_sign = |at: usize| matches!(text.get(at), Some(b'+' | b'-'));
     let digits = |from: usize| run_of_digits(&text[from.min(text.len())..], 0).0;
@@ -53,7 +55,7 @@ pub(crate) fn scan(text: &[u8]) -> Option<Number> {
         end += 4;
     }
 
-    // An exponent beyond i32 makes the value 0 or infinite, and the last digit then says nothing.
+    // An exponent beyond i32 makes the value 0 or infinite; the last digit then means nothing.
     let power = power_of(exponent);
     let last_digit_exponent = power.unwrap_or(0).saturating_sub(fraction as i32);
     let short = if power.is_some() && whole + fraction <= 15 { exact(significand, last_digit_exponent) } else { None };
@@ -75,7 +77,8 @@ fn power_of(exponent: &[u8]) -> Option<i32> {
     Some(if exponent.first() == Some(&b'-') { -size } else { size })
 }
 
-/// How many digits `text` begins with, and the whole number that they continue; of more than 19 digits that means nothing.
+/// How many digits `text` begins with, and `number` continued by them. The number is valid up to 19
+/// digits.
 fn run_of_digits(text: &[u8], mut number: u64) -> (usize, u64) {
     let mut length = 0;
     while let Some(digit) = text.get(length).map(|b| b.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
@@ -85,8 +88,9 @@ fn run_of_digits(text: &[u8], mut number: u64) -> (usize, u64) {
     (length, number)
 }
 
-/// `significand` × 10^`exponent`. A number of up to 15 digits needs no general algorithm: f64 holds it exactly, powers of
-/// ten are exact up to 10^22, and one product or quotient of exact numbers is rounded once, to the nearest (Clinger 1990).
+/// `significand` × 10^`exponent`. A number of up to 15 digits needs no general algorithm: f64 holds
+/// it exactly, powers of ten are exact up to 10^22, and one product or quotient of exact numbers is
+/// rounded once, to the nearest (Clinger 1990).
 fn exact(significand: u64, exponent: i32) -> Option<f64> {
     const POWERS: [f64; 23] = [
         1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
@@ -121,7 +125,7 @@ impl BadField {
     }
 }
 
-/// A field that is no number, as a problem.
+/// The problem that a field is not a number.
 pub(crate) fn bad_field(bad: &BadField, line: usize) -> Problem {
     match bad {
         BadField::Missing(text) => missing(text, line),
@@ -133,7 +137,7 @@ pub(crate) fn bad_field(bad: &BadField, line: usize) -> Problem {
     }
 }
 
-/// Words that stand for a value that is not there.
+/// Words that mark a missing value.
 pub(crate) fn is_missing_word(field: &[u8]) -> bool {
     let word = field.strip_prefix(b"-").or_else(|| field.strip_prefix(b"+")).unwrap_or(field).to_ascii_lowercase();
     let stars = !word.is_empty() && word.iter().all(|&b| b == b'*');
@@ -144,12 +148,12 @@ pub(crate) fn is_missing_word(field: &[u8]) -> bool {
         )
 }
 
-/// Values that agencies write where there is none: -999 and -9999, -32768, and 1.7E38 and its like.
+/// Values that agencies write for a missing value: -999, -9999, -32768, 1.7E38 and similar.
 pub(crate) fn is_missing_value(value: f64) -> bool {
     value == -999.0 || value == -9999.0 || value == -32768.0 || value.abs() >= 1e30 || value.is_nan()
 }
 
-/// The numbers of a line of blank-separated fields, in which a sign may stand where a blank had no room.
+/// The numbers of a line of fields separated by blanks, or by a sign where a blank had no room.
 pub(crate) fn fields(line: &[u8], mut each: impl FnMut(Number)) -> Result<(), BadField> {
     let mut rest = line.trim_ascii();
     while !rest.is_empty() {

@@ -1,16 +1,18 @@
-//! Values that stand for missing ones.
+//! Values that mark missing values.
 
 use super::fortran::is_missing_value;
 use super::units::missing;
 use freestand_input::problem::Problem;
 
-/// Whether a value is none in any unit, as 1.7E38; -999 and its like may be ordinary ones in mm/s² or counts.
+/// Whether a number cannot be a value in any unit, such as 1.7E38. -999 and similar may be ordinary
+/// values in mm/s² or counts.
 pub(crate) fn is_no_value(value: f64) -> bool {
     value.abs() >= 1e30 || value.is_nan()
 }
 
-/// The first of `values` that stands for a missing one: none in any unit, or one that `is_marker` names and that is
-/// beyond twice every other. A series that reaches half of 999 passes 999, too, before long.
+/// The first of `values` that marks a missing value: it is not a value in any unit, or it is a
+/// marker by `is_marker` and larger than twice every other value. A series that reaches half of 999
+/// may well reach 999.
 pub(crate) fn gap(values: &[f64], is_marker: impl Fn(f64) -> bool) -> Option<usize> {
     let first = values.iter().position(|&value| is_no_value(value) || is_marker(value))?;
     let others = values.iter().filter(|value| !is_no_value(**value) && !is_marker(**value));
@@ -19,12 +21,13 @@ pub(crate) fn gap(values: &[f64], is_marker: impl Fn(f64) -> bool) -> Option<usi
     values.iter().skip(first).position(|&value| is_gap(value)).map(|at| first + at)
 }
 
-/// What is to be said of a value that may stand for a missing one and is read as it is.
+/// A note about a value that may mark a missing value but is read as a value.
 pub(crate) fn ordinary_note(value: f64, line: usize) -> String {
     format!("line {line}: {value} is read as a value because others are as large; it may mark a missing value")
 }
 
-/// The values of a column that may stand for missing ones, noticed line by line and judged in the end.
+/// The values of a column that may mark missing values, collected line by line and judged at the
+/// end.
 #[derive(Debug, Default)]
 pub(crate) struct Markers {
     /// The first, and its line.
@@ -32,10 +35,10 @@ pub(crate) struct Markers {
 }
 
 impl Markers {
-    /// Takes a value of a line.
+    /// Adds a value of a line.
     ///
     /// # Errors
-    /// One that is none in any unit.
+    /// A value that cannot be one in any unit.
     pub(crate) fn see(&mut self, value: f64, line: usize) -> Result<(), Problem> {
         if is_no_value(value) {
             return Err(missing(&value.to_string(), line));
@@ -46,10 +49,10 @@ impl Markers {
         Ok(())
     }
 
-    /// What is to be said, once all `values` of the column are there.
+    /// A note, once all `values` of the column are there.
     ///
     /// # Errors
-    /// A value that stands for a missing one.
+    /// A value that marks a missing value.
     pub(crate) fn judge(&self, values: &[f64]) -> Result<Option<String>, Problem> {
         match self.first {
             Some((value, line)) if gap(values, is_missing_value).is_some() => Err(missing(&value.to_string(), line)),

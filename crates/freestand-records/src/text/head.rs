@@ -1,4 +1,4 @@
-//! The lines above the numbers of a file, with their numbers.
+//! The lines above the numbers of a file, with their line numbers.
 
 use super::fortran::scan;
 use super::lines::{Line, Lines};
@@ -11,7 +11,7 @@ pub(crate) struct Head {
 }
 
 impl Head {
-    /// Takes lines down to the first that `ends` holds for, which stays unread, or `most` of them.
+    /// Takes up to `most` lines, down to the first for which `ends` holds; that line stays unread.
     pub(crate) fn take(rest: &mut Lines<'_>, most: usize, mut ends: impl FnMut(&Line<'_>) -> bool) -> Self {
         let mut lines = Vec::new();
         for _ in 0..most {
@@ -26,10 +26,10 @@ impl Head {
         Self { lines }
     }
 
-    /// What `value` makes of the first line that it makes anything of, with the number of that line.
+    /// The first line for which `value` returns something, and what it returns.
     ///
     /// # Errors
-    /// No such line: `key` is what it should begin with.
+    /// No such line; `key` is what it should begin with.
     pub(crate) fn find<'a>(
         &'a self,
         key: &str,
@@ -44,7 +44,7 @@ impl Head {
     }
 }
 
-/// The number that begins what stands behind a key; what follows it, as in `100Hz`, does not matter.
+/// The number that follows a key; text after it, as in `100Hz`, is ignored.
 ///
 /// # Errors
 /// No number.

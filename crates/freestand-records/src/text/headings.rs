@@ -1,8 +1,9 @@
-//! What a header cell says about its column.
+//! Name and unit of a column, from its cell in the header.
 
 use super::table::Table;
 use super::units::{record_unit, unit_in_prose};
-use freestand_input::quantity::{Dimension, Unit, lookup};
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, Unit, lookup, shorten};
 
 /// Name and unit of a column.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -11,14 +12,41 @@ pub(crate) struct Heading {
     pub(crate) unit: Option<&'static Unit>,
 }
 
-/// `time [ms]`, `Accel[g]`, `accel (m/s2)`, `Time, s`, `a / g`, `acc in g`, and the unit suffixes of
-/// our own files and their like, `time_s`, `accel_m_s2`, `acc_g`.
+impl Heading {
+    pub(crate) fn measures(&self, dimension: Dimension) -> bool {
+        self.unit.is_some_and(|unit| unit.dimension == dimension)
+    }
+}
+
+/// The place of the only heading for which `is_it` holds; `what` names the column in messages.
+///
+/// # Errors
+/// Two such headings.
+pub(crate) fn only(
+    headings: &[Heading],
+    line: usize,
+    is_it: impl Fn(&Heading) -> bool,
+    what: &str,
+) -> Result<Option<usize>, Problem> {
+    let mut found = headings.iter().enumerate().filter(|(_, heading)| is_it(heading));
+    let first = found.next();
+    if let (Some((_, one)), Some((_, other))) = (first, found.next()) {
+        let names = format!("\"{}\" and \"{}\"", shorten(&one.name), shorten(&other.name));
+        return Err(Problem::new(ProblemKind::Format, format!("{names} are both {what}"))
+            .at_line(line)
+            .hint("keep only one of them in the file"));
+    }
+    Ok(first.map(|(index, _)| index))
+}
+
+/// `time [ms]`, `Accel[g]`, `accel (m/s2)`, `Time, s`, `a / g`, `acc in g`, and the unit suffixes
+/// that our own files use: `time_s`, `accel_m_s2`, `acc_g`.
 pub(crate) fn heading(cell: &str) -> Heading {
     let cell = cell.trim().trim_matches('"').trim();
     if let (Some(open), Some(close)) = (cell.rfind(['[', '(']), cell.rfind([']', ')']))
         && open < close
     {
-        // Brackets that hold no unit belong to the name: "a (NS)", "a (EW)".
+        // Brackets without a unit belong to the name: "a (NS)", "a (EW)".
         let unit = column_unit(&cell[..open], &cell[open + 1..close]);
         let name = if unit.is_some() { cell[..open].trim() } else { cell };
         return Heading { name: name.to_owned(), unit };
@@ -42,7 +70,8 @@ pub(crate) fn heading(cell: &str) -> Heading {
     ];
     let suffix = suffixes.iter().find(|(suffix, _)| cell.ends_with(suffix));
     let unit = match suffix {
-        // `_g` and `_m` end ordinary names too; only on names of what they measure are they units.
+        // `_g` and `_m` end ordinary names too; they are units only after names of what they
+        // measure.
         Some(("_g", _)) if !cell.to_ascii_lowercase().starts_with("acc") => None,
         Some(("_m", _)) if !is_other_name(cell) => None,
         Some((_, symbol)) => lookup(symbol),
@@ -51,21 +80,21 @@ pub(crate) fn heading(cell: &str) -> Heading {
     Heading { name: cell.to_owned(), unit }
 }
 
-/// `time_ms`, `t_s`, `Time ms`: a word of time with its unit behind it.
+/// `time_ms`, `t_s`, `Time ms`: a word for time, then its unit.
 fn time_suffix(cell: &str) -> Option<&'static Unit> {
     let (name, unit) = cell.rsplit_once(['_', ' '])?;
     let of_time = record_unit(unit).filter(|unit| unit.dimension == Dimension::Time)?;
     is_time_name(name.trim()).then_some(of_time)
 }
 
-/// The unit of a column: N is the newton of a force and the north of anything else.
+/// The unit of a column: N means newton for a force and north for anything else.
 fn column_unit(name: &str, unit: &str) -> Option<&'static Unit> {
     let name = name.to_ascii_lowercase();
     let is_force = ["force", "load", "kraft"].iter().any(|word| name.contains(word)) || name.trim() == "f";
     if is_force && unit.trim() == "N" { lookup("N") } else { record_unit(unit) }
 }
 
-/// What a column of time is called, without its unit.
+/// Names of a time column, without its unit.
 pub(crate) fn is_time_name(name: &str) -> bool {
     matches!(name.to_ascii_lowercase().as_str(), "time" | "t" | "time_s" | "t_s" | "zeit" | "temps" | "tiempo")
 }
@@ -75,7 +104,7 @@ fn is_other_name(name: &str) -> bool {
     lower.starts_with("vel") || lower.starts_with("disp")
 }
 
-/// What a column is, if it is no acceleration.
+/// What a column holds, if not an acceleration.
 pub(crate) fn other_quantity(heading: &Heading) -> Option<&'static str> {
     match heading.unit {
         Some(unit) if unit.dimension != Dimension::Acceleration => Some(unit.dimension.with_article()),
@@ -88,15 +117,16 @@ pub(crate) fn other_quantity(heading: &Heading) -> Option<&'static str> {
     }
 }
 
-/// The headings of a table and their line: the last header line, or the one above a line of units; in their absence a
-/// comment will do, if it names units, because a comment that happens to have as many words as there are columns is no header.
+/// The headings of a table and their line: the last header line, or the one above a line of units.
+/// Without a header line, a comment with units counts; a comment that merely has as many words as
+/// there are columns does not.
 pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
-    // Other programs' marks of a comment do not belong to the first heading.
+    // The comment marks of other programs do not belong to the first heading.
     let unmarked = |text: &str| text.trim_start_matches(['%', '!', '*', '/']).trim().to_owned();
     let from = |text: &str| -> Option<Vec<Heading>> {
         let text = &unmarked(text);
         let headings: Vec<Heading> = table.names(text)?.iter().map(|cell| heading(cell)).collect();
-        // "Units: cm/s2" above two columns has two words and is no header.
+        // "Units: cm/s2" above two columns has two words but is not a header.
         let statement = says_unit(text) && headings.iter().all(|heading| heading.unit.is_none());
         (!statement).then_some(headings)
     };
@@ -126,7 +156,14 @@ pub(crate) fn headings_of(table: &Table) -> Option<(Vec<Heading>, usize)> {
     all_named.then_some((headings, *line))
 }
 
-/// Whether a line of prose states a unit in so many words.
+/// The values of a column, in SI if its heading has a unit.
+pub(crate) fn in_si(table: &Table, headings: &[Heading], index: usize) -> Vec<f64> {
+    let unit = headings.get(index).and_then(|heading| heading.unit);
+    let values = table.columns.get(index).map_or(&[][..], |column| &column.values);
+    values.iter().map(|&value| unit.map_or(value, |unit| unit.to_si(value))).collect()
+}
+
+/// Whether a line of prose states a unit explicitly.
 pub(crate) fn says_unit(text: &str) -> bool {
     text.to_ascii_lowercase().contains("unit") && unit_in_prose(text).is_some()
 }

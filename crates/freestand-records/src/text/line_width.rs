@@ -1,14 +1,16 @@
-//! Whether the lines of a block are set in the columns of its format: one that lost a character shows by its length.
+//! Whether the lines of a block fill the columns of its format. A line that lost a character is too
+//! short.
 
 use super::lines::Line;
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// What was seen of the lines of a block.
+/// What is known about the lines of a block.
 #[derive(Debug, Default)]
 pub(crate) struct LineWidth {
     /// Lines that fill their columns.
     filled: usize,
-    /// Whether one of them begins with a blank: where an editor cut those away, only lines of negative numbers are full.
+    /// Whether one of them begins with a blank. Where an editor removed leading blanks, only lines
+    /// of negative numbers are full.
     has_blank: bool,
     /// Lines that are shorter than their columns and do not end with one.
     short: usize,
@@ -17,7 +19,7 @@ pub(crate) struct LineWidth {
 }
 
 impl LineWidth {
-    /// Takes a line whose fields fill `full` characters, which is read by its columns or not.
+    /// Adds a line whose fields need `full` characters, and whether it was read by its columns.
     pub(crate) fn see(&mut self, line: &Line<'_>, full: usize, by_column: bool) {
         let length = line.bytes.trim_ascii_end().len();
         if by_column {
@@ -29,9 +31,11 @@ impl LineWidth {
         }
     }
 
-    /// Refuses a block that is set in columns but for a line too short for them: its numbers are no longer whole.
+    /// Refuses a block whose lines fill their columns except for one that is too short: its numbers
+    /// are damaged.
     ///
-    /// Of a block that was never set in columns, few lines fit them by chance; there a length says nothing.
+    /// In a block that was not written in columns, few lines fit them by chance, and a length means
+    /// nothing.
     ///
     /// # Errors
     /// The first line that is too short.

@@ -1,4 +1,4 @@
-//! A record file as bytes and lines, whichever system wrote it.
+//! The lines of a text file, whichever system wrote it.
 
 use freestand_input::problem::{Problem, ProblemKind};
 
@@ -6,7 +6,7 @@ const UNPACK: &str = "unpack it first";
 const CONVERT: &str = "convert the record to miniSEED, AT2, or CSV with time and acceleration columns";
 const NAME_RECORD: &str = "name the record file; name a StationXML file with `station_xml`";
 
-/// What else people have in hand: where a signature stands, the signature, what it is, what to do.
+/// Other files that people try to read: position of the signature, signature, kind of file, remedy.
 const OTHERS: &[(usize, &[u8], &str, &str)] = &[
     (0, b"\x1F\x8B", "a gzip file", UNPACK),
     (0, b"PK\x03\x04", "a zip file (or an office document, which is one)", "unpack it first; save a worksheet as CSV"),
@@ -30,7 +30,7 @@ const OTHERS: &[(usize, &[u8], &str, &str)] = &[
     (0, b"<FDSNStationXML", "a StationXML", NAME_RECORD),
 ];
 
-/// Refuses what is not text, and removes what is not content: a byte-order mark, the end-of-file character of DOS.
+/// Refuses what is not text, and removes a byte-order mark and the end-of-file character of DOS.
 pub(crate) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
         return Err(Problem::new(ProblemKind::Format, "is UTF-16 text").hint("save it as UTF-8 or plain text"));
@@ -38,7 +38,7 @@ pub(crate) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
     if bytes.starts_with(&[0xEF, 0xBB, 0xBF]) {
         bytes.drain(..3);
     }
-    // A line end may follow the padding, or more padding that.
+    // Line ends and padding may alternate.
     while let [.., 0x1A] = bytes.trim_ascii_end() {
         bytes.truncate(bytes.trim_ascii_end().len() - 1);
     }
@@ -64,7 +64,8 @@ pub(crate) struct Line<'a> {
     pub(crate) bytes: &'a [u8],
 }
 
-/// The lines of a text: ended by LF, CR LF, CR, or the CR CR LF that a file gets when it is "converted" twice.
+/// The lines of a text: ended by LF, CR LF, CR, or the CR CR LF that a file gets when it is
+/// "converted" twice.
 #[derive(Clone)]
 pub(crate) struct Lines<'a> {
     rest: &'a [u8],
@@ -122,7 +123,7 @@ impl Line<'_> {
         self.bytes.trim_ascii_start().starts_with(b"#")
     }
 
-    /// Whether it holds words and not numbers; the letters of an exponent are none.
+    /// Whether it holds words. The letters of an exponent are not words.
     pub(crate) fn is_text(&self) -> bool {
         let bytes = self.bytes.trim_ascii();
         let is_word =
@@ -132,7 +133,7 @@ impl Line<'_> {
 
     /// As text: UTF-8, or else Latin-1, in which every byte is a character.
     pub(crate) fn text(&self) -> String {
-        // Only headers are read as text; a "line" of megabytes is no header.
+        // Only headers are read as text; a "line" of megabytes is not a header.
         text_of(&self.bytes[..self.bytes.len().min(4096)])
     }
 }

@@ -1,5 +1,5 @@
-//! Pieces of text files that readers share: lines, numbers, tables, headings, units, time steps. Nothing here knows a
-//! format.
+//! Pieces of text files that readers share: lines, numbers, tables, headings, units, time steps.
+//! Nothing here knows a format.
 
 pub(crate) mod cells;
 pub(crate) mod dialect;

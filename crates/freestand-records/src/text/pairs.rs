@@ -1,4 +1,5 @@
-//! Pairs of time and value, several on a line, as film was digitised: the times need not be equally spaced.
+//! Pairs of time and value, several on a line, from digitised film: the times need not be equally
+//! spaced.
 
 use super::even_grid::{Uneven, common_step, on_even_grid};
 use super::fortran::{Number, bad_field, fields, is_missing_value, number};
@@ -8,27 +9,28 @@ use super::sampling::time_step;
 use super::units::missing;
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// Most samples that an uneven record is given unasked: hours of record at 1 ms, or 10 s of it between two points. A damaged time must not fill the memory.
-const MOST_UNASKED: f64 = 1e7;
-const MOST_FOR_A_POINT: f64 = 1e4;
+/// The most samples that interpolation may make without a step from the user: hours at 1 ms, or 10
+/// s between two points. A damaged time must not fill the memory.
+const MAX_SAMPLES_UNASKED: f64 = 1e7;
+const MAX_SAMPLES_PER_POINT: f64 = 1e4;
 
 /// A series of pairs.
 pub(crate) struct Pairs {
     pub(crate) times_s: Vec<f64>,
     pub(crate) values: Vec<f64>,
-    /// The finest last digit of the times counts 10^this.
+    /// The finest printed digit of the times counts 10^this.
     last_digit_exponent: i32,
     /// Line of the first pair, counted from 1.
     pub(crate) first_line: usize,
     pairs_per_line: usize,
-    /// What is to be said of the values.
+    /// Notes about the values.
     pub(crate) notes: Vec<String>,
 }
 
 /// Reads pairs up to the next line of text, which is left unread.
 ///
 /// # Errors
-/// A field that is no number, a value that stands for a missing one, half a pair.
+/// A field that is not a number, a value that marks a missing value, half a pair.
 pub(crate) fn read(rest: &mut Lines<'_>) -> Result<Pairs, Problem> {
     let mut found = Pairs {
         times_s: Vec::new(),
@@ -82,8 +84,8 @@ fn numbers_of(line: &Line<'_>) -> Result<Vec<Number>, Problem> {
     }
 }
 
-/// Fields of one Fortran format have one number of decimals, so each ends as far behind its point as the last one does:
-/// `10.020 -.123100.005` in 7 columns each.
+/// All fields of a Fortran format have the same number of decimals, so each ends as far after its
+/// point as the last one does: `10.020 -.123100.005` in 7 columns each.
 fn by_points(line: &[u8]) -> Option<Vec<Number>> {
     let line = line.trim_ascii_end();
     let points: Vec<usize> = line.iter().enumerate().filter(|(_, b)| **b == b'.').map(|(at, _)| at).collect();
@@ -101,12 +103,12 @@ fn by_points(line: &[u8]) -> Option<Vec<Number>> {
 }
 
 impl Pairs {
-    /// The values at equal steps \[s\]: as they are where the times are equally spaced, else on the straight lines
-    /// between the points, which is what such a record means. The step is then the longest that holds every point, or the
-    /// one asked for. `room` is how many samples there may be.
+    /// The values at equal steps \[s\]: unchanged where the times are equally spaced, else
+    /// interpolated on straight lines between the points. The step is then `asked_s`, or the
+    /// longest that keeps every point. `room` is the largest number of samples.
     ///
     /// # Errors
-    /// Times that do not increase, more samples than can be meant.
+    /// Times that do not increase, too many samples.
     pub(crate) fn evenly(
         self,
         name: &str,
@@ -122,7 +124,7 @@ impl Pairs {
         }
         let step = asked_s.or_else(|| common_step(&self.times_s, self.last_digit_exponent));
         let span_s = self.times_s[self.times_s.len() - 1] - self.times_s[0];
-        let most = MOST_UNASKED.min(MOST_FOR_A_POINT * self.times_s.len() as f64);
+        let most = MAX_SAMPLES_UNASKED.min(MAX_SAMPLES_PER_POINT * self.times_s.len() as f64);
         let Some(dt_s) = step.filter(|dt_s| asked_s.is_some() || span_s / dt_s <= most) else {
             let message =
                 format!("the record is unevenly sampled and, with {span_s} s, too long for the step of its times");
@@ -158,7 +160,7 @@ mod tests {
         assert_eq!(found.values, [0.123, -0.124, -10.125]);
         let told = |text: &str| read(&mut lines(text.as_bytes())).map(|pairs| pairs.values).unwrap_err().to_string();
         assert!(told("  1.000   .123\n  2.000\n").contains("line 2: a time without a value"));
-        assert!(told("  1.000-999.00\n").contains("line 1: \"-999\" stands for a missing"));
+        assert!(told("  1.000-999.00\n").contains("line 1: \"-999\" marks a missing"));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Columns of numbers, one row a line, to the end of the file.
+//! Columns of numbers, one row per line, to the end of the file.
 
 use super::fixed_width::Format;
 use super::gaps::Markers;
@@ -11,7 +11,7 @@ pub(crate) struct Rows {
     pub(crate) columns: Vec<Vec<f64>>,
     /// Line of the first row, counted from 1; 0 before there is one.
     pub(crate) first_line: usize,
-    /// Of each column.
+    /// One for each column.
     markers: Vec<Markers>,
 }
 
@@ -29,10 +29,10 @@ impl Rows {
     /// Adds the numbers of a line.
     ///
     /// # Errors
-    /// More or fewer than there are columns, a value that is none in any unit.
+    /// More or fewer numbers than columns, a number that is not a value in any unit.
     pub(crate) fn push(&mut self, row: &[f64], line: usize) -> Result<(), Problem> {
         if row.len() != self.columns.len() {
-            let message = format!("the other rows have {} values, this one has {}", self.columns.len(), row.len());
+            let message = format!("a row must have {} values, but this one has {}", self.columns.len(), row.len());
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(line)
                 .hint("the file may be cut off or damaged: fetch it again"));
@@ -49,10 +49,10 @@ impl Rows {
         Ok(())
     }
 
-    /// What is to be said of values that may stand for missing ones, once all rows are there.
+    /// Notes about values that may mark missing values, once all rows are there.
     ///
     /// # Errors
-    /// One that does.
+    /// A value that marks a missing value.
     pub(crate) fn judge(&self) -> Result<Vec<String>, Problem> {
         let judged = self.markers.iter().zip(&self.columns).map(|(markers, column)| markers.judge(column));
         judged.filter_map(Result::transpose).collect()
@@ -61,24 +61,24 @@ impl Rows {
     /// The rows, if there are any; `lines` is where they end.
     ///
     /// # Errors
-    /// None at all.
+    /// No rows.
     pub(crate) fn not_empty(self, lines: &Lines<'_>) -> Result<Self, Problem> {
         if self.first_line == 0 { Err(no_row(lines)) } else { Ok(self) }
     }
 }
 
-/// What is said of a header without a row.
+/// The problem of a header without rows.
 pub(crate) fn no_row(lines: &Lines<'_>) -> Problem {
     Problem::new(ProblemKind::Format, "no row of numbers follows the header")
         .at_line(lines.line_number().max(1))
         .hint("the file may be cut off: fetch it again")
 }
 
-/// Reads every line that is left as one row of `format`; blank lines hold none.
+/// Reads each remaining line that is not blank as one row of `format`.
 ///
 /// # Errors
-/// No row at all, a field that is no number, a line too short for its fields where the others are not; otherwise as
-/// [`Rows::push`] and [`Rows::judge`].
+/// No rows, a field that is not a number, a line that is too short although the others are not;
+/// otherwise as [`Rows::push`] and [`Rows::judge`].
 pub(crate) fn read(lines: &mut Lines<'_>, format: Format, notes: &mut Vec<String>) -> Result<Rows, Problem> {
     let (mut rows, mut row, mut line_width) = (Rows::of_width(format.per_line), Vec::new(), LineWidth::default());
     for line in lines.by_ref().filter(|line| !line.is_blank()) {
@@ -110,8 +110,8 @@ mod tests {
         for (text, line) in [
             ("\n \n", "line 2: no row"),
             ("", "line 1: no row"),
-            ("   0.000   1.000\n   0.005\n", "line 2: the other rows have 2 values"),
-            ("   0.000   1.000\n   0.005   1.000   1.000\n", "line 2: the other rows have 2 values"),
+            ("   0.000   1.000\n   0.005\n", "line 2: a row must have 2 values"),
+            ("   0.000   1.000\n   0.005   1.000   1.000\n", "line 2: a row must have 2 values"),
             ("   0.000   1.000\n   0.005-999.000\n", "line 2: \"-999\" marks a missing value"),
             ("   0.000     x\n", "line 1: "),
         ] {

@@ -1,14 +1,14 @@
-//! The time step that a column of printed times means.
+//! The time step of a column of printed times.
 
 use super::even_grid::{Uneven, common_step};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
-/// The time step \[s\] of a sampling rate \[Hz\] that stands on `line`.
+/// The time step \[s\] of a sampling rate \[Hz\] on `line`.
 ///
 /// # Errors
-/// A rate that no instrument has: they sample at 50 to 1000 Hz. Some files hold rates of 1e30, and a damaged number must
-/// not become a step of nanoseconds.
+/// A rate that no instrument has; they sample at 50 to 1000 Hz. Some files hold rates of 1e30, and
+/// a damaged number must not become a step of nanoseconds.
 pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
     if rate_hz > 0.0 && rate_hz <= 1e5 {
         return Ok(1.0 / rate_hz);
@@ -18,12 +18,13 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
         .hint("this header line must give samples per second, such as 100 or 200: correct it"))
 }
 
-/// The step of equally spaced `times`, in their own unit; the last digit that any of them prints counts
+/// The step of equally spaced `times`, in their own unit. Their last printed digit counts
 /// 10^`last_digit_exponent`.
 ///
-/// A time may be off by half a unit of its last digit (it was rounded), or by 1 % of the step (it was logged by a clock
-/// that jitters: what that does to a motion is far below what a response can show). The rounding allowance holds only
-/// while a unit is below half the step: beyond, a lost sample could hide in it.
+/// A time may be off by half a unit of its last digit, because it was rounded, or by 1 % of the
+/// step, because clocks jitter; the effect of that on a response is negligible. The allowance for
+/// rounding holds only while a unit is below half the step: beyond that, a lost sample could hide
+/// in it.
 pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, Uneven> {
     let (Some(&first), Some(&last)) = (times.first(), times.last()) else {
         return Err(Uneven { row: 0, message: "there are no times".to_owned(), hint: "" });
@@ -45,8 +46,9 @@ pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, 
     }
     let digit = 10f64.powi(last_digit_exponent.clamp(-300, 300));
     let rounding = if digit < 0.5 * mean { digit } else { 0.0 };
-    // Against the straight line a time may be off by a whole unit, because the ends of the line are rounded too. A lost
-    // sample bends the line by half a step only, but doubles its interval; an interval has two rounded ends.
+    // A time may be off the straight line by a whole unit, because the ends of the line are rounded
+    // too. A lost sample bends the line by only half a step, but doubles its interval; an interval
+    // has two rounded ends.
     let noise = 4.0 * f64::EPSILON * first.abs().max(last.abs());
     let off_line = rounding.max(0.01 * mean) * (1.0 + 1e-9) + noise;
     let off_step = rounding.max(0.02 * mean) * (1.0 + 1e-9) + noise;
@@ -58,11 +60,12 @@ pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, 
     }
 }
 
-/// Among the steps that the ends cannot tell from the mean, the one that a person would have chosen.
+/// Of all steps that agree with both ends, the one that a person would have chosen.
 fn plain_step(times: &[f64], first: f64, last: f64, mean: f64) -> f64 {
     let intervals = (times.len() - 1) as f64;
     let noise = 4.0 * f64::EPSILON * first.abs().max(last.abs());
-    // Times printed in full as i·dt hold dt itself in the second row: nothing else reads our own files back to the bit.
+    // Times printed in full as i·dt hold dt itself in the second row. Only this reads our own files
+    // back to the bit.
     if first == 0.0 && (intervals * times[1] - last).abs() <= noise {
         return times[1];
     }
@@ -85,7 +88,7 @@ fn falling(times: &[f64], row: usize) -> Uneven {
     }
 }
 
-/// Names the row where the step changes, which need not be the first that is off the straight line.
+/// Finds the row where the step changes, which need not be the first that is off the straight line.
 fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
     let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let middle = steps.len() / 2;
@@ -113,8 +116,9 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
     }
 }
 
-/// A step to which unevenly spaced `times` can be brought: the longest that has them all on its grid, unless that is
-/// far below the usual step, which is then taken. `None` if they do not rise.
+/// A step for interpolating unevenly spaced `times`: the longest that has them all on its grid,
+/// unless that is far below the usual step; then the usual step. `None` if the times do not
+/// increase.
 pub(crate) fn even_step(times: &[f64], last_digit_exponent: i32) -> Option<f64> {
     let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     if steps.is_empty() || !steps.iter().all(|step| *step > 0.0 && step.is_finite()) {
@@ -166,7 +170,8 @@ mod tests {
             let times: Vec<f64> = (0..5000).map(|i| f64::from(i) * dt).collect();
             assert_eq!(time_step(&times, -20), Ok(dt));
         }
-        // 1/256 s printed to the millisecond: each end is off by 0.5 ms at most, so the mean by 1 ms/(n - 1).
+        // 1/256 s printed to the millisecond: each end is off by 0.5 ms at most, so the mean by 1
+        // ms/(n - 1).
         let step = time_step(&rounded(1.0 / 256.0, 3, 2000, 0), -3).unwrap();
         assert!((step - 1.0 / 256.0).abs() < 1e-3 / 1999.0, "{step}");
     }
@@ -196,7 +201,8 @@ mod tests {
         assert!(time_step(&[0.0, 0.0, 0.0], -3).is_err());
         assert!(time_step(&[1.0], 0).is_err() && time_step(&[], 0).is_err());
         assert!(time_step(&[0.0, f64::MAX, f64::MAX], 300).is_err());
-        // 1/1500 s printed to the millisecond repeats times: the step cannot be told from a lost sample.
+        // 1/1500 s printed to the millisecond repeats times: the step cannot be told from a lost
+        // sample.
         let coarse = time_step(&rounded(1.0 / 1500.0, 3, 1000, 0), -3).unwrap_err();
         assert!(coarse.message.contains("coarse"), "{coarse:?}");
     }

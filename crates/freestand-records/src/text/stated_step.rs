@@ -1,12 +1,13 @@
-//! A time step that is stated in words above the numbers.
+//! A time step that the text above the numbers states in words.
 
 use super::fortran::scan;
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// The step \[s\] that `dt=0.005` or `dt = 5 ms` states in a comment; seconds where no unit follows.
+/// The step \[s\] that `dt=0.005` or `dt = 5 ms` states in a comment; in seconds unless a unit
+/// follows.
 ///
 /// # Errors
-/// A step that is no number, not positive, or in another unit.
+/// A step that is not a number, not positive, or in another unit.
 pub(crate) fn dt_in_comment(text: &str) -> Option<Result<f64, Problem>> {
     let value = text.match_indices('=').find_map(|(at, _)| {
         let key = text[..at].trim_end().rsplit(|c: char| c.is_whitespace() || ",;(".contains(c)).next()?;
@@ -20,10 +21,10 @@ pub(crate) fn dt_in_comment(text: &str) -> Option<Result<f64, Problem>> {
     }))
 }
 
-/// The step \[s\] that prose states: `Sampling rate: 100 Hz`, `SAMPLING RATE= 100Hz`, `Time step = 0.01 s`, `dt=0.01`.
-/// A rate must be in hertz.
+/// The step \[s\] that prose states: `Sampling rate: 100 Hz`, `SAMPLING RATE= 100Hz`,
+/// `Time step = 0.01 s`, `dt=0.01`. A rate must be in hertz.
 pub(crate) fn step_in_prose(text: &str) -> Option<f64> {
-    // ASCII lower case keeps byte positions.
+    // ASCII lower case keeps the byte positions.
     let lower = text.to_ascii_lowercase();
     let value = |key: &str| lower.split_once(key).map(|(_, rest)| rest.trim_start_matches([' ', '\t', '=', ':']));
     let step = ["time step", "time interval", "sampling interval", "sampling period", "time increment"]
@@ -57,7 +58,7 @@ fn seconds(text: &str) -> Option<f64> {
     match unit.to_lowercase().as_str() {
         "ms" | "msec" | "milliseconds" => Some(number.value / 1000.0),
         "" | "s" | "sec" | "secs" | "second" | "seconds" => Some(number.value),
-        // Behind a blank another statement may begin: "dt=0.005 columns=2".
+        // After a blank another statement may begin: "dt=0.005 columns=2".
         _ if rest.starts_with([' ', '\t']) && rest.trim_start()[unit.len()..].trim_start().starts_with(['=', ':']) => {
             Some(number.value)
         }

@@ -1,4 +1,4 @@
-//! Columns of numbers as text: separators, headers and comments of many hands, told apart by looking.
+//! Columns of numbers in a text. Separators, headers and comments are detected from the text.
 
 use super::dialect::{Dialect, Separator, cells, dialect_of};
 use super::digit_style::DigitStyle;
@@ -7,28 +7,29 @@ use super::gaps::Markers;
 use super::lines::{Line, lines};
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// How far down the first row of numbers may stand; files with thousands of lines above it are met.
+/// The last line on which the first row of numbers may be; some files have thousands of lines above
+/// it.
 const HEADER_LINES: usize = 20_000;
 
-/// Of the lines above the numbers so many are kept, half of them the first and half the last: units and steps are stated
-/// at the top, headings at the bottom.
+/// How many of the lines above the numbers are kept, half of them from the top, where units and
+/// steps are stated, and half from the bottom, where headings are.
 const KEPT_LINES: usize = 1000;
 
-/// Longest line \[bytes\]: some hundred thousand numbers, far beyond any table. A longer one would take ten times the
-/// memory of its text, only to be refused.
+/// Longest line \[bytes\]: some hundred thousand numbers, more than any table has. Parsing a longer
+/// one would take ten times the memory of its text, only to refuse it.
 const LONGEST_ROW: usize = 4 << 20;
 
-/// A column as it was read.
+/// A column.
 #[derive(Debug, Default)]
 pub(crate) struct Column {
     pub(crate) values: Vec<f64>,
-    /// The finest last digit printed in it counts 10^this.
+    /// Its finest printed digit counts 10^this.
     pub(crate) last_digit_exponent: i32,
     /// Some whole number in it begins with a zero, `0123`, or is `-0`.
     zero_padded: bool,
     /// How its numbers are printed.
     pub(crate) digit_style: DigitStyle,
-    /// How many of its numbers are printed as whole ones.
+    /// How many of its numbers are printed as whole numbers.
     whole: usize,
 }
 
@@ -42,13 +43,13 @@ impl Column {
         self.whole += usize::from(number.tail == 0 && number.last_digit_exponent >= 0);
         self.values.push(number.value);
         self.last_digit_exponent = self.last_digit_exponent.min(number.last_digit_exponent);
-        // Nor is -0 a whole number.
+        // -0 is not a whole number either.
         let is_minus_zero = number.value == 0.0 && number.value.is_sign_negative();
         self.zero_padded |= number.zero_padded || is_minus_zero && number.last_digit_exponent == 0;
     }
 }
 
-/// A table with what stood above it.
+/// A table and the lines above it.
 pub(crate) struct Table {
     pub(crate) dialect: Dialect,
     pub(crate) columns: Vec<Column>,
@@ -59,7 +60,7 @@ pub(crate) struct Table {
     pub(crate) line_of_first_value: usize,
     /// The step of the old dialect whose first row is `npts dt`; the values are then one series.
     pub(crate) series_dt_s: Option<f64>,
-    /// Whether the first row said how many there are, and is not one of them.
+    /// Whether the first row stated the number of rows and is not one of them.
     pub(crate) has_row_of_counts: bool,
 }
 
@@ -122,8 +123,8 @@ fn keep(lines: &mut Vec<(usize, String)>, line: (usize, String)) {
 }
 
 impl Table {
-    /// The first of a single column of whole numbers, where it is how many stand below it: a value or their number. Of
-    /// fewer than ten, that is too easily chance.
+    /// The first number of a single column of whole numbers if it is the number of those below it:
+    /// it may be a value or their count. With fewer than ten numbers, chance is too likely.
     pub(crate) fn possible_count(&self) -> Option<usize> {
         let [column] = self.columns.as_slice() else { return None };
         let below = column.values.len().saturating_sub(1);
@@ -131,13 +132,13 @@ impl Table {
             .then_some(below)
     }
 
-    /// The line on which row `row` (from 0) stands. Found by looking again: kept for every row it would cost more memory
-    /// than the values of a column, and it is needed only to say what is wrong.
+    /// The line of row `row` (from 0). It is searched for only when a message needs it, because
+    /// storing the lines of all rows would take more memory than a column.
     pub(crate) fn line_of_row(&self, bytes: &[u8], row: usize) -> usize {
         self.lines_of_rows(bytes).nth(row).unwrap_or(self.line_of_first_value)
     }
 
-    /// The lines on which the rows stand, in order.
+    /// The lines of the rows, in order.
     pub(crate) fn lines_of_rows<'a>(&self, bytes: &'a [u8]) -> impl Iterator<Item = usize> + use<'a> {
         lines(bytes).skip(self.line_of_first_value - 1).filter(is_row).map(|line| line.number)
     }
@@ -149,7 +150,7 @@ impl Table {
             Separator::Byte(byte) => Some(byte),
             Separator::Blank => None,
         };
-        // The header of a table with tabs is often typed with blanks, and so on.
+        // The separators of the header often differ from those of the rows.
         own.into_iter()
             .chain([b',', b';', b'\t'])
             .map(|byte| quoted_cells(text, byte))
@@ -176,7 +177,7 @@ pub(crate) fn quoted_cells(text: &str, separator: u8) -> Vec<String> {
     }
 }
 
-/// What stands between gaps of two blanks or more: `Acc. NS (g)   Acc. EW (g)`.
+/// Cells separated by two blanks or more: `Acc. NS (g)   Acc. EW (g)`.
 fn gaps(text: &str) -> Vec<String> {
     text.split(['\t'])
         .flat_map(|part| part.split("  "))
@@ -203,7 +204,8 @@ fn words(text: &str) -> Vec<String> {
     out
 }
 
-/// The last header line must not be a first row with a slip in it ("O.123"): that would lose a sample in silence.
+/// Refuses a last header line that is really a first row with a typing error ("O.123"): skipping it
+/// would silently lose a sample.
 fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: &[u8]) -> Result<(), Problem> {
     let Some((line, text)) = header.last() else { return Ok(()) };
     let own = cells(dialect, text.as_bytes());
@@ -223,12 +225,13 @@ fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: 
             Err(bad @ BadField::NotANumber(text)) if is_damaged_number(text, own.len() == 1, header.len() == 1) => {
                 broken.get_or_insert(bad);
             }
-            // Prose with numbers in it ("Station 24278") has words that were never numbers.
+            // Prose with numbers in it ("Station 24278") has words that are not damaged numbers.
             Err(BadField::NotANumber(_)) => return Ok(()),
         }
     }
     match broken {
-        // "1st" and "2nd" above two columns are names; a name alone above its column does not begin with a digit.
+        // "1st" and "2nd" above two columns are names; a name alone above its column does not begin
+        // with a digit.
         Some(bad) if values > 0 || own.len() == 1 => {
             Err(bad_field(bad, *line).hint("correct the number, or begin the line with # if it is a comment"))
         }
@@ -236,7 +239,8 @@ fn check_not_a_broken_row(dialect: &Dialect, header: &[(usize, String)], first: 
     }
 }
 
-/// Whether a word that is no number looks like one that was damaged: `0.12O`, `-nan(ind)`, `O.123`.
+/// Whether a word that is not a number looks like one that was damaged: `0.12O`, `-nan(ind)`,
+/// `O.123`.
 fn is_damaged_number(word: &str, is_alone: bool, is_first: bool) -> bool {
     let unsigned = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
     let has_digit = unsigned.contains(|c: char| c.is_ascii_digit());
@@ -267,7 +271,7 @@ fn read_rows<'a>(table: &mut Table, rows: impl Iterator<Item = Line<'a>>) -> Res
             fields(line.bytes, |number| put(&mut table.columns, number)).map_err(|bad| bad_field(&bad, line.number))?;
         } else {
             let mut separated = cells(&dialect, line.bytes);
-            // A separator at the end of every line opens no column.
+            // A separator at the end of every line does not begin a column.
             let spare = separated.len() > 1
                 && matches!(separated.last(), Some(Err(BadField::Missing(text))) if text.is_empty());
             if spare && (first_row || separated.len() == table.columns.len() + 1) {
@@ -296,14 +300,18 @@ fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
 fn ragged(line: usize, found: usize, expected: usize) -> Problem {
     Problem::new(ProblemKind::Format, format!("the first row has {expected} values, this one has {found}"))
         .at_line(line)
-        .hint("every row must have the same columns; one series with several values per line needs an AT2 header (NPTS, DT)")
+        .hint(
+            "every row must have the same columns; one series with several values per line needs an AT2 header \
+               (NPTS, DT)",
+        )
 }
 
-/// A whole number above a column of decimals, larger than all of them, is the number of values, which does not fit.
+/// Refuses a whole number above a column of decimals that is larger than all of them: it is a
+/// number of values that does not match.
 fn check_first_row(table: &Table) -> Result<(), Problem> {
     let [column] = table.columns.as_slice() else { return Ok(()) };
     let Some((&first, others)) = column.values.split_first() else { return Ok(()) };
-    // Printed by the program that printed the others, it would have a point as well.
+    // If the same program had printed it as a value, it would have a point.
     let is_count = column.whole == 1 && column.digit_style.first_is_whole() && first >= 2.0 && others.len() >= 2;
     if !(is_count && others.iter().all(|other| other.abs() < first)) {
         return Ok(());
@@ -315,8 +323,8 @@ fn check_first_row(table: &Table) -> Result<(), Problem> {
         .hint("the file may be cut off: fetch it again; if the row is a value, write it with a decimal point"))
 }
 
-/// Numbers with decimal commas read as two columns of whole numbers each: `0,0123`. No program prints a whole number with
-/// a zero in front, so the digits behind the comma give it away.
+/// Numbers with decimal commas read as two columns of whole numbers each: `0,0123`. No program
+/// prints a whole number with a leading zero, so a leading zero after the comma reveals them.
 fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
     let whole = table.columns.iter().all(|column| column.last_digit_exponent == 0);
     let padded = table.columns.iter().any(|column| column.zero_padded);
@@ -328,9 +336,9 @@ fn check_decimal_comma(table: &Table) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Old dialects whose first row is `npts dt`, `dt npts` or `npts` alone, and no row of the record. Taken only where the
-/// rows below have another width and hold exactly npts values, or are npts rows whose time has that step: then nothing
-/// else can be meant.
+/// Reads old dialects whose first row is `npts dt`, `dt npts` or `npts`. This applies only if the
+/// rows below have another width and hold exactly npts values, or are npts rows whose time has that
+/// step: then no other reading is possible.
 fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>> + Clone) -> Result<bool, Problem> {
     let Some(first) = rows.next() else { return Ok(false) };
     let Some((npts, dt)) = counts(&cells(&table.dialect, first.bytes)) else { return Ok(false) };
@@ -359,11 +367,11 @@ fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>
                     column.push(&number, line.number);
                 }
             }
-            // A number alone counts only above values with decimals, which tell it from them.
+            // A number alone is taken as a count only above values with decimals.
             if column.values.len() as f64 != npts || dt.is_none() && column.last_digit_exponent >= 0 {
                 return Ok(false);
             }
-            // What is to be said of a value that is none, the reader of the columns says.
+            // The reader of the columns reports values that are not numbers.
             markers.judge(&column.values)?;
             table.columns = vec![column];
             table.series_dt_s = dt;
@@ -374,7 +382,7 @@ fn read_as_series<'a>(table: &mut Table, mut rows: impl Iterator<Item = Line<'a>
     Ok(true)
 }
 
-/// The number of values that a row states, and the step, if it does.
+/// The number of values that a row states, and the step if it states one.
 fn counts(row: &[Result<Number, BadField>]) -> Option<(f64, Option<f64>)> {
     let is_count = |number: &Number| number.last_digit_exponent == 0 && number.value >= 2.0;
     match row {

@@ -1,10 +1,11 @@
-//! The unit of a record: stated by the file, else by the user, never guessed from the size of the values.
+//! The unit of a record: stated by the file, else by the user, never guessed from the size of the
+//! values.
 
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, find_unit, lookup, shorten};
 
-/// Tenths of g, as records of film have them.
+/// Tenths of g, used by records from film.
 pub(crate) const TENTHS_OF_G: Unit = Unit::acceleration("g/10", -1, G0_M_S2);
 
 /// A unit that a file states, and the line that states it.
@@ -17,11 +18,12 @@ pub(crate) struct Stated {
 /// A unit as record headers write it: `G`, `(g)`, `CM/SEC/SEC`, `cm/s**2`, `m s-2`.
 pub(crate) fn record_unit(text: &str) -> Option<&'static Unit> {
     let text = text.trim_matches(|c: char| c.is_whitespace() || "()[]{}\"'.,;:".contains(c));
-    // In a record N is north.
+    // In a record, N means north.
     if let Some(unit) = lookup(text).filter(|unit| unit.symbol != "N") {
         return Some(unit);
     }
-    // Headers are often in capitals: there M/S/S is no mega-metre. MG alone stays open (milli or mega).
+    // Headers are often in capitals: M/S/S does not mean megametre. MG alone is ambiguous (milli or
+    // mega).
     if text.eq_ignore_ascii_case("mg") {
         return None;
     }
@@ -33,9 +35,10 @@ pub(crate) fn record_unit(text: &str) -> Option<&'static Unit> {
     lookup(&name)
 }
 
-/// The unit that a line of prose states: "IN UNITS OF G", "The units are (g)", "Units: cm/s2", "acceleration in gal".
+/// The unit that a line of prose states: "IN UNITS OF G", "The units are (g)", "Units: cm/s2",
+/// "acceleration in gal".
 pub(crate) fn unit_in_prose(line: &str) -> Option<&'static Unit> {
-    // ASCII lower case keeps byte positions, so that they hold in the original too.
+    // ASCII lower case keeps the byte positions of the original.
     let lower = line.to_ascii_lowercase();
     for (at, _) in lower.match_indices("unit") {
         let mut rest = line[at + 4..].trim_start_matches(['s', 'S']);
@@ -81,7 +84,7 @@ fn leading_unit(text: &str) -> Option<&'static Unit> {
     if is_power { record_unit(&format!("{first} {second}")) } else { record_unit(first) }
 }
 
-/// What is to be said where the first of `lines` that seems to state a unit states one that is not known: `a [kN]`,
+/// A problem if the first of `lines` that seems to state a unit states an unknown one: `a [kN]`,
 /// `Units: furlong`.
 pub(crate) fn not_known<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> Option<Problem> {
     let (line, text) = lines.filter_map(|(line, text)| Some((line, unknown_unit(text)?))).next()?;
@@ -92,7 +95,8 @@ pub(crate) fn not_known<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> Op
     )
 }
 
-/// What stands in the last brackets of a heading, or behind `units:`, `unit =`, `in units of`, where it is no unit.
+/// The text in the last brackets of a heading, or after `units:`, `unit =`, `in units of`, if it is
+/// not a unit.
 fn unknown_unit(text: &str) -> Option<String> {
     let lower = text.to_ascii_lowercase();
     let stated = lower.find("unit").and_then(|at| {
@@ -113,12 +117,12 @@ fn unknown_unit(text: &str) -> Option<String> {
     (!is_other && stated.contains(char::is_alphabetic)).then(|| stated.to_owned())
 }
 
-/// What `--unit` says.
+/// The unit that the user states.
 pub(crate) fn requested(option: Option<&str>) -> Result<Option<&'static Unit>, Problem> {
     option.map(|text| find_unit(text, Dimension::Acceleration)).transpose()
 }
 
-/// The unit to read in: the stated one, else the requested one; both only where they agree.
+/// The unit to read in: the stated one, else the requested one. If there are both, they must agree.
 pub(crate) fn decide(
     stated: Option<Stated>,
     requested: Option<&'static Unit>,
@@ -126,7 +130,7 @@ pub(crate) fn decide(
 ) -> Result<&'static Unit, Problem> {
     match (stated, requested) {
         (Some(stated), _) if stated.unit.dimension != Dimension::Acceleration => Err(not_acceleration(stated, what)),
-        // gal and cm/s2 are one unit: compare what they are worth.
+        // gal and cm/s2 are the same unit, so the values are compared.
         (Some(stated), Some(requested)) if stated.unit.to_si(1.0) != requested.to_si(1.0) => Err(Problem::new(
             ProblemKind::Value,
             format!("{what} is in {} according to the file, not in {}", stated.unit.symbol, requested.symbol),
@@ -153,7 +157,7 @@ fn not_acceleration(stated: Stated, what: &str) -> Problem {
     .hint("use the acceleration record of the same station")
 }
 
-/// A value that stands for one that is missing.
+/// The problem of a value that marks a missing value.
 pub(crate) fn missing(text: &str, line: usize) -> Problem {
     Problem::new(ProblemKind::Format, format!("\"{}\" marks a missing value", shorten(text)))
         .at_line(line)

@@ -56,7 +56,8 @@ pub enum RockingModel {
 }
 
 impl RockingModel {
-    /// |ü_h|/(g+ü_v) at which a block at rest uplifts about the edge nearer to its centre of gravity: tan α, or α when linearised.
+    /// The ratio |ü_h|/(g+ü_v) at which a block at rest uplifts about the edge nearer to its centre
+    /// of gravity: tan α, or α when linearised.
     pub fn uplift_threshold_ratio(self, block: &Block) -> f64 {
         let nearer = block.cg_from_left_m().min(block.cg_from_right_m());
         match self {

@@ -33,7 +33,8 @@ use crate::polynomial::{first_root, roots, value};
 /// use freestand_rocking::{block::Block, rocking::{rock, Base, RockingOptions, Until}};
 /// let block = Block::uniform(2.0 * 0.2f64.cos(), 2.0 * 0.2f64.sin())?;
 /// let p = block.pivot().frequency_parameter_rad_s(9.80665);
-/// let options = RockingOptions { initial_rotation_rad: 0.1, until: Until::Time(2.0), ..Default::default() };
+/// let until = Until::Time(2.0);
+/// let options = RockingOptions { initial_rotation_rad: 0.1, until, ..Default::default() };
 /// let history = rock(&block, Base::default(), &options)?;
 /// assert!((p * history.impacts[0].time_s - 1.3185044).abs() < 1e-7);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -1,5 +1,5 @@
-//! The landing of an object on its cushions: accelerations of both edges as accelerometers above them
-//! would record them, and the forces under them.
+//! The landing of an object on its cushions: accelerations of both edges as accelerometers above
+//! them would record them, and the forces under them.
 
 use kuva::render::annotations::ReferenceLine;
 
@@ -66,10 +66,10 @@ fn trace_page(report: &CompliantReport) -> Page {
         panel(std::slice::from_ref(&rotation), None, "Rotation (deg)", time_axis(from, to), true),
     ];
     let caption = format!(
-        "{} kg on cushions ({}, tangential stiffness {} times the normal one, {}). Top: vertical acceleration of the two \
-         lower corners in the ground's frame, upward positive, as accelerometers above the corners would record it. Middle: \
-         forces of the cushions under them. Bottom: rotation. In the plane of the motion both corners of one edge move \
-         alike, so each line also stands for the mean of two accelerometers on that edge.",
+        "{} kg on cushions ({}, tangential stiffness {} times the normal one, {}). Top: vertical acceleration of \
+         the two lower corners in the ground's frame, upward positive, as accelerometers above the corners would \
+         record it. Middle: forces of the cushions under them. Bottom: rotation. In the plane of the motion both \
+         corners of one edge move alike, so each line also stands for the mean of two accelerometers on that edge.",
         significant(base.mass_kg, 4),
         base.cushion.law().name(),
         significant(base.tangential_stiffness_ratio, 3),

@@ -47,10 +47,10 @@ pub struct CompliantRequest {
 
 /// What the object did.
 ///
-/// In the facts `edge_acceleration_g` is the largest of the history, `…_paper_g` Eq. (5) at the same
-/// rise without the cushion's damping, `…_effective_mass_g` the landing of the same effective mass
-/// with it. An impact is a contact of an edge with its cushion; `first_impact_…` belong to a release
-/// and are missing under a motion.
+/// In the facts `edge_acceleration_g` is the largest of the history, `…_paper_g` Eq. (5) at the
+/// same rise without the cushion's damping, `…_effective_mass_g` the landing of the same effective
+/// mass with it. An impact is a contact of an edge with its cushion; `first_impact_…` belong to a
+/// release and are missing under a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompliantReport {
     /// The document of `freestand rock` with a compliant base.
@@ -80,8 +80,7 @@ pub fn rock_on_cushions(request: &CompliantRequest, record: bool) -> Result<Comp
     let end_s = options.duration_s.or(motion.horizontal.or(motion.vertical).map(Motion::duration_s)).unwrap_or(0.0);
     if record && end_s / dt_s > MAX_SAMPLES as f64 {
         let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
-        return Err(Problem::new(ProblemKind::Value, message)
-            .hint("give a shorter --duration, or leave --history and --out out"));
+        return Err(Problem::value(message, "give a shorter `duration`, or leave `history` and `out` out"));
     }
     let (width_m, contacts) = (request.block.base_width_m(), request.base.contacts);
     let mut recorder = CompliantRecorder::new(dt_s, width_m, &options.points_m, contacts);
@@ -102,8 +101,8 @@ fn pivot_of(block: &Block, start: Start) -> Pivot {
     }
 }
 
-/// The duration of four swings of the rigid block that is released like this; that of a fall where it
-/// does not swing back.
+/// The duration of four swings of the rigid block that is released like this; that of a fall where
+/// it does not swing back.
 fn natural_duration_s(pivot: &Pivot, start: Start, gravity_m_s2: f64) -> f64 {
     let p = pivot.frequency_parameter_rad_s(gravity_m_s2);
     let free = match start {
@@ -139,12 +138,12 @@ pub fn damped(mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Result<Cu
     } else {
         ContactLaw::Linear { stiffness_n_m }
     };
-    Cushion::new(law).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string()).hint("check the stiffness and the damping of the cushion")
-    })
+    Cushion::new(law)
+        .map_err(|error| Problem::value(error.to_string(), "check the stiffness and the damping of the cushion"))
 }
 
-/// Eq. (5) for a rise of the centre of gravity, on any cushion: the landing of m_eff at the edge's velocity \[m/s²\].
+/// Eq. (5) for a rise of the centre of gravity, on any cushion: the landing of m_eff at the edge's
+/// velocity \[m/s²\].
 pub fn paper_edge_acceleration_m_s2(block: &Block, base: &CompliantBase, cg_rise_m: f64, gravity_m_s2: f64) -> f64 {
     let landing = Landing::rocking(block, ImpactModel::Paper);
     landing.edge_acceleration_m_s2(base.mass_kg, &base.cushion, cg_rise_m, gravity_m_s2)
@@ -216,7 +215,8 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         .key("edge_acceleration_effective_mass_g", damped_m_s2.map(in_g))
         .fact("edge_acceleration_over_paper_ratio", "simulated over Eq. (5)", paper_m_s2.map(|paper| peak_m_s2 / paper))
         .fact("first_impact_over_paper_ratio", "first impact over Eq. (5)", first_over_paper)
-        // Of the rigid base: here the edges slide or hold, and the cushion decides what a landing costs.
+        // Of the rigid base: here the edges slide or hold, and the cushion decides what a landing
+        // costs.
         .key("friction_needed_ratio", Value::Missing)
         .key("impact_friction_needed_ratio", Value::Missing)
         .key("edge_acceleration_impact_velocity_g", Value::Missing)
@@ -269,8 +269,9 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
     warnings.extend(beyond.iter().map(ToString::to_string));
     if is_shaken && !base.cushion.law().is_damped() {
         warnings.push(
-            "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock of a \
-             long history depends on rounding; use a damped law, such as kelvin-voigt with a damping of 5 %"
+            "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock \
+             of a long history depends on rounding; use a damped law, such as `law = \"kelvin-voigt\"` with \
+             `damping = \"5 %\"`"
                 .to_owned(),
         );
     }
@@ -280,7 +281,7 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
     let missing = rocking.energy.residual_ratio;
     if missing > ENERGY_LIMIT {
         warnings.push(format!(
-            "the energy balance has an error of {missing:.1e} of the energy exchanged: use accuracy = tight"
+            "the energy balance has an error of {missing:.1e} of the energy exchanged: use `accuracy = \"tight\"`"
         ));
     }
     warnings
@@ -294,16 +295,17 @@ pub fn problem(error: CompliantError) -> Problem {
         CompliantError::Unstable { .. } => {
             (ProblemKind::Value, "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft")
         }
-        CompliantError::Duration { .. } => (ProblemKind::Value, "give --motion, or --cg-rise or --initial-rotation"),
+        CompliantError::Duration { .. } => (ProblemKind::Value, "give `motion`, `cg_rise` or `initial_rotation`"),
         CompliantError::VerticalMismatch => {
-            (ProblemKind::Value, "resample one of them, so that both have the same step and length")
+            (ProblemKind::Value, "resample one of them so that both have the same step and length")
         }
         CompliantError::StepTooSmall { .. } => {
             (ProblemKind::Computation, "check the units of the motion and of the cushion, and whether it bottoms")
         }
-        CompliantError::TooManySteps { .. } => {
-            (ProblemKind::Computation, "use a shorter --duration or --accuracy fast; a very stiff base is --base rigid")
-        }
+        CompliantError::TooManySteps { .. } => (
+            ProblemKind::Computation,
+            "use a shorter `duration` or `accuracy = \"fast\"`; for a very stiff base use `base = \"rigid\"`",
+        ),
     };
     Problem::new(kind, error.to_string()).hint(hint)
 }
@@ -318,8 +320,8 @@ pub fn accuracy(name: freestand::rocking::Accuracy) -> CompliantAccuracy {
     }
 }
 
-/// A history as CSV: position, edge accelerations, acceleration of the requested point, and the forces
-/// of the contact elements on the object from left to right.
+/// A history as CSV: position, edge accelerations, acceleration of the requested point, and the
+/// forces of the contact elements on the object from left to right.
 pub fn history_csv(history: &[CompliantPoint]) -> String {
     let mut head =
         String::from("time_s,theta_rad,omega_rad_s,x_m,z_m,edge_acceleration_left_g,edge_acceleration_right_g");
@@ -363,8 +365,9 @@ mod tests {
         report.facts.number(name).unwrap()
     }
 
-    /// Eq. (5) at the rise of the release by hand: 4.526 g at 9.81 m/s², √(9.80665/9.81) of the acceleration and the
-    /// unit the other way, so 4.527 at 9.80665; the peak of the first landing is 0.79 of it.
+    /// Eq. (5) at the rise of the release by hand: 4.526 g at 9.81 m/s², √(9.80665/9.81) of the
+    /// acceleration and the unit the other way, so 4.527 at 9.80665; the peak of the first landing
+    /// is 0.79 of it.
     #[test]
     fn a_release_is_compared_with_equation_5() {
         let report = rock_on_cushions(&request(0.0), true).unwrap();

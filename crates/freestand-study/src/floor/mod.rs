@@ -39,11 +39,13 @@ pub struct FloorRequest {
     pub height_m: f64,
     /// Shares of the height.
     pub levels_ratio: Vec<f64>,
-    /// Whether each level is the floor above the one before it, so that their drifts are those of storeys.
+    /// Whether each level is the floor above the one before it, so that their drifts are those of
+    /// storeys.
     pub is_storeys: bool,
     /// Zeros appended to the record \[s\].
     pub tail_s: f64,
-    /// Points in each sample interval at which peaks are taken; the ground is linear between samples.
+    /// Points in each sample interval at which peaks are taken; the ground is linear between
+    /// samples.
     pub upsample: usize,
     /// Response spectra of the floors, where requested.
     pub spectra: Option<SpectraRequest>,
@@ -51,7 +53,8 @@ pub struct FloorRequest {
     pub code: Option<CodeSpectrum>,
 }
 
-/// The ground and every floor of a building as shares of its height: those of its table, or of equal storeys.
+/// The ground and every floor of a building as shares of its height: those of its table, or of
+/// equal storeys.
 pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
     match building.floors_ratio() {
         [] => (0..=storeys).map(|floor| floor as f64 / storeys as f64).collect(),
@@ -59,8 +62,8 @@ pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
     }
 }
 
-/// Accelerations of rigid parts by a code, with `building_period_s` the shorter of the two axes; `None`
-/// for a spectrum that is not from a code.
+/// Accelerations of rigid parts by a code, with `building_period_s` the shorter of the two axes;
+/// `None` for a spectrum that is not from a code.
 pub fn code_parts(
     code: &CodeSpectrum,
     building_height_m: f64,
@@ -148,7 +151,8 @@ pub struct MotionLevel {
     pub pfa_g: f64,
     pub pfa_along_g: f64,
     pub pfa_across_g: Option<f64>,
-    /// Direction of the largest, from the first axis towards the second, 0 to 180; null for one component.
+    /// Direction of the largest, from the first axis towards the second, 0 to 180; null for one
+    /// component.
     pub pfa_direction_deg: Option<f64>,
     pub pfv_m_s: f64,
     pub pfd_m: f64,
@@ -246,8 +250,10 @@ impl AxisFloors {
 fn with_tail(motion: &Motion, tail_s: f64) -> Result<Motion, Problem> {
     motion.with_zero_tail(tail_s).map_err(|error| {
         let message = format!("{tail_s} s of zeros at steps of {} s: {error}", motion.dt_s());
-        Problem::new(ProblemKind::Value, message)
-            .hint("check `tail`, `period` and the time step of the record; ten periods of the building are enough")
+        Problem::value(
+            message,
+            "check `tail`, `period` and the time step of the record; ten periods of the building are enough",
+        )
     })
 }
 
@@ -282,7 +288,8 @@ fn motion_level(
     })
 }
 
-/// The largest value of one history, or the longest vector of two and its direction, 0 to 180 degrees.
+/// The largest value of one history, or the longest vector of two and its direction, 0 to 180
+/// degrees.
 fn largest(histories: &[&[f64]]) -> (f64, Option<f64>) {
     match histories {
         [along, across] => {
@@ -299,7 +306,8 @@ fn late_peak_warning(motion: &str, level_ratio: f64, axes: &[&AxisFloors], index
     let later = axes.iter().filter_map(|axis| Some((axis.within_m_s2.get(index)?, *axis.later_m_s2.get(index)?)));
     let late = later.filter(|(within, later)| later > within).map(|(_, later)| later).reduce(f64::max)?;
     Some(format!(
-        "{motion}, level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with `tail`",
+        "{motion}, level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with \
+         `tail`",
         significant(late / G0_M_S2, 4)
     ))
 }

@@ -1,4 +1,4 @@
-//! Peak floor accelerations up the height of a building.
+//! Peak floor accelerations over the height of a building.
 
 use kuva::plot::scatter::MarkerShape;
 use kuva::render::plots::Plot;
@@ -12,23 +12,24 @@ use freestand_output::figure::style::{Axis, GREY, axes, curve_style, line, marke
 use freestand_output::figure::{Figure, FigureError};
 
 const PANEL_PX: f64 = 420.0;
-/// So few levels are marked one by one.
+/// Up to this many levels are marked one by one.
 const MARKED_LEVELS: usize = 12;
 const QUANTILE_DASH: &str = "3 4";
 const CODE_DASH: &str = "10 6";
 
-/// What a picture of peak floor accelerations shows.
+/// The contents of a figure of peak floor accelerations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfilePicture<'a> {
     /// The title.
     pub title: &'a str,
     /// Levels as shares of the height, in any order.
     pub levels_ratio: &'a [f64],
-    /// Height of the roof \[m\], where it is known; else the shares are drawn.
+    /// Height of the roof \[m\]; `None`: the axis shows shares.
     pub height_m: Option<f64>,
     /// Peak floor accelerations, `[motion][level]` \[g\].
     pub pfa_g: &'a [Vec<f64>],
-    /// Peak ground acceleration of each motion \[g\]; drawn where no level is the ground. May be empty.
+    /// Peak ground acceleration of each motion \[g\]; drawn where no level is the ground. May be
+    /// empty.
     pub pga_g: &'a [f64],
     /// A code's line for parts and components: its name and its points (share of the height, g).
     pub code: Option<(&'a str, &'a [(f64, f64)])>,
@@ -98,8 +99,8 @@ fn caption(picture: &ProfilePicture<'_>, median: &[(f64, f64)]) -> String {
         format!(" Dashed: the acceleration that a rigid part is designed for, {name}.")
     });
     format!(
-        "Largest absolute acceleration of the floors up the height under {motions} from {} g at the lowest level to {} g at \
-         the highest.{code}",
+        "Largest absolute acceleration of the floors over the height under {motions} from {} g at the lowest level \
+         to {} g at the highest.{code}",
         of(median.first()),
         of(median.last())
     )
@@ -109,7 +110,8 @@ fn entry(sign: Sign, words: &str) -> Entry {
     Entry { sign, words: words.into() }
 }
 
-/// Acceleration and height of the levels of one motion, from the lowest up, with the ground where no level is it.
+/// Acceleration and height of the levels of one motion, from the lowest up, with the ground where
+/// no level is the ground.
 fn curve(picture: &ProfilePicture<'_>, motion: &[f64], pga_g: Option<&f64>, scale: f64) -> Vec<(f64, f64)> {
     let levels = picture.levels_ratio.iter().zip(motion);
     let mut points: Vec<(f64, f64)> = levels.map(|(&level, &pfa)| (pfa, scale * level)).collect();
@@ -129,7 +131,7 @@ fn quantile_curve(curves: &[Vec<(f64, f64)>], quantile: f64) -> Vec<(f64, f64)> 
     first.iter().enumerate().filter_map(point).collect()
 }
 
-/// Draws peak floor accelerations up the height of a building.
+/// Draws peak floor accelerations over the height of a building.
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.

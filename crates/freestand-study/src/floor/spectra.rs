@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::statistics::{QUANTILES, ranked_quantile};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_output::facts;
 use freestand_output::facts::table_csv;
 use freestand_records::horizontal::HorizontalMotion;
@@ -21,7 +21,8 @@ pub struct SpectraRequest {
     pub periods_s: Vec<f64>,
 }
 
-/// Floor response spectra: medians over the motions; of two components, of the largest over all directions (RotD100).
+/// Floor response spectra: medians over the motions; of two components, of the largest over all
+/// directions (RotD100).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct SpectraReport {
@@ -42,7 +43,8 @@ pub struct LevelSpectra {
     pub psa_g_p84: Vec<Vec<f64>>,
 }
 
-/// Pseudo-accelerations of a motion \[m/s²\]; of two components, the largest over all directions (RotD100).
+/// Pseudo-accelerations of a motion \[m/s²\]; of two components, the largest over all directions
+/// (RotD100).
 ///
 /// # Errors
 /// Damping outside 0 ≤ ζ < 1, a negative period, components that are not a pair.
@@ -62,8 +64,7 @@ pub fn largest_psa_m_s2(
 
 /// Pseudo-accelerations of one floor, `[damping][period]` \[g\].
 pub(super) fn of_floor(floor: &HorizontalMotion, request: &SpectraRequest) -> Result<Vec<Vec<f64>>, Problem> {
-    let refused =
-        |error: String| Problem::new(ProblemKind::Value, error).hint("damping from 0 to below 1, periods of 0 or more");
+    let refused = |error: String| Problem::value(error, "damping from 0 to below 1, periods of 0 or more");
     let one = |&damping_ratio: &f64| -> Result<Vec<f64>, Problem> {
         let psa_m_s2 =
             largest_psa_m_s2(floor, damping_ratio, &request.periods_s).map_err(|error| refused(error.to_string()))?;

@@ -9,10 +9,10 @@ use freestand_output::figure::style::{Axis, axes, curve_style, decades, line, pl
 use freestand_output::figure::{Figure, FigureError};
 
 const PANEL_PX: f64 = 330.0;
-/// Levels that are drawn; of more, these many from the lowest to the highest.
+/// The largest number of levels that is drawn, from the lowest to the highest.
 const MOST_LEVELS: usize = 6;
 
-/// The spectra of a report; `motions`: of how many they are the median.
+/// The spectra of a report, medians over so many `motions`.
 pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usize) -> Page {
     let drawn = drawn_levels(report.levels.len());
     let positive = || report.periods_s.iter().copied().filter(|&t| t > 0.0);
@@ -57,8 +57,8 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
         name: "spectra".to_owned(),
         title: "Response spectra of the floors".to_owned(),
         caption: format!(
-            "Pseudo-acceleration of a linear oscillator on the ground and on floors against its period, {of}; of two \
-             components, the largest over all directions."
+            "Pseudo-acceleration of a linear oscillator on the ground and on floors against its period, {of}; of \
+             two components, the largest over all directions."
         ),
         legend: legend.collect(),
         row_heights_px: vec![PANEL_PX; panels.len().div_ceil(columns)],
@@ -67,7 +67,7 @@ pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usi
     }
 }
 
-/// The levels that are drawn, of `count`: all, or some evenly from the first to the last.
+/// The drawn levels of `count`: all, or an even selection from the first to the last.
 fn drawn_levels(count: usize) -> Vec<usize> {
     if count <= MOST_LEVELS {
         return (0..count).collect();

@@ -23,7 +23,8 @@ fn request(along: Axis, across: Option<Axis>) -> FloorRequest {
     }
 }
 
-/// AS 1170.4, section 8, Melbourne on De: 0.08 · 1.1 g at the ground, twice that at mid-height, three times at the roof.
+/// AS 1170.4, section 8, Melbourne on De: 0.08 · 1.1 g at the ground, twice that at mid-height,
+/// three times at the roof.
 #[test]
 fn a_codes_parts_are_listed_with_the_floors() {
     let target = crate::target::Target::resolve(&freestand_input::keys::Words::default(), "".as_ref()).unwrap();
@@ -95,7 +96,8 @@ fn of_several_motions_medians_are_reported() {
         [1.0, 3.0, 2.0].map(|scale| floors(&read(1, scale), &request).unwrap().report).into();
     let report = FloorReport::new(&request, motions, None).unwrap();
     for (i, level) in report.levels.iter().enumerate() {
-        // All is linear: the median is that of the factor 2, and 16 and 84 % of 1, 2, 3 are 1.32 and 2.68.
+        // All is linear: the median is that of the factor 2, and 16 and 84 % of 1, 2, 3 are 1.32
+        // and 2.68.
         let one = report.motions[0].levels[i].pfa_g;
         for (name, factor) in [("pfa_g", 2.0), ("pfa_g_p16", 1.32), ("pfa_g_p84", 2.68)] {
             assert!((level.facts.number(name).unwrap() / one - factor).abs() < 1e-12);

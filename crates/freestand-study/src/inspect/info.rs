@@ -23,7 +23,7 @@ use freestand_records::processing::{Processed, process};
 /// Record files to look into.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InfoRequest {
-    /// The files; without a choice of component every one of each file is taken.
+    /// The files; without a chosen component all components of each file.
     pub files: MotionFiles,
     /// The block of the rocking measures.
     pub block: Option<Block>,
@@ -54,18 +54,18 @@ pub struct MotionInfo {
     description: String,
     /// What was done to the samples, one step each.
     processing: Vec<String>,
-    /// What is in it and its measures. First and last values, mean and sum are those of the file; the
-    /// measures, and the values called processed, those of the motion after `processing`.
+    /// What is in it and its measures. First and last values, mean and sum are those of the file;
+    /// the measures, and the values called processed, those of the motion after `processing`.
     facts: Facts<'static>,
-    /// The motion, where it was to be kept.
+    /// The motion, where it was kept.
     motion: Option<Motion>,
 }
 
 /// Reads the files, on the threads of the current pool; the report does not depend on their number.
 ///
 /// # Errors
-/// Everything that is wrong with the only file, or with all of several; otherwise the report lists the
-/// files that failed.
+/// Everything that is wrong with the only file, or with all of several; otherwise the report lists
+/// the files that failed.
 pub fn info(request: &InfoRequest) -> Result<InfoReport, Vec<Problem>> {
     let each: Vec<_> = request.files.paths.par_iter().map(|path| info_of_file(path, request)).collect();
     let mut report = InfoReport { motions: Vec::new(), failed: Vec::new(), warnings: Vec::new() };
@@ -228,7 +228,7 @@ impl MotionInfo {
         named.and(self.facts.clone())
     }
 
-    /// The motion as a figure; nothing where it was not kept.
+    /// The motion as a figure; `None` where it was not kept.
     ///
     /// # Errors
     /// What the plot library says when it cannot draw.

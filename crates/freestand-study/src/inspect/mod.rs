@@ -1,5 +1,5 @@
-//! What is in record files, the response spectrum of one of them and those of two components over all directions: request
-//! → report.
+//! What is in record files, the response spectra of one motion and those of two components over all
+//! directions: request → report.
 
 mod failed;
 mod info;

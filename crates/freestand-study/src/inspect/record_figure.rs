@@ -1,4 +1,4 @@
-//! One motion: acceleration, velocity, displacement, and where its energy lies.
+//! One motion: acceleration, velocity, displacement, and the build-up of its energy.
 
 use freestand::G0_M_S2;
 use kuva::plot::scatter::MarkerShape;
@@ -16,7 +16,7 @@ use freestand_output::figure::style::{Axis, DARK, curve_style, line, markers, pl
 use freestand_output::figure::time::{stacked_with_title, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
 
-/// Heights of the panels; the lowest carries the label of the axis \[px\].
+/// Heights of the panels; the lowest includes the label of the axis \[px\].
 const PANELS_PX: [f64; 4] = [200.0, 160.0, 160.0, 196.0];
 const SHADE: &str = "#0072b2";
 const SHADE_OPACITY: f64 = 0.09;
@@ -43,15 +43,15 @@ pub(crate) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
         entry(Sign::Shade { colour: SHADE, opacity: SHADE_OPACITY }, "5–95 % of the Arias intensity"),
     ];
     let done = if words.processing.is_empty() {
-        "nothing was done to its samples".to_owned()
+        "its samples were not processed".to_owned()
     } else {
-        format!("what was done to it: {}", words.processing.join("; "))
+        format!("processing: {}", words.processing.join("; "))
     };
     let about = if words.description.is_empty() { String::new() } else { format!(" ({})", words.description) };
     let caption = format!(
-        "The motion “{}”{about}, {} samples every {} s; {done}. Acceleration, velocity and displacement are the samples and \
-         their integrals from rest by the trapezoid rule, with no further baseline correction. The lowest panel is the \
-         Husid curve, the share of ∫a² dt reached; between 5 and 95 % lie {} s.",
+        "The motion “{}”{about}, {} samples every {} s; {done}. Acceleration, velocity and displacement are the \
+         samples and their integrals from rest by the trapezoid rule, without further baseline correction. The \
+         lowest panel is the Husid curve, the share of ∫a² dt reached so far; it takes {} s from 5 to 95 %.",
         words.name,
         accel_g.len(),
         number(dt_s, 6),
@@ -68,7 +68,7 @@ pub(crate) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
     }
 }
 
-/// One quantity against time: the name of its peak, its own, its units.
+/// One quantity against time: the name of its peak, its own name, its units.
 fn history(
     values: &[f64],
     dt_s: f64,
@@ -92,7 +92,7 @@ fn history(
     Panel { plots: vec![curve, mark], layout }
 }
 
-/// The first value of largest size, and its index.
+/// The first value of the largest magnitude, and its index.
 fn largest(values: &[f64]) -> (usize, f64) {
     values.iter().enumerate().fold(
         (0, 0.0),
@@ -102,7 +102,7 @@ fn largest(values: &[f64]) -> (usize, f64) {
     )
 }
 
-/// Digits behind the point that tell samples apart.
+/// Decimals that distinguish samples.
 fn decimals(dt_s: f64) -> usize {
     (-dt_s.log10()).ceil().clamp(0.0, 4.0) as usize
 }
@@ -135,7 +135,7 @@ pub fn record_figure(words: Words<'_>, motion: &Motion) -> Result<Figure, Figure
     draw(record("record".to_owned(), words, motion))
 }
 
-/// What is said about a motion in its figure.
+/// The texts of the figure of a motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Words<'a> {
     /// Its name.

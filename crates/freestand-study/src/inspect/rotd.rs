@@ -5,7 +5,7 @@ use freestand::signal::rotate::{Pair, directional_spectrum};
 use serde::{Serialize, Serializer};
 
 use crate::pair::ReadPair;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_output::rows::columns_csv;
 use freestand_records::processing::{not_perpendicular, process_pair, short_period_warning};
 
@@ -28,7 +28,7 @@ pub struct RotdReport {
     pub components: [String; 2],
     pub damping_ratio: f64,
     pub periods_s: Vec<f64>,
-    /// In the order asked for; `rotd50_g` and so on stand beside the periods.
+    /// In the order requested; the document has `rotd50_g` and so on next to the periods.
     #[serde(flatten, serialize_with = "by_name")]
     pub rotd: Vec<PercentileSpectrum>,
     pub first_g: Vec<f64>,
@@ -50,15 +50,15 @@ pub struct PercentileSpectrum {
     pub psa_g: Vec<f64>,
 }
 
-/// Computes the response spectra of a pair over all directions; the means of raw components are removed before.
+/// Computes the response spectra of a pair over all directions, after removing the means of raw
+/// components.
 ///
 /// # Errors
-/// No two components, or ones with different steps; a scale to a target, damping, a period or a percentile that cannot be
-/// meant.
+/// Not two components, or components with different steps; a scale to a target; an invalid damping,
+/// period or percentile.
 pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Problem> {
     if let Some(twice) = repeated(&request.percentiles) {
-        return Err(Problem::new(ProblemKind::Value, format!("percentile {twice} is asked for twice"))
-            .hint("name each percentile once"));
+        return Err(Problem::value(format!("percentile {twice} is requested twice"), "name each percentile once"));
     }
     let (first, second) = read.components()?;
     let names = read.names((first, second));
@@ -67,8 +67,10 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
     let spectrum = Pair::new(&one.motion, &two.motion)
         .and_then(|pair| directional_spectrum(&pair, request.damping_ratio, &request.periods_s, &request.percentiles))
         .map_err(|error| {
-            Problem::new(ProblemKind::Value, error.to_string())
-                .hint("damping from 0 to below 1, periods of 0 or more, percentiles from 0 to 100, one time step")
+            Problem::value(
+                error.to_string(),
+                "damping from 0 to below 1, periods of 0 or more, percentiles from 0 to 100, one time step",
+            )
         })?;
     let in_g = |values: &[f64]| values.iter().map(|a| a / G0_M_S2).collect::<Vec<f64>>();
     let ranked = request.percentiles.iter().zip(&spectrum.rotd_m_s2);
@@ -91,14 +93,14 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
     })
 }
 
-/// The first value that stands there before.
+/// The first value that occurs a second time.
 fn repeated(values: &[f64]) -> Option<f64> {
     let is_repeated = |&(index, value): &(usize, &f64)| values.iter().take(index).any(|before| before == value);
     values.iter().enumerate().find(is_repeated).map(|(_, value)| *value)
 }
 
 impl PercentileSpectrum {
-    /// `rotd50_g`, as documents and tables have it.
+    /// `rotd50_g`, as in documents and tables.
     pub fn name(&self) -> String {
         // Minus zero is zero.
         format!("rotd{}_g", self.percentile + 0.0)
@@ -110,7 +112,7 @@ fn by_name<S: Serializer>(spectra: &[PercentileSpectrum], serializer: S) -> Resu
 }
 
 impl RotdReport {
-    /// Periods and spectra with their names, RotDnn in the order asked for.
+    /// Periods and spectra with their names, RotDnn in the order requested.
     pub fn columns(&self) -> Vec<(String, &[f64])> {
         let mut columns = vec![("period_s".to_owned(), self.periods_s.as_slice())];
         columns.extend(self.rotd.iter().map(|one| (one.name(), one.psa_g.as_slice())));

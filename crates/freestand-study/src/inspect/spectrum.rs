@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::inspect::{Words, response_spectrum_figure};
 use crate::recorded::ReadMotion;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::columns_csv;
 use freestand_records::processing::{few_steps, samples_needed};
@@ -20,7 +20,8 @@ pub struct SpectrumRequest {
     pub damping_ratios: Vec<f64>,
     /// Periods; 0 is the rigid oscillator \[s\].
     pub periods_s: Vec<f64>,
-    /// Samples in place of each, on the band-limited curve through them; 1: as they are.
+    /// How many samples replace each one, on the band-limited curve through them; 1: none are
+    /// added.
     pub upsample: usize,
 }
 
@@ -32,10 +33,10 @@ pub struct SpectrumReport {
     pub name: String,
     pub upsample: usize,
     pub processing: Vec<String>,
-    /// The factor on the samples, with every digit.
+    /// The factor applied to the samples, with all digits.
     pub scale_ratio: f64,
     pub periods_s: Vec<f64>,
-    /// That of the first damping; its four arrays stand beside the periods.
+    /// That of the first damping; its four arrays are next to the periods in the document.
     #[serde(flatten)]
     pub first: DampedSpectrum,
     /// Those of the other dampings.
@@ -55,7 +56,7 @@ pub struct DampedSpectrum {
     pub sa_g: Vec<f64>,
 }
 
-/// Whether a motion of so many samples may have `factor` in place of each; 0 and 1 change nothing.
+/// Checks that a motion of so many samples can be upsampled by `factor`; 0 and 1 change nothing.
 ///
 /// # Errors
 /// More than [`MAX_LENGTH`] samples, the bound of resampling.
@@ -64,36 +65,33 @@ pub fn check_upsampling(factor: usize, samples: usize) -> Result<(), Problem> {
         return Ok(());
     }
     let message =
-        format!("{factor} samples in place of each of {samples} are more than resampling takes ({MAX_LENGTH})");
-    Err(Problem::new(ProblemKind::Value, message).hint(ENOUGH))
+        format!("{factor} samples in place of each of {samples} are more than resampling allows ({MAX_LENGTH})");
+    Err(Problem::value(message, ENOUGH))
 }
 
-const ENOUGH: &str = "ten samples in the shortest period are enough for 5 % (--upsample)";
+const ENOUGH: &str = "ten samples in the shortest period are enough for a damping of 5 % (`upsample`)";
 
 /// Computes the response spectra of a motion.
 ///
 /// # Errors
-/// Dampings or periods that no oscillator has, or more samples than can be held.
+/// Invalid dampings or periods, or too many samples.
 pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<SpectrumReport, Problem> {
     let recorded = &read.motion;
     check_upsampling(request.upsample, recorded.motion.accel_m_s2().len())?;
     let motion = upsampled_sinc(&recorded.motion, request.upsample)
-        .map_err(|error| Problem::new(ProblemKind::Value, error.to_string()).hint(ENOUGH))?;
+        .map_err(|error| Problem::value(error.to_string(), ENOUGH))?;
     let mut processing = recorded.processing.clone();
     if request.upsample > 1 {
         processing.push(format!("upsampled {} times by sinc interpolation", request.upsample));
     }
     let of = |damping_ratio: f64| {
-        let spectrum = response_spectrum(&motion, damping_ratio, &request.periods_s).map_err(|error| {
-            Problem::new(ProblemKind::Value, error.to_string()).hint("damping from 0 to below 1, periods of 0 or more")
-        })?;
+        let spectrum = response_spectrum(&motion, damping_ratio, &request.periods_s)
+            .map_err(|error| Problem::value(error.to_string(), "damping from 0 to below 1, periods of 0 or more"))?;
         Ok(DampedSpectrum::new(damping_ratio, &spectrum))
     };
     let all: Vec<Result<DampedSpectrum, Problem>> = request.damping_ratios.par_iter().map(|&ratio| of(ratio)).collect();
     let mut all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
-    let first = all
-        .next()
-        .ok_or_else(|| Problem::new(ProblemKind::Value, "a spectrum needs a damping ratio").hint("5 % is usual"))?;
+    let first = all.next().ok_or_else(|| Problem::value("a spectrum needs a damping ratio", "5 % is usual"))?;
     let mut warnings = read.notes.clone();
     warnings.extend(short_period_note(&request.periods_s, recorded.motion.dt_s(), request.upsample));
     Ok(SpectrumReport {
@@ -109,13 +107,13 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
     })
 }
 
-/// What is said of periods with fewer than ten samples; here more of them can be had.
+/// A warning about periods with fewer than ten samples, with the upsampling that gives ten.
 fn short_period_note(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<String> {
     let (shortest_s, needed) = samples_needed(periods_s, dt_s, upsample)?;
     let given = if upsample > 1 { format!(", in {upsample} parts each") } else { String::new() };
     Some(format!(
-        "{}{given}: there the record says little and peaks are missed; {needed} samples in place of each (--upsample) would \
-         give it ten",
+        "{}{given}: the spectrum is inaccurate there, because peaks between samples are missed; `upsample = \
+         {needed}` would give it ten",
         few_steps("the shortest period", shortest_s, dt_s)
     ))
 }

@@ -16,7 +16,7 @@ use freestand_output::figure::{Figure, FigureError};
 /// Heights of the panels \[px\].
 const PANELS_PX: [f64; 3] = [260.0, 180.0, 215.0];
 
-/// So few periods are marked one by one; a single one has no line.
+/// Up to this many periods are marked one by one; a single period has no line.
 const MARKED_PERIODS: usize = 12;
 
 /// PSA, PSV and SD against period.
@@ -42,14 +42,14 @@ pub(crate) fn response_spectrum(words: Words<'_>, periods_s: &[f64], spectra: &[
     let done = if words.processing.is_empty() {
         String::new()
     } else {
-        format!(" What was done to the motion: {}.", words.processing.join("; "))
+        format!(" Processing: {}.", words.processing.join("; "))
     };
     Page {
         name: "spectrum".to_owned(),
         title: plain(&format!("Response spectrum of {}", shorten(words.name))),
         caption: format!(
-            "Pseudo-acceleration, pseudo-velocity and relative displacement of a linear oscillator under the motion “{}” \
-             against its period. The largest values are those at the samples.{done}",
+            "Pseudo-acceleration, pseudo-velocity and relative displacement of a linear oscillator under the motion \
+             “{}” against its period. Peaks are taken at the samples.{done}",
             words.name
         ),
         panels,
@@ -76,7 +76,7 @@ fn panel(
         .flat_map(|(i, spectrum)| {
             let all = periods_s.iter().copied().zip(values(spectrum).iter().map(|value| factor * value));
             let mut points: Vec<(f64, f64)> = all.filter(|p| p.0 > 0.0).collect();
-            // Periods may be asked for in any order.
+            // Periods may be given in any order.
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             let logarithms = points.into_iter().map(|(t, value)| (t.ln(), value));
             let thinned = thin(logarithms, x.from.ln(), x.to.ln());

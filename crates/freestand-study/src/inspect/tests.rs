@@ -64,7 +64,8 @@ fn values_are_those_of_the_file_and_measures_those_after_the_processing() {
     assert_eq!(one["pga_index"], 2);
     assert_eq!(one["processing"], serde_json::json!(["multiplied by -2"]));
     assert_eq!((number("uplift_threshold_g"), number("excursions_above_threshold")), (Some(0.5), Some(2.0)));
-    // −1 g at 0.5 s beyond −0.5 g from 0.25 s to 0.5 s + (0.5/3)·0.5 s; +2 g beyond 0.5 g from there + 1/3 to 1.375 s.
+    // −1 g at 0.5 s beyond −0.5 g from 0.25 s to 0.5 s + (0.5/3)·0.5 s; +2 g beyond 0.5 g from
+    // there + 1/3 to 1.375 s.
     let want = (0.5 + 0.25 / 3.0 - 0.25) + (1.375 - (0.5 + 0.25));
     assert!((number("time_above_threshold_s").unwrap() - want).abs() < 1e-14);
     assert_eq!(number("pga_over_threshold_ratio"), Some(4.0));
@@ -84,7 +85,7 @@ fn broken_files_are_listed_beside_what_could_be_read() {
     assert!(report.failed[0].reason.starts_with("line 3: "), "{:?}", report.failed);
     assert!(report.failed[0].problem.to_string().contains("a.csv:3: ") && report.failed[0].problem.hint.is_some());
     assert_eq!(String::from_utf8(report.measures_csv().unwrap()).unwrap().lines().count(), 3);
-    // Nothing is left to report of one file or of broken ones only.
+    // Of broken files only, or of one, there is nothing to report.
     request.files.paths.remove(1);
     let problems = info(&request).unwrap_err();
     let files: Vec<_> = problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
@@ -146,12 +147,13 @@ fn short_periods_are_warned_about_unless_there_are_samples_enough() {
     // Ten steps of 0.02 s are 0.2 s; half of that needs twice the samples.
     assert!(warnings(&[0.0, 0.2, 1.0], 1).is_empty());
     let found = warnings(&[0.1, 1.0], 1);
-    assert!(found[0].contains("0.1 s") && found[0].contains("; 2 samples in place of each "), "{found:?}");
+    assert!(found[0].contains("0.1 s") && found[0].contains("`upsample = 2`"), "{found:?}");
     assert!(warnings(&[0.1, 1.0], 2).is_empty());
 }
 
-/// A sine of 20 Hz in 100 samples a second, fading in and out, resonates at T = 0.05 s: PSA near 1/(2ζ) = 10 times. On
-/// the straight lines between five samples a cycle its fundamental is smaller by sinc²(0.2) = 0.875.
+/// A sine of 20 Hz in 100 samples a second, fading in and out, resonates at T = 0.05 s: PSA near
+/// 1/(2ζ) = 10 times. On the straight lines between five samples a cycle its fundamental is smaller
+/// by sinc²(0.2) = 0.875.
 #[test]
 fn upsampling_follows_the_curve_and_not_the_lines() {
     let (dt_s, f_hz) = (0.01, 20.0);
@@ -162,7 +164,8 @@ fn upsampling_follows_the_curve_and_not_the_lines() {
         spectrum(&motion, &request).unwrap().first.psa_g[0]
     };
     let exact = of(dt_s / 64.0, 64_000, 1);
-    // 10 samples a cycle from 2, 50 from 10: straight lines lose 1 − sinc²(1/50) = 0.13 %, peaks at samples 0.2 %.
+    // 10 samples a cycle from 2, 50 from 10: straight lines lose 1 − sinc²(1/50) = 0.13 %, peaks at
+    // samples 0.2 %.
     assert!((of(dt_s, 1000, 10) / exact - 1.0).abs() < 4e-3);
     assert!((of(dt_s, 1000, 1) / exact - 0.875).abs() < 0.05);
 }
@@ -174,7 +177,7 @@ fn samples_are_refined_up_to_the_one_bound_of_resampling() {
     assert_eq!(check_upsampling(1, MAX_LENGTH + 1), Ok(()));
     for (factor, samples) in [(2, MAX_LENGTH / 2 + 1), (usize::MAX, 2)] {
         let problem = check_upsampling(factor, samples).unwrap_err();
-        assert!(problem.message.ends_with("more than resampling takes (25000000)"), "{problem}");
+        assert!(problem.message.ends_with("more than resampling allows (25000000)"), "{problem}");
         assert!(!problem.message.contains("--"), "{problem}");
     }
     let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s: vec![1.0], upsample: MAX_LENGTH };
@@ -198,7 +201,8 @@ fn short_periods_over_directions_are_warned_of_too() {
     assert!(warnings(0.09)[0].starts_with("the shortest period of the spectrum, 0.09 s, has fewer than ten steps"));
 }
 
-/// Two files of one component each, of one name: what is done to either is said once, by the name of its file.
+/// Two files of one component each, of one name: what is done to either is said once, by the name
+/// of its file.
 #[test]
 fn pair_warnings_are_said_once_with_their_files() {
     let folder = tempfile::tempdir().unwrap();
@@ -239,8 +243,9 @@ fn spectra_over_directions_keep_the_order_of_the_percentiles() {
     let csv = String::from_utf8(report.csv().unwrap()).unwrap();
     let header = "period_s,rotd50_g,rotd100_g,rotd0_g,rotd16.5_g,larger_g,geometric_mean_g,first_g,second_g\n0,";
     assert!(csv.starts_with(header), "{csv}");
-    // One sample of 0.3 g and 0.4 g is 0.5 g along its direction, which is at most half a degree from one that is
-    // looked into, and 0.5·|cos| over all: its median over the half circle is 0.5·cos 45°, within a degree.
+    // One sample of 0.3 g and 0.4 g is 0.5 g along its direction, which is at most half a degree
+    // from one that is looked into, and 0.5·|cos| over all: its median over the half circle is
+    // 0.5·cos 45°, within a degree.
     let largest = report.rotd[1].psa_g[0];
     assert!(largest <= 0.5 + 1e-15 && largest > 0.5 * 0.5_f64.to_radians().cos(), "{largest}");
     assert!((report.rotd[0].psa_g[0] - 0.5 * 0.5_f64.sqrt()).abs() < 0.5 * 1f64.to_radians());
@@ -255,8 +260,8 @@ fn spectra_over_directions_keep_the_order_of_the_percentiles() {
 #[test]
 fn what_no_spectrum_over_directions_has_is_refused() {
     let refused = |percentiles: &[f64], processing| directions(LEVEL, percentiles, processing).unwrap_err().message;
-    assert_eq!(refused(&[50.0, 0.0, 50.0], Processing::default()), "percentile 50 is asked for twice");
-    assert_eq!(refused(&[0.0, -0.0], Processing::default()), "percentile -0 is asked for twice");
+    assert_eq!(refused(&[50.0, 0.0, 50.0], Processing::default()), "percentile 50 is requested twice");
+    assert_eq!(refused(&[0.0, -0.0], Processing::default()), "percentile -0 is requested twice");
     assert!(refused(&[101.0], Processing::default()).contains("from 0 to 100"));
     let scale = Scale::Peak { target_m_s2: 1.0 };
     assert!(refused(&[50.0], Processing { scale, ..Processing::default() }).contains("no one factor"));

@@ -1,5 +1,5 @@
-//! Cushion curves of packaging: from drops on a foam (ASTM D1596) to one stress–energy curve, and from
-//! it to the thickness and the load that keep a shock below a limit.
+//! Cushion curves of packaging: from drops on a foam (ASTM D1596) to one stress–energy curve, and
+//! from it to the thickness and the load that keep a shock below a limit.
 
 use std::cell::RefCell;
 use std::path::Path;
@@ -37,14 +37,15 @@ pub struct CurveReport {
 /// Reads the tests of a cushion and fits its curve.
 ///
 /// # Errors
-/// A file without such tests, tests without a drop height or a thickness, or tests that give no curve.
+/// A file without such tests, tests without a drop height or a thickness, or tests that give no
+/// curve.
 pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport, Problem> {
     let mut tests = Vec::new();
     for row in load_curve(path)? {
         let stated = |value: Option<f64>, asked: Option<f64>, what: &str, key: &str| {
             value.or(asked).ok_or_else(|| {
                 let problem = Problem::new(ProblemKind::Value, format!("the {what} of the tests is not known"));
-                problem.in_file(path).hint(format!("give {key}, or a column with it"))
+                problem.in_file(path).hint(format!("give `{key}`, or a column with it"))
             })
         };
         let drop_height_m = stated(row.drop_height_m, request.drop_height_m, "drop height", "drop_height")?;
@@ -76,7 +77,8 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
         let energy = stress_pa * height_m / thickness_m;
         if !(least * 0.999..=most * 1.001).contains(&energy) {
             warn(format!(
-                "{what} needs the curve at {energy:.4e} J/m³, but the tests cover {least:.4e} to {most:.4e}: it is extrapolated"
+                "{what} needs the curve at {energy:.4e} J/m³, but the tests cover {least:.4e} to {most:.4e}: it is \
+                 extrapolated"
             ));
         }
     };
@@ -94,7 +96,8 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     match needed {
         Some((Some(t), s, h)) => within("the thickness", s, h, t),
         Some((None, ..)) => warn(
-            "no thickness keeps the limit at this static stress: the load is too light for this cushion; reduce its area"
+            "no thickness keeps the limit at this static stress: the load is too light for this cushion; reduce its \
+             area"
                 .to_owned(),
         ),
         None => {}
@@ -108,8 +111,8 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     }
     if fit.r_squared_ratio < 0.9 {
         warn(format!(
-            "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not hold for all heights and \
-             thicknesses",
+            "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not hold for all heights \
+             and thicknesses",
             fit.r_squared_ratio
         ));
     }
@@ -145,8 +148,8 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
 mod tests {
     use super::*;
 
-    /// a = 100 kPa, b = 2e-5 m³/J: from 100 mm the least peak on 20 mm is 27.1828 g at 10 kPa, which makes 20 mm the
-    /// optimum for that limit.
+    /// a = 100 kPa, b = 2e-5 m³/J: from 100 mm the least peak on 20 mm is 27.1828 g at 10 kPa,
+    /// which makes 20 mm the optimum for that limit.
     #[test]
     fn the_optimum_of_a_known_curve() {
         let foam = StressEnergy { stress_pa: 1e5, exponent_m3_j: 2e-5 };

@@ -1,4 +1,5 @@
-//! Tests of cushions: loops of drop tests as in the paper's Figs. 5 and 6, static curves as in Fig. 4.
+//! Tests of cushions: loops of drop tests as in the paper's Figs. 5 and 6, static curves as in Fig.
+//! 4.
 
 use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion};
@@ -19,7 +20,8 @@ const PANEL_PX: f64 = 430.0;
 /// The largest number of tests that have a line of their own in the legend.
 const MAX_NAMES: usize = 8;
 
-/// Force against compression, and acceleration against compression, of all drops, with the fitted laws.
+/// Force against compression, and acceleration against compression, of all drops, with the fitted
+/// laws.
 pub(crate) fn drops(report: &DropsReport) -> Vec<Page> {
     let has_loop = |drop: &&DropReport| drop.test.points.len() > 1;
     let tests: Vec<&DropReport> = report.tests.iter().filter(has_loop).collect();
@@ -53,8 +55,8 @@ fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Draw
         title: plain(title),
         caption:
             "Loops of the drop tests. Compression: the acceleration integrated twice over the contact; force: mass \
-                  times acceleration above the zero line. The dashed line is the law that was fitted to the pulse, \
-                  over one landing."
+             times acceleration above the zero line. The dashed line is the law that was fitted to the pulse, over \
+             one landing."
                 .to_owned(),
         panels: vec![panel],
         columns: 1,
@@ -142,9 +144,9 @@ pub(crate) fn statics(report: &StaticsReport) -> Page {
     Page {
         name: "static".to_owned(),
         title: plain("Static force and compression"),
-        caption:
-            "Static tests, corrected for machine and toe: loading and unloading, and the tangents at the working load."
-                .to_owned(),
+        caption: "Static tests, corrected for machine and toe: loading and unloading, and the tangents at the \
+                  working load."
+            .to_owned(),
         panels: vec![panel(&curves, &tangents, "Force (N)")],
         columns: 1,
         row_heights_px: vec![PANEL_PX],

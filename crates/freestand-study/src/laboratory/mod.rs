@@ -1,5 +1,5 @@
-//! The laboratory: cushions from drop tests, static tests and stress–energy curves, and virtual tests
-//! of these methods.
+//! The laboratory: cushions from drop tests, static tests and stress–energy curves, and virtual
+//! tests of these methods.
 
 pub mod cushion_curve;
 pub mod drop_test;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use freestand::identify::{StaticError, StaticOptions, StaticTest, static_test};
 
 use super::{Failed, is_sphere};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
@@ -26,7 +26,8 @@ pub struct StaticRequest {
     pub load_n: Option<f64>,
     /// Stiffness of the machine \[N/m\].
     pub machine_stiffness_n_m: Option<f64>,
-    /// `Some(false)`: the toe of the curve is kept; `None`: it is removed unless the impactor is a sphere.
+    /// `Some(false)`: the toe of the curve is kept; `None`: it is removed unless the impactor is a
+    /// sphere.
     pub compensates_toe: Option<bool>,
     /// Flat or sphere; overrides the file.
     pub impactor: Option<String>,
@@ -124,8 +125,8 @@ fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
     let least_m = (NOISE_ERRORS * report.test.toe_error_m).max(NEGATIVE_TOE_SHARE * report.test.max_compression_m);
     if report.test.toe_m < -least_m {
         say(format!(
-            "the tangent meets zero force {} mm before the first point: this indicates a preload or a pad that softens; \
-             with toe = keep the secant starts at the first point",
+            "the tangent meets zero force {} mm before the first point: this indicates a preload or a pad that \
+             softens; with `toe = \"keep\"` the secant starts at the first point",
             significant(-1e3 * report.test.toe_m, 3)
         ));
     }
@@ -155,14 +156,14 @@ fn problem(error: &StaticError) -> Problem {
         StaticError::TooFew { .. } => "record more points while loading",
         StaticError::NotFinite { .. } => "repair the file",
         StaticError::NoForce { .. } => "compression must be positive: reverse the signs of the columns",
-        StaticError::Load { .. } => "give a load that the test reached",
+        StaticError::Load { .. } => "give a `load` that the test reached",
         StaticError::NotRising { .. } => "check which columns are force and displacement, and their signs",
-        StaticError::Foot { .. } => "unload between the cycles, or give a higher load",
+        StaticError::Foot { .. } => "unload between the cycles, or give a higher `load`",
         StaticError::Machine { .. } => {
-            "check machine_compliance: it is the stiffness of the frame, such as \"50 kN/mm\""
+            "check `machine_compliance`: it is the stiffness of the frame, such as \"50 kN/mm\""
         }
     };
-    Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
+    Problem::value(error.to_string(), hint)
 }
 
 /// Compression and force of a test, corrected for machine and toe, as CSV.

@@ -23,8 +23,10 @@ pub const VELOCITY_ERROR_RATIO: f64 = 0.01;
 /// A record of more than five million samples.
 pub fn drop_file(cushion: &Cushion, options: &VirtualDropOptions) -> Result<(String, VirtualDrop), Problem> {
     let drop = virtual_drop(cushion, options).ok_or_else(|| {
-        Problem::new(ProblemKind::Value, "the record would have more than five million samples")
-            .hint("reduce sample_rate, pre_trigger or bounces")
+        Problem::value(
+            "the record would have more than five million samples",
+            "reduce `sample_rate`, `pre_trigger` or `bounces`",
+        )
     })?;
     let height_m = options.speed_m_s.powi(2) / (2.0 * G0_M_S2);
     let mut text = format!("# virtual drop test\n# mass: {} kg\n# height: {} m\n", options.mass_kg, tidy(height_m));
@@ -75,7 +77,8 @@ pub struct RecoveryRequest {
 }
 
 impl RecoveryRequest {
-    /// A pad of each law under 0.365 kg from 100 mm, 100 drops a cell, at usual rates, noise and bias; seed 1.
+    /// A pad of each law under 0.365 kg from 100 mm, 100 drops in each cell, at usual rates, noise
+    /// and bias; seed 1.
     ///
     /// # Errors
     /// None: the pads are fixed.
@@ -103,7 +106,7 @@ impl RecoveryRequest {
     }
 }
 
-/// Damping of virtual pads whose law has some, where nobody says how much: law, key and value. As in
+/// Damping of virtual pads whose law has some, where it is not given: law, key and value. As in
 /// [`RecoveryRequest::worked_example`].
 pub const ASSUMED_DAMPING: [(&str, &str, &str); 2] =
     [("kelvin-voigt", "damping", "10 %"), ("hunt-crossley", "dissipation", "0.3 s/m")];
@@ -126,8 +129,8 @@ struct Found {
 /// Drops every cushion at every rate, noise, bias and zero shift, and identifies it; `progress` is
 /// called after every cell. Returns the rows of a table.
 ///
-/// The stated impact velocity has a random error of 1 % in every drop, as the identification assumes:
-/// without it the intervals, which include it, would cover too often.
+/// The stated impact velocity has a random error of 1 % in every drop, as the identification
+/// assumes: without it the intervals, which include it, would cover too often.
 pub fn recovery(request: &RecoveryRequest, progress: &(dyn Fn(usize) + Sync)) -> Vec<Facts<'static>> {
     let mut rows = Vec::new();
     for cushion in &request.cushions {
@@ -271,8 +274,8 @@ mod tests {
         }
     }
 
-    /// A virtual file is read again with what its comments say: k within 2 %, which is ten times what noise of 0.5 % at
-    /// 64 samples does, and in the interval.
+    /// A virtual file is read again with what its comments say: k within 2 %, which is ten times
+    /// what noise of 0.5 % at 64 samples does, and in the interval.
     #[test]
     fn a_virtual_file_gives_its_stiffness() {
         let folder = tempfile::tempdir().unwrap();
@@ -301,8 +304,8 @@ mod tests {
         assert_eq!(words.get("law"), Some("linear"));
     }
 
-    /// One cell of the table, whose numbers follow from the seed: all drops give a stiffness, and no fewer than three
-    /// standard deviations below 95 % of 40 intervals hold it.
+    /// One cell of the table, whose numbers follow from the seed: all drops give a stiffness, and
+    /// no fewer than three standard deviations below 95 % of 40 intervals hold it.
     #[test]
     fn a_cell_of_the_recovery_table() {
         let request = RecoveryRequest {

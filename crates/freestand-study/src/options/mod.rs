@@ -144,8 +144,9 @@ mod tests {
         }
         assert_eq!(
             problems("[objects]\nheights_mm = \"500 mm, 1 m\"\n"),
-            ["s.toml:2: heights_mm: \"500 mm\" is not a number | the unit is stated already (mm): write the \
-              number alone"]
+            [
+                "s.toml:2: heights_mm: \"500 mm\" is not a number | the unit is already stated (mm): write only the number"
+            ]
         );
     }
 
@@ -163,7 +164,7 @@ mod tests {
                 "s.toml:7: storey_height: \"3.2\" needs a unit | write \"3.2 m\" or \"3.2 mm\"",
                 "s.toml:8: levels must be a list, not 4 | write levels = [{ name = \"roof\", level_ratio = 1.0 }]",
                 "s.toml:11: mass and mass_kg both state the same value | keep one of them",
-                "s.toml:10: mass: \"3 m\" is a length, a mass is expected | known units: kg, t",
+                "s.toml:10: mass: \"3 m\" is a length, not a mass | known units: kg, t",
                 "s.toml:4: unknown table [bulding] | did you mean [building]?",
             ]
         );

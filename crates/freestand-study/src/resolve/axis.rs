@@ -1,12 +1,12 @@
 //! Resolves the building of `[building]` along each horizontal axis.
 
-use freestand::building::Damping;
+use freestand::building::{Damping, MAX_MODES};
 use freestand::code_spectrum::{FrameKind, fundamental_period_s};
 
 use super::{MAX_STOREYS, Resolver, or};
 use crate::building::{
     Axis, AxisModel, AxisRequest, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M,
-    DEFAULT_STOREYS, MAX_MODES, axis,
+    DEFAULT_STOREYS, axis,
 };
 use crate::options::{AxisOptions, BuildingOptions};
 use crate::study::BuildingInput;
@@ -96,7 +96,7 @@ impl Resolver<'_> {
         self.positive(&written.period_s, "period", Dimension::Time);
         self.require(&written.damping, |zeta| (0.0..1.0).contains(&zeta), "damping", "a ratio from 0 to below 1");
         self.require(&written.shear_flexure, |a| a >= 0.0 && a.is_finite(), "shear_flexure", "0 or more");
-        self.require(&written.modes, |n| (1..=MAX_MODES).contains(&n), "modes", "a whole number from 1 to 50");
+        self.require(&written.modes, |n| (1..=MAX_MODES as u64).contains(&n), "modes", "a whole number from 1 to 50");
         self.exclusive(("period", &written.period_s), ("frame", &written.frame));
         self.exclusive(("storey_table", &written.storey_table), ("mode_table", &written.mode_table));
         self.exclusive(("modes", &written.modes), ("mode_table", &written.mode_table));

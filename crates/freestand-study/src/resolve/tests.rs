@@ -92,7 +92,7 @@ fn contradictions_and_products_are_refused() {
     );
     assert!(
         problems("[ground]\nreturn_period_years = 475\n")[0]
-            .starts_with("s.toml:2: return_period_years: no probability factor for 475 years")
+            .starts_with("s.toml:2: return_period_years: the code has no probability factor for 475 years")
     );
     assert!(problems("[ground]\nhazard_factor = -0.1\n")[0].starts_with("s.toml:2: hazard_factor must be positive"));
     // One that is wrong does not hide another.

@@ -41,7 +41,8 @@ impl DamageBoundaryReport {
         self.boundary.demand_ratio(self.demand.1, self.demand.0)
     }
 
-    /// Its part of the document; the critical acceleration holds alone from the knee on, at (π/2) V_c.
+    /// Its part of the document; the critical acceleration holds alone from the knee on, at (π/2)
+    /// V_c.
     pub(super) fn facts(&self) -> Facts<'static> {
         let (a_c_g, v_c_m_s) = (self.boundary.acceleration_m_s2() / G0_M_S2, self.boundary.velocity_change_m_s());
         Facts::default()

@@ -21,8 +21,9 @@ use verdict::{Compared, compared, max_stiffness};
 
 use crate::cushion::cushion_words;
 use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::{Choices, name_of};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 
@@ -40,28 +41,24 @@ pub enum Scenario {
     OverturnObstacle,
 }
 
-impl Scenario {
-    /// The name in inputs and outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rocking => "rocking",
-            Self::Halted => "halted",
-            Self::OverturnFloor => "overturn-floor",
-            Self::OverturnObstacle => "overturn-obstacle",
-        }
-    }
+/// The scenarios by name.
+pub const SCENARIOS: Choices<Scenario> = &[
+    (Scenario::Rocking, "rocking", "The edge lands and the object continues to rock"),
+    (Scenario::Halted, "halted", "The edge lands and the object stops"),
+    (Scenario::OverturnFloor, "overturn-floor", "The object falls over onto the floor"),
+    (Scenario::OverturnObstacle, "overturn-obstacle", "The object falls against an obstacle"),
+];
 
+/// The impact models by name.
+pub const MODELS: Choices<ImpactModel> = &[
+    (ImpactModel::Paper, "paper", "Eq. (5): the landing edge does not slip"),
+    (ImpactModel::Halted, "halted", "Eq. (8): the rotation is halted"),
+    (ImpactModel::FreeCorner, "free-corner", "The landing edge slides without friction; for comparison"),
+];
+
+impl Scenario {
     fn overturns(self) -> bool {
         matches!(self, Self::OverturnFloor | Self::OverturnObstacle)
-    }
-}
-
-/// The name of a model in inputs and outputs: `paper`, `halted`, `free-corner`.
-pub fn model_name(model: ImpactModel) -> &'static str {
-    match model {
-        ImpactModel::Paper => "paper",
-        ImpactModel::Halted => "halted",
-        ImpactModel::FreeCorner => "free-corner",
     }
 }
 
@@ -117,7 +114,8 @@ pub struct ShockRequest {
     pub boundary_tests: Option<BoundaryTests>,
     /// Uplift from which it may fall back: bench handling \[m\].
     pub tolerance_edge_lift_m: Option<f64>,
-    /// Frequency of its most delicate component \[Hz\], with [`ShockRequest::component_capacity_m_s2`].
+    /// Frequency of its most delicate component \[Hz\], with
+    /// [`ShockRequest::component_capacity_m_s2`].
     pub component_frequency_hz: Option<f64>,
     /// Acceleration that this component itself withstands \[m/s²\].
     pub component_capacity_m_s2: Option<f64>,
@@ -186,10 +184,6 @@ pub struct ShockReport {
     pub warnings: Vec<String>,
 }
 
-fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
-    Problem::new(ProblemKind::Value, message).hint(hint)
-}
-
 /// Evaluates a landing.
 ///
 /// # Errors
@@ -210,102 +204,95 @@ fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn shock(request: &ShockRequest) -> Result<ShockReport, Problems> {
-    let mut problems = Vec::new();
-    let request = &with_tests(request, &mut problems);
+    let mut problems = Problems::default();
+    problems.problems.extend(contradictions(request));
+    let request = &with_tests(request);
     let contact = contact(request, &mut problems);
-    check_combinations(request, &mut problems);
-    let block = &request.block;
-    let Some(landing) = keep(&mut problems, landing(request, block)) else { return Err(Problems { problems }) };
-    let energy = keep(&mut problems, fall(request, block, &landing));
-    match (contact, energy) {
-        (Some(contact), Some(fall)) if problems.is_empty() => Ok(report(request, block, &landing, &contact, &fall)?),
-        _ => Err(Problems { problems }),
+    let Some(landing) = problems.keep(landing(request)) else { return Err(problems) };
+    let fall = problems.keep(fall(request, &landing));
+    match (contact, fall) {
+        (Some(contact), Some(fall)) if problems.is_empty() => Ok(report(request, &landing, &contact, &fall)?),
+        _ => Err(problems),
     }
-}
-
-fn keep<T>(problems: &mut Vec<Problem>, result: Result<T, Problem>) -> Option<T> {
-    result.map_err(|problem| problems.push(problem)).ok()
 }
 
 /// The request with the peak and the velocity change of its tests.
-fn with_tests(request: &ShockRequest, problems: &mut Vec<Problem>) -> ShockRequest {
+fn with_tests(request: &ShockRequest) -> ShockRequest {
     let mut request = request.clone();
-    let Some(tests) = &request.boundary_tests else { return request };
-    let stated = [request.tolerance_m_s2, request.tolerance_velocity_change_m_s, request.tolerance_duration_s];
-    if stated.iter().any(Option::is_some) {
-        problems.push(problem(
-            "the test points of damage_boundary replace tolerance, tolerance_velocity_change and tolerance_duration",
-            "leave these three out",
-        ));
-    }
-    if let Some((acceleration_m_s2, velocity_change_m_s)) = tests.critical() {
+    if let Some((acceleration_m_s2, velocity_change_m_s)) =
+        request.boundary_tests.as_ref().and_then(BoundaryTests::critical)
+    {
         request.tolerance_m_s2 = Some(acceleration_m_s2);
         request.tolerance_velocity_change_m_s = Some(velocity_change_m_s);
     }
     request
 }
 
-fn check_combinations(request: &ShockRequest, problems: &mut Vec<Problem>) {
-    if !(request.mass_kg > 0.0 && request.mass_kg.is_finite()) {
-        problems.push(problem("the mass must be positive and finite", "give mass in kg or t"));
-    }
-    let halted_only = request.scenario != Scenario::Rocking;
-    if let Some(model) = request.model
-        && halted_only
-        && model != ImpactModel::Halted
-    {
-        problems.push(problem(
-            format!("the scenario {} is always halted, not {}", request.scenario.name(), model_name(model)),
-            "leave model out",
-        ));
-    }
-    if request.scenario != Scenario::OverturnObstacle
-        && (request.gap_m.is_some() || request.obstacle_height_m.is_some())
-    {
-        problems.push(problem(
-            "gap and obstacle_height belong to the scenario overturn-obstacle",
-            "use the scenario overturn-obstacle, or leave them out",
-        ));
-    }
-    let kinds = [request.tolerance_duration_s, request.tolerance_velocity_change_m_s];
-    if request.tolerance_m_s2.is_none() && kinds.iter().flatten().next().is_some() {
-        problems.push(problem(
-            "tolerance_duration and tolerance_velocity_change need tolerance",
-            "give the peak acceleration that the object withstands, such as tolerance = \"5 g\"",
-        ));
-    }
-    if request.component_frequency_hz.is_some() != request.component_capacity_m_s2.is_some() {
-        problems.push(problem(
-            "component_frequency and component_capacity go together",
-            "give both, such as component_frequency = \"100 Hz\" and component_capacity = \"40 g\"",
-        ));
-    }
-    if request.tolerance_m_s2.is_some()
-        && kinds.iter().flatten().next().is_some()
-        && request.drop_acceleration_m_s2.is_some()
-        && request.energy.is_none()
-    {
-        problems.push(problem(
+/// Values that are wrong, or that cannot be combined.
+fn contradictions(request: &ShockRequest) -> impl Iterator<Item = Problem> {
+    let is_peak = request.tolerance_m_s2.is_some();
+    let is_pulse = request.tolerance_duration_s.is_some() || request.tolerance_velocity_change_m_s.is_some();
+    let is_obstacle = request.gap_m.is_some() || request.obstacle_height_m.is_some();
+    let is_tested = request.boundary_tests.as_ref().is_some_and(|tests| tests.critical().is_some());
+    let is_measured_alone = request.drop_acceleration_m_s2.is_some() && request.energy.is_none();
+    [
+        (
+            request.boundary_tests.is_some() && (is_peak || is_pulse),
+            "the test points of `damage_boundary` replace `tolerance`, `tolerance_velocity_change` and \
+             `tolerance_duration`",
+            "leave these three out",
+        ),
+        (
+            !(request.mass_kg > 0.0 && request.mass_kg.is_finite()),
+            "the mass must be positive and finite",
+            "give `mass` in kg or t",
+        ),
+        (
+            request.scenario != Scenario::Rocking && request.model.is_some_and(|model| model != ImpactModel::Halted),
+            "the landing is halted in every scenario but rocking",
+            "leave `model` out",
+        ),
+        (
+            request.scenario != Scenario::OverturnObstacle && is_obstacle,
+            "`gap` and `obstacle_height` belong to the scenario overturn-obstacle",
+            "use `scenario = \"overturn-obstacle\"`, or leave them out",
+        ),
+        (
+            request.boundary_tests.is_none() && !is_peak && is_pulse,
+            "`tolerance_duration` and `tolerance_velocity_change` need `tolerance`",
+            "give the peak acceleration that the object withstands, such as `tolerance = \"5 g\"`",
+        ),
+        (
+            request.component_frequency_hz.is_some() != request.component_capacity_m_s2.is_some(),
+            "`component_frequency` and `component_capacity` go together",
+            "give both, such as `component_frequency = \"100 Hz\"` and `component_capacity = \"40 g\"`",
+        ),
+        (
+            (is_peak && is_pulse || is_tested) && is_measured_alone,
             "a drop acceleration alone gives neither duration nor velocity change to compare with the tolerance",
-            "give the rise at which it was measured as well, such as cg_rise = \"16 mm\"",
-        ));
-    }
+            "give the rise at which it was measured as well, such as `cg_rise = \"16 mm\"`",
+        ),
+    ]
+    .into_iter()
+    .filter(|(is_wrong, ..)| *is_wrong)
+    .map(|(_, message, hint)| Problem::value(message, hint))
 }
 
-fn landing(request: &ShockRequest, block: &Block) -> Result<Landing, Problem> {
+fn landing(request: &ShockRequest) -> Result<Landing, Problem> {
+    let block = &request.block;
     match request.scenario {
         Scenario::Rocking => Ok(Landing::rocking(block, request.model.unwrap_or(ImpactModel::Paper))),
         Scenario::Halted => Ok(Landing::rocking(block, ImpactModel::Halted)),
         Scenario::OverturnFloor => Ok(Landing::overturning_onto_floor(block)),
         Scenario::OverturnObstacle => {
             let gap_m = request.gap_m.ok_or_else(|| {
-                problem(
-                    "the scenario overturn-obstacle needs a gap",
-                    "give the distance to the obstacle, such as gap = \"0.5 m\"",
+                Problem::value(
+                    "the scenario overturn-obstacle needs `gap`",
+                    "give the distance to the obstacle, such as `gap = \"0.5 m\"`",
                 )
             })?;
             Landing::overturning_onto_obstacle(block, gap_m, request.obstacle_height_m)
-                .map_err(|error| problem(error.to_string(), "use the scenario overturn-floor"))
+                .map_err(|error| Problem::value(error.to_string(), "use `scenario = \"overturn-floor\"`"))
         }
     }
 }
@@ -339,8 +326,8 @@ struct Fall {
     warning: Option<String>,
 }
 
-fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall, Problem> {
-    let pivot = landing.pivot;
+fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
+    let (block, pivot) = (&request.block, landing.pivot);
     if let Some(Energy::AngularVelocity(omega)) = request.energy {
         let rise_m = Some(landing.equivalent_rise_m(omega, request.gravity_m_s2));
         return Ok(Fall { source: EnergySource::ImpactVelocity, rise_m, rotation_rad: None, warning: None });
@@ -352,18 +339,20 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
                 rise_m: Some(fall),
                 rotation_rad: None,
                 warning: Some(
-                    "the fall starts from rest at the balance point: this is a lower estimate, because a rocking history \
-                     still has some speed there"
+                    "the fall starts from rest at the balance point: this is a lower estimate, because a rocking \
+                     history still has some speed there"
                         .to_owned(),
                 ),
             }),
-            None if request.scenario == Scenario::OverturnFloor => Err(problem(
-                "on its side the centre of gravity is higher than at the balance point: there is no fall to provide the energy",
-                "check the centre of gravity and the base width, or give the angular_velocity of the contact",
+            None if request.scenario == Scenario::OverturnFloor => Err(Problem::value(
+                "on its side the centre of gravity is higher than at the balance point: there is no fall to provide \
+                 the energy",
+                "check the centre of gravity and the base width, or give the `angular_velocity` of the contact",
             )),
-            None => Err(problem(
-                "the object touches the obstacle before it reaches its balance point: there is no fall to provide the energy",
-                "give the speed of the contact from a rocking history, such as angular_velocity = \"1.2 rad/s\"",
+            None => Err(Problem::value(
+                "the object touches the obstacle before it reaches its balance point: there is no fall to provide \
+                 the energy",
+                "give the speed of the contact from a rocking history, such as `angular_velocity = \"1.2 rad/s\"`",
             )),
         };
     }
@@ -373,9 +362,9 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
             return Ok(Fall { source: EnergySource::Measured, rise_m: None, rotation_rad: None, warning: None });
         }
         None => {
-            return Err(problem(
+            return Err(Problem::value(
                 "neither the rise of the object nor its speed at the landing is given",
-                "give one of cg_rise, uplift, rotation, angular_velocity or drop_acceleration",
+                "give one of `cg_rise`, `uplift`, `rotation`, `angular_velocity` or `drop_acceleration`",
             ));
         }
         Some(Energy::CgRise(rise_m)) if rise_m <= pivot.balance_rise_m() => {
@@ -406,19 +395,14 @@ fn fall(request: &ShockRequest, block: &Block, landing: &Landing) -> Result<Fall
         let warning = Some(format!("the object is beyond its {balance}: if released, it would overturn"));
         return Ok(Fall { source: EnergySource::Uplift, rise_m: Some(rise_m), rotation_rad: rotation, warning });
     }
-    Err(problem(
+    Err(Problem::value(
         format!("beyond its {balance} the object does not come back"),
-        "for the fall itself use the scenario overturn-floor or overturn-obstacle",
+        "for the fall itself use `scenario = \"overturn-floor\"` or `scenario = \"overturn-obstacle\"`",
     ))
 }
 
-fn report(
-    request: &ShockRequest,
-    block: &Block,
-    landing: &Landing,
-    contact: &Contact,
-    fall: &Fall,
-) -> Result<ShockReport, Problem> {
+fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &Fall) -> Result<ShockReport, Problem> {
+    let block = &request.block;
     let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
     let mut warnings: Vec<String> = fall.warning.iter().cloned().collect();
     let mut notes = Vec::new();
@@ -446,7 +430,7 @@ fn report(
     // A law close to its end gives numbers of any size before it gives none.
     let largest_m_s2 = edge_m_s2.max(drop_m_s2);
     if edge_m_s2.is_nan() || largest_m_s2 > BEYOND_ALL_G * G0_M_S2 {
-        return Err(problem(
+        return Err(Problem::value(
             "the shock is too large to calculate",
             "check the sizes, the mass and the cushion: one that bottoms must hold the energy of the landing",
         ));
@@ -490,7 +474,7 @@ fn report(
     if let Some((x_m, z_m, _)) = share
         && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
     {
-        warnings.push("the point lies outside the object".to_owned());
+        warnings.push("the point `at` lies outside the object".to_owned());
     }
     // The advice is about springs: for another law it would not be the stiffness that was stated.
     let rise_on_a_spring_m = fall.rise_m.filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
@@ -522,8 +506,8 @@ fn report(
         None => Verdict::None,
     };
     let facts = Facts::default()
-        .fact("scenario", "scenario", request.scenario.name())
-        .fact("model", "model", model_name(landing.model))
+        .fact("scenario", "scenario", name_of(SCENARIOS, request.scenario))
+        .fact("model", "model", name_of(MODELS, landing.model))
         .key("energy_source", fall.source.name())
         .fact("drop_acceleration_g", "drop acceleration", drop_m_s2 / G0_M_S2)
         .fact("edge_acceleration_g", "shock", edge_m_s2 / G0_M_S2)
@@ -551,7 +535,7 @@ fn report(
         .key("balance_rise_m", pivot.balance_rise_m())
         .fact("ceiling_g", "ceiling of the shock", ceiling_g)
         .key("impact_friction_needed_ratio", friction_needed)
-        .key("models", models(request, block, landing, &edge_of))
+        .key("models", models(request, landing, &edge_of))
         .key("at", at)
         .fact("tolerance_g", "tolerance", request.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2))
         .fact("tolerance_edge_lift_m", "tolerance, uplift", request.tolerance_edge_lift_m)
@@ -572,18 +556,19 @@ fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<Stri
     let kinds = [
         (
             request.component_frequency_hz.is_some() && compared.component.is_none(),
-            "the component is not compared: a drop acceleration alone has no duration; give the rise at which it was \
-             measured, or the cushion",
+            "the component is not compared: a drop acceleration alone has no duration; give the rise at which it \
+             was measured, or the cushion",
         ),
         (
             request.tolerance_edge_lift_m.is_some() && compared.edge_lift.is_none(),
-            "the survived uplift is not compared: it needs uplift, rotation or cg_rise",
+            "the survived uplift is not compared: it needs `uplift`, `rotation` or `cg_rise`",
         ),
     ];
     kinds.into_iter().filter(|(is_left, _)| *is_left).map(|(_, words)| words.to_owned()).collect()
 }
 
-/// The spring on which the mass dropped by the same rise meets the measured acceleration; `None` where no rise is known.
+/// The spring on which the mass dropped by the same rise meets the measured acceleration; `None`
+/// where no rise is known.
 fn implied_spring(
     measured_m_s2: f64,
     mass_kg: f64,
@@ -594,21 +579,19 @@ fn implied_spring(
     let Some(rise_m) = rise_m else { return Ok(None) };
     let implied_n_m = mass_kg * measured_m_s2 * measured_m_s2 / (2.0 * gravity_m_s2 * rise_m);
     let Ok(spring) = Cushion::linear(implied_n_m) else {
-        return Err(problem("a drop from no height gives no acceleration", "give the rise at which it was measured"));
+        return Err(Problem::value(
+            "a drop from no height gives no acceleration",
+            "give the rise at which it was measured",
+        ));
     };
     notes.push(format!("the measured drop acceleration implies {}", format_si(implied_n_m, Dimension::Stiffness)));
     Ok(Some(spring))
 }
 
 /// The shock of the same landing by each model; missing where a model does not apply.
-fn models(
-    request: &ShockRequest,
-    block: &Block,
-    landing: &Landing,
-    edge_m_s2: &dyn Fn(&Landing) -> f64,
-) -> Facts<'static> {
+fn models(request: &ShockRequest, landing: &Landing, edge_m_s2: &dyn Fn(&Landing) -> f64) -> Facts<'static> {
     let of = |model: ImpactModel| {
-        let other = Landing::rocking(block, model);
+        let other = Landing::rocking(&request.block, model);
         match request.scenario.overturns() {
             true => (model == ImpactModel::Halted).then(|| edge_m_s2(landing) / G0_M_S2),
             false => (other.model == model).then(|| edge_m_s2(&other) / G0_M_S2),

@@ -1,5 +1,5 @@
-//! A damage boundary from the shocks of a test, ASTM D3332: Method A (short pulses) gives the critical
-//! velocity change, Method B (long ones) the critical acceleration.
+//! A damage boundary from the shocks of a test, ASTM D3332: Method A (short pulses) gives the
+//! critical velocity change, Method B (long ones) the critical acceleration.
 
 use std::path::Path;
 
@@ -74,19 +74,21 @@ impl BoundaryTests {
     }
 }
 
-/// Reads the tests of an object: columns of velocity change, peak acceleration and `damaged`, perhaps
-/// `method` (A or B) or a duration.
+/// Reads the tests of an object: columns of velocity change, peak acceleration and `damaged`,
+/// perhaps `method` (A or B) or a duration.
 ///
-/// Where the method is not stated, it follows from the duration: up to 3 ms is Method A. Where neither
-/// is stated, it follows from velocity change and peak: a pulse lasts between Δv/A (a rectangle) and
-/// 2Δv/A (a sawtooth). Where 3 ms lies between the two, the row is refused.
+/// Where the method is not stated, it follows from the duration: up to 3 ms is Method A. Where
+/// neither is stated, it follows from velocity change and peak: a pulse lasts between Δv/A (a
+/// rectangle) and 2Δv/A (a sawtooth). Where 3 ms lies between the two, the row is refused.
 ///
 /// # Reference
-/// ASTM D3332, in our own words: V_c and A_c are the last values that were survived before the first
-/// damage; Method B is run at 1.57 V_c or more, so a shock survived below that says nothing of A_c.
+/// ASTM D3332, in our own words: V_c and A_c are the last values that were survived before the
+/// first damage; Method B is run at 1.57 V_c or more, so a shock survived below that says nothing
+/// of A_c.
 ///
 /// # Errors
-/// A file without such columns, a point whose method is not known, damage at or below a survived value.
+/// A file without such columns, a point whose method is not known, damage at or below a survived
+/// value.
 pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
     let rows = load_damage_points(path)?;
     let mut problems = Vec::new();
@@ -148,7 +150,8 @@ fn contradiction(points: &[TestPoint], method: char, what: &str, size: Size) -> 
     let last = of(false).max_by(|a, b| size(a).total_cmp(&size(b)))?;
     (size(last) >= size(first)).then(|| {
         let message = format!(
-            "Method {method}: this {what} damaged, but line {} survived no smaller one; the tests contradict each other",
+            "Method {method}: this {what} damaged, but line {} survived no smaller one; the tests contradict each \
+             other",
             last.line
         );
         let problem = Problem::new(ProblemKind::Value, message).at_line(first.line);
@@ -177,8 +180,8 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
                 warnings.push(format!("no damage boundary: no shock of Method {method}, which gives the {what}"));
             }
             (None, Some(_)) => warnings.push(format!(
-                "no damage boundary: no shock of Method {method} below the first damage was survived, so the {what} is \
-                 not known"
+                "no damage boundary: no shock of Method {method} below the first damage was survived, so the {what} \
+                 is not known"
             )),
             (None, None) => warnings.push(format!("no damage boundary: no shock of Method {method} counts")),
             (Some(_), None) => warnings.push(format!(
@@ -194,8 +197,8 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     };
     if let Some(found) = lines(&|point| point.method == 'B' && !point.damaged && !beyond_knee(point)) {
         warnings.push(format!(
-            "shocks of Method B below 1.57 times the critical velocity change say nothing of the critical acceleration \
-             and do not count: line {found}"
+            "shocks of Method B below 1.57 times the critical velocity change say nothing of the critical \
+             acceleration and do not count: line {found}"
         ));
     }
     // Below A_c every velocity change is survived.
@@ -207,8 +210,8 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     };
     if let Some(found) = lines(&says_nothing) {
         warnings.push(format!(
-            "the critical velocity change is based on a peak that the object withstands at any velocity change: line \
-             {found}; use shorter pulses for Method A"
+            "the critical velocity change is based on a peak that the object withstands at any velocity change: \
+             line {found}; use shorter pulses for Method A"
         ));
     }
     BoundaryTests { critical_velocity_change_m_s: v, critical_acceleration_g: a, points, warnings }
@@ -253,8 +256,8 @@ mod tests {
 
     #[test]
     fn the_method_is_told_or_asked_for() {
-        // 1 m/s at 100 g is 1.02 ms for a rectangle and 2.04 ms for a sawtooth; 2 m/s at 30 g is 6.8 ms at least; 1.5 m/s
-        // at 60 g between 2.5 and 5.1 ms.
+        // 1 m/s at 100 g is 1.02 ms for a rectangle and 2.04 ms for a sawtooth; 2 m/s at 30 g is
+        // 6.8 ms at least; 1.5 m/s at 60 g between 2.5 and 5.1 ms.
         let names = "velocity change [m/s],peak [g],damaged\n";
         let tests = read(&format!("{names}1,100,0\n2,30,0\n")).unwrap();
         assert_eq!(tests.points.iter().map(|point| point.method).collect::<String>(), "AB");

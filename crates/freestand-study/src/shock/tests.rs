@@ -121,7 +121,8 @@ fn overturning_lands_on_its_side() {
     assert_eq!((floor.facts.number("ceiling_g"), floor.facts.number("paper_g")), (None, None));
     // Δh = R − t/2.
     assert!((number(&floor, "cg_rise_m") - (number(&floor, "half_diagonal_m") - 0.3)).abs() < 1e-15);
-    // The edge's stiffness, and a rise, have no part in the fall: said, and the same shock without them.
+    // The edge's stiffness, and a rise, have no part in the fall: said, and the same shock without
+    // them.
     assert!(floor.warnings.iter().any(|warning| warning.contains("its edge is not used")));
     request.cushion = Words::default();
     request.energy = Some(Energy::CgRise(0.01));
@@ -131,7 +132,7 @@ fn overturning_lands_on_its_side() {
 
     request.scenario = Scenario::OverturnObstacle;
     request.energy = None;
-    assert!(refused(&request).contains("needs a gap"));
+    assert!(refused(&request).contains("needs `gap`"));
     request.gap_m = Some(0.2);
     assert!(refused(&request).contains("angular_velocity"));
     request.energy = Some(Energy::AngularVelocity(1.0));
@@ -160,8 +161,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let report = shock(&peak_only).unwrap();
     assert_eq!((text(&report, "governing"), report.verdict), ("peak", Verdict::Exceeded));
     // At the largest stiffness the shock is the tolerance.
-    let softer =
-        ShockRequest { cushion: spring(number(&report, "max_stiffness_n_m")), ..peak_only.clone() };
+    let softer = ShockRequest { cushion: spring(number(&report, "max_stiffness_n_m")), ..peak_only.clone() };
     assert!((number(&shock(&softer).unwrap(), "demand_capacity_ratio") - 1.0).abs() < 1e-12);
 
     let boundary = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..peak_only.clone() };
@@ -179,7 +179,7 @@ fn the_verdict_follows_what_is_known_of_the_tolerance() {
     let both = ShockRequest { tolerance_velocity_change_m_s: Some(10.0), ..spectrum };
     assert_eq!(text(&shock(&both).unwrap(), "governing"), "spectrum");
     let no_peak = ShockRequest { tolerance_m_s2: None, ..both };
-    assert!(refused(&no_peak).contains("need tolerance"));
+    assert!(refused(&no_peak).contains("need `tolerance`"));
 }
 
 #[test]
@@ -197,7 +197,8 @@ fn all_problems_come_at_once() {
     assert_eq!(shock(&request).unwrap_err().problems.len(), 4);
 }
 
-/// The largest stiffness is where the verdict turns, by whatever criterion; where none turns it, a note says so.
+/// The largest stiffness is where the verdict turns, by whatever criterion; where none turns it, a
+/// note says so.
 #[test]
 fn the_largest_stiffness_is_where_the_verdict_turns() {
     let with = |duration_s, velocity_change_m_s| ShockRequest {
@@ -209,9 +210,7 @@ fn the_largest_stiffness_is_where_the_verdict_turns() {
     };
     for request in [with(None, None), with(Some(0.025), None), with(None, Some(0.5)), with(Some(0.03), Some(0.5))] {
         let largest = number(&shock(&request).unwrap(), "max_stiffness_n_m");
-        let at = |factor: f64| {
-            shock(&ShockRequest { cushion: spring(factor * largest), ..request.clone() }).unwrap()
-        };
+        let at = |factor: f64| shock(&ShockRequest { cushion: spring(factor * largest), ..request.clone() }).unwrap();
         assert_eq!((at(1.0 - 1e-6).verdict, at(1.0 + 1e-6).verdict), (Verdict::Ok, Verdict::Exceeded), "{largest}");
     }
     // 5 g for 11 ms carry less velocity than the landing; a limit of 1 m/s carries more.
@@ -275,7 +274,8 @@ fn the_largest_of_several_kinds_governs() {
     assert_eq!(text(&report, "governing"), "edge-lift");
     assert!((number(&report, "demand_capacity_ratio") - 2.0).abs() < 1e-12);
     assert_eq!(text(&report, "source"), "tests");
-    // A peak without duration or velocity change is a kind of its own: a lift that was survived does not excuse it.
+    // A peak without duration or velocity change is a kind of its own: a lift that was survived
+    // does not excuse it.
     let peak = ShockRequest { tolerance_velocity_change_m_s: None, tolerance_edge_lift_m: Some(0.1), ..request };
     let report = shock(&peak).unwrap();
     assert_eq!((text(&report, "governing"), report.verdict), ("peak", Verdict::Exceeded));

@@ -29,8 +29,8 @@ pub(super) struct DemandCapacity {
 }
 
 impl DemandCapacity {
-    /// The largest of those that apply, and its name. A peak that is part of a boundary or of a pulse
-    /// does not apply on its own.
+    /// The largest of those that apply, and its name. A peak that is part of a boundary or of a
+    /// pulse does not apply on its own.
     fn governing(&self) -> Option<(f64, &'static str)> {
         let is_part = self.damage_boundary.is_some() || self.spectrum.is_some();
         let kinds = [

@@ -1,4 +1,4 @@
-//! Shock response spectra, and a damage boundary with a demand on it: logarithmic axes.
+//! Shock response spectra, and a damage boundary with a demand, on logarithmic axes.
 
 use kuva::plot::scatter::MarkerShape;
 
@@ -10,13 +10,13 @@ use freestand_output::figure::{Figure, FigureError};
 /// One shock response spectrum: frequency \[Hz\] and value, in the unit of the axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShockCurve {
-    /// What it is of.
+    /// Its name.
     pub name: String,
     /// Frequency and value.
     pub points: Vec<(f64, f64)>,
 }
 
-/// What a figure of a damage boundary shows; velocity changes in m/s, accelerations in g.
+/// The contents of a figure of a damage boundary; velocity changes in m/s, accelerations in g.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryPicture {
     /// V_c and A_c.
@@ -25,7 +25,7 @@ pub struct BoundaryPicture {
     pub curve: Vec<(f64, f64)>,
     /// Shocks of a test that were survived.
     pub survived: Vec<(f64, f64)>,
-    /// And those that were not.
+    /// Shocks that damaged the object.
     pub damaged: Vec<(f64, f64)>,
     /// Velocity change and peak of the demand.
     pub demand: (f64, f64),
@@ -35,9 +35,9 @@ pub struct BoundaryPicture {
 
 /// Height of the panel \[px\].
 const PANEL_PX: f64 = 420.0;
-/// Curves that the legend names; with more it says how many there are.
+/// The largest number of curves that the legend names; of more it states the number.
 const MAX_NAMED: usize = 12;
-/// So many decades are shown below the largest value: further down is rounding.
+/// The number of decades shown below the largest value: lower values are rounding errors.
 const DECADES: f64 = 6.0;
 
 /// Whole decades around positive values.
@@ -100,7 +100,7 @@ pub(crate) fn shock_spectrum(title: &str, label: &str, curves: &[ShockCurve]) ->
     }
 }
 
-/// A boundary with the demand on it.
+/// A boundary with the demand.
 pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     let (v_c, a_c) = picture.corner;
     let (v, a) = picture.demand;
@@ -126,11 +126,7 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     plots.push(markers(&[(v, a)], DARK, if picture.safe { MarkerShape::Circle } else { MarkerShape::Cross }, 6.0));
     let sign = |colour, dash| Sign::Line { colour, width_px: 2.0, dash };
     let demand = if picture.safe { Sign::Dot { colour: DARK } } else { Sign::Cross };
-    let words = if picture.safe {
-        "this landing: outside the region of damage"
-    } else {
-        "this landing: in the region of damage"
-    };
+    let words = if picture.safe { "this landing: no damage" } else { "this landing: damage" };
     let mut legend = vec![
         Entry { sign: sign(rectangle.colour, None), words: "rectangle of ASTM D3332".to_owned() },
         Entry { sign: sign(exact.colour, Some("10 6")), words: "with its knee".to_owned() },
@@ -143,11 +139,11 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     Page {
         name: "damage-boundary".to_owned(),
         title: "Damage boundary".to_owned(),
-        caption:
-            "A shock does harm only if both its peak and its velocity change are too large: above and to the right of \
-             the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped component under \
-                  rectangular pulses, which begins at the same velocity change and ends on the same peak."
-                .to_owned(),
+        caption: "A shock does damage only if both its peak and its velocity change are too large: above and to the \
+                  right of the boundary. The rectangle is that of ASTM D3332, the curve that of an undamped \
+                  component under rectangular pulses, which begins at the same velocity change and ends at the same \
+                  peak."
+            .to_owned(),
         panels: vec![panel(plots, x, y)],
         columns: 1,
         row_heights_px: vec![PANEL_PX],

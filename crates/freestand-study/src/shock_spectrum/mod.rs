@@ -15,9 +15,9 @@ use std::f64::consts::PI;
 use std::time::Instant;
 
 use crate::recorded::ReadMotion;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, find_unit};
-use freestand_input::words::number;
+use freestand_input::words::{Choices, name_of, number};
 use freestand_output::facts::{Facts, table_csv};
 use freestand_output::figure::{Figure, FigureError};
 
@@ -36,37 +36,31 @@ pub struct ShockSpectrumRequest {
     pub upsample: bool,
 }
 
-/// The name in inputs and outputs.
-pub fn kind_name(kind: ResponseKind) -> &'static str {
-    match kind {
-        ResponseKind::AbsoluteAcceleration => "absolute-acceleration",
-        ResponseKind::RelativeDisplacement => "relative-displacement",
-        ResponseKind::PseudoVelocity => "pseudo-velocity",
-    }
-}
+/// Shapes of pulses by name.
+pub const SHAPES: Choices<PulseShape> = &[
+    (PulseShape::HalfSine, "half-sine", "A sin(πt/T)"),
+    (PulseShape::Haversine, "haversine", "A sin²(πt/T)"),
+    (PulseShape::InitialPeakSawtooth, "initial-peak-sawtooth", "From A down to 0"),
+    (PulseShape::TerminalPeakSawtooth, "terminal-peak-sawtooth", "From 0 up to A"),
+    (PulseShape::Rectangle, "rectangle", "A"),
+    (PulseShape::Trapezoid, "trapezoid", "A, with a tenth of the duration to rise and to fall"),
+];
 
-/// The name in inputs and outputs.
-pub fn peak_name(peak: Peak) -> &'static str {
-    match peak {
-        Peak::Maximax => "maximax",
-        Peak::Positive => "positive",
-        Peak::Negative => "negative",
-        Peak::Primary => "primary",
-        Peak::Residual => "residual",
-    }
-}
+/// Response quantities by name.
+pub const KINDS: Choices<ResponseKind> = &[
+    (ResponseKind::AbsoluteAcceleration, "absolute-acceleration", "Acceleration of the component"),
+    (ResponseKind::RelativeDisplacement, "relative-displacement", "Displacement of the component relative to its base"),
+    (ResponseKind::PseudoVelocity, "pseudo-velocity", "That displacement times ω"),
+];
 
-/// The name in inputs and outputs.
-pub fn pulse_name(shape: PulseShape) -> &'static str {
-    match shape {
-        PulseShape::HalfSine => "half-sine",
-        PulseShape::Haversine => "haversine",
-        PulseShape::InitialPeakSawtooth => "initial-peak-sawtooth",
-        PulseShape::TerminalPeakSawtooth => "terminal-peak-sawtooth",
-        PulseShape::Rectangle => "rectangle",
-        PulseShape::Trapezoid => "trapezoid",
-    }
-}
+/// Peaks by name.
+pub const PEAKS: Choices<Peak> = &[
+    (Peak::Maximax, "maximax", "The largest of either sign, during the record or after it"),
+    (Peak::Positive, "positive", "The largest positive value"),
+    (Peak::Negative, "negative", "The magnitude of the largest negative value"),
+    (Peak::Primary, "primary", "The largest of either sign during the record"),
+    (Peak::Residual, "residual", "The largest of either sign after the record"),
+];
 
 /// One spectrum.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -172,9 +166,9 @@ pub fn pulse_shock_spectrum(
     let began = Instant::now();
     let found = pulse_spectrum(pulse, &request.frequencies_hz, request.kind, request.damping_ratio).map_err(refused)?;
     let solve_s = began.elapsed().as_secs_f64();
-    let mut one = one(pulse_name(pulse.shape()).to_owned(), unit, &found, request)?;
+    let mut one = one(name_of(SHAPES, pulse.shape()).to_owned(), unit, &found, request)?;
     let (peak_m_s2, duration_s) = (pulse.peak_acceleration_m_s2(), pulse.duration_s());
-    let shape = Facts::default().key("shape", pulse_name(pulse.shape()));
+    let shape = Facts::default().key("shape", name_of(SHAPES, pulse.shape()));
     one.pulse = Some(shape.and(pulse_facts(peak_m_s2, duration_s, pulse.velocity_change_m_s())));
     let few = found.samples_per_period.iter().any(|samples| *samples < SAMPLES_PER_PERIOD);
     let warning =
@@ -196,7 +190,7 @@ fn refused(error: ShockResponseError) -> Problem {
         ShockResponseError::Damping { .. } => "damping from 0 to below 1; 5 % is Q = 10",
         ShockResponseError::Overflow { .. } => "check the unit of the accelerations",
     };
-    Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
+    Problem::value(error.to_string(), hint)
 }
 
 /// The chosen peaks in the unit of the input, and the half-sine that envelopes them.
@@ -259,8 +253,8 @@ fn report(
 ) -> ShockSpectrumReport {
     let zeta = request.damping_ratio;
     ShockSpectrumReport {
-        kind: kind_name(request.kind),
-        peak: peak_name(request.peak),
+        kind: name_of(KINDS, request.kind),
+        peak: name_of(PEAKS, request.peak),
         damping_ratio: zeta,
         quality_factor_ratio: (zeta > 0.0).then(|| 0.5 / zeta),
         upsample: request.upsample,
@@ -271,7 +265,8 @@ fn report(
     }
 }
 
-/// Samples in a period below which the response of an oscillator is uncertain: ISO 18431-4 requires ten.
+/// Samples in a period below which the response of an oscillator is uncertain: ISO 18431-4 requires
+/// ten.
 const FEW_SAMPLES: f64 = 10.0;
 
 /// A warning about frequencies above those of the record, or whose peaks lie between samples.
@@ -280,7 +275,8 @@ fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpec
     let in_hz = |f: f64| format!("{} Hz", number(f, 4));
     if highest_hz * dt_s > 0.5 {
         return Some(format!(
-            "the record contains nothing above half its sampling rate, {}: higher oscillators respond to what is below",
+            "the record contains nothing above half its sampling rate, {}: higher oscillators respond to what is \
+             below",
             in_hz(0.5 / dt_s)
         ));
     }
@@ -294,8 +290,8 @@ fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpec
     }
     (request.upsample && least < SAMPLES_PER_PERIOD).then(|| {
         format!(
-            "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks may be {} % \
-             too low",
+            "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks \
+             may be {} % too low",
             in_hz(highest_hz),
             number(least, 3),
             number(100.0 * (1.0 - (PI / least).cos()), 2),

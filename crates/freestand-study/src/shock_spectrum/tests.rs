@@ -46,7 +46,8 @@ fn a_drop_test_keeps_its_unit_and_has_the_known_spectrum() {
     let one = &report.spectra[0];
     assert_eq!((one.unit, one.samples, report.quality_factor_ratio), ("g", Some(1000), Some(10.0)));
     for (value, expected) in one.values.iter().zip([0.87808, 1.46264, 1.62379, 1.21237]) {
-        // The kinks of the pulse lie on samples of 1/200 of it; the band-limited curve rounds them by 1e-4.
+        // The kinks of the pulse lie on samples of 1/200 of it; the band-limited curve rounds them
+        // by 1e-4.
         assert!((value / 40.0 - expected).abs() < 3e-4, "{value} {expected}");
     }
     let peak_g = one.enveloping_half_sine.as_ref().unwrap().number("peak_acceleration_g").unwrap();

@@ -20,6 +20,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::compliant::damped;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::name_of;
 
 /// g of the paper's Table I, as gravity and as unit \[m/s²\]: its published values of a follow from
 /// 9.81, not from 9.80665.
@@ -233,7 +234,7 @@ fn coefficient_checks() -> Result<Vec<Check>, Problem> {
         let block = block_with(x)?;
         let models = [ImpactModel::Paper, ImpactModel::Halted, ImpactModel::FreeCorner];
         for ((model, expected), reference) in models.into_iter().zip(expected).zip(REFERENCE) {
-            let name = format!("a_edge/a at (d/R)² = {x}, {}", crate::shock::model_name(model));
+            let name = format!("a_edge/a at (d/R)² = {x}, {}", name_of(crate::shock::MODELS, model));
             // Half a unit of the fourth decimal, and rounding where the value ends on it.
             let computed = Landing::rocking(&block, model).amplification_ratio();
             checks.push(check(name, computed, expected, 5.001e-5, reference));

@@ -8,8 +8,9 @@ use freestand::shock_response::{
 use std::f64::consts::PI;
 
 use super::{Check, check, defect};
-use crate::shock_spectrum::pulse_name;
+use crate::shock_spectrum::SHAPES;
 use freestand_input::problem::Problem;
+use freestand_input::words::name_of;
 
 /// The peaks under a pulse of 1 m/s² and 1 s at one f T.
 fn peaks(shape: PulseShape, q: f64, damping_ratio: f64, kind: ResponseKind) -> Result<ResponsePeaks, Problem> {
@@ -45,7 +46,7 @@ pub(super) fn pulse_checks() -> Result<Vec<Check>, Problem> {
     let checks = PulseShape::ALL.into_iter().zip(expected).map(|(shape, expected)| {
         let computed = peaks(shape, 1e-3, 0.0, ResponseKind::PseudoVelocity)?.peak(Peak::Maximax);
         // (ωT)²/24 = 1.6e-6 at fT = 1e-3.
-        Ok(check(format!("velocity change of a pulse: {}", pulse_name(shape)), computed, expected, 2e-6, IMPULSE))
+        Ok(check(format!("velocity change of a pulse: {}", name_of(SHAPES, shape)), computed, expected, 2e-6, IMPULSE))
     });
     checks.collect()
 }

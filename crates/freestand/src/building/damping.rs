@@ -33,7 +33,8 @@ impl Damping {
     /// `ζ = (0.08/2 + 0.02·2)/2 = 0.04`.
     /// ```
     /// use freestand::building::Damping;
-    /// let ratios = Damping::Rayleigh { damping_ratio: 0.05, modes: [1, 3] }.ratios(&[4.0, 2.0, 1.0])?;
+    /// let damping = Damping::Rayleigh { damping_ratio: 0.05, modes: [1, 3] };
+    /// let ratios = damping.ratios(&[4.0, 2.0, 1.0])?;
     /// assert!((ratios[0] - 0.05).abs() < 1e-15 && (ratios[2] - 0.05).abs() < 1e-15);
     /// assert!((ratios[1] - 0.04).abs() < 1e-15);
     /// # Ok::<(), freestand::building::BuildingError>(())

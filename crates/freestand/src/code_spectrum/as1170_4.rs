@@ -5,16 +5,17 @@ use super::CodeSpectrumError;
 /// Edition of AS 1170.4.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Edition {
-    /// AS 1170.4—2007 with Amendments 1 and 2 (2018): hazard design factors and minimum kpZ of Amendment 2.
+    /// AS 1170.4—2007 with Amendments 1 and 2 (2018): hazard design factors and minimum kpZ of
+    /// Amendment 2.
     #[default]
     As1170_4Ed2007Amd2,
-    /// AS 1170.4:2024. Its spectral shape is reported to be that of 2007, by one public tool; none of its tables was read:
-    /// those of 2007 with Amendment 2 stand in.
+    /// AS 1170.4:2024. According to one public tool its spectral shape is that of 2007. Its tables
+    /// were not available; the tables of 2007 with Amendment 2 are used instead.
     As1170_4Ed2024Unconfirmed,
 }
 
 impl Edition {
-    /// Name for outputs.
+    /// The name in outputs.
     pub fn name(self) -> &'static str {
         match self {
             Self::As1170_4Ed2007Amd2 => "AS 1170.4-2007 (Amdt 1, 2)",
@@ -22,13 +23,13 @@ impl Edition {
         }
     }
 
-    /// What is not confirmed about the edition and belongs into every output.
+    /// A caveat about the edition that must appear in every output.
     pub fn doubt(self) -> Option<&'static str> {
         match self {
             Self::As1170_4Ed2007Amd2 => None,
             Self::As1170_4Ed2024Unconfirmed => Some(
-                "AS 1170.4:2024 was not read: its spectral shape is reported to be that of 2007, and the tables of 2007 with \
-                 Amendment 2 (Z, kp, least kpZ) stand in",
+                "AS 1170.4:2024 was not available: its spectral shape is reported to be that of 2007, and the \
+                 tables of 2007 with Amendment 2 (Z, kp, smallest kpZ) are used",
             ),
         }
     }
@@ -50,10 +51,10 @@ pub enum SiteClass {
 }
 
 impl SiteClass {
-    /// Every class, hard to soft.
+    /// All classes, from hard to soft.
     pub const ALL: [Self; 5] = [Self::Ae, Self::Be, Self::Ce, Self::De, Self::Ee];
 
-    /// The class as the code writes it, e.g. `"De"`.
+    /// The class as the code writes it, for example `"De"`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Ae => "Ae",
@@ -75,10 +76,10 @@ impl SiteClass {
         }
     }
 
-    /// The class of a name in any case, e.g. `"De"` or `"de"`.
+    /// The class with a given name, in upper or lower case, for example `"De"` or `"de"`.
     ///
     /// # Errors
-    /// A name that is none of the five.
+    /// A name that is not one of the five classes.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
         Self::ALL
             .into_iter()
@@ -88,13 +89,15 @@ impl SiteClass {
 
     /// Spectral shape factor Ch(T), 5 % damping, as a ratio to the rock (Be) acceleration at T = 0.
     ///
-    /// `a + b T` up to 0.1 s, `min(c/T, plateau)` up to 1.5 s, `d/T²` beyond. NaN for a negative period.
+    /// `a + b T` up to 0.1 s, `min(c/T, plateau)` up to 1.5 s, `d/T²` above. NaN for a negative
+    /// period.
     ///
     /// # Reference
-    /// AS 1170.4—2007, clause 6.4 and Table 6.4 (the branch below 0.1 s is the one for dynamic analysis).
+    /// AS 1170.4—2007, clause 6.4 and Table 6.4 (below 0.1 s the branch for dynamic analysis).
     ///
     /// # Limitation
-    /// The printed table ends at 5 s and is rounded (up to 3 % from the formula); class Ce steps by 0.05 % at 1.5 s.
+    /// The printed table ends at 5 s and is rounded (up to 3 % from the formula); class Ce has a
+    /// step of 0.05 % at 1.5 s.
     ///
     /// # Example
     /// ```
@@ -134,9 +137,9 @@ struct Shape {
     displacement: f64,
 }
 
-/// Where the plateau begins in every class \[s\].
+/// Period at which the plateau begins in every class \[s\].
 const PLATEAU_START_S: f64 = 0.1;
-/// Where constant displacement begins in every class \[s\].
+/// Period at which constant displacement begins in every class \[s\].
 const DISPLACEMENT_START_S: f64 = 1.5;
 
 /// AS 1170.4, Table 3.2: places and hazard design factors Z.
@@ -197,10 +200,10 @@ const PROBABILITY_FACTORS: [(u32, f64); 12] = [
     (2500, 1.8),
 ];
 
-/// AS 1170.4, Table 3.3 (Amendment 2): return period \[years\] and least value of kp·Z.
+/// AS 1170.4, Table 3.3 (Amendment 2): return period \[years\] and smallest value of kp·Z.
 const MINIMUM_KPZ: [(u32, f64); 5] = [(500, 0.08), (1000, 0.10), (1500, 0.12), (2000, 0.14), (2500, 0.15)];
 
-/// Hazard design factor Z of a place, looked up in any case; `None` if the code does not list it.
+/// Hazard design factor Z of a place, in upper or lower case; `None` if the code does not list it.
 ///
 /// Z is the acceleration on rock (Be) at T = 0 with a return period of 500 years, in g.
 ///
@@ -215,18 +218,18 @@ pub fn hazard_factor(place: &str) -> Option<f64> {
     HAZARD_FACTORS.iter().find(|(name, _)| name.eq_ignore_ascii_case(place.trim())).map(|&(_, z)| z)
 }
 
-/// The places that [`hazard_factor`] knows, in the order of the code's table.
+/// The places in [`hazard_factor`], in the order of the code's table.
 pub fn hazard_factor_places() -> impl Iterator<Item = &'static str> {
     HAZARD_FACTORS.iter().map(|&(name, _)| name)
 }
 
-/// Probability factor kp of a return period; only the periods that the code tabulates.
+/// Probability factor kp of a return period; the period must be in the code's table.
 ///
 /// # Reference
 /// AS 1170.4—2007, Table 3.1.
 ///
 /// # Errors
-/// Any other return period; the error lists those that exist.
+/// Any other return period; the error lists those in the table.
 ///
 /// # Example
 /// ```
@@ -241,7 +244,8 @@ pub fn probability_factor(return_period_years: u32) -> Result<f64, CodeSpectrumE
     })
 }
 
-/// Least value of kp·Z for a return period; `None` where the code's table has none (below 500 years, and 800).
+/// Smallest value of kp·Z for a return period; `None` where the code's table has none (below
+/// 500 years, and 800).
 ///
 /// # Reference
 /// AS 1170.4—2007 Amendment 2, Table 3.3.
@@ -267,10 +271,12 @@ impl As1170_4 {
     /// AS 1170.4—2007 with Amendment 2, clauses 3.1–3.3 and 6.4.
     ///
     /// # Limitation
-    /// Where the code tabulates no minimum of kpZ (return periods below 500 years, and 800 years) none is applied.
+    /// Where the code tabulates no minimum of kpZ (return periods below 500 years, and 800 years),
+    /// none is applied.
     ///
     /// # Errors
-    /// A hazard factor that is not positive and finite, a return period that the code does not tabulate.
+    /// A hazard factor that is not positive and finite, or a return period that is not in the
+    /// code's table.
     ///
     /// # Example
     /// Melbourne, deep soil, 500 years:
@@ -322,7 +328,7 @@ impl As1170_4 {
         self.return_period_years
     }
 
-    /// kp·Z, not below the code's minimum \[g\].
+    /// kp·Z, at least the code's minimum \[g\].
     pub fn kpz_g(&self) -> f64 {
         self.kpz_g
     }
@@ -332,12 +338,12 @@ impl As1170_4 {
         self.minimum_governs
     }
 
-    /// The plateau of the spectrum, which every site class has at 0.2 s \[g\].
+    /// The plateau of the spectrum, which includes 0.2 s in every site class \[g\].
     pub fn plateau_g(&self) -> f64 {
         self.sa_g(0.2)
     }
 
-    /// Where the plateau begins and ends, and where constant displacement begins \[s\].
+    /// Beginning and end of the plateau, and beginning of constant displacement \[s\].
     pub fn corner_periods_s(&self) -> [f64; 3] {
         let Shape { plateau, velocity, .. } = self.site.shape();
         [PLATEAU_START_S, velocity / plateau, DISPLACEMENT_START_S]
@@ -404,9 +410,10 @@ mod tests {
         for (class, factors) in table {
             for (period_s, printed) in PERIODS_S.into_iter().zip(factors) {
                 let got = class.shape_factor_ratio(period_s);
-                // The table has two decimals, three below 0.1: half a unit of the last. Its plateau value printed at
-                // 0.3 s is what the constants c (three digits, so 0.88 is anything to 0.885) give as 2.933: their
-                // half digit, 0.57 %, comes on top.
+                // The table has two decimals, three below 0.1: half a unit of the last. At 0.3 s it
+                // prints its plateau, where the constants c give 2.933; they have only enough
+                // digits (0.88 stands for anything up to 0.885) for half a digit, 0.57 %, which is
+                // added.
                 let half_unit = if printed < 0.1 { 0.0005 } else { 0.005 };
                 assert!((got - printed).abs() <= half_unit + 0.0057 * printed, "{class:?} {period_s}: {got} {printed}");
             }
@@ -421,14 +428,17 @@ mod tests {
             let spectrum = As1170_4::new(Edition::default(), class, 0.08, 500).unwrap();
             assert_eq!([spectrum.corner_periods_s()[0], spectrum.corner_periods_s()[2]], [0.1, 1.5]);
             assert!((spectrum.corner_periods_s()[1] - end_s).abs() < 5e-5);
-            // The ends have 4 digits, so the plateau still holds 1e-4 s before and no longer 1e-4 s after.
+            // The ends have 4 digits, so the plateau still applies 1e-4 s before and no longer
+            // 1e-4 s after.
             assert_eq!(class.shape_factor_ratio(end_s - 1e-4), plateau);
             assert!(class.shape_factor_ratio(end_s + 1e-4) < plateau);
-            // At 1.5 s c/T meets d/T²: exactly but for class Ce, whose constants step by 0.05 %.
+            // At 1.5 s c/T meets d/T² exactly, except for class Ce, whose constants leave a step of
+            // 0.05 %.
             let step = class.shape_factor_ratio(1.5_f64.next_up()) / class.shape_factor_ratio(1.5) - 1.0;
             let want = if class == SiteClass::Ce { 1.874 / 1.875 - 1.0 } else { 0.0 };
             assert!((step - want).abs() < 1e-14, "{class:?}: {step}");
-            // At 0.1 s the rise meets the plateau, but for the rounding of Ae (2.35) to the last digit.
+            // At 0.1 s the rise meets the plateau, up to the rounding of Ae (2.35) to the last
+            // digit.
             assert!((class.shape_factor_ratio(0.1) - plateau).abs() < 1e-14);
         }
         assert!(SiteClass::De.shape_factor_ratio(-0.1).is_nan() && SiteClass::De.shape_factor_ratio(f64::NAN).is_nan());
@@ -444,7 +454,8 @@ mod tests {
             // Two or three multiplications.
             assert!((spectrum.sa_g(period_s) - sa_g).abs() < 1e-15, "{period_s}");
         }
-        // Constant displacement beyond 1.5 s and constant pseudo-velocity before, each to its last printed digit.
+        // Constant displacement above 1.5 s and constant pseudo-velocity below, each to its last
+        // printed digit.
         for period_s in [1.6, 3.0, 5.0] {
             let sd_m = spectrum.sa_g(period_s) * G0_M_S2 * (period_s / TAU).powi(2);
             assert!((sd_m - 0.0590).abs() < 0.00005, "{sd_m}");

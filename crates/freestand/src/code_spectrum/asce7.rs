@@ -2,18 +2,18 @@
 
 use super::{CodeSpectrumError, positive};
 
-/// Edition of ASCE 7; the spectrum is the same, parts and components are not.
+/// Edition of ASCE 7; the spectrum is the same, but the rules for parts and components differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Asce7Edition {
     /// ASCE 7-16.
     Asce7_16,
-    /// ASCE 7-22, whose own choice is the multi-period spectrum: for that take a table.
+    /// ASCE 7-22, which prefers the multi-period spectrum: use a table for that.
     #[default]
     Asce7_22,
 }
 
 impl Asce7Edition {
-    /// Name for outputs.
+    /// The name in outputs.
     pub fn name(self) -> &'static str {
         match self {
             Self::Asce7_16 => "ASCE 7-16",
@@ -24,7 +24,8 @@ impl Asce7Edition {
 
 /// A design spectrum of ASCE 7, 5 % damping.
 ///
-/// `SDS (0.4 + 0.6 T/T0)` below T0 = 0.2 TS, `SDS` to TS = SD1/SDS, `SD1/T` to TL, `SD1 TL/T²` beyond.
+/// `SDS (0.4 + 0.6 T/T0)` below T0 = 0.2 TS, `SDS` up to TS = SD1/SDS, `SD1/T` up to TL,
+/// `SD1 TL/T²` above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asce7 {
     edition: Asce7Edition,
@@ -34,13 +35,13 @@ pub struct Asce7 {
 }
 
 impl Asce7 {
-    /// The spectrum of the design accelerations SDS and SD1 and the transition period TL.
+    /// The spectrum for the design accelerations SDS and SD1 and the transition period TL.
     ///
     /// # Reference
     /// ASCE 7-16, 11.4.6; ASCE 7-22, 11.4.5.2.
     ///
     /// # Errors
-    /// A value that is not positive and finite, a TL below TS = SD1/SDS.
+    /// A value that is not positive and finite, or a TL below TS = SD1/SDS.
     ///
     /// # Example
     /// SDS = 1 g, SD1 = 0.6 g, TL = 8 s: TS = 0.6 s, T0 = 0.12 s.
@@ -55,19 +56,19 @@ impl Asce7 {
         let (sds_g, sd1_g) = (positive("SDS", sds_g)?, positive("SD1", sd1_g)?);
         let long_period_s = positive("TL", long_period_s)?;
         if long_period_s < sd1_g / sds_g {
-            let requirement = "no less than TS = SD1/SDS";
+            let requirement = "at least TS = SD1/SDS";
             return Err(CodeSpectrumError::Parameter { name: "TL", requirement, value: long_period_s });
         }
         Ok(Self { edition, sds_g, sd1_g, long_period_s })
     }
 
-    /// The spectrum of the mapped accelerations: SDS = ⅔ Fa Ss and SD1 = ⅔ Fv S1.
+    /// The spectrum for the mapped accelerations: SDS = ⅔ Fa Ss and SD1 = ⅔ Fv S1.
     ///
     /// # Reference
     /// ASCE 7-16, 11.4.4 and 11.4.5.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Those of [`Self::new`].
     ///
     /// # Example
     /// Ss = 1.5 g, Fa = 1: SDS = 1 g.
@@ -131,8 +132,8 @@ impl Asce7 {
 mod tests {
     use super::*;
 
-    /// SDS = 0.8 g, SD1 = 0.4 g, TL = 6 s: TS = 0.5 s, T0 = 0.1 s. By hand: 0.32 at 0, 0.56 at T0/2, 0.8, 0.8, 0.4 at 1 s,
-    /// 0.4/6 at TL, 0.4 · 6/144 = 1/60 at 12 s.
+    /// SDS = 0.8 g, SD1 = 0.4 g, TL = 6 s: TS = 0.5 s, T0 = 0.1 s. By hand: 0.32 at 0, 0.56 at
+    /// T0/2, 0.8, 0.8, 0.4 at 1 s, 0.4/6 at TL, 0.4 · 6/144 = 1/60 at 12 s.
     #[test]
     fn every_corner_and_between() {
         let code = Asce7::new(Asce7Edition::Asce7_16, 0.8, 0.4, 6.0).unwrap();

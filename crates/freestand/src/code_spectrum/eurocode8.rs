@@ -7,7 +7,7 @@ use super::{CodeSpectrumError, positive};
 pub enum SpectrumType {
     /// Type 1: earthquakes with surface-wave magnitudes above 5.5 contribute most to the hazard.
     Type1,
-    /// Type 2: magnitudes of 5.5 or less, the usual one where seismicity is low.
+    /// Type 2: magnitudes of 5.5 or less, usual where seismicity is low.
     Type2,
 }
 
@@ -37,7 +37,7 @@ pub enum GroundType {
 }
 
 impl GroundType {
-    /// Every type, in the code's order.
+    /// All types, in the order of the code.
     pub const ALL: [Self; 5] = [Self::A, Self::B, Self::C, Self::D, Self::E];
 
     /// The type as the code writes it.
@@ -62,10 +62,10 @@ impl GroundType {
         }
     }
 
-    /// The type of a name in any case.
+    /// The type with a given name, in upper or lower case.
     ///
     /// # Errors
-    /// A name that is none of the five; S1 and S2 need a study of their own, by the code.
+    /// A name that is not one of the five; the code requires special studies for S1 and S2.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
         let unknown = || CodeSpectrumError::SiteClass { name: name.to_owned(), known: "A, B, C, D, E" };
         Self::ALL.into_iter().find(|ground| ground.name().eq_ignore_ascii_case(name.trim())).ok_or_else(unknown)
@@ -77,11 +77,11 @@ impl GroundType {
 pub struct SpectrumShape {
     /// Soil factor S.
     pub soil_factor_ratio: f64,
-    /// Where the plateau begins, TB \[s\].
+    /// Period at which the plateau begins, TB \[s\].
     pub tb_s: f64,
-    /// Where it ends, TC \[s\].
+    /// Period at which it ends, TC \[s\].
     pub tc_s: f64,
-    /// Where constant displacement begins, TD \[s\].
+    /// Period at which constant displacement begins, TD \[s\].
     pub td_s: f64,
 }
 
@@ -120,7 +120,7 @@ const VERTICAL_CORNERS_S: [f64; 3] = [0.05, 0.15, 1.0];
 /// EN 1998-1:2004, Eq. (3.6).
 ///
 /// # Errors
-/// A damping ratio that is not from 0 to below 1.
+/// A damping ratio that is not at least 0 and below 1.
 ///
 /// # Example
 /// 20 %: √(10/25) = 0.632.
@@ -139,7 +139,8 @@ pub fn damping_correction_ratio(damping_ratio: f64) -> Result<f64, CodeSpectrumE
 
 /// An elastic spectrum of Eurocode 8.
 ///
-/// `Se(T) = a_g S [1 + (T/TB)(2.5η − 1)]` to TB, `2.5η a_g S` to TC, `2.5η a_g S TC/T` to TD, `2.5η a_g S TC TD/T²` beyond.
+/// `Se(T) = a_g S [1 + (T/TB)(2.5η − 1)]` up to TB, `2.5η a_g S` up to TC, `2.5η a_g S TC/T` up to
+/// TD, `2.5η a_g S TC TD/T²` above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Eurocode8 {
     spectrum_type: SpectrumType,
@@ -151,19 +152,21 @@ pub struct Eurocode8 {
 }
 
 impl Eurocode8 {
-    /// The spectrum with the recommended shape of a ground type: a_g = γ_I a_gR.
+    /// The spectrum with the recommended shape for a ground type: a_g = γ_I a_gR.
     ///
     /// # Reference
     /// EN 1998-1:2004, 3.2.2.2, Eqs. (3.2)–(3.5), Tables 3.2 and 3.3.
     ///
     /// # Limitation
-    /// The code's formulas end at 4 s; beyond, its Annex A lets the displacement fall. Here it stays constant.
+    /// The code's formulas end at 4 s, above which its Annex A reduces the displacement. Here it
+    /// stays constant.
     ///
     /// # Errors
     /// An acceleration or an importance factor that is not positive and finite.
     ///
     /// # Example
-    /// Type 1, ground B, 0.2 g: the plateau is 2.5 · 0.2 g · 1.2 = 0.6 g, at 1 s half of it (TC = 0.5 s).
+    /// Type 1, ground B, 0.2 g: the plateau is 2.5 · 0.2 g · 1.2 = 0.6 g, at 1 s half of it (TC =
+    /// 0.5 s).
     /// ```
     /// use freestand::code_spectrum::{Eurocode8, GroundType, SpectrumType};
     /// let code = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0)?;
@@ -187,11 +190,12 @@ impl Eurocode8 {
         })
     }
 
-    /// The same code with the shape of a national annex or of a site study; the type is kept for the vertical spectrum, the
-    /// ground type for the name.
+    /// The same spectrum with the shape of a national annex or of a site study. The type still
+    /// selects the vertical spectrum, and the ground type still appears in the name.
     ///
     /// # Errors
-    /// As [`Self::new`]; a soil factor that is not positive, corner periods that are not 0 < TB ≤ TC ≤ TD.
+    /// Those of [`Self::new`]; a soil factor that is not positive; corner periods that are not 0 <
+    /// TB ≤ TC ≤ TD.
     pub fn with_shape(
         spectrum_type: SpectrumType,
         ground: Option<GroundType>,
@@ -204,7 +208,7 @@ impl Eurocode8 {
         positive("TB", shape.tb_s)?;
         for (name, value, least) in [("TC", shape.tc_s, shape.tb_s), ("TD", shape.td_s, shape.tc_s)] {
             if !(value >= least && value.is_finite()) {
-                let requirement = "finite and no less than the corner before it";
+                let requirement = "finite and at least the previous corner period";
                 return Err(CodeSpectrumError::Parameter { name, requirement, value });
             }
         }
@@ -217,7 +221,7 @@ impl Eurocode8 {
         self.spectrum_type
     }
 
-    /// Ground type, where one was given.
+    /// Ground type, if one was given.
     pub fn ground(&self) -> Option<GroundType> {
         self.ground
     }
@@ -242,7 +246,7 @@ impl Eurocode8 {
         self.shape
     }
 
-    /// Whether the shape is the one that EN 1998-1 recommends.
+    /// Whether the shape is that recommended by EN 1998-1.
     pub fn is_recommended(&self) -> bool {
         self.is_recommended
     }
@@ -267,17 +271,18 @@ impl Eurocode8 {
         self.zero_period_g() * shape_ratio(self.corner_periods_s(), 2.5, period_s)
     }
 
-    /// Horizontal spectral acceleration at another damping \[g\]: 2.5 becomes 2.5η. NaN for a negative period.
+    /// Horizontal spectral acceleration at another damping \[g\]: 2.5 becomes 2.5η. NaN for a
+    /// negative period.
     ///
     /// # Errors
-    /// As [`damping_correction_ratio`].
+    /// Those of [`damping_correction_ratio`].
     pub fn damped_sa_g(&self, period_s: f64, damping_ratio: f64) -> Result<f64, CodeSpectrumError> {
         let eta = damping_correction_ratio(damping_ratio)?;
         Ok(self.zero_period_g() * shape_ratio(self.corner_periods_s(), 2.5 * eta, period_s))
     }
 
-    /// Vertical spectral acceleration, 5 % damping \[g\]: a_vg = 0.90 a_g (type 1) or 0.45 a_g (type 2), 3.0 for 2.5, no soil
-    /// factor. NaN for a negative period.
+    /// Vertical spectral acceleration, 5 % damping \[g\]: a_vg = 0.90 a_g (type 1) or 0.45 a_g
+    /// (type 2), 3.0 in place of 2.5, no soil factor. NaN for a negative period.
     ///
     /// # Reference
     /// EN 1998-1:2004, 3.2.2.3, Eqs. (3.8)–(3.11), Table 3.4.
@@ -305,8 +310,8 @@ fn shape_ratio([tb_s, tc_s, td_s]: [f64; 3], amplification: f64, period_s: f64) 
 mod tests {
     use super::*;
 
-    /// Sa/(a_g S) at T = 0, TB/2, TB, TC, 2 TC or TD, TD, 2 TD by hand from Eqs. (3.2)–(3.5): 1, (1 + 2.5)/2 = 1.75, 2.5,
-    /// 2.5, 2.5 TC/T, 2.5 TC/TD, a quarter of that.
+    /// Sa/(a_g S) at T = 0, TB/2, TB, TC, 2 TC or TD, TD, 2 TD by hand from Eqs. (3.2)–(3.5): 1,
+    /// (1 + 2.5)/2 = 1.75, 2.5, 2.5, 2.5 TC/T, 2.5 TC/TD, and a quarter of that.
     #[test]
     fn every_type_and_ground_at_its_corners() {
         let tables = [
@@ -345,7 +350,7 @@ mod tests {
             }
             for corner in [tb, tc, td] {
                 let (before, after) = (code.sa_g(corner.next_down()), code.sa_g(corner.next_up()));
-                // Continuous: what is left is rounding and the slope over two units of the last place.
+                // Continuous: only rounding and the slope over two units in the last place remain.
                 assert!((after / before - 1.0).abs() < 1e-14, "{spectrum_type:?} {ground:?} {corner}");
             }
         }
@@ -363,8 +368,8 @@ mod tests {
         assert!(code.damped_sa_g(0.4, 1.0).is_err() && code.damped_sa_g(0.4, f64::NAN).is_err());
     }
 
-    /// By hand, type 1, a_g = 0.2 g: a_vg = 0.18 g; 0.18 at 0, 0.54 from 0.05 to 0.15 s, 0.54 · 0.15/0.3 = 0.27 at 0.3 s,
-    /// 0.54 · 0.15/4 = 0.02025 at 2 s. Type 2 has half of it.
+    /// By hand, type 1, a_g = 0.2 g: a_vg = 0.18 g; 0.18 at 0, 0.54 from 0.05 to 0.15 s, 0.54 ·
+    /// 0.15/0.3 = 0.27 at 0.3 s, 0.54 · 0.15/4 = 0.02025 at 2 s. Type 2 has half of these values.
     #[test]
     fn the_vertical_spectrum_has_no_soil_factor() {
         for (spectrum_type, factor) in [(SpectrumType::Type1, 1.0), (SpectrumType::Type2, 0.5)] {

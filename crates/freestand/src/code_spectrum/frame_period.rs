@@ -2,7 +2,7 @@
 
 use super::CodeSpectrumError;
 
-/// Kind of structure for the code's estimate of the fundamental period.
+/// Kind of structure in the code's estimate of the fundamental period.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FrameKind {
     /// Moment-resisting steel frames, kt = 0.11.
@@ -16,10 +16,10 @@ pub enum FrameKind {
 }
 
 impl FrameKind {
-    /// Every kind.
+    /// All kinds.
     pub const ALL: [Self; 4] = [Self::MomentSteel, Self::MomentConcrete, Self::EccentricallyBracedSteel, Self::Other];
 
-    /// The word for it in flags and studies.
+    /// The name in flags and studies.
     pub fn name(self) -> &'static str {
         match self {
             Self::MomentSteel => "steel-moment",
@@ -29,7 +29,7 @@ impl FrameKind {
         }
     }
 
-    /// The kind of that name, whatever its capitals.
+    /// The kind with a given name, in upper or lower case.
     pub fn parse(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name().eq_ignore_ascii_case(name.trim()))
     }
@@ -45,13 +45,14 @@ impl FrameKind {
     }
 }
 
-/// Fundamental period of a building by the code, `T₁ = 1.25 kt hn^0.75` (hn in m) \[s\].
+/// Fundamental period of a building according to the code, `T₁ = 1.25 kt hn^0.75` (hn in m) \[s\].
 ///
 /// # Reference
 /// AS 1170.4—2007, clause 6.2.3 (ultimate limit states).
 ///
 /// # Limitation
-/// An estimate from the height alone, meant to be short so that design forces are not; real towers are often longer.
+/// An estimate from the height alone, which is deliberately short so that design forces are
+/// conservative; the periods of real towers are often longer.
 ///
 /// # Errors
 /// A height that is not positive and finite.

@@ -1,14 +1,16 @@
-//! Elastic design spectra of codes, 5 % damping: AS 1170.4, Eurocode 8, ASCE 7, NZS 1170.5, and a table of the user's.
+//! Elastic design spectra of codes, 5 % damping: AS 1170.4, Eurocode 8, ASCE 7, NZS 1170.5, and
+//! user tables.
 //!
 //! | code | parameters | short periods | plateau | then | long periods |
 //! |---|---|---|---|---|---|
-//! | [`As1170_4`] | Z, return period, class | kpZ (a + b T) | kpZ c | 1/T | 1/T² beyond 1.5 s |
-//! | [`Eurocode8`] | a_g, type, ground | a_g S (1 + 1.5 T/TB) | 2.5 a_g S | 1/T | 1/T² beyond TD |
-//! | [`Asce7`] | SDS, SD1, TL | SDS (0.4 + 0.6 T/T0) | SDS | 1/T | 1/T² beyond TL |
-//! | [`Nzs1170_5`] | Z, return period, class, fault | Z R (a + b T) | Z R c | T^−0.75 | 1/T, 1/T² beyond 3 s |
-//! | [`SpectrumTable`] | periods and accelerations | log-log or linear between them, refused or held outside | | | |
+//! | [`As1170_4`] | Z, return period, class | kpZ (a + b T) | kpZ c | 1/T | 1/T² above 1.5 s |
+//! | [`Eurocode8`] | a_g, type, ground | a_g S (1 + 1.5 T/TB) | 2.5 a_g S | 1/T | 1/T² above TD |
+//! | [`Asce7`] | SDS, SD1, TL | SDS (0.4 + 0.6 T/T0) | SDS | 1/T | 1/T² above TL |
+//! | [`Nzs1170_5`] | Z, R, class, fault | Z R (a + b T) | Z R c | T^−0.75 | 1/T, 1/T² above 3 s |
+//! | [`SpectrumTable`] | periods, accelerations | log-log or linear, bounded or extended | | | |
 //!
-//! [`parts`] has the acceleration that each code gives a rigid part on a floor, [`part_forces`] the force that it is fixed for.
+//! [`parts`] has the acceleration of a rigid part on a floor according to each code,
+//! [`part_forces`] the design force of its fixing.
 //!
 //! # Example
 //! ```
@@ -39,7 +41,7 @@ pub use frame_period::{FrameKind, fundamental_period_s};
 pub use nzs1170_5::{Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor};
 pub use table::{Interpolation, OutOfRange, SpectrumTable};
 
-/// An elastic spectrum that motions are held against, 5 % damping.
+/// An elastic code spectrum, which motions are compared with and matched to, 5 % damping.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CodeSpectrum {
     /// Australia.
@@ -50,15 +52,15 @@ pub enum CodeSpectrum {
     Asce7(Asce7),
     /// New Zealand.
     Nzs1170_5(Nzs1170_5),
-    /// The user's own.
+    /// A table from the user.
     Table(SpectrumTable),
 }
 
 impl CodeSpectrum {
     /// Spectral acceleration at 5 % damping \[g\].
     ///
-    /// NaN for a negative period, and where a table has no value and refuses to go on: ask [`Self::longest_period_s`] and
-    /// [`Self::shortest_period_s`] before.
+    /// NaN for a negative period, and outside a table that is not extended: check
+    /// [`Self::longest_period_s`] and [`Self::shortest_period_s`] first.
     pub fn sa_g(&self, period_s: f64) -> f64 {
         match self {
             Self::As1170_4(code) => code.sa_g(period_s),
@@ -80,7 +82,8 @@ impl CodeSpectrum {
         }
     }
 
-    /// The periods where one branch meets the next, ascending; those of a table are its own, without 0 \[s\].
+    /// The periods at which branches meet, ascending; those of a table are its own, without
+    /// 0 \[s\].
     pub fn corner_periods_s(&self) -> Vec<f64> {
         match self {
             Self::As1170_4(code) => code.corner_periods_s().to_vec(),
@@ -91,7 +94,8 @@ impl CodeSpectrum {
         }
     }
 
-    /// The shortest period with a value, 0 but for a table that begins later and is not held there \[s\].
+    /// The shortest period with a value: 0, except for a table that begins later and is not
+    /// extended \[s\].
     pub fn shortest_period_s(&self) -> f64 {
         match self {
             Self::Table(table) => table.shortest_period_s(),
@@ -99,9 +103,10 @@ impl CodeSpectrum {
         }
     }
 
-    /// The longest period with a value; `None` where there is no end \[s\].
+    /// The longest period with a value; `None` where there is no limit \[s\].
     ///
-    /// Codes print their tables to 5 s or so; their formulas go on, and so do these.
+    /// The tables printed in codes end at about 5 s; their formulas continue, and so do these
+    /// spectra.
     pub fn longest_period_s(&self) -> Option<f64> {
         match self {
             Self::Table(table) => table.longest_period_s(),
@@ -120,7 +125,8 @@ impl CodeSpectrum {
         }
     }
 
-    /// The site class or ground type as the code writes it; `None` where the code leaves it to the factors.
+    /// The site class or ground type as the code writes it; `None` where the code expresses it by
+    /// factors.
     pub fn site_name(&self) -> Option<&'static str> {
         match self {
             Self::As1170_4(code) => Some(code.site().name()),
@@ -130,7 +136,7 @@ impl CodeSpectrum {
         }
     }
 
-    /// The return period \[years\], where the code has one among its parameters.
+    /// The return period \[years\], if it is a parameter of the code.
     pub fn return_period_years(&self) -> Option<u32> {
         match self {
             Self::As1170_4(code) => Some(code.return_period_years()),
@@ -139,7 +145,7 @@ impl CodeSpectrum {
         }
     }
 
-    /// What is not confirmed about it and belongs into every output.
+    /// A caveat about the spectrum that must appear in every output.
     pub fn doubt(&self) -> Option<&'static str> {
         match self {
             Self::As1170_4(code) => code.edition().doubt(),
@@ -178,15 +184,15 @@ impl From<SpectrumTable> for CodeSpectrum {
     }
 }
 
-/// Why there is no such code spectrum.
+/// Why parameters do not make a code spectrum.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CodeSpectrumError {
-    /// No such site class.
-    #[error("no site class {name:?}; there are {known}")]
+    /// A site class that does not exist.
+    #[error("there is no site class {name:?}; the classes are {known}")]
     SiteClass {
-        /// What was given.
+        /// The name that was given.
         name: String,
-        /// The classes of the code, hard to soft.
+        /// The classes of the code, from hard to soft.
         known: &'static str,
     },
     /// The hazard design factor is not a positive finite number.
@@ -196,7 +202,7 @@ pub enum CodeSpectrumError {
         hazard_factor: f64,
     },
     /// The code has no probability factor for the return period.
-    #[error("no probability factor for {return_period_years} years; the code has {known_years:?}")]
+    #[error("the code has no probability factor for {return_period_years} years, only for {known_years:?}")]
     ReturnPeriod {
         /// The return period that was given.
         return_period_years: u32,
@@ -209,17 +215,17 @@ pub enum CodeSpectrumError {
         /// The height that was given.
         height_m: f64,
     },
-    /// A parameter that no spectrum of the code has.
+    /// A parameter that is out of range.
     #[error("{name} must be {requirement}, not {value}")]
     Parameter {
         /// Its symbol in the code.
         name: &'static str,
-        /// What it must be.
+        /// The requirement that it does not meet.
         requirement: &'static str,
         /// The value that was given.
         value: f64,
     },
-    /// A table that is no spectrum.
+    /// A row of a table that is out of range.
     #[error("row {row} of the table (period {period_s} s, Sa {sa_g} g): {requirement}")]
     TableRow {
         /// The row, counted from 1.
@@ -228,11 +234,14 @@ pub enum CodeSpectrumError {
         period_s: f64,
         /// Its acceleration \[g\].
         sa_g: f64,
-        /// What it must be.
+        /// The requirement that it does not meet.
         requirement: &'static str,
     },
-    /// A table of different numbers of periods and accelerations, or of fewer than two.
-    #[error("a table needs two or more periods and as many accelerations, not {periods} and {accelerations}")]
+    /// A table whose columns differ in length, or that has fewer than two rows.
+    #[error(
+        "a table needs at least two periods and as many accelerations, not {periods} periods and \
+         {accelerations} accelerations"
+    )]
     TableLength {
         /// Number of periods.
         periods: usize,
@@ -241,7 +250,7 @@ pub enum CodeSpectrumError {
     },
 }
 
-/// A parameter that must be positive and finite.
+/// Checks that a parameter is positive and finite.
 fn positive(name: &'static str, value: f64) -> Result<f64, CodeSpectrumError> {
     let requirement = "positive and finite";
     if value > 0.0 && value.is_finite() {

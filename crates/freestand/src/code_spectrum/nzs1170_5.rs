@@ -17,7 +17,8 @@ pub enum SubsoilClass {
     E,
 }
 
-/// Constants of Ch(T): at T = 0, plateau, its end \[s\], `c (t₀/T)^0.75` to 1.5 s, `d/T` to 3 s, `3 d/T²` beyond.
+/// Constants of Ch(T): at T = 0, plateau, its end \[s\], `c (t₀/T)^0.75` up to 1.5 s, `d/T` up to
+/// 3 s, `3 d/T²` above.
 struct Shape {
     zero: f64,
     plateau: f64,
@@ -26,15 +27,15 @@ struct Shape {
     velocity: f64,
 }
 
-/// Where the plateau begins in every class \[s\].
+/// Period at which the plateau begins in every class \[s\].
 const PLATEAU_START_S: f64 = 0.1;
-/// Where `d/T` begins \[s\].
+/// Period at which `d/T` begins \[s\].
 const VELOCITY_START_S: f64 = 1.5;
-/// Where `3 d/T²` begins \[s\].
+/// Period at which `3 d/T²` begins \[s\].
 const DISPLACEMENT_START_S: f64 = 3.0;
 
 impl SubsoilClass {
-    /// Every class, hard to soft.
+    /// All classes, from hard to soft.
     pub const ALL: [Self; 5] = [Self::A, Self::B, Self::C, Self::D, Self::E];
 
     /// The class as the code writes it.
@@ -59,10 +60,10 @@ impl SubsoilClass {
         }
     }
 
-    /// The class of a name in any case.
+    /// The class with a given name, in upper or lower case.
     ///
     /// # Errors
-    /// A name that is none of the five.
+    /// A name that is not one of the five classes.
     pub fn parse(name: &str) -> Result<Self, CodeSpectrumError> {
         let unknown = || CodeSpectrumError::SiteClass { name: name.to_owned(), known: "A, B, C, D, E" };
         Self::ALL.into_iter().find(|class| class.name().eq_ignore_ascii_case(name.trim())).ok_or_else(unknown)
@@ -78,14 +79,16 @@ impl SubsoilClass {
         Shape { zero, plateau, plateau_end_s, middle, velocity }
     }
 
-    /// Spectral shape factor Ch(T) of modal and time-history analysis, 5 % damping. NaN for a negative period.
+    /// Spectral shape factor Ch(T) for modal and time-history analysis, 5 % damping. NaN for a
+    /// negative period.
     ///
     /// # Reference
-    /// NZS 1170.5:2004, Table 3.1 and its commentary's formulas.
+    /// NZS 1170.5:2004, Table 3.1 and the formulas of its commentary.
     ///
     /// # Limitation
-    /// The constants are rounded, so branches do not quite meet: at the end of the plateau −0.13 % (A, B) and −0.4 % (D), at
-    /// 1.5 s −0.27 % (A, B), +0.30 % (C), −0.03 % (D). Class D is not interpolated towards C by the site's period.
+    /// The constants are rounded, so branches do not meet exactly: the step is −0.13 % (A, B) and
+    /// −0.4 % (D) at the end of the plateau, and −0.27 % (A, B), +0.30 % (C), −0.03 % (D) at 1.5 s.
+    /// Class D is not interpolated towards C by the period of the site.
     ///
     /// # Example
     /// ```
@@ -99,7 +102,7 @@ impl SubsoilClass {
         match period_s {
             t if (0.0..PLATEAU_START_S).contains(&t) => zero + (plateau - zero) * t / PLATEAU_START_S,
             t if t >= PLATEAU_START_S && t <= plateau_end_s => plateau,
-            // Class C begins 0.1 % above its plateau: no more than that.
+            // Class C begins 0.1 % above its plateau, so it is limited to the plateau.
             t if t > plateau_end_s && t <= VELOCITY_START_S => (c * (t0_s / t).powf(0.75)).min(plateau),
             t if t > VELOCITY_START_S && t <= DISPLACEMENT_START_S => velocity / t,
             t if t > DISPLACEMENT_START_S => velocity * DISPLACEMENT_START_S / (t * t),
@@ -112,19 +115,19 @@ impl SubsoilClass {
 const RETURN_PERIOD_FACTORS: [(u32, f64); 9] =
     [(20, 0.20), (25, 0.25), (50, 0.35), (100, 0.5), (250, 0.75), (500, 1.0), (1000, 1.3), (2000, 1.7), (2500, 1.8)];
 
-/// Z·R is no more than this, by clause 3.1.1 \[g\].
+/// Largest value of Z·R, by clause 3.1.1 \[g\].
 const LARGEST_ZR_G: f64 = 0.7;
 
-/// Up to this R the code takes no account of near faults.
+/// Up to this R the code ignores near faults.
 const LARGEST_R_WITHOUT_FAULT: f64 = 0.75;
 
-/// Return period factor R; only the periods that the code tabulates.
+/// Return period factor R; the period must be in the code's table.
 ///
 /// # Reference
 /// NZS 1170.5:2004, Table 3.5.
 ///
 /// # Errors
-/// Any other return period; the error lists those that exist.
+/// Any other return period; the error lists those in the table.
 pub fn return_period_factor(return_period_years: u32) -> Result<f64, CodeSpectrumError> {
     let known = RETURN_PERIOD_FACTORS.iter().find(|&&(years, _)| years == return_period_years);
     known.map(|&(_, factor)| factor).ok_or_else(|| CodeSpectrumError::ReturnPeriod {
@@ -135,8 +138,8 @@ pub fn return_period_factor(return_period_years: u32) -> Result<f64, CodeSpectru
 
 /// Near-fault factor N(T, D) for the distance D to one of the code's major faults.
 ///
-/// Nmax to 2 km, `1 + (Nmax − 1)(20 − D)/18` to 20 km, 1 beyond, with Nmax(T) = 1 to 1.5 s, 0.24 T + 0.64 to 4 s,
-/// 0.12 T + 1.12 to 5 s, 1.72 beyond.
+/// Nmax up to 2 km, `1 + (Nmax − 1)(20 − D)/18` up to 20 km, 1 above, with Nmax(T) = 1 up to 1.5 s,
+/// 0.24 T + 0.64 up to 4 s, 0.12 T + 1.12 up to 5 s, 1.72 above.
 ///
 /// # Reference
 /// NZS 1170.5:2004, clause 3.1.6 and Table 3.7.
@@ -168,14 +171,14 @@ pub struct Nzs1170_5 {
 }
 
 impl Nzs1170_5 {
-    /// The spectrum of a site; without a distance there is no major fault near, N = 1.
+    /// The spectrum of a site; without a distance there is no major fault nearby, and N = 1.
     ///
     /// # Reference
     /// NZS 1170.5:2004, Eq. (3.1(1)): `Z R ≤ 0.7`; N = 1 for R ≤ 0.75 and beyond 20 km.
     ///
     /// # Errors
-    /// A hazard factor that is not positive and finite, a return period that the code does not tabulate, a distance that is
-    /// negative or not finite.
+    /// A hazard factor that is not positive and finite, a return period that is not in the code's
+    /// table, or a distance that is negative or not finite.
     ///
     /// # Example
     /// Wellington (Z = 0.40), class C, 500 years, far from a fault:
@@ -194,7 +197,7 @@ impl Nzs1170_5 {
         positive("the hazard factor Z", hazard_factor)?;
         let return_factor_ratio = return_period_factor(return_period_years)?;
         if let Some(value) = fault_distance_km.filter(|d| !(*d >= 0.0 && d.is_finite())) {
-            let (name, requirement) = ("the distance to the fault in km", "0 or more, and finite");
+            let (name, requirement) = ("the distance to the fault in km", "at least 0 and finite");
             return Err(CodeSpectrumError::Parameter { name, requirement, value });
         }
         Ok(Self { site, hazard_factor, return_period_years, return_factor_ratio, fault_distance_km })
@@ -220,17 +223,17 @@ impl Nzs1170_5 {
         self.return_factor_ratio
     }
 
-    /// Distance to the nearest major fault \[km\], where one was given.
+    /// Distance to the nearest major fault \[km\], if one was given.
     pub fn fault_distance_km(&self) -> Option<f64> {
         self.fault_distance_km
     }
 
-    /// Z·R, no more than 0.7 \[g\].
+    /// Z·R, at most 0.7 \[g\].
     pub fn zr_g(&self) -> f64 {
         (self.hazard_factor * self.return_factor_ratio).min(LARGEST_ZR_G)
     }
 
-    /// Whether the largest Z·R of the code took the place of the product.
+    /// Whether the code's largest Z·R replaced the product.
     pub fn maximum_governs(&self) -> bool {
         self.hazard_factor * self.return_factor_ratio > LARGEST_ZR_G
     }
@@ -240,12 +243,13 @@ impl Nzs1170_5 {
         self.return_factor_ratio > LARGEST_R_WITHOUT_FAULT && self.fault_distance_km.is_some_and(|km| km < 20.0)
     }
 
-    /// The plateau, which ends before near faults count \[g\].
+    /// The plateau, which ends below the periods that near faults affect \[g\].
     pub fn plateau_g(&self) -> f64 {
         self.zr_g() * self.site.shape().plateau
     }
 
-    /// Where branches of Ch(T) meet, and with a near fault those of N(T, D), ascending \[s\].
+    /// The periods at which branches of Ch(T) meet and, with a near fault, those of N(T, D),
+    /// ascending \[s\].
     pub fn corner_periods_s(&self) -> Vec<f64> {
         let mut corners =
             vec![PLATEAU_START_S, self.site.shape().plateau_end_s, VELOCITY_START_S, DISPLACEMENT_START_S];
@@ -272,7 +276,8 @@ mod tests {
     const PERIODS_S: [f64; 18] =
         [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5];
 
-    /// NZS 1170.5:2004, Table 3.1, as a public Python script prints it (the formulas come from another source).
+    /// NZS 1170.5:2004, Table 3.1, as printed by a public Python script (the formulas come from
+    /// another source).
     #[test]
     fn shape_factors_are_those_of_table_3_1() {
         let rock =
@@ -294,7 +299,8 @@ mod tests {
 
     #[test]
     fn steps_between_branches_are_those_of_the_rounded_constants() {
-        // By hand, e.g. A: 1.6 (0.5/0.3)^0.75 = 2.34693 over 2.35, and 0.7 over 1.6/3^0.75 = 0.701906.
+        // By hand, e.g. A: 1.6 (0.5/0.3)^0.75 = 2.34693 over 2.35, and 0.7 over 1.6/3^0.75 =
+        // 0.701906.
         let steps = [
             (SubsoilClass::A, 0.3, -0.0013),
             (SubsoilClass::C, 0.3, 0.0),
@@ -307,7 +313,7 @@ mod tests {
         ];
         for (class, corner, want) in steps {
             let step = class.shape_factor_ratio(f64::next_up(corner)) / class.shape_factor_ratio(corner) - 1.0;
-            // Steps of four digits.
+            // Steps to four digits.
             assert!((step - want).abs() < 6e-5, "{class:?} {corner}: {step}");
         }
         for class in SubsoilClass::ALL {
@@ -333,7 +339,7 @@ mod tests {
         let near = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, Some(2.0)).unwrap();
         // 0.44 · 0.4 = 0.176 at 3 s, and 1.36 times it.
         assert!((far.sa_g(3.0) - 0.176).abs() < 1e-15 && (near.sa_g(3.0) - 0.239_36).abs() < 1e-15);
-        // R = 0.75: the code takes no account of faults.
+        // R = 0.75: the code ignores faults.
         let frequent = Nzs1170_5::new(SubsoilClass::C, 0.4, 250, Some(2.0)).unwrap();
         assert!((frequent.sa_g(3.0) - 0.75 * 0.176).abs() < 1e-15 && !frequent.is_near_fault());
         assert!(near.is_near_fault() && near.corner_periods_s().len() == 6);

@@ -1,19 +1,24 @@
-//! The horizontal forces that codes ask a part or component to be fixed for, over its weight.
+//! The horizontal design forces of parts and components according to codes, divided by their
+//! weight.
 //!
-//! | code | force over weight | no less than | no more than |
+//! | code | force over weight | minimum | maximum |
 //! |---|---|---|---|
 //! | AS 1170.4, section 8 | a_floor I_c a_c/R_c | 0.05 | 0.5 |
 //! | ASCE 7-16, 13.3.1 | 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p | 0.3 S_DS I_p | 1.6 S_DS I_p |
 //! | ASCE 7-22, 13.3.1 | 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) | 0.3 S_DS I_p | 1.6 S_DS I_p |
-//! | EN 1998-1, 4.3.5.2 | α S \[3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5\] γ_a/q_a | α S γ_a/q_a | – |
-//! | NZS 1170.5, section 8 | C(0) C_Hi C_i C_ph R_p | – | 3.6 |
+//! | EN 1998-1, 4.3.5.2 | α S \[3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5\] γ_a/q_a | α S γ_a/q_a | |
+//! | NZS 1170.5, section 8 | C(0) C_Hi C_i C_ph R_p | | 3.6 |
 //!
-//! a_floor is [`super::parts::floor_acceleration_g`]. The formulas and limits are recalled: check them in your edition. They are
-//! design forces, reduced for ductility where the code allows it: a computed floor acceleration may be above them.
+//! a_floor is [`super::parts::floor_acceleration_g`].
+//!
+//! # Limitation
+//! The formulas and limits are quoted from memory: check them in your edition. They are design
+//! forces, reduced for ductility where the code allows it, so a calculated floor acceleration may
+//! be larger.
 
 use super::parts::eurocode8_factor_ratio;
 
-/// Which part of a clause gave the force.
+/// The part of a clause that governs a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Governing {
     /// The lower limit.
@@ -29,9 +34,9 @@ pub enum Governing {
 pub struct PartForce {
     /// Force over weight.
     pub force_ratio: f64,
-    /// What the formula alone gives.
+    /// The result of the formula alone.
     pub formula_ratio: f64,
-    /// What governs.
+    /// What governs the force.
     pub governing: Governing,
 }
 
@@ -47,27 +52,30 @@ impl PartForce {
     }
 }
 
-/// A part by AS 1170.4, section 8.
+/// A part according to AS 1170.4, section 8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct As1170_4Part {
     /// a_c: 1, or 2.5 on flexible mounts.
     pub amplification_ratio: f64,
     /// R_c: 1 where the connection or the part is brittle, 2.5 otherwise.
     pub ductility_ratio: f64,
-    /// I_c: 1, or 1.5 where it is critical to life safety.
+    /// I_c: 1, or 1.5 for a part that is critical to life safety.
     pub importance_ratio: f64,
 }
 
-/// Force over weight by AS 1170.4: a_floor I_c a_c/R_c from 0.05 to 0.5; a_floor = kpZ Ch(0)(1 + kc hx) \[g\].
+/// Force over weight according to AS 1170.4: a_floor I_c a_c/R_c from 0.05 to 0.5; a_floor = kpZ
+/// Ch(0)(1 + kc hx) \[g\].
 ///
 /// # Reference
-/// AS 1170.4-2007, 8.3; recalled.
+/// AS 1170.4-2007, 8.3; quoted from memory.
 ///
 /// # Example
-/// The roof of a tower in Melbourne, 0.264 g, a brittle connection; with 2.5 for a ductile one; at four times that hazard:
+/// The roof of a tower in Melbourne, 0.264 g: with a brittle connection, with a ductile one (2.5),
+/// and at four times that hazard:
 /// ```
 /// use freestand::code_spectrum::part_forces::{As1170_4Part, as1170_4_force};
-/// let brittle = As1170_4Part { amplification_ratio: 1.0, ductility_ratio: 1.0, importance_ratio: 1.0 };
+/// let brittle =
+///     As1170_4Part { amplification_ratio: 1.0, ductility_ratio: 1.0, importance_ratio: 1.0 };
 /// let ductile = As1170_4Part { ductility_ratio: 2.5, ..brittle };
 /// assert_eq!(as1170_4_force(0.264, &brittle).force_ratio, 0.264);
 /// assert!((as1170_4_force(0.264, &ductile).force_ratio - 0.1056).abs() < 1e-15);
@@ -79,10 +87,10 @@ pub fn as1170_4_force(floor_acceleration_g: f64, part: &As1170_4Part) -> PartFor
     PartForce::within(formula, 0.05, 0.5)
 }
 
-/// A component by ASCE 7-16, chapter 13.
+/// A component according to ASCE 7-16, chapter 13.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asce7_16Part {
-    /// a_p: 1 rigid, 2.5 flexible.
+    /// a_p: 1 if rigid, 2.5 if flexible.
     pub amplification_ratio: f64,
     /// R_p.
     pub response_ratio: f64,
@@ -90,18 +98,20 @@ pub struct Asce7_16Part {
     pub importance_ratio: f64,
 }
 
-/// Force over weight by ASCE 7-16: 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p, from 0.3 S_DS I_p to 1.6 S_DS I_p.
+/// Force over weight according to ASCE 7-16: 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p, from 0.3 S_DS I_p to
+/// 1.6 S_DS I_p.
 ///
 /// `height_factor_ratio` is 1 + 2 z/h, [`super::parts::asce7_height_ratio`].
 ///
 /// # Reference
-/// ASCE 7-16, Eqs. (13.3-1) to (13.3-3); recalled.
+/// ASCE 7-16, Eqs. (13.3-1) to (13.3-3); quoted from memory.
 ///
 /// # Example
 /// S_DS = 1 g on the roof, a_p = 1, R_p = 2.5: 0.4 · 3/2.5 = 0.48.
 /// ```
 /// use freestand::code_spectrum::part_forces::{Asce7_16Part, asce7_16_force};
-/// let cabinet = Asce7_16Part { amplification_ratio: 1.0, response_ratio: 2.5, importance_ratio: 1.0 };
+/// let cabinet =
+///     Asce7_16Part { amplification_ratio: 1.0, response_ratio: 2.5, importance_ratio: 1.0 };
 /// assert!((asce7_16_force(1.0, 3.0, &cabinet).force_ratio - 0.48).abs() < 1e-15);
 /// ```
 pub fn asce7_16_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_16Part) -> PartForce {
@@ -110,33 +120,36 @@ pub fn asce7_16_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_16Part)
     PartForce::within(0.4 * amplification_ratio * height_factor_ratio / response_ratio * unit, 0.3 * unit, 1.6 * unit)
 }
 
-/// A component by ASCE 7-22, chapter 13.
+/// A component according to ASCE 7-22, chapter 13.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asce7_22Part {
     /// C_AR: 1 where resonance is unlikely.
     pub resonance_ratio: f64,
     /// R_po.
     pub strength_ratio: f64,
-    /// R_μ of the building, at least 1.3, the value of an unknown one.
+    /// R_μ of the building, at least 1.3, which also applies to an unknown one.
     pub building_ductility_ratio: f64,
     /// I_p: 1 or 1.5.
     pub importance_ratio: f64,
 }
 
-/// Force over weight by ASCE 7-22: 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po), from 0.3 S_DS I_p to 1.6 S_DS I_p; R_μ is no less than
-/// 1.3.
+/// Force over weight according to ASCE 7-22: 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po), from 0.3 S_DS I_p
+/// to 1.6 S_DS I_p; R_μ is at least 1.3.
 ///
 /// `height_factor_ratio` is H_f, [`super::parts::asce7_height_ratio`].
 ///
 /// # Reference
-/// ASCE 7-22, Eqs. (13.3-1) to (13.3-3) and 13.3.1.2; recalled.
+/// ASCE 7-22, Eqs. (13.3-1) to (13.3-3) and 13.3.1.2; quoted from memory.
 ///
 /// # Example
 /// S_DS = 1 g, H_f = 3.5, R_μ = 1.3, C_AR = 1, R_po = 1.5: 0.4 · 3.5/1.3/1.5.
 /// ```
 /// use freestand::code_spectrum::part_forces::{Asce7_22Part, asce7_22_force};
 /// let cabinet = Asce7_22Part {
-///     resonance_ratio: 1.0, strength_ratio: 1.5, building_ductility_ratio: 1.3, importance_ratio: 1.0,
+///     resonance_ratio: 1.0,
+///     strength_ratio: 1.5,
+///     building_ductility_ratio: 1.3,
+///     importance_ratio: 1.0,
 /// };
 /// assert!((asce7_22_force(1.0, 3.5, &cabinet).force_ratio - 0.717_949).abs() < 5e-7);
 /// ```
@@ -147,21 +160,21 @@ pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part)
     PartForce::within(0.4 * ratio * unit, 0.3 * unit, 1.6 * unit)
 }
 
-/// A non-structural element by Eurocode 8.
+/// A non-structural element according to Eurocode 8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Eurocode8Part {
     /// T_a/T_1, the period of the element over that of the building; 0 for a rigid one.
     pub period_ratio: f64,
-    /// γ_a: 1, or 1.5 where it matters to life safety.
+    /// γ_a: 1, or 1.5 for an element that is important for life safety.
     pub importance_ratio: f64,
     /// q_a: 1 or 2.
     pub behaviour_ratio: f64,
 }
 
-/// Force over weight by Eurocode 8: S_a γ_a/q_a.
+/// Force over weight according to Eurocode 8: S_a γ_a/q_a.
 ///
 /// # Reference
-/// EN 1998-1:2004, Eqs. (4.24) and (4.25); recalled.
+/// EN 1998-1:2004, Eqs. (4.24) and (4.25); quoted from memory.
 ///
 /// # Example
 /// a_g S = 0.24 g on the roof, rigid, q_a = 2: 0.24 · 2.5/2.
@@ -175,21 +188,22 @@ pub fn eurocode8_force(ground_acceleration_g: f64, level_ratio: f64, part: &Euro
     PartForce::within(unit * eurocode8_factor_ratio(level_ratio, part.period_ratio), unit, f64::INFINITY)
 }
 
-/// A part by NZS 1170.5, section 8.
+/// A part according to NZS 1170.5, section 8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nzs1170_5Part {
     /// C_i(T_p): 2 up to 0.75 s.
     pub spectral_ratio: f64,
     /// C_ph: 1 for an elastic part, less for a ductile one.
     pub response_ratio: f64,
-    /// R_p: 0.9 to 1.1 by its category.
+    /// R_p: 0.9 to 1.1, depending on its category.
     pub risk_ratio: f64,
 }
 
-/// Force over weight by NZS 1170.5: a_floor C_i C_ph R_p, no more than 3.6; a_floor = C(0) C_Hi \[g\].
+/// Force over weight according to NZS 1170.5: a_floor C_i C_ph R_p, at most 3.6; a_floor = C(0)
+/// C_Hi \[g\].
 ///
 /// # Reference
-/// NZS 1170.5:2004, 8.5.1; recalled.
+/// NZS 1170.5:2004, 8.5.1; quoted from memory.
 ///
 /// # Example
 /// ```
@@ -222,8 +236,9 @@ mod tests {
         assert!((as1170_4_force(0.08, &CABINET).formula_ratio - 0.048).abs() < 1e-15);
     }
 
-    /// S_DS = 0.5 g, I_p = 1.5. Edition 16 with a_p = 2.5, R_p = 2.5: at the ground 0.4 · 0.75 = 0.3; a_p = 1: 0.12, lifted to 0.225;
-    /// R_p = 1: at the roof 0.4 · 2.5 · 3 · 0.75 = 2.25, held to 1.2.
+    /// S_DS = 0.5 g, I_p = 1.5. Edition 16 with a_p = 2.5, R_p = 2.5: at the ground 0.4 · 0.75 =
+    /// 0.3; a_p = 1: 0.12, raised to 0.225; R_p = 1: at the roof 0.4 · 2.5 · 3 · 0.75 = 2.25,
+    /// limited to 1.2.
     #[test]
     fn asce_7_16_within_its_limits() {
         let flexible = Asce7_16Part { amplification_ratio: 2.5, response_ratio: 2.5, importance_ratio: 1.5 };
@@ -239,8 +254,8 @@ mod tests {
         }
     }
 
-    /// S_DS = 0.5 g: 0.4 · 0.5 · 2.25/1.5 · 2.2/1.5 = 0.44; R_μ below 1.3 is 1.3; C_AR = 1 at the ground on R_μ = 2:
-    /// 0.2/2/1.5 = 0.0667, lifted to 0.15.
+    /// S_DS = 0.5 g: 0.4 · 0.5 · 2.25/1.5 · 2.2/1.5 = 0.44; R_μ below 1.3 becomes 1.3; C_AR = 1 at
+    /// the ground with R_μ = 2: 0.2/2/1.5 = 0.0667, raised to 0.15.
     #[test]
     fn asce_7_22_within_its_limits() {
         let part = Asce7_22Part {
@@ -258,8 +273,8 @@ mod tests {
         assert!((high.force_ratio - 0.8).abs() < 1e-15 && high.governing == Governing::Maximum);
     }
 
-    /// a_g S = 0.2 g. In resonance at mid-height 3 · 1.5 − 0.5 = 4: 0.8 · 1.5/2 = 0.6. Far above the building's period the
-    /// amplification is 1: 3/10 − 0.5 < 1.
+    /// a_g S = 0.2 g. In resonance at mid-height 3 · 1.5 − 0.5 = 4: 0.8 · 1.5/2 = 0.6. Far above
+    /// the building's period the amplification is 1: 3/10 − 0.5 < 1.
     #[test]
     fn eurocode_8_and_its_least() {
         let part = Eurocode8Part { period_ratio: 1.0, importance_ratio: 1.5, behaviour_ratio: 2.0 };

@@ -1,34 +1,39 @@
-//! What codes say of parts and components: the acceleration of a floor, and what a part is designed for.
+//! Code clauses on parts and components: the acceleration of a floor, and the factors for the
+//! design of a part.
 //!
-//! A free-standing object is no part in the sense of these clauses: they are for what is fixed. The acceleration that they
-//! give a rigid part is the code's own estimate of the peak floor acceleration, and worth a line beside computed ones.
+//! These clauses apply to parts that are fixed, so not to a free-standing object. The acceleration
+//! of a rigid part is the code's own estimate of the peak floor acceleration, which is useful to
+//! compare with calculated ones.
 
 use super::{Asce7, Asce7Edition, CodeSpectrum};
 
-/// Where in which building.
+/// The floor and the building that a clause is evaluated for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PartsQuestion {
-    /// Height of the floor over that of the building: 0 the ground, 1 the roof.
+    /// Height of the floor divided by that of the building: 0 is the ground, 1 the roof.
     pub level_ratio: f64,
     /// Height of the building \[m\].
     pub building_height_m: f64,
-    /// Fundamental period of the building \[s\]; only ASCE 7-22 asks for it, and has a value for an unknown one.
+    /// Fundamental period of the building \[s\]; only ASCE 7-22 uses it, and it also has a rule for
+    /// an unknown one.
     pub building_period_s: Option<f64>,
 }
 
-/// Height from which the factor of AS 1170.4 is in proportion to the height of the building \[m\].
+/// Building height from which the factor of AS 1170.4 is proportional to the height of the
+/// building \[m\].
 const AS_TALL_M: f64 = 12.0;
 
-/// Acceleration of a rigid part (period 0, rigidly fixed, no importance or ductility) on a floor \[g\]; `None` for a user's
-/// table, for a level that is not from 0 to 1, a height that is not positive, a period that is given and is not.
+/// Acceleration of a rigid part (period 0, rigidly fixed, no importance or ductility) on a
+/// floor \[g\]; `None` for a user's table, a level outside 0 to 1, a height that is not positive,
+/// or a given period that is not positive.
 ///
 /// | code | acceleration |
 /// |---|---|
-/// | AS 1170.4, section 8 | kpZ Ch(0) (1 + kc hx), kc = 2/hn from 12 m up, 0.17 below |
-/// | EN 1998-1, 4.3.5.2 | α S \[3 (1 + z/H)/(1 + (1 − Ta/T1)²) − 0.5\] with Ta = 0: a_g S (1 + 1.5 z/H) |
+/// | AS 1170.4, section 8 | kpZ Ch(0) (1 + kc hx), kc = 2/hn from 12 m, 0.17 below |
+/// | EN 1998-1, 4.3.5.2 | a_g S (1 + 1.5 z/H): [`eurocode8_factor_ratio`] with Ta = 0 |
 /// | ASCE 7-22, 13.3 | 0.4 SDS Hf, Hf = 1 + a1 z/h + a2 (z/h)^10, or 1 + 2.5 z/h without a period |
 /// | ASCE 7-16, 13.3 | 0.4 SDS (1 + 2 z/h) |
-/// | NZS 1170.5, section 8 | C(0) CHi, CHi = the least of 1 + hi/6, 1 + 10 hi/hn and 3 |
+/// | NZS 1170.5, section 8 | C(0) CHi, CHi = the smallest of 1 + hi/6, 1 + 10 hi/hn and 3 |
 ///
 /// # Example
 /// The roof of a tower in Melbourne: 0.08 · 1.1 · 3 = 0.264 g.
@@ -56,7 +61,8 @@ pub fn floor_acceleration_g(code: &CodeSpectrum, question: &PartsQuestion) -> Op
         CodeSpectrum::Nzs1170_5(_) => (1.0 + height_m / 6.0).min(1.0 + 10.0 * level_ratio).min(3.0),
         CodeSpectrum::Table(_) => return None,
     };
-    // Of every code the acceleration of the ground is its value at T = 0: kpZ Ch(0), a_g S, 0.4 SDS, C(0).
+    // In every code the acceleration of the ground is the value at T = 0: kpZ Ch(0), a_g S, 0.4
+    // SDS, C(0).
     Some(factor * code.sa_g(0.0))
 }
 
@@ -74,8 +80,8 @@ pub fn clause(code: &CodeSpectrum) -> Option<&'static str> {
     }
 }
 
-/// Amplification of a part by Eurocode 8 over a_g S: `3 (1 + z/H)/(1 + (1 − Ta/T1)²) − 0.5`, at least 1; `period_ratio` is
-/// Ta/T1, the period of the part over that of the building.
+/// Amplification of a part relative to a_g S in Eurocode 8: `3 (1 + z/H)/(1 + (1 − Ta/T1)²) − 0.5`,
+/// at least 1; `period_ratio` is Ta/T1, the period of the part divided by that of the building.
 ///
 /// # Reference
 /// EN 1998-1:2004, Eq. (4.25).
@@ -89,8 +95,9 @@ pub fn eurocode8_factor_ratio(level_ratio: f64, period_ratio: f64) -> f64 {
     (3.0 * (1.0 + level_ratio) / (1.0 + (1.0 - period_ratio).powi(2)) - 0.5).max(1.0)
 }
 
-/// Height factor of ASCE 7: 1 + 2 z/h by edition 16; Hf by edition 22, with `a1 = min(1/Ta, 2.5)` and
-/// `a2 = max(0, 1 − (0.4/Ta)²)` for the building's period Ta, or 1 + 2.5 z/h where it is not known.
+/// Height factor of ASCE 7: 1 + 2 z/h in edition 16; Hf in edition 22, with `a1 = min(1/Ta, 2.5)`
+/// and `a2 = max(0, 1 − (0.4/Ta)²)` for the building's period Ta, or 1 + 2.5 z/h if the period is
+/// unknown.
 ///
 /// # Reference
 /// ASCE 7-16, Eq. (13.3-1); ASCE 7-22, Eqs. (13.3-4) and (13.3-5).
@@ -98,7 +105,7 @@ pub fn asce7_height_factor_ratio(code: &Asce7, level_ratio: f64, building_period
     asce7_height_ratio(code.edition(), level_ratio, building_period_s)
 }
 
-/// [`asce7_height_factor_ratio`] of an edition, for a site whose spectrum is another code's.
+/// [`asce7_height_factor_ratio`] of an edition, for a site with the spectrum of another code.
 ///
 /// # Example
 /// ```
@@ -149,8 +156,8 @@ mod tests {
         }
     }
 
-    /// a_g S = 0.24 g: (1 + 1.5 z/H). The general form by hand: Ta = 0 at the roof 3 · 2/2 − 0.5 = 2.5; Ta = T1/2 at mid-height
-    /// 4.5/1.25 − 0.5 = 3.1; Ta = 4 T1 at the ground 3/10 − 0.5 < 1.
+    /// a_g S = 0.24 g: (1 + 1.5 z/H). The general form by hand: Ta = 0 at the roof 3 · 2/2 − 0.5 =
+    /// 2.5; Ta = T1/2 at mid-height 4.5/1.25 − 0.5 = 3.1; Ta = 4 T1 at the ground 3/10 − 0.5 < 1.
     #[test]
     fn eurocode_8_up_the_height() {
         let code = CodeSpectrum::from(Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap());
@@ -162,8 +169,8 @@ mod tests {
         }
     }
 
-    /// 0.4 SDS = 0.4 g. Edition 22: Ta = 0.2 s has a1 = 2.5, a2 = 0; Ta = 0.8 s 1.25 and 0.75; Ta = 2 s 0.5 and 0.96; z/h = 0.5
-    /// has (z/h)^10 = 1/1024.
+    /// 0.4 SDS = 0.4 g. Edition 22: Ta = 0.2 s has a1 = 2.5, a2 = 0; Ta = 0.8 s 1.25 and 0.75; Ta =
+    /// 2 s 0.5 and 0.96; z/h = 0.5 has (z/h)^10 = 1/1024.
     #[test]
     fn asce_7_up_the_height() {
         let code = |edition| CodeSpectrum::from(Asce7::new(edition, 1.0, 0.6, 8.0).unwrap());
@@ -185,8 +192,8 @@ mod tests {
         }
     }
 
-    /// C(0) = 1.33 · 0.4 = 0.532 g. Tall (60 m): 3 m up 1 + 3/6 = 1.5 is as 1 + 10 · 3/60, 9 m up 2.5, from 12 m on 3. Low
-    /// (6 m): 1 + hi/6 governs, 2 at the roof.
+    /// C(0) = 1.33 · 0.4 = 0.532 g. Tall (60 m): 3 m up 1 + 3/6 = 1.5 is as 1 + 10 · 3/60, 9 m up
+    /// 2.5, from 12 m on 3. Low (6 m): 1 + hi/6 governs, 2 at the roof.
     #[test]
     fn nzs_1170_5_up_the_height() {
         let code = CodeSpectrum::from(Nzs1170_5::new(SubsoilClass::C, 0.4, 500, Some(1.0)).unwrap());

@@ -1,29 +1,29 @@
-//! A spectrum that the user brings.
+//! A spectrum from a table of the user.
 
 use super::CodeSpectrumError;
 
-/// What lies between two periods of a table.
+/// How values between two periods of a table are calculated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Interpolation {
-    /// Straight in ln Sa over ln T: every power of the period is met. From a period of 0 on, where there is no logarithm,
-    /// straight in Sa over T.
+    /// Linear in ln Sa over ln T, which reproduces every power of the period. From a period of 0,
+    /// which has no logarithm, linear in Sa over T.
     #[default]
     LogLog,
-    /// Straight in Sa over T.
+    /// Linear in Sa over T.
     Linear,
 }
 
-/// What lies outside of a table.
+/// How values outside a table are calculated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum OutOfRange {
-    /// Nothing.
+    /// There is no value.
     #[default]
     Refuse,
-    /// Constant Sa below the first period, constant Sa·T² (displacement) beyond the last.
+    /// Constant Sa below the first period, constant Sa·T² (displacement) above the last.
     Hold,
 }
 
-/// A spectrum as periods and accelerations, 5 % damping.
+/// A spectrum of periods and accelerations, 5 % damping.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpectrumTable {
     periods_s: Vec<f64>,
@@ -33,19 +33,20 @@ pub struct SpectrumTable {
 }
 
 impl SpectrumTable {
-    /// A table with ascending periods; one of 0 is the value at T = 0.
+    /// A table with ascending periods; a period of 0 gives the value at T = 0.
     ///
     /// # Errors
-    /// Fewer than two rows; a period that is negative, not finite or not above the one before it; an acceleration that is not
-    /// positive and finite.
+    /// Fewer than two rows; a period that is negative, not finite or not above the previous one; an
+    /// acceleration that is not positive and finite.
     ///
     /// # Example
     /// Between 0.5 s and 2 s the acceleration falls as 1/T:
     /// ```
     /// use freestand::code_spectrum::{Interpolation, OutOfRange, SpectrumTable};
-    /// let table = SpectrumTable::new(vec![0.5, 2.0], vec![0.8, 0.2], Interpolation::LogLog, OutOfRange::Hold)?;
+    /// let (between, outside) = (Interpolation::LogLog, OutOfRange::Hold);
+    /// let table = SpectrumTable::new(vec![0.5, 2.0], vec![0.8, 0.2], between, outside)?;
     /// assert!((table.sa_g(1.0).unwrap() - 0.4).abs() < 1e-15);
-    /// assert!((table.sa_g(4.0).unwrap() - 0.05).abs() < 1e-15); // 1/T² beyond
+    /// assert!((table.sa_g(4.0).unwrap() - 0.05).abs() < 1e-15); // 1/T² above
     /// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
     /// ```
     pub fn new(
@@ -61,9 +62,9 @@ impl SpectrumTable {
         let mut before = None;
         for (row, (&period_s, &sa_g)) in periods_s.iter().zip(&sa_g).enumerate() {
             let requirement = if !(period_s >= 0.0 && period_s.is_finite()) {
-                "a period must be 0 or more, and finite"
+                "a period must be at least 0 and finite"
             } else if before.is_some_and(|before| period_s <= before) {
-                "periods must ascend"
+                "the periods must rise from row to row"
             } else if !(sa_g > 0.0 && sa_g.is_finite()) {
                 "an acceleration must be positive and finite"
             } else {
@@ -85,12 +86,12 @@ impl SpectrumTable {
         &self.sa_g
     }
 
-    /// What lies between the periods.
+    /// The interpolation between the periods.
     pub fn interpolation(&self) -> Interpolation {
         self.interpolation
     }
 
-    /// What lies outside of them.
+    /// The rule outside the periods.
     pub fn out_of_range(&self) -> OutOfRange {
         self.out_of_range
     }
@@ -113,12 +114,14 @@ impl SpectrumTable {
         }
     }
 
-    /// The longest period with a value; `None` where the table is held beyond its last \[s\].
+    /// The longest period with a value; `None` where the table is extended past its last
+    /// period \[s\].
     pub fn longest_period_s(&self) -> Option<f64> {
         (self.out_of_range == OutOfRange::Refuse).then(|| self.last_period_s())
     }
 
-    /// Spectral acceleration \[g\]; `None` for a negative period and outside of a table that is not held there.
+    /// Spectral acceleration \[g\]; `None` for a negative period, and outside a table that is not
+    /// extended.
     pub fn sa_g(&self, period_s: f64) -> Option<f64> {
         if period_s.is_nan() || period_s < 0.0 {
             return None;
@@ -153,8 +156,8 @@ mod tests {
         SpectrumTable::new(periods_s, sa_g, interpolation, out_of_range).unwrap()
     }
 
-    /// By hand: halfway to 0.1 s straight, 0.35; the plateau; 1/T to 1.6 s, 0.25 at 0.8 s and straight 0.375 at 1 s; 1/T² to
-    /// 3.2 s.
+    /// By hand: linear halfway to 0.1 s, 0.35; the plateau; 1/T up to 1.6 s, 0.25 at 0.8 s and
+    /// linear 0.375 at 1 s; 1/T² up to 3.2 s.
     #[test]
     fn between_its_periods() {
         let (log, linear) =
@@ -170,7 +173,7 @@ mod tests {
             (3.2, 0.03125, 0.03125),
         ];
         for (period_s, of_log, of_linear) in cases {
-            // Logarithms and an exponential: a few units of the last place.
+            // Logarithms and an exponential: a few units in the last place.
             assert!((log.sa_g(period_s).unwrap() - of_log).abs() < 1e-15, "{period_s}");
             assert!((linear.sa_g(period_s).unwrap() - of_linear).abs() < 1e-15, "{period_s}");
         }

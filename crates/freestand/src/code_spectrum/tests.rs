@@ -1,10 +1,11 @@
-//! What every spectrum keeps, whatever its code.
+//! Properties that every spectrum has, whatever its code.
 
 use super::*;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-/// Spectra of all codes and a held table, with parameters biased to the ends of what they take.
+/// Spectra of all codes and an extended table, with parameters biased towards the ends of their
+/// ranges.
 fn spectra() -> impl Strategy<Value = CodeSpectrum> {
     let australia =
         (select(&SiteClass::ALL[..]), select(vec![1e-6, 0.03, 0.08, 0.6, 1e6]), select(vec![20u32, 500, 2500]))
@@ -34,14 +35,18 @@ fn spectra() -> impl Strategy<Value = CodeSpectrum> {
 
 proptest! {
     #[test]
-    fn positive_finite_and_below_the_plateau(code in spectra(), period_s in prop_oneof![Just(0.0), 1e-6..1e-2f64, 0.0..20.0f64, 20.0..1e3f64]) {
+    fn positive_finite_and_below_the_plateau(
+        code in spectra(),
+        period_s in prop_oneof![Just(0.0), 1e-6..1e-2f64, 0.0..20.0f64, 20.0..1e3f64],
+    ) {
         let sa_g = code.sa_g(period_s);
         prop_assert!(sa_g > 0.0 && sa_g.is_finite(), "{sa_g}");
-        // Near faults count from 1.5 s on: 1.72 times what is left is no plateau. A plateau that a rise meets may differ by rounding.
+        // Near faults count from 1.5 s on, where 1.72 times the remaining spectrum is below the
+        // plateau. A plateau that a rise reaches may differ by rounding.
         prop_assert!(sa_g <= code.plateau_g() * (1.0 + 1e-12), "{sa_g} {}", code.plateau_g());
     }
 
-    /// Continuous everywhere but for the stated steps of rounded constants: 0.4 % at most.
+    /// Continuous everywhere, except for the documented steps of rounded constants: 0.4 % at most.
     #[test]
     fn continuous(code in spectra(), share in 0.0..1.0f64) {
         let mut places = code.corner_periods_s();
@@ -57,7 +62,7 @@ proptest! {
         let corners = code.corner_periods_s();
         prop_assert!(corners.windows(2).all(|pair| pair[0] <= pair[1]), "{corners:?}");
         let last = corners.last().copied().unwrap();
-        // Beyond the last corner Sa T² is constant: two divisions and a few products.
+        // Above the last corner Sa T² is constant: two divisions and a few products.
         let [one, two] = [1.01 * last, 7.0 * last].map(|t| code.sa_g(t) * t * t);
         prop_assert!((two / one - 1.0).abs() < 1e-14);
         prop_assert_eq!(code.longest_period_s(), None);
@@ -69,9 +74,15 @@ proptest! {
         prop_assert!(code.sa_g(period_s).is_nan() && code.sa_g(f64::NAN).is_nan());
     }
 
-    /// A part on the ground feels the ground, one higher up no less.
+    /// A part on the ground has the acceleration of the ground, and a part higher up at least that.
     #[test]
-    fn floors_rise_from_the_ground(code in spectra(), low in 0.0..1.0f64, share in 0.0..1.0f64, height_m in 2.0..300.0f64, period in prop::option::of(0.05..6.0f64)) {
+    fn floors_rise_from_the_ground(
+        code in spectra(),
+        low in 0.0..1.0f64,
+        share in 0.0..1.0f64,
+        height_m in 2.0..300.0f64,
+        period in prop::option::of(0.05..6.0f64),
+    ) {
         let at = |level_ratio| {
             let question = parts::PartsQuestion { level_ratio, building_height_m: height_m, building_period_s: period };
             parts::floor_acceleration_g(&code, &question)

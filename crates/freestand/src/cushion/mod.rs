@@ -445,7 +445,8 @@ impl Cushion {
     /// compression:
     /// ```
     /// use freestand::cushion::{ContactLaw, Cushion};
-    /// let pad = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m: 2.19e6, damping_n_s_m: 300.0 })?;
+    /// let law = ContactLaw::KelvinVoigt { stiffness_n_m: 2.19e6, damping_n_s_m: 300.0 };
+    /// let pad = Cushion::new(law)?;
     /// assert!((pad.force_n(1e-3, 1.0) - 2490.0).abs() < 1e-9);
     /// assert_eq!(pad.force_n(1e-4, -1.0), 0.0);
     /// # Ok::<(), freestand::cushion::CushionError>(())

@@ -140,7 +140,8 @@ pub enum FragilityError {
 /// Two levels are met exactly. Φ(∓1) = 0.158655 and 0.841345 at e^∓½: median 1, β = 0.5:
 /// ```
 /// let (low, high) = ((-0.5_f64).exp(), 0.5_f64.exp());
-/// let fitted = freestand::fragility::fit_lognormal(&[(low, 158_655, 1_000_000), (high, 841_345, 1_000_000)])?;
+/// let levels = [(low, 158_655, 1_000_000), (high, 841_345, 1_000_000)];
+/// let fitted = freestand::fragility::fit_lognormal(&levels)?;
 /// assert!((fitted.median - 1.0).abs() < 1e-9 && (fitted.beta - 0.5).abs() < 1e-6);
 /// # Ok::<(), freestand::fragility::FragilityError>(())
 /// ```

@@ -63,7 +63,8 @@ const FLOOR: f64 = 1e-3;
 /// let (mass_kg, speed_m_s, omega) = (0.365, 1.400475, (2.19e6_f64 / 0.365).sqrt());
 /// let pulse = |i: i32| {
 ///     let t = f64::from(i - 40) * 20e-6;
-///     if t > 0.0 && omega * t < std::f64::consts::PI { speed_m_s * omega * (omega * t).sin() } else { 0.0 }
+///     let is_contact = t > 0.0 && omega * t < std::f64::consts::PI;
+///     if is_contact { speed_m_s * omega * (omega * t).sin() } else { 0.0 }
 /// }; let samples: Vec<f64> = (0..200).map(pulse).collect(); let impact_velocity =
 /// ImpactVelocity::Known { speed_m_s, error_ratio: 0.01 }; let setup = DropSetup { mass_kg,
 /// impact_velocity, gravity_m_s2: 9.80665, filter_corner_hz: None, law: None }; let test =

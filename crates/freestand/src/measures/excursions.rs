@@ -71,7 +71,8 @@ mod tests {
 
     #[test]
     fn times_above_a_level_of_a_sine_are_those_of_the_arc() {
-        // |sin| > 1/2 for two thirds of the time. Linear between samples: the crossings move by dt²/8 · curvature.
+        // For two thirds of the time |sin| > 1/2. Linear between samples: the crossings move by
+        // dt²/8 · curvature.
         let n = 4000;
         let motion = Motion::new(1e-3, (0..=n).map(|i| (std::f64::consts::TAU * i as f64 * 1e-3).sin()).collect());
         let found = excursions(&motion.unwrap(), 0.5);

@@ -49,7 +49,8 @@ const STEPS: std::ops::RangeInclusive<i32> = -26..=146;
 /// # Example
 /// ```
 /// use freestand::{measures::spectral_measures, motion::Motion};
-/// let sine = (0..2000).map(|i| (std::f64::consts::TAU * 0.01 * f64::from(i) / 0.5).sin()).collect();
+/// let phase = |i: i32| std::f64::consts::TAU * 0.01 * f64::from(i) / 0.5;
+/// let sine = (0..2000).map(|i| phase(i).sin()).collect();
 /// let m = spectral_measures(&Motion::new(0.01, sine)?);
 /// assert!(m.predominant_period_s.is_some_and(|period_s| (period_s / 0.5 - 1.0).abs() < 0.03));
 /// # Ok::<(), freestand::motion::MotionError>(())

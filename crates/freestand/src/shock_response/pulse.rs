@@ -183,7 +183,8 @@ const MAX_STEPS: f64 = 4e6;
 /// ```
 /// use freestand::shock_response::{Peak, Pulse, PulseShape, ResponseKind, pulse_spectrum};
 /// let rectangle = Pulse::new(PulseShape::Rectangle, 1.0, 0.01)?;
-/// let spectrum = pulse_spectrum(&rectangle, &[50.0, 200.0], ResponseKind::AbsoluteAcceleration, 0.0)?;
+/// let kind = ResponseKind::AbsoluteAcceleration;
+/// let spectrum = pulse_spectrum(&rectangle, &[50.0, 200.0], kind, 0.0)?;
 /// assert!(spectrum.peaks.iter().all(|one| (one.peak(Peak::Maximax) - 2.0).abs() < 1e-4));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

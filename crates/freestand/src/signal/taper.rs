@@ -33,7 +33,8 @@ pub enum TaperError {
 /// use freestand::{motion::Motion, signal::taper::tapered};
 /// let motion = tapered(&Motion::new(0.01, vec![2.0; 9])?, 0.25)?;
 /// assert!((motion.accel_m_s2()[1] - 1.0).abs() < 1e-15); // halfway up after an eighth
-/// assert_eq!((motion.accel_m_s2()[0], motion.accel_m_s2()[4], motion.accel_m_s2()[8]), (0.0, 2.0, 0.0));
+/// let accel = motion.accel_m_s2();
+/// assert_eq!((accel[0], accel[4], accel[8]), (0.0, 2.0, 0.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn tapered(motion: &Motion, share_ratio: f64) -> Result<Motion, TaperError> {

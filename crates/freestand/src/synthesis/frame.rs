@@ -1,12 +1,13 @@
-//! Where a motion may move, and how its drift is taken out.
+//! The time window in which a synthetic motion may change, and the removal of its drift.
 
 use std::f64::consts::PI;
 
-/// Where a motion may move: tapers at both ends of the shaking, and a smooth bell to take drift out with.
+/// The window of a motion: tapers at both ends of the shaking, and a smooth bell for the removal of
+/// drift.
 pub(super) struct Frame {
     pub(super) taper: Vec<f64>,
     bell: Vec<f64>,
-    /// Time in samples from the middle of the shaking.
+    /// The middle of the shaking, in samples.
     centre: f64,
 }
 
@@ -15,7 +16,7 @@ impl Frame {
         let rise = |k: usize, over: usize| 0.5 - 0.5 * (PI * (k as f64 / over as f64).min(1.0)).cos();
         let within = |k: usize| (start..=end).contains(&k);
         let taper = |k| if within(k) { rise(k - start, taper_start) * rise(end - k, taper_end) } else { 0.0 };
-        // Without the last sample, where the sine of a rounded π would leave 1e-32 instead of zero.
+        // Without the last sample, where the sine of a rounded π would give 1e-32 instead of zero.
         let bell = |k| {
             if within(k) && k < end { (PI * (k - start) as f64 / (end - start) as f64).sin().powi(2) } else { 0.0 }
         };
@@ -23,9 +24,10 @@ impl Frame {
         Self { taper, bell, centre: 0.5 * (start + end) as f64 }
     }
 
-    /// Subtracts bell·(c₀ + c₁t) so that Σa = 0 and Σta = 0: with zero ends these are the final velocity and
-    /// displacement of the trapezoid rule and of the motion that is linear between samples alike. The bell is as long
-    /// as the shaking, so what it adds lies far below the periods that are matched.
+    /// Subtracts bell·(c₀ + c₁t) so that Σa = 0 and Σta = 0. With zero ends these are the final
+    /// velocity and displacement, both by the trapezoid rule and of the motion that is linear
+    /// between samples. The bell is as long as the shaking, so its frequencies are far below the
+    /// matched range.
     pub(super) fn remove_drift(&self, accel: &mut [f64]) {
         let time = |k: usize| k as f64 - self.centre;
         let (mut sum, mut moment, mut bell0, mut bell1, mut bell2) = (0.0, 0.0, 0.0, 0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Passes in the frequency domain that bring a motion to a target spectrum.
+//! Passes in the frequency domain that match a motion to a target spectrum.
 
 use super::frame::Frame;
 use super::transform::Transform;
@@ -13,18 +13,20 @@ use crate::motion::Motion;
 use crate::oscillator::OscillatorBank;
 use std::f64::consts::TAU;
 
-/// Each pass multiplies amplitudes below this by f/f₀ \[Hz\]. Without it the passes feed what lies below the longest
-/// period, where no oscillator looks: the displacement grows threefold and the fit is no better.
+/// Each pass multiplies amplitudes below this by f/f₀ \[Hz\]. Without it the passes amplify periods
+/// beyond the longest matched one, which no oscillator controls: the displacement grows threefold
+/// and the fit is no better.
 const LOW_CUT_HZ: f64 = 0.15;
-/// Corner of the first shaping's roll-off \[Hz\], a little above the shortest period; the passes do the rest.
+/// Roll-off corner of the first shaping \[Hz\], a little above the highest matched frequency; the
+/// passes do the rest.
 const HIGH_CORNER_HZ: f64 = 25.0;
-/// A pass is better than the best so far if its rms is less by this share. Passes that have settled differ by rounding,
-/// and which of them is the best must not depend on the machine.
+/// A pass is better than the best so far if its rms is smaller by this share. Passes that have
+/// converged differ by rounding, and the choice of the best must not depend on the processor.
 const BETTER_BY_RATIO: f64 = 1e-6;
-/// The oscillators of the spectrum look at the motion at least so often \[s\]: a tenth of the shortest period. At a record's
-/// own 0.02 s they would miss up to a quarter of their peaks.
+/// Longest time step of the oscillators of the spectrum \[s\]: a tenth of the shortest period. With
+/// a record's own step of 0.02 s they would miss up to a quarter of their peaks.
 const LONGEST_STEP_S: f64 = 0.005;
-/// Points that the oscillators may be asked to look at.
+/// The largest number of points for the oscillators.
 const MAX_POINTS: f64 = 16.0 * MAX_SAMPLES;
 
 /// How a ratio of spectra becomes a gain of Fourier amplitudes.
@@ -35,7 +37,7 @@ pub(super) enum Gain {
     Wavelets(Kernel),
 }
 
-/// Everything that one target and one length of motion need, pass after pass.
+/// Everything that the passes share for one target and one length of motion.
 pub(super) struct Matcher {
     dt_s: f64,
     frame: Frame,
@@ -43,7 +45,7 @@ pub(super) struct Matcher {
     target_m_s2: Vec<f64>,
     target_zpa_g: f64,
     bank: OscillatorBank,
-    /// Steps of the oscillators for each of the motion.
+    /// Steps of the oscillators for each step of the motion.
     substeps: usize,
     fine: Vec<f64>,
     transform: Transform,
@@ -64,7 +66,7 @@ impl Matcher {
             sa_g => Err(SynthesisError::Target { period_s, sa_g }),
         };
         let periods_s = matched_periods_s();
-        // A step that is 0.005 s but for its last digits is one.
+        // A step of 0.005 s except for its last digits counts as 0.005 s.
         let substeps = (dt_s / LONGEST_STEP_S - 1e-9).ceil().max(1.0);
         let points = substeps * frame.taper.len() as f64;
         if points > MAX_POINTS {
@@ -88,7 +90,8 @@ impl Matcher {
         })
     }
 
-    /// First shape of white noise: Fourier amplitudes like the target's pseudo-velocity Sa/ω, cut outside its periods.
+    /// First shape of white noise: Fourier amplitudes like the target's pseudo-velocity Sa/ω, cut
+    /// off outside its periods.
     pub(super) fn shape_noise(&mut self, accel: &mut [f64]) {
         let ln_target: Vec<f64> = self.target_m_s2.iter().map(|sa| sa.ln()).collect();
         self.filter(accel, |frequency_hz| {
@@ -140,7 +143,7 @@ impl Matcher {
         });
     }
 
-    /// The misfit of a motion as it is.
+    /// The misfit of a motion as given.
     pub(super) fn misfit(&mut self, motion: &Motion) -> Misfit {
         let ln_ratios = self.ln_ratios(motion.accel_m_s2());
         self.described(motion, &ln_ratios)
@@ -165,7 +168,7 @@ impl Matcher {
         }
     }
 
-    /// ln(PSA/target) at the matched periods, of the motion that is straight between its samples.
+    /// ln(PSA/target) at the matched periods, of the motion that is linear between its samples.
     fn ln_ratios(&mut self, accel: &[f64]) -> Vec<f64> {
         let looked_at = if self.substeps == 1 {
             accel
@@ -183,7 +186,8 @@ impl Matcher {
         psa.zip(&self.target_m_s2).map(|(psa, target)| (psa / target).ln()).collect()
     }
 
-    /// Multiplies the Fourier amplitudes by `gain(frequency)`, drops the mean, tapers the ends and removes the drift.
+    /// Multiplies the Fourier amplitudes by `gain(frequency)`, drops the mean, tapers the ends and
+    /// removes the drift.
     fn filter(&mut self, accel: &mut [f64], gain: impl Fn(f64) -> f64) {
         self.transform.forward(accel);
         let step_hz = self.transform.step_hz(self.dt_s);
@@ -196,8 +200,8 @@ impl Matcher {
     }
 }
 
-/// Where a frequency lies among the matched periods: between `index` and the next, `fraction` of the way; the ends go on
-/// as constants.
+/// The position of a frequency among the matched periods: between `index` and the next one, at
+/// `fraction` of the way; constant beyond the ends.
 #[derive(Clone, Copy)]
 struct Place {
     index: usize,
@@ -218,7 +222,7 @@ impl Place {
     }
 }
 
-/// The periods that are matched, rising \[s\].
+/// The matched periods, rising \[s\].
 pub fn matched_periods_s() -> Vec<f64> {
     let span: f64 = LONGEST_PERIOD_S / SHORTEST_PERIOD_S;
     (0..MATCHED_PERIODS).map(|i| SHORTEST_PERIOD_S * span.powf(i as f64 / (MATCHED_PERIODS - 1) as f64)).collect()

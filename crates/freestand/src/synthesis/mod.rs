@@ -1,22 +1,25 @@
-//! Ground motions that are compatible with a target spectrum: shaped noise, or a record, filtered until it fits.
+//! Ground motions that match a target spectrum: shaped noise, or a record, filtered until it fits.
 //!
-//! Each pass computes the 5 %-damped spectrum exactly, multiplies the Fourier amplitudes at f = 1/T by target/spectrum
-//! (phases stay), tapers the ends, removes the drift and looks again; the best pass is kept. What [`Misfit`] says is
-//! said of the very motion that is returned, after tapers and baseline.
+//! Each pass calculates the 5 %-damped spectrum exactly, multiplies the Fourier amplitudes at f =
+//! 1/T by target/spectrum (phases do not change), tapers the ends, removes the drift and calculates
+//! the spectrum again; the best pass is kept. [`Misfit`] describes exactly the motion that is
+//! returned, after tapers and baseline.
 //!
-//! The passes start from noise, [`synthesize`], or from a record: [`match_motion`] filters at the period itself and
-//! fits best, [`match_by_wavelets`] scales wavelets and keeps more of the record. [`Simulator`] makes motions from a
-//! magnitude and a distance instead, by the seismology of a [`PointSource`].
+//! The passes start from noise, [`synthesize`], or from a record: [`match_motion`] filters at the
+//! period itself and fits best; [`match_by_wavelets`] scales wavelets and preserves more of the
+//! record. [`Simulator`], by contrast, makes motions for a magnitude and a distance from the
+//! seismology of a [`PointSource`].
 //!
 //! # Accuracy
-//! The same seed and index give the same motion to the bit on one machine. On another, whose sines and logarithms differ
-//! in the last digit, they give it to some 1e-14 of its peak: errors of 1e-15 in the noise, the window, the record, the
-//! amplitudes of a source and the gain of every period grow to 2e-14 in thirty passes. (The sines of the Fourier transform
-//! itself are left alone in that test.) The best pass is chosen with a margin, so that passes that have settled do not
-//! compete by rounding.
+//! The same seed and index give the same motion to the bit on one machine. On a machine whose sines
+//! and logarithms differ in the last digit, the motion differs by about 1e-14 of its peak: errors
+//! of 1e-15 in the noise, the window, the record, the amplitudes of a source and the gain of every
+//! period grow to 2e-14 in thirty passes. (That test did not change the sines of the Fourier
+//! transform itself.) The best pass is chosen with a margin, so that rounding does not decide
+//! between converged passes.
 //!
-//! AS 1170.4, kpZ = 0.08, seed 1, motions 0 to 9, [`SynthesisOptions::default`]; means over the ten but for the worst
-//! period, which is the largest of all:
+//! AS 1170.4, kpZ = 0.08, seed 1, motions 0 to 9, [`SynthesisOptions::default`]; means over the
+//! ten, except for the worst period, which is the worst of all:
 //!
 //! | class | rms misfit | worst period | target ZPA | PGA | PGV | PGD | D5–95 |
 //! |---|---|---|---|---|---|---|---|
@@ -26,16 +29,18 @@
 //! | De | 3.3 % | 15 % | 0.088 g | 0.144 g | 0.122 m/s | 78 mm | 11.1 s |
 //! | Ee | 3.4 % | 15 % | 0.088 g | 0.151 g | 0.165 m/s | 118 mm | 11.4 s |
 //!
-//! Single motions of class De lie at 2.6 to 4.0 % and have a PGA of 0.126 to 0.184 g. Seeds 100 to 109 give 3.5 % on
-//! average in every class, 16 % at worst; the window and the low cut were chosen on seed 1 alone. Damped Gauss–Newton
-//! steps on the amplitudes after half of the passes, tried without the low cut, got 2.4 %, but at three times the cost
-//! and with longer shaking and larger displacement: not taken.
+//! Single motions of class De have misfits of 2.6 to 4.0 % and a PGA of 0.126 to 0.184 g. Seeds 100
+//! to 109 give 3.5 % on average in every class, 16 % at worst; the window and the low cut were
+//! chosen with seed 1 alone. Damped Gauss–Newton steps on the amplitudes after half of the passes,
+//! tested without the low cut, reached 2.4 %, but at three times the cost and with longer shaking
+//! and larger displacement; they are not used.
 //!
 //! # Limitation
-//! The code's shapes ask for more than a broad-band motion can give: class De has plateau/ZPA = 3.35, and a motion that
-//! fills its plateau and its constant-velocity range has a PGA well above the ZPA, whatever the seed, the number of
-//! passes or the step. Matching below 0.05 s does not cure this and spoils the rest. So both [`Misfit::pga_g`] and
-//! [`Misfit::target_zpa_g`] are given: state both. For rocking, PGV and 0.3–3 s count for more than PGA.
+//! The shapes of the code demand more than a broad-band motion can have: class De has plateau/ZPA =
+//! 3.35, and a motion that fills its plateau and its constant-velocity range has a PGA well above
+//! the ZPA, whatever the seed, the number of passes or the step. Matching below 0.05 s does not
+//! change this and degrades the rest. Therefore both [`Misfit::pga_g`] and [`Misfit::target_zpa_g`]
+//! are given; report both. For rocking, PGV and 0.3–3 s matter more than PGA.
 
 mod frame;
 mod matching;
@@ -65,105 +70,111 @@ use matching::{Gain, Matcher};
 use noise::noise;
 use thiserror::Error;
 
-/// What makes the random numbers, for outputs: counter-based, so that motion i does not depend on how many are made.
-pub const GENERATOR: &str = "ChaCha12Rng (rand_chacha 0.10), seed_from_u64(seed), stream = motion index + 2^32 * number of the earthquake; \
+/// The source of the random numbers, as named in outputs: counter-based, so that motion i does not
+/// depend on how many are made.
+pub const GENERATOR: &str = "ChaCha12Rng (rand_chacha 0.10), seed_from_u64(seed), \
+                             stream = motion index + 2^32 * number of the earthquake; \
                              StandardNormal (rand_distr 0.6)";
 
-/// Shortest period that is matched \[s\].
+/// The shortest matched period \[s\].
 pub const SHORTEST_PERIOD_S: f64 = 0.05;
-/// Longest period that is matched \[s\].
+/// The longest matched period \[s\].
 pub const LONGEST_PERIOD_S: f64 = 5.0;
-/// Number of periods that are matched, equally spaced in log T: 60 a decade, about one for each 5 %-damped bandwidth.
+/// Number of matched periods, equally spaced in log T: 60 per decade, about one for each 5 %-damped
+/// bandwidth.
 pub const MATCHED_PERIODS: usize = 121;
 /// Damping ratio of the target and of the spectra.
 pub use crate::oscillator::DAMPING_RATIO;
 
-/// Cosine tapers of the noise \[s\]: the window starts from zero by itself, so the start can be short.
+/// Cosine tapers of the noise \[s\]: the window itself starts from zero, so the taper at the start
+/// can be short.
 const TAPER_START_S: f64 = 0.5;
 const TAPER_END_S: f64 = 4.0;
 /// Cosine tapers of a record, as a share of its length.
 const RECORD_TAPER_RATIO: f64 = 0.02;
-/// Samples beyond which a request is refused: at 0.005 s an hour and a half.
+/// The largest number of samples: an hour and a half at 0.005 s.
 const MAX_SAMPLES: f64 = 1048576.0;
-/// Rounds of scaling half-cycles to a peak.
+/// Iterations of scaling half-cycles to a peak.
 const PGA_ROUNDS: usize = 100;
-/// How near the peak must come.
+/// Relative tolerance of the peak.
 const PGA_TOLERANCE_RATIO: f64 = 1e-3;
 
-/// Why no motion was made.
+/// Why no motion could be made.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SynthesisError {
     /// The target is not a positive finite acceleration.
     #[error("the target spectrum must be positive and finite, not {sa_g} g at T = {period_s} s")]
     Target {
-        /// Where the target was asked.
+        /// The period at which the target was evaluated \[s\].
         period_s: f64,
-        /// What it gave \[g\].
+        /// Its value \[g\].
         sa_g: f64,
     },
-    /// An option is out of its range.
+    /// An option is out of range.
     #[error("{name} must be {requirement}, not {value}")]
     Option {
         /// Field of [`SynthesisOptions`].
         name: &'static str,
-        /// The range.
+        /// The requirement that it does not meet.
         requirement: &'static str,
         /// The value that was given.
         value: f64,
     },
-    /// The motion to be matched is shorter than the longest period of the spectrum.
-    #[error("a motion of {duration_s} s is too short to be matched up to {LONGEST_PERIOD_S} s")]
+    /// The motion to be matched is too short for the longest matched period.
+    #[error("a motion of {duration_s} s is too short for matching up to a period of {LONGEST_PERIOD_S} s")]
     TooShort {
-        /// Its duration.
+        /// Its duration \[s\].
         duration_s: f64,
     },
-    /// The motion to be matched has no content to scale at some period.
-    #[error("the motion has nothing to scale")]
+    /// The motion to be matched has no content at some period.
+    #[error("the motion has no content that can be scaled")]
     NoContent,
-    /// The oscillators of the spectrum cannot be made.
+    /// The oscillators of the spectrum are invalid.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
-    /// The result is not a motion.
+    /// The result is not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
 
-/// How a synthetic motion is laid out in time.
+/// The time layout of a synthetic motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SynthesisOptions {
     /// Time step \[s\]; at most a fifth of the shortest period, 0.01 s.
     pub dt_s: f64,
     /// Zeros before the shaking \[s\].
     pub lead_in_s: f64,
-    /// Length of the shaking with its tapers \[s\].
+    /// Length of the shaking including its tapers \[s\].
     pub shaking_s: f64,
     /// Zeros after the shaking \[s\].
     pub tail_s: f64,
     /// Duration T_d of the window `e^(−2.4 t/T_d) − e^(−7.2 t/T_d)` that shapes the noise \[s\].
     pub envelope_s: f64,
-    /// Passes of the matching.
+    /// Number of passes.
     pub passes: usize,
 }
 
 impl Default for SynthesisOptions {
-    /// 0.005 s, 1 s of quiet, 40 s of shaking, 4 s of quiet, T_d = 10 s (D5–95 about 11 s after matching), 30 passes.
+    /// 0.005 s, 1 s of quiet, 40 s of shaking, 4 s of quiet, T_d = 10 s (D5–95 about 11 s after
+    /// matching), 30 passes.
     fn default() -> Self {
         Self { dt_s: 0.005, lead_in_s: 1.0, shaking_s: 40.0, tail_s: 4.0, envelope_s: 10.0, passes: 30 }
     }
 }
 
-/// How well a motion fits its target, over [`MATCHED_PERIODS`] periods, and what it is like.
+/// How well a motion fits its target, over [`MATCHED_PERIODS`] periods, and its intensity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Misfit {
     /// Root mean square of PSA/target − 1.
     pub rms_ratio: f64,
-    /// PSA/target − 1 where it is largest in size, with its sign.
+    /// PSA/target − 1 where its absolute value is largest, with its sign.
     pub worst_ratio: f64,
     /// Period of the worst misfit \[s\].
     pub worst_period_s: f64,
     /// Peak ground acceleration of the motion \[g\].
     pub pga_g: f64,
-    /// Target at T = 0 \[g\]; a match of the spectrum does not reach it, see the module's limitation.
+    /// Target at T = 0 \[g\]; a motion that matches the spectrum exceeds it, see the module's
+    /// limitation.
     pub target_zpa_g: f64,
     /// Significant duration \[s\].
     pub d5_95_s: f64,
@@ -171,32 +182,35 @@ pub struct Misfit {
     pub pgv_m_s: f64,
 }
 
-/// A motion and how well it fits.
+/// A motion and its misfit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MatchedMotion {
-    /// The motion; starts and ends with zero acceleration, and ends with zero velocity and displacement.
+    /// The motion: it starts and ends with zero acceleration, and ends with zero velocity and
+    /// displacement.
     pub motion: Motion,
     /// Its misfit.
     pub misfit: Misfit,
-    /// The pass it comes from, counted from 0 (the scaled start).
+    /// The pass that it comes from, counted from 0 (the scaled start).
     pub pass: usize,
 }
 
-/// Synthetic motion number `index` of `seed`, matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping).
+/// Synthetic motion number `index` of `seed`, matched to the target PSA `target_sa_g` (period \[s\]
+/// to g, 5 % damping).
 ///
-/// Gaussian noise under the window `w(t) = e^(−0.4·6t/T_d) − e^(−1.2·6t/T_d)`, shaped like the target's pseudo-velocity
-/// and then matched. The same seed and index give the same motion, however many are made and on however many threads.
+/// Gaussian noise under the window `w(t) = e^(−0.4·6t/T_d) − e^(−1.2·6t/T_d)`, shaped like the
+/// target's pseudo-velocity and then matched. The same seed and index give the same motion, however
+/// many motions are made and on however many threads.
 ///
 /// # Reference
-/// Lam, Wilson and Hutchinson (2000), "Generation of synthetic earthquake accelerograms using seismological modelling:
-/// a review", for the window; Gasparini and Vanmarcke (1976), SIMQKE, for noise matched to a response spectrum by
-/// passes in the frequency domain.
+/// Lam, Wilson and Hutchinson (2000), "Generation of synthetic earthquake accelerograms using
+/// seismological modelling: a review", for the window; Gasparini and Vanmarcke (1976), SIMQKE, for
+/// noise matched to a response spectrum by passes in the frequency domain.
 ///
 /// # Accuracy
 /// See the [module](self).
 ///
 /// # Errors
-/// A target that is not positive and finite, options out of range.
+/// A target that is not positive and finite, or options out of range.
 ///
 /// # Example
 /// ```
@@ -236,16 +250,19 @@ fn from_noise(
     matcher.run(accel, options.passes)
 }
 
-/// The record `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping); its phases stay.
+/// The motion `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping) with
+/// unchanged phases.
 ///
-/// The first and last 2 % are tapered; the length and the time step stay.
+/// The first and last 2 % are tapered; the length and the time step do not change.
 ///
 /// # Accuracy
-/// The spectrum is that of the motion with straight lines between its samples. With a time step above 0.005 s the
-/// oscillators take steps between the samples, so that no peak is missed; this is exact for such a motion.
+/// The spectrum is that of the motion with straight lines between its samples. With a time step
+/// above 0.005 s the oscillators take steps between the samples, so that no peak is missed; this is
+/// exact for such a motion.
 ///
 /// # Errors
-/// A target that is not positive and finite, a record shorter than [`LONGEST_PERIOD_S`] or without content.
+/// A target that is not positive and finite, or a motion shorter than [`LONGEST_PERIOD_S`] or
+/// without content.
 pub fn match_motion(
     seed: &Motion,
     target_sa_g: impl Fn(f64) -> f64,
@@ -254,25 +271,27 @@ pub fn match_motion(
     match_record(seed, &target_sa_g, passes, Gain::AtPeriod)
 }
 
-/// The record `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping) by scaling its wavelets;
-/// phases stay. What lies outside the matched periods keeps its shape: to 1.6 times the outermost period it goes with
-/// that, beyond it has one common factor.
+/// The motion `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping) by
+/// scaling its wavelets, with unchanged phases. Outside the matched periods its shape does not
+/// change: up to 1.6 times the outermost period it is scaled with that period, beyond it by one
+/// common factor.
 ///
-/// Each pass splits the motion by the continuous wavelet transform into details, one for each period, and multiplies
-/// each by target/spectrum at its period; the best pass is kept. Ends, length, time step and drift as for
-/// [`match_motion`].
+/// Each pass splits the motion by the continuous wavelet transform into details, one for each
+/// period, and multiplies each by target/spectrum at its period; the best pass is kept. Ends,
+/// length, time step and drift are treated as in [`match_motion`].
 ///
 /// # Reference
-/// Suarez and Montejo (2005), "Generation of artificial earthquakes via the wavelet transform", for the wavelet
-/// e^(−ζω|t|) sin ωt with ω = π, ζ = 0.05; Montejo (2021), "Response spectral matching of horizontal ground motion
-/// components to an orientation-independent spectrum (RotDnn)", for the passes.
+/// Suarez and Montejo (2005), "Generation of artificial earthquakes via the wavelet transform", for
+/// the wavelet e^(−ζω|t|) sin ωt with ω = π, ζ = 0.05; Montejo (2021), "Response spectral matching
+/// of horizontal ground motion components to an orientation-independent spectrum (RotDnn)", for the
+/// passes.
 ///
 /// # Accuracy
-/// A scaled detail is a filter without phase; its gain is computed as such, from a table of 1921 frequencies, so that a
-/// pass costs two Fourier transforms instead of two for each period.
+/// A scaled detail is a zero-phase filter; its gain is calculated as such, from a table of 1921
+/// frequencies, so that a pass needs two Fourier transforms instead of two for each period.
 ///
 /// # Errors
-/// As for [`match_motion`].
+/// Those of [`match_motion`].
 pub fn match_by_wavelets(
     seed: &Motion,
     target_sa_g: impl Fn(f64) -> f64,
@@ -289,7 +308,7 @@ fn match_record(
 ) -> Result<MatchedMotion, SynthesisError> {
     let duration_s = seed.duration_s();
     let n = seed.accel_m_s2().len();
-    // Sixteen samples: enough to taper and to take out two drifts.
+    // Sixteen samples: enough to taper and to remove two drifts.
     if duration_s < LONGEST_PERIOD_S || n < 16 {
         return Err(SynthesisError::TooShort { duration_s });
     }
@@ -299,7 +318,7 @@ fn match_record(
     matcher.run(seed.accel_m_s2().to_vec(), passes)
 }
 
-/// How well a motion fits the target PSA `target_sa_g` as it is.
+/// The misfit of a motion to the target PSA `target_sa_g`, as given.
 ///
 /// # Errors
 /// A target that is not positive and finite.
@@ -308,16 +327,19 @@ pub fn misfit(motion: &Motion, target_sa_g: impl Fn(f64) -> f64) -> Result<Misfi
     Ok(Matcher::new(&target_sa_g, motion.dt_s(), Frame::new(n, 0, n - 1, 1, 1), Gain::AtPeriod)?.misfit(motion))
 }
 
-/// The motion with its peak acceleration brought to `pga_g`: every half-cycle that exceeds it is scaled down to it; where
-/// none does, the largest is scaled up. The drift is removed after each round, until the peak is met to a thousandth.
+/// The motion with its peak acceleration scaled to `pga_g`: every half-cycle above it is scaled
+/// down to it; if there is none, the largest is scaled up. The drift is removed after each
+/// iteration, until the peak is within a thousandth.
 ///
-/// What this costs is in the misfit: the spectrum at short periods rests on the half-cycles that are cut.
+/// The misfit shows what this costs: the spectrum at short periods depends on the half-cycles that
+/// are scaled down.
 ///
 /// # Reference
-/// Montejo's REQPY scales the half-cycle with the peak; here all that exceed it.
+/// Montejo's REQPY scales the half-cycle with the peak; this function scales all that exceed it.
 ///
 /// # Errors
-/// A peak that is not positive and finite, or that is not met in 100 rounds; a target that is not positive and finite.
+/// A peak that is not positive and finite, or that is not reached in 100 iterations; a target that
+/// is not positive and finite.
 pub fn with_pga(
     motion: &Motion,
     target_sa_g: impl Fn(f64) -> f64,
@@ -341,10 +363,10 @@ pub fn with_pga(
             return Ok(MatchedMotion { motion, misfit, pass: round });
         }
     }
-    Err(SynthesisError::Option { name: "pga_g", requirement: "a peak that the motion can be brought to", value: pga_g })
+    Err(SynthesisError::Option { name: "pga_g", requirement: "a peak that the motion can be scaled to", value: pga_g })
 }
 
-/// Scales the half-cycles that exceed `peak` down to it, or the largest up to it where none does.
+/// Scales the half-cycles that exceed `peak` down to it, or the largest up to it if there are none.
 fn scale_half_cycles(accel: &mut [f64], peak: f64) {
     let largest = accel.iter().fold(0.0_f64, |largest, a| largest.max(a.abs()));
     let raise = (largest < peak).then_some(largest);
@@ -356,24 +378,27 @@ fn scale_half_cycles(accel: &mut [f64], peak: f64) {
     }
 }
 
-/// What two motions of the same length and step have in common: how much of a record is left in its match.
+/// The similarity of two motions of the same length and time step: how much of a record its match
+/// preserves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resemblance {
     /// Correlation of the accelerations, from −1 to 1.
     pub correlation_ratio: f64,
-    /// Largest difference of the shares of energy that have passed at one time (Husid curves).
+    /// Largest difference of the shares of energy that have arrived at one time (Husid curves).
     pub husid_difference_ratio: f64,
 }
 
 impl Resemblance {
-    /// Of two motions, sample by sample; what one has more is compared with nothing.
+    /// The resemblance of two motions, sample by sample; the excess samples of the longer one are
+    /// ignored.
     ///
     /// # Example
     /// ```
     /// use freestand::{motion::Motion, synthesis::Resemblance};
     /// let motion = Motion::new(0.01, vec![0.0, 1.0, -2.0, 0.0])?;
     /// let doubled = Resemblance::between(&motion, &motion.scaled(2.0)?);
-    /// assert!((doubled.correlation_ratio - 1.0).abs() < 1e-15 && doubled.husid_difference_ratio == 0.0);
+    /// assert!((doubled.correlation_ratio - 1.0).abs() < 1e-15);
+    /// assert_eq!(doubled.husid_difference_ratio, 0.0);
     /// # Ok::<(), freestand::motion::MotionError>(())
     /// ```
     pub fn between(one: &Motion, other: &Motion) -> Self {

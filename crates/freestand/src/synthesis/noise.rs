@@ -4,8 +4,8 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// The stream of random numbers of motion `index` of the earthquake number `earthquake` (0 the first, or the only one): no
-/// two motions of one seed share it.
+/// The stream of random numbers of motion `index` of earthquake number `earthquake` (0 is the
+/// first, or the only one): no two motions of one seed share a stream.
 ///
 /// # Example
 /// ```
@@ -16,7 +16,7 @@ pub fn stream(earthquake: u32, index: u32) -> u64 {
     u64::from(earthquake) << 32 | u64::from(index)
 }
 
-/// Standard normal numbers of a stream of `seed`.
+/// Standard normal numbers from a stream of `seed`.
 pub(super) fn noise(seed: u64, stream: u64) -> impl FnMut() -> f64 {
     let mut random = ChaCha12Rng::seed_from_u64(seed);
     random.set_stream(stream);
@@ -26,16 +26,17 @@ pub(super) fn noise(seed: u64, stream: u64) -> impl FnMut() -> f64 {
 /// How the strength of shaking rises and falls over a duration T_d.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Window {
-    /// `e^(−0.4·6t/T_d) − e^(−1.2·6t/T_d)`: largest, 0.3849, at 0.2289 T_d (Lam, Wilson and Hutchinson 2000).
+    /// `e^(−0.4·6t/T_d) − e^(−1.2·6t/T_d)`: its maximum is 0.3849 at 0.2289 T_d (Lam, Wilson and
+    /// Hutchinson 2000).
     Lam,
-    /// `a (t/t_η)^b e^(−c t/t_η)` with t_η = 2 T_d: largest, 1, at 0.2 t_η, and 0.05 at t_η (Saragoni and Hart 1974, in
-    /// the form of Boore 2003).
+    /// `a (t/t_η)^b e^(−c t/t_η)` with t_η = 2 T_d: its maximum is 1 at 0.2 t_η, and it is 0.05 at
+    /// t_η (Saragoni and Hart 1974, in the form of Boore 2003).
     SaragoniHart,
 }
 
-/// Share of t_η at which the window of Saragoni and Hart is largest.
+/// Share of t_η at which the window of Saragoni and Hart has its maximum.
 const SARAGONI_HART_PEAK_RATIO: f64 = 0.2;
-/// What is left of it at t_η.
+/// Its value at t_η.
 const SARAGONI_HART_END_RATIO: f64 = 0.05;
 
 impl Window {
@@ -47,7 +48,7 @@ impl Window {
         }
     }
 
-    /// The window at `time_ratio` = t/T_d; 0 before it begins.
+    /// The value of the window at `time_ratio` = t/T_d; 0 before it begins.
     ///
     /// # Example
     /// ```
@@ -73,7 +74,8 @@ impl Window {
     }
 }
 
-/// a, b and c of the window of Saragoni and Hart: b = −ε ln η/(1 + ε(ln ε − 1)), c = b/ε, a = (e/ε)^b.
+/// a, b and c of the window of Saragoni and Hart: b = −ε ln η/(1 + ε(ln ε − 1)), c = b/ε, a =
+/// (e/ε)^b.
 fn saragoni_hart() -> (f64, f64, f64) {
     let (epsilon, eta) = (SARAGONI_HART_PEAK_RATIO, SARAGONI_HART_END_RATIO);
     let b = -epsilon * eta.ln() / (1.0 + epsilon * (epsilon.ln() - 1.0));
@@ -87,14 +89,16 @@ mod tests {
 
     #[test]
     fn the_random_numbers_are_those_of_the_named_generator() {
-        // Recorded from rand_chacha 0.10.0 and rand_distr 0.6.0. Another value changes every synthetic motion.
+        // Recorded from rand_chacha 0.10.0 and rand_distr 0.6.0. Any other value changes every
+        // synthetic motion.
         let mut noise = noise(1, 7);
         assert_eq!([noise(), noise(), noise()], [-0.8937706181435281, -0.5479682301173312, 0.04426811833978719]);
     }
 
     #[test]
     fn the_constants_of_saragoni_and_hart_are_the_published_ones() {
-        // GMSS 2.0 prints 26.312, 1.253 and 6.266; four and five digits of b and c follow from ε and η.
+        // GMSS 2.0 prints 26.312, 1.253 and 6.266; four and five digits of b and c follow from ε
+        // and η.
         let (a, b, c) = saragoni_hart();
         assert!((a - 26.312).abs() < 5e-4 && (b - 1.2531).abs() < 5e-5 && (c - 6.2657).abs() < 5e-5, "{a} {b} {c}");
         assert!((Window::SaragoniHart.at(0.4) - 1.0).abs() < 1e-12, "the peak at 0.2 t_η");

@@ -1,4 +1,5 @@
-//! Magnitudes and distances that meet a target spectrum on rock: which earthquake a code's level stands for.
+//! Magnitudes and distances that match a target spectrum on rock: the earthquakes that a code's
+//! level represents.
 
 use super::point_source::PointSource;
 use super::simulation::{SimulationOptions, Simulator};
@@ -9,51 +10,56 @@ use crate::oscillator::response_spectrum;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Magnitudes for which a pair is looked for.
+/// Magnitudes for which a distance is searched for.
 pub const PAIR_MAGNITUDES: [f64; 4] = [5.5, 6.0, 6.5, 7.0];
-/// Motions with which a distance is looked for, however many are made afterwards.
+/// Number of motions in the search for a distance, however many are made afterwards.
 pub const PAIR_MOTIONS: u32 = 20;
 /// Periods at which the spectra are compared: 0.5 to 1 s, equally spaced in ln T.
 const PERIODS: usize = 9;
 const FROM_PERIOD_S: f64 = 0.5;
-/// Where a distance is looked for \[m\].
+/// The range of the search \[m\].
 const NEAREST_M: f64 = 2e3;
 const FARTHEST_M: f64 = 300e3;
-/// The search ends when the mean meets the target to this share.
+/// Relative tolerance of the mean at which the search ends.
 const RATIO_TOLERANCE: f64 = 1e-3;
-/// Steps of the search; four or five are usual.
+/// Largest number of steps of the search; four or five are usual.
 const MAX_STEPS: usize = 60;
 
-/// An earthquake whose mean spectrum meets the target.
+/// An earthquake whose mean spectrum matches the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {
     /// Moment magnitude.
     pub magnitude: f64,
     /// Distance \[m\].
     pub distance_m: f64,
-    /// Geometric mean over motions and periods of PSA/target at that distance: 1 but for the search's tolerance.
+    /// Geometric mean over motions and periods of PSA/target at that distance: 1 within the
+    /// tolerance of the search.
     pub mean_ratio: f64,
 }
 
-/// The distance at which the geometric mean of the 5 %-damped PSA of motions meets `target_sa_g` (period \[s\] to g, on
-/// rock) over T = 0.5 to 1 s; the source of each distance is `at_distance` (m), the motions are those of the `streams` of
-/// `seed` with `options`. `None` where the mean lies on one side of the target from 2 to 300 km.
+/// The distance at which the geometric mean of the 5 %-damped PSA of motions matches `target_sa_g`
+/// (period \[s\] to g, on rock) over T = 0.5 to 1 s. The source at each distance is `at_distance`
+/// (m); the motions are those of the `streams` of `seed` with `options`. `None` where the mean is
+/// on one side of the target from 2 to 300 km.
 ///
-/// The same streams of random numbers are used at each distance. A motion that is then made with the same options, seed
-/// and stream is one of those that the distance was fitted to. The mean falls with distance but for the little that the
-/// longer window changes; the search ends where the mean meets the target to a thousandth.
+/// The same streams of random numbers are used at each distance, so a motion that is later made
+/// with the same options, seed and stream is one of those to which the distance was fitted. The
+/// mean falls with distance except for the small effect of the longer window; the search ends where
+/// the mean is within a thousandth of the target.
 ///
 /// # Accuracy
-/// The mean over n streams: its standard error in ln PSA is about 0.3/√n and moves the distance by as much.
+/// That of the mean over n streams: its standard error in ln PSA is about 0.3/√n and changes the
+/// distance accordingly.
 ///
 /// # Errors
-/// Parameters of the source out of range, a target that is not positive and finite, no streams.
+/// Parameters of the source out of range, a target that is not positive and finite, or no streams.
 ///
 /// # Example
 /// Rock in Melbourne, 500 years, has Sa(T) = 0.08·0.88/T g: magnitude 6 at some 30 km.
 /// ```
 /// use freestand::synthesis::{Preset, SimulationOptions, distance_for_target};
-/// let (victoria, options) = (|r_m| Preset::Victoria.source(6.0, r_m), SimulationOptions::default());
+/// let victoria = |r_m| Preset::Victoria.source(6.0, r_m);
+/// let options = SimulationOptions::default();
 /// let pair = distance_for_target(victoria, |t| 0.08 * 0.88 / t, &options, 1, 0..10)?;
 /// assert!(pair.is_some_and(|pair| (25e3..38e3).contains(&pair.distance_m)));
 /// # Ok::<(), freestand::synthesis::SynthesisError>(())
@@ -78,7 +84,8 @@ pub fn distance_for_target(
             .collect::<Result<_, SynthesisError>>()?;
         Ok(means.iter().sum::<f64>() / means.len() as f64 - ln_target)
     };
-    // The false-position rule in ln R with halved values at an end that stays (Illinois): ln PSA is nearly straight in it.
+    // False position in ln R, with the value halved at an end that does not move (Illinois): ln PSA
+    // is nearly linear in ln R.
     let (mut near, mut far) = (NEAREST_M.ln(), FARTHEST_M.ln());
     let (mut above, mut below) = (ln_ratio(NEAREST_M)?, ln_ratio(FARTHEST_M)?);
     if !(above > 0.0 && below < 0.0) {
@@ -105,8 +112,8 @@ pub fn distance_for_target(
     Ok(None)
 }
 
-/// Geometric mean over `motions` and T = 0.5 to 1 s of PSA/target, as the search of [`distance_for_target`] has it; `None`
-/// of no motions.
+/// Geometric mean over `motions` and T = 0.5 to 1 s of PSA/target, as in the search of
+/// [`distance_for_target`]; `None` without motions.
 ///
 /// # Errors
 /// A target that is not positive and finite.
@@ -173,10 +180,11 @@ mod tests {
 
     #[test]
     fn the_pairs_of_melbourne_are_those_of_another_computation() {
-        // An independent implementation, 20 motions each with other random numbers, gives "around" 15, 30, 45, 80 km. To
-        // 5 km: half of it either way. It does not solve for them: of the pair whose ratios it prints one is 1.09 and one
-        // 0.98, so a tenth in the ratio. And both means of 20 have a standard error; 2.5 of their difference in four
-        // comparisons leave 5 %. The slope turns ratios into distance.
+        // An independent implementation, with 20 motions each from other random numbers, gives
+        // "around" 15, 30, 45, 80 km. These are rounded to 5 km, so half of that either way. It
+        // does not solve for them: of the pair whose ratios it prints one is 1.09 and one 0.98, so
+        // a tenth in the ratio. Both means of 20 also have a standard error; 2.5 times that of
+        // their difference leaves 5 % in four comparisons. The slope turns ratios into distance.
         for (magnitude, expected_km) in [(5.5, 15.0), (6.0, 30.0), (6.5, 45.0), (7.0, 80.0_f64)] {
             let pair = found(magnitude, &SimulationOptions::default(), 0..20);
             let here = ln_ratios(magnitude, pair.distance_m, 0..20);
@@ -187,15 +195,15 @@ mod tests {
             let rounding = (1.0 - 2.5 / expected_km).ln().abs();
             let off = (pair.distance_m / 1000.0 / expected_km).ln().abs();
             assert!(off < statistical + rounding + 0.1 / slope, "{pair:?}: {off} {statistical} {rounding} {slope}");
-            // The statement has power.
+            // The test has power.
             assert!(statistical < 0.25, "{statistical}");
         }
     }
 
     #[test]
     fn the_spectrum_of_one_pair_is_that_of_another_computation() {
-        // M 6 at 30 km over the rock of Melbourne, 500 years, geometric means of 20 motions, printed to 0.01. Plateau 2.94
-        // to 0.3 s, 0.88/T to 1.5 s, 1.32/T² beyond.
+        // M 6 at 30 km relative to the rock of Melbourne, 500 years, geometric means of 20 motions,
+        // printed to 0.01. Plateau 2.94 to 0.3 s, 0.88/T to 1.5 s, 1.32/T² above.
         let printed = [(0.1, 1.90_f64), (0.2, 1.56), (0.3, 1.16), (0.5, 1.09), (1.0, 0.98), (1.5, 0.77), (2.0, 0.80)];
         let code = |t: f64| 0.08 * (0.88 / t).min(2.94).min(1.32 / (t * t));
         let simulator =
@@ -207,7 +215,8 @@ mod tests {
         for (i, (period_s, expected)) in printed.into_iter().enumerate() {
             let ln: Vec<f64> = spectra.iter().map(|psa| (psa[i] / G0_M_S2 / code(period_s)).ln()).collect();
             let (mean, variance) = mean_and_variance(&ln);
-            // Means of 100 and of 20: seven differences within 2.7 standard errors are 95 % of all seeds.
+            // Means of 100 and of 20: seven differences are within 2.7 standard errors for 95 % of
+            // all seeds.
             let within = 2.7 * (variance / 100.0 + variance / 20.0).sqrt() + 0.005 / expected;
             assert!((mean - expected.ln()).abs() < within, "{period_s} s: {} {within}", mean.exp());
         }
@@ -220,10 +229,10 @@ mod tests {
         let pair = found(6.5, &options, streams.clone());
         let simulator = Simulator::new(&Preset::Victoria.source(6.5, pair.distance_m), |_| 1.0, &options).unwrap();
         let motions: Vec<Motion> = streams.map(|stream| simulator.motion(1, stream).unwrap()).collect();
-        // The same numbers; the order of a sum over five motions.
+        // The same numbers, summed in another order over five motions.
         let ratio = mean_ratio(&motions, rock).unwrap().unwrap();
         assert!((ratio / pair.mean_ratio - 1.0).abs() < 1e-13 && (ratio - 1.0).abs() < 1.001e-3, "{pair:?} {ratio}");
-        // Eighty other motions at that distance of twenty: the errors of both means, 2.7 of them.
+        // Eighty other motions at that distance of twenty: 2.7 times the errors of both means.
         let pair = found(6.0, &SimulationOptions::default(), 0..20);
         let (mean, variance) = mean_and_variance(&ln_ratios(6.0, pair.distance_m, 100..180));
         assert!(mean.abs() < 2.7 * (variance / 80.0 + variance / 20.0).sqrt(), "{mean} {variance}");

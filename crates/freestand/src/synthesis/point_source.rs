@@ -1,7 +1,9 @@
-//! The stochastic point source: Fourier amplitudes of an earthquake of some magnitude at some distance.
+//! The stochastic point source: Fourier amplitudes of an earthquake with a given magnitude and
+//! distance.
 //!
-//! `A(f) = C M₀ (2πf)² S(f) G(R) e^(−πfR/(Q(f)β)) Amp(f) P(f)`, the Fourier amplitude of the ground acceleration
-//! \[m/s\]: source spectrum S, spreading G, loss along the path Q, amplification of the crust Amp, loss near the surface P.
+//! `A(f) = C M₀ (2πf)² S(f) G(R) e^(−πfR/(Q(f)β)) Amp(f) P(f)`, the Fourier amplitude of the ground
+//! acceleration \[m/s\], with the source spectrum S, the spreading G, the path attenuation Q, the
+//! amplification of the crust Amp and the attenuation near the surface P.
 
 use super::site_amplification::ShearWaveProfile;
 use super::{SynthesisError, Window};
@@ -13,7 +15,7 @@ const RADIATION_RATIO: f64 = 0.55;
 const FREE_SURFACE_RATIO: f64 = 2.0;
 /// Reference distance of the spreading, R₀ \[m\].
 const REFERENCE_DISTANCE_M: f64 = 1000.0;
-/// 4.906e6 in km/s, bars and dyn·cm.
+/// 4.906e6 in km/s, bar and dyn·cm.
 const CORNER_COEFFICIENT: f64 = 0.4906;
 
 /// The shape of the source spectrum S(f).
@@ -21,21 +23,22 @@ const CORNER_COEFFICIENT: f64 = 0.4906;
 pub enum SourceSpectrum {
     /// 1/(1 + (f/f₀)²) (Brune 1970).
     SingleCorner,
-    /// (1−ε)/(1 + (f/f_a)²) + ε/(1 + (f/f_b)²), log f_a = 2.41 − 0.533M, log ε = 2.52 − 0.637M (Atkinson and Boore
-    /// 1995), f_b so that high frequencies are those of the single corner (Boore, Di Alessandro and Abrahamson 2014).
+    /// (1−ε)/(1 + (f/f_a)²) + ε/(1 + (f/f_b)²), log f_a = 2.41 − 0.533M, log ε = 2.52 − 0.637M
+    /// (Atkinson and Boore 1995), with f_b such that high frequencies are those of the single
+    /// corner (Boore, Di Alessandro and Abrahamson 2014).
     TwoCorner,
 }
 
-/// From a distance on, amplitudes fall with (R)^(−exponent).
+/// A range of distance from a given distance on, in which amplitudes fall with (R)^(−exponent).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpreadingPiece {
-    /// Where the piece begins \[m\]; the first at 1 km.
+    /// Distance at which the range begins \[m\]; the first begins at 1 km.
     pub from_distance_m: f64,
     /// The exponent: 1 for body waves, 0.5 for surface waves; negative where amplitudes rise.
     pub exponent_ratio: f64,
 }
 
-/// Loss along the path, Q(f).
+/// Attenuation along the path, Q(f).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quality {
     /// Q₀ f^n, f in Hz.
@@ -45,18 +48,19 @@ pub enum Quality {
         /// The power n.
         exponent_ratio: f64,
     },
-    /// log₁₀ Q = c₀ + c₁ x + c₂ x² + c₃ x³ with x = log₁₀ f; beyond the frequencies it was fitted to, its ends.
+    /// log₁₀ Q = c₀ + c₁ x + c₂ x² + c₃ x³ with x = log₁₀ f; constant beyond the frequencies of the
+    /// fit.
     LogCubic {
         /// c₀ to c₃.
         coefficients_ratio: [f64; 4],
         /// Lowest frequency of the fit \[Hz\].
         lowest_hz: f64,
-        /// Highest \[Hz\].
+        /// Highest frequency of the fit \[Hz\].
         highest_hz: f64,
     },
 }
 
-/// Loss near the surface, P(f).
+/// Attenuation near the surface, P(f).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HighCut {
     /// e^(−πκ₀f).
@@ -71,21 +75,21 @@ pub enum HighCut {
     },
 }
 
-/// What the path adds to the duration of the source.
+/// The duration that the path adds to that of the source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PathDuration {
-    /// 0.05 s for each km.
+    /// 0.05 s per km.
     Boore,
-    /// 0.16 R to 70 km, 11.2 − 0.03 (R − 70) to 130 km, 9.4 + 0.04 (R − 130) beyond, in s and km (Atkinson and Boore
-    /// 1995).
+    /// 0.16 R up to 70 km, 11.2 − 0.03 (R − 70) up to 130 km, 9.4 + 0.04 (R − 130) above, in s and
+    /// km (Atkinson and Boore 1995).
     AtkinsonBoore,
 }
 
-/// An earthquake at a distance, and the crust between.
+/// An earthquake at a distance, with the crust in between.
 ///
 /// # Reference
-/// Boore (2003), "Simulation of ground motion using the stochastic method", Pure and Applied Geophysics 160; Lam, Wilson
-/// and Hutchinson (2000).
+/// Boore (2003), "Simulation of ground motion using the stochastic method", Pure and Applied
+/// Geophysics 160; Lam, Wilson and Hutchinson (2000).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointSource {
     /// Moment magnitude M.
@@ -100,44 +104,45 @@ pub struct PointSource {
     pub shear_velocity_m_s: f64,
     /// Shape of the source spectrum.
     pub spectrum: SourceSpectrum,
-    /// Geometric spreading.
+    /// Geometric spreading, by range of distance.
     pub spreading: Vec<SpreadingPiece>,
-    /// Loss along the path.
+    /// Attenuation along the path.
     pub quality: Quality,
-    /// Loss near the surface.
+    /// Attenuation near the surface.
     pub high_cut: HighCut,
-    /// Velocities above the source; none: no amplification.
+    /// Shear-wave velocities above the source; `None`: no amplification.
     pub profile: Option<ShearWaveProfile>,
-    /// Duration along the path.
+    /// Duration added by the path.
     pub path_duration: PathDuration,
     /// How the strength of shaking rises and falls.
     pub window: Window,
 }
 
-/// Magnitudes that the model behind [`Preset::SouthEastAustralia`] was made for.
+/// Magnitudes for which the model of [`Preset::SouthEastAustralia`] was made.
 pub const SOUTH_EAST_AUSTRALIA_MAGNITUDES: std::ops::RangeInclusive<f64> = 4.0..=7.5;
-/// It was made for distances below this \[m\].
+/// The largest distance for which it was made \[m\].
 pub const SOUTH_EAST_AUSTRALIA_FARTHEST_M: f64 = 400e3;
 
-/// Parameters that were published together.
+/// Sets of parameters that were published together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Preset {
-    /// Victoria, on the rock of Melbourne: 200 bar, one corner, Q = 100 f^0.85 (Wilkie and Gibson), trilinear spreading
-    /// of Atkinson and Boore (1995), κ₀ = 0.025 s, the Melbourne profile.
+    /// Victoria, on the rock of Melbourne: 200 bar, one corner, Q = 100 f^0.85 (Wilkie and Gibson),
+    /// trilinear spreading of Atkinson and Boore (1995), κ₀ = 0.025 s, the Melbourne profile.
     Victoria,
-    /// Eastern North America, the defaults of GMSS 1.0 for regions within plates: 200 bar, two corners, Q = 680 f^0.36,
-    /// trilinear spreading, f_max = 50 Hz, hard rock. f_max is from memory of Atkinson and Boore (1995). The path adds
-    /// 0.05 s/km to the duration, not their own law, and the source 1/f₀ of the single corner.
+    /// Eastern North America, the defaults of GMSS 1.0 for regions within plates: 200 bar, two
+    /// corners, Q = 680 f^0.36, trilinear spreading, f_max = 50 Hz, hard rock. f_max is quoted from
+    /// memory of Atkinson and Boore (1995). The path adds 0.05 s/km to the duration, rather than
+    /// their own law, and the source adds 1/f₀ of the single corner.
     IntraplateHardRock,
-    /// South-eastern Australia: 23 MPa (depth below 10 km: 50 MPa), spreading and Q of Allen et al. (2007), κ₀ = 0.006 s,
-    /// the Melbourne profile. κ₀ is from memory of Allen (2012); the profile is not part of either. Made for
-    /// [`SOUTH_EAST_AUSTRALIA_MAGNITUDES`] and distances below [`SOUTH_EAST_AUSTRALIA_FARTHEST_M`]; Q was fitted from 0.78
-    /// to 19.9 Hz.
+    /// South-eastern Australia: 23 MPa (depth below 10 km: 50 MPa), spreading and Q of Allen et al.
+    /// (2007), κ₀ = 0.006 s, the Melbourne profile. κ₀ is quoted from memory of Allen (2012); the
+    /// profile is in neither. Made for [`SOUTH_EAST_AUSTRALIA_MAGNITUDES`] and distances below
+    /// [`SOUTH_EAST_AUSTRALIA_FARTHEST_M`]; Q was fitted from 0.78 to 19.9 Hz.
     SouthEastAustralia,
 }
 
 impl Preset {
-    /// All of them.
+    /// All presets.
     pub const ALL: [Self; 3] = [Self::Victoria, Self::IntraplateHardRock, Self::SouthEastAustralia];
 
     /// The name in commands and files.
@@ -149,7 +154,7 @@ impl Preset {
         }
     }
 
-    /// The preset of a name; `melbourne` is [`Preset::Victoria`].
+    /// The preset with a given name; `melbourne` is [`Preset::Victoria`].
     pub fn parse(name: &str) -> Option<Self> {
         if name == "melbourne" {
             return Some(Self::Victoria);
@@ -157,7 +162,7 @@ impl Preset {
         Self::ALL.into_iter().find(|preset| preset.name() == name)
     }
 
-    /// The parameters with a magnitude and a distance.
+    /// The source with these parameters, a magnitude and a distance.
     pub fn source(self, magnitude: f64, distance_m: f64) -> PointSource {
         let piece = |from_distance_m, exponent_ratio| SpreadingPiece { from_distance_m, exponent_ratio };
         let trilinear = vec![piece(1e3, 1.0), piece(70e3, 0.0), piece(130e3, 0.5)];
@@ -212,7 +217,7 @@ impl Quality {
     }
 }
 
-/// G(R), 1 at 1 km: the product of the pieces up to R.
+/// G(R), 1 at 1 km: the product over the ranges up to R.
 fn spreading_ratio(pieces: &[SpreadingPiece], distance_m: f64) -> f64 {
     let ends = pieces.iter().skip(1).map(|piece| piece.from_distance_m).chain([f64::INFINITY]);
     let reached = pieces.iter().zip(ends).take_while(|(piece, _)| piece.from_distance_m < distance_m);
@@ -269,7 +274,8 @@ impl PointSource {
         }
     }
 
-    /// Duration T_d of the window, 1/f₀ and what the path adds \[s\]; f₀ is Brune's for a source with two corners too.
+    /// Duration T_d of the window, 1/f₀ plus the addition of the path \[s\]; for a source with two
+    /// corners f₀ is also Brune's.
     pub fn duration_s(&self) -> f64 {
         let r_km = self.distance_m / 1000.0;
         let path_s = match self.path_duration {
@@ -281,7 +287,8 @@ impl PointSource {
         1.0 / self.corner_hz() + path_s
     }
 
-    /// C = R_θφ F V/(4πρβ³R₀) with R_θφ = 0.55, F = 2, V = 1/√2, R₀ = 1 km \[1/(kg·m)·s: m/s of A(f) for N·m/s²\].
+    /// C = R_θφ F V/(4πρβ³R₀) with R_θφ = 0.55, F = 2, V = 1/√2, R₀ = 1 km \[1/(kg·m)·s: m/s of
+    /// A(f) for N·m/s²\].
     fn scale(&self) -> f64 {
         let partition = 0.5_f64.sqrt();
         RADIATION_RATIO * FREE_SURFACE_RATIO * partition
@@ -297,7 +304,8 @@ impl PointSource {
     /// A product of closed forms: rounding.
     ///
     /// # Example
-    /// M 6 at 28 km, 200 bar, 1/R, Q = 100 f^0.85, κ₀ = 0.025 s has 9.823 cm/s at 1 Hz, to a unit of the fifth digit:
+    /// M 6 at 28 km, 200 bar, 1/R, Q = 100 f^0.85, κ₀ = 0.025 s: 9.823 cm/s at 1 Hz, to a unit of
+    /// the fifth digit:
     /// ```
     /// use freestand::synthesis::Preset;
     /// let amplitude_m_s = Preset::Victoria.source(6.0, 28e3).unamplified_m_s(1.0);
@@ -336,7 +344,7 @@ impl PointSource {
         self.unamplified_m_s(frequency_hz) * self.amplification_ratio(frequency_hz)
     }
 
-    /// Whether all parameters are within their ranges.
+    /// Checks that all parameters are within their ranges.
     ///
     /// # Errors
     /// [`SynthesisError::Option`] names the parameter and its range.
@@ -356,7 +364,7 @@ impl PointSource {
             check(
                 fine,
                 "magnitude",
-                "from 4 where the source has two corners, and with a higher stress drop",
+                "at least 4 for a source with two corners, with a sufficient stress drop",
                 self.magnitude,
             )?;
         }
@@ -391,7 +399,7 @@ impl PointSource {
             if !(fine && piece.from_distance_m.is_finite() && piece.exponent_ratio.is_finite()) {
                 return Err(SynthesisError::Option {
                     name: "spreading",
-                    requirement: "pieces of rising distance, the first from 1 km, with finite exponents",
+                    requirement: "a list of rising distances, the first at 1 km, with finite exponents",
                     value: piece.from_distance_m,
                 });
             }
@@ -411,7 +419,7 @@ mod tests {
 
     #[test]
     fn the_amplitudes_are_those_of_the_reference() {
-        // An independent computation in cgs units, printed to five digits.
+        // From an independent computation in cgs units, printed to five digits.
         let source = reference();
         assert!((source.corner_hz() - 0.44854).abs() < 5e-6);
         // m/s for N·m to cm/s for dyn·cm.
@@ -430,7 +438,7 @@ mod tests {
             // Half a unit of the fifth digit of the smallest leading one.
             assert!((got / expected - 1.0).abs() < 5e-5, "{frequency_hz} Hz: {got}");
         }
-        // 2.23 s of the source and 1.5 s of the path: 3.7 s, the reference's.
+        // 2.23 s of the source and 1.5 s of the path: 3.7 s, as in the reference.
         assert!((Preset::Victoria.source(6.0, 30e3).duration_s() - 3.7).abs() < 0.05);
     }
 
@@ -450,10 +458,10 @@ mod tests {
     #[test]
     fn spreading_and_durations_join_at_their_corners() {
         let at = |r_km: f64| spreading_ratio(&reference().spreading, 1000.0 * r_km);
-        // 1/R to 70 km, flat to 130, then R^(−½).
+        // 1/R up to 70 km, constant up to 130 km, then R^(−½).
         assert!((at(28.0) * 28.0 - 1.0).abs() < 1e-14);
         assert!((at(100.0) * 70.0 - 1.0).abs() < 1e-14 && (at(520.0) * 140.0 - 1.0).abs() < 1e-14);
-        // Allen et al. (2007): R^(−1.3) to 90 km, R^(+0.1) to 160, R^(−1.6).
+        // Allen et al. (2007): R^(−1.3) up to 90 km, R^(+0.1) up to 160 km, then R^(−1.6).
         let allen = Preset::SouthEastAustralia.source(6.0, 30e3).spreading;
         let expected = 90.0_f64.powf(-1.3) * (160.0_f64 / 90.0).powf(0.1) * 2.0_f64.powf(-1.6);
         assert!((spreading_ratio(&allen, 320e3) / expected - 1.0).abs() < 1e-13);
@@ -470,7 +478,8 @@ mod tests {
     #[test]
     fn losses_have_their_closed_forms() {
         let allen = Preset::SouthEastAustralia.source(6.0, 30e3).quality;
-        // log Q(1 Hz) = 3.66; Q(10 Hz) = 10^(3.66 − 1.44 + 0.768 + 0.058) = 10^3.046; held beyond 0.78 and 19.9 Hz.
+        // log Q(1 Hz) = 3.66; Q(10 Hz) = 10^(3.66 − 1.44 + 0.768 + 0.058) = 10^3.046; constant
+        // beyond 0.78 and 19.9 Hz.
         assert!((allen.at_ratio(1.0).log10() - 3.66).abs() < 1e-13);
         assert!((allen.at_ratio(10.0).log10() - 3.046).abs() < 1e-13);
         assert_eq!((allen.at_ratio(0.1), allen.at_ratio(50.0)), (allen.at_ratio(0.78), allen.at_ratio(19.9)));

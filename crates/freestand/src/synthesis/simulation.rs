@@ -7,23 +7,26 @@ use super::transform::Transform;
 use super::{MAX_SAMPLES, SynthesisError};
 use crate::motion::Motion;
 
-/// The window has fallen to 7e-5 (Lam) or 2e-4 of its order of size at this multiple of T_d.
+/// The window has fallen to 7e-5 (Lam) or 2e-4 (Saragoni and Hart), relative to its order of size,
+/// at this multiple of T_d.
 const WINDOW_DURATIONS: f64 = 4.0;
 /// Poles of the acausal low cut, which falls with f⁴.
 const LOW_CUT_ORDER: f64 = 2.0;
-/// Zeros on both ends, in multiples of order/corner (Boore 2005).
+/// Zeros at both ends, in multiples of order/corner (Boore 2005).
 const PAD_RATIO: f64 = 1.5;
 /// Share of the pads that is tapered, at their outer ends.
 const PAD_TAPER_RATIO: f64 = 0.25;
-/// Amplifications are computed at so many frequencies a decade and lie on straight lines between them (log–log).
+/// Amplifications are calculated at this many frequencies per decade, with straight lines between
+/// them (log–log).
 const AMPLIFICATIONS_A_DECADE: f64 = 100.0;
 
-/// How a simulated motion is laid out.
+/// The time layout of a simulated motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulationOptions {
     /// Time step \[s\]; at most 0.01 s.
     pub dt_s: f64,
-    /// Corner of the low cut 1/(1 + (f_c/f)⁴) \[Hz\]; its pads, 1.5·2/f_c on both ends, stay.
+    /// Corner of the low cut 1/(1 + (f_c/f)⁴) \[Hz\]; its pads, 1.5·2/f_c at both ends, remain part
+    /// of the motion.
     pub low_cut_hz: f64,
 }
 
@@ -34,7 +37,7 @@ impl Default for SimulationOptions {
     }
 }
 
-/// Makes motions of one point source: what they share is computed once.
+/// Makes motions of one point source; quantities that they share are calculated once.
 #[derive(Debug, Clone)]
 pub struct Simulator {
     options: SimulationOptions,
@@ -47,11 +50,11 @@ pub struct Simulator {
 }
 
 impl Simulator {
-    /// For `source` on a site whose Fourier amplitudes are `site_ratio` (period \[s\] to ratio) times those of rock; 1 for
-    /// rock.
+    /// A simulator for `source` on a site whose Fourier amplitudes are `site_ratio` (period \[s\]
+    /// to ratio) times those of rock; 1 for rock.
     ///
     /// # Errors
-    /// Parameters out of range, a site ratio that is not positive and finite.
+    /// Parameters out of range, or a site ratio that is not positive and finite.
     pub fn new(
         source: &PointSource,
         site_ratio: impl Fn(f64) -> f64,
@@ -91,8 +94,8 @@ impl Simulator {
         self.pad as f64 * self.options.dt_s
     }
 
-    /// The target amplitude at a frequency with everything in it: amplification, site and low cut \[m/s\]; straight lines
-    /// between the bins, `None` beyond half the sampling rate.
+    /// The target amplitude at a frequency, including amplification, site and low cut \[m/s\]:
+    /// linear between the bins, `None` above half the sampling rate.
     pub fn amplitude_m_s(&self, frequency_hz: f64) -> Option<f64> {
         let along = frequency_hz / self.step_hz;
         let index = along.floor() as usize;
@@ -100,10 +103,12 @@ impl Simulator {
         Some(low + (high - low) * (along - index as f64))
     }
 
-    /// The motion of a [`stream`](super::stream) of `seed`: the same for however many are made and on however many threads.
+    /// The motion of a [`stream`](super::stream) of `seed`: the same however many motions are made
+    /// and on however many threads.
     ///
-    /// White noise under the window, its Fourier amplitudes divided by their rms and multiplied by the target: first the
-    /// window and then the filter, since the other order distorts long periods. Drift is taken out at the end.
+    /// White noise under the window, with its Fourier amplitudes divided by their rms and
+    /// multiplied by the target. The window comes first, then the filter; the reverse order
+    /// distorts long periods. Drift is removed at the end.
     ///
     /// # Reference
     /// Boore (2003); pads and low cut Boore (2005), "On pads and filters", BSSA 95.
@@ -112,7 +117,7 @@ impl Simulator {
     /// The mean square of the amplitudes of many motions is the target's square.
     ///
     /// # Errors
-    /// None that the options allow.
+    /// None with valid options.
     pub fn motion(&self, seed: u64, stream: u64) -> Result<Motion, SynthesisError> {
         self.motion_of(noise(seed, stream))
     }
@@ -168,7 +173,8 @@ mod tests {
         let options = SimulationOptions { dt_s: 0.01, ..SimulationOptions::default() };
         let simulator = Simulator::new(&source, |_| 1.0, &options).unwrap();
         let motions: Vec<Motion> = (0..100).map(|index| simulator.motion(1, index).unwrap()).collect();
-        // Bands of a third of an octave to a whole one; in each the energy of a motion over that of the target.
+        // Bands of a third of an octave to a whole one; in each, the energy of a motion divided by
+        // that of the target.
         for (from_hz, to_hz) in [(0.1, 0.2), (0.4, 0.5), (0.9, 1.1), (1.8, 2.2), (4.5, 5.5), (9.0, 11.0), (18.0, 22.0)]
         {
             let ratios: Vec<f64> = motions.iter().map(|motion| band_ratio(&source, motion, from_hz, to_hz)).collect();
@@ -180,14 +186,15 @@ mod tests {
                 "{from_hz} Hz: {mean} ± {}",
                 (variance / 100.0).sqrt()
             );
-            // The statement has power: one independent bin has a standard error of 10 %, known to a seventh from a hundred
-            // values; a band of 1 Hz and more holds several of the bins that 3 s of shaking keep apart.
+            // The test has power: one independent bin has a standard error of 10 %, known to a
+            // seventh from a hundred values; a band of 1 Hz or more contains several of the bins
+            // that 3 s of shaking separate.
             let most = if to_hz - from_hz < 0.9 { 0.12 } else { 0.08 };
             assert!((variance / 100.0).sqrt() < most, "{from_hz} Hz: {}", (variance / 100.0).sqrt());
         }
     }
 
-    /// Mean of |X(f)|²/A(f)² over a band, X by its definition, a sum over the samples.
+    /// Mean of |X(f)|²/A(f)² over a band, with X by its definition, a sum over the samples.
     fn band_ratio(source: &PointSource, motion: &Motion, from_hz: f64, to_hz: f64) -> f64 {
         let dt_s = motion.dt_s();
         let frequencies = (0..8).map(|i| from_hz + (to_hz - from_hz) * (f64::from(i) + 0.5) / 8.0);
@@ -222,11 +229,13 @@ mod tests {
             let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
             let (n, last) = (accel.len() as f64, accel.len() - 1);
             assert_eq!((accel[0], accel[last]), (0.0, 0.0));
-            // n additions of numbers up to the peak, ε each, and the length times the velocity's error.
+            // n additions of numbers up to the peak, ε each, and the length times the error of the
+            // velocity.
             assert!(velocity[last].abs() < n * f64::EPSILON * peak(&velocity));
             let length_s = motion.duration_s();
             assert!(displacement[last].abs() < length_s * n * f64::EPSILON * (peak(&velocity) + peak(&displacement)));
-            // What the tapers and the baseline take is below the thousandth of the peak in the pads' outer quarter.
+            // The effect of tapers and baseline is below a thousandth of the peak in the outer
+            // quarter of the pads.
             let quiet = (0.25 * simulator.pad_s() / motion.dt_s()) as usize;
             assert!(
                 peak(&accel[..quiet]) < 1e-3 * motion.peak_m_s2(),
@@ -238,7 +247,7 @@ mod tests {
 
     #[test]
     fn other_last_digits_of_a_machine_do_not_change_a_simulated_motion() {
-        // An ulp or two in every number of the noise and every amplitude of the source.
+        // An ulp or two in every random number and every amplitude of the source.
         let source = Preset::Victoria.source(6.0, 30e3);
         let options = SimulationOptions::default();
         let plain = Simulator::new(&source, |_| 1.0, &options).unwrap();
@@ -251,7 +260,7 @@ mod tests {
             let motion = plain.motion(1, index).unwrap();
             let pairs = motion.accel_m_s2().iter().zip(other.accel_m_s2());
             let change = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / motion.peak_m_s2();
-            // The disturbance reached it, and stayed what it was.
+            // The disturbance had an effect, and did not grow.
             assert!(change > 0.0 && change < 1e-9, "{change}");
         }
     }
@@ -265,7 +274,8 @@ mod tests {
         };
         let correlation = |a: &Motion, b: &Motion| Resemblance::between(a, b).correlation_ratio.abs();
         let first = motion(5.5, 0);
-        // Shaking of some 4 s at 5 Hz and more is 20 independent numbers and more: 0.22 at one standard deviation.
+        // Shaking of some 4 s at 5 Hz and above has at least 20 independent numbers: 0.22 at one
+        // standard deviation.
         assert!(correlation(&first, &motion(6.0, 1)) < 0.66);
         assert!(correlation(&first, &motion(6.0, 0)) > 0.8, "the same stream would be seen");
     }
@@ -276,7 +286,8 @@ mod tests {
         let options = SimulationOptions::default();
         let rock = Simulator::new(&source, |_| 1.0, &options).unwrap();
         let soil = Simulator::new(&source, |period_s| 1.0 + period_s.min(1.0), &options).unwrap();
-        // At 2 Hz, T = 0.5 s: 1.5. Straight lines between bins 0.006 Hz apart leave (0.006/2)² of it.
+        // At 2 Hz, T = 0.5 s: 1.5. Straight lines between bins 0.006 Hz apart leave (0.006/2)² of
+        // it.
         let ratio = soil.amplitude_m_s(2.0).unwrap() / rock.amplitude_m_s(2.0).unwrap();
         assert!((ratio - 1.5).abs() < 1e-5, "{ratio}");
         // The table of the amplification is good to 1e-4 of it.

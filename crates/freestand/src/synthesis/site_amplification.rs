@@ -1,16 +1,17 @@
-//! What the crust above the source adds: amplification of shear waves by a rising velocity, to the quarter wavelength.
+//! The amplification of shear waves by the crust above the source, by the quarter-wavelength
+//! method.
 
 use crate::integration::unit_integral;
 use thiserror::Error;
 
-/// From a depth on, the shear-wave velocity is v(z) = v_ref (z/z_ref)^n.
+/// A layer in which the shear-wave velocity is v(z) = v_ref (z/z_ref)^n.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VelocityPiece {
-    /// Where the piece begins \[m\]; the first at 0.
+    /// Depth at which the layer begins \[m\]; 0 for the first one.
     pub from_depth_m: f64,
-    /// Depth of the stated velocity \[m\].
+    /// Depth of the given velocity \[m\].
     pub reference_depth_m: f64,
-    /// Velocity there \[m/s\].
+    /// Velocity at that depth \[m/s\].
     pub velocity_m_s: f64,
     /// The power n, from 0 (constant) to below 1.
     pub exponent_ratio: f64,
@@ -19,25 +20,25 @@ pub struct VelocityPiece {
 /// Why a profile cannot be used.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "piece {number} of the shear-wave profile must begin below the one before (the first at 0 m), with a positive \
+    "piece {number} of the shear-wave profile must begin below the previous one (the first at 0 m), with a positive \
      velocity and reference depth and a power from 0 to below 1"
 )]
 pub struct ProfileError {
-    /// Which piece, counted from 1.
+    /// The layer, counted from 1.
     pub number: usize,
 }
 
-/// Shear-wave velocity over depth, power law by power law; the last one goes on.
+/// Shear-wave velocity over depth, one power law per layer; the last layer has no lower end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShearWaveProfile {
     pieces: Vec<VelocityPiece>,
 }
 
 impl ShearWaveProfile {
-    /// A profile of at least one piece.
+    /// A profile with at least one layer.
     ///
     /// # Errors
-    /// [`ProfileError`] for pieces out of order, or velocities and powers that are none.
+    /// [`ProfileError`] for layers out of order, or velocities and powers out of range.
     pub fn new(pieces: Vec<VelocityPiece>) -> Result<Self, ProfileError> {
         for (i, piece) in pieces.iter().enumerate() {
             let begins = match i.checked_sub(1) {
@@ -53,11 +54,13 @@ impl ShearWaveProfile {
         if pieces.is_empty() { Err(ProfileError { number: 1 }) } else { Ok(Self { pieces }) }
     }
 
-    /// The rock under Melbourne: 940 m/s at 30 m, 1070 m/s at 50 m, 3320 m/s at 4 km, 3520 m/s at 8 km.
+    /// The rock under Melbourne: 940 m/s at 30 m, 1070 m/s at 50 m, 3320 m/s at 4 km, 3520 m/s at
+    /// 8 km.
     ///
     /// # Reference
-    /// Tang (2019), thesis, University of Melbourne, as distributed with GMSS 2.0: powers 0.3297 to 50 m, ln(3.32/1.07)/
-    /// ln(4/0.05) to 4 km, 0.0833 below. At 50 m the velocity of this profile falls from 1112 to 1070 m/s.
+    /// Tang (2019), thesis, University of Melbourne, as distributed with GMSS 2.0: powers 0.3297 to
+    /// 50 m, ln(3.32/1.07)/ ln(4/0.05) to 4 km, 0.0833 below. At 50 m the velocity of this profile
+    /// falls from 1112 to 1070 m/s.
     pub fn melbourne() -> Self {
         let piece = |from_depth_m, reference_depth_m, velocity_m_s, exponent_ratio| VelocityPiece {
             from_depth_m,
@@ -74,7 +77,7 @@ impl ShearWaveProfile {
         Self { pieces }
     }
 
-    /// Pieces with the depths between which they hold.
+    /// The layers with the depths of their upper and lower ends.
     fn spans(&self) -> impl Iterator<Item = (f64, f64, &VelocityPiece)> {
         let ends = self.pieces.iter().skip(1).map(|piece| piece.from_depth_m).chain([f64::INFINITY]);
         self.pieces.iter().zip(ends).map(|(piece, end)| (piece.from_depth_m, end, piece))
@@ -98,7 +101,7 @@ impl ShearWaveProfile {
         30.0 / self.travel_time_s(30.0)
     }
 
-    /// Depth above which a quarter of a period passes, z(f) with f = 1/(4 ∫₀^z dz/v) \[m\].
+    /// The quarter-wavelength depth: z(f) with f = 1/(4 ∫₀^z dz/v) \[m\].
     pub fn quarter_wavelength_depth_m(&self, frequency_hz: f64) -> f64 {
         let mut left_s = 0.25 / frequency_hz;
         for (from, end, piece) in self.spans() {
@@ -108,16 +111,17 @@ impl ShearWaveProfile {
             }
             left_s -= time_s;
         }
-        // The last piece has no end.
+        // The last layer has no lower end.
         f64::INFINITY
     }
 
-    /// Amplification √(ρβ/(ρ̄ v̄)) of waves of `frequency_hz` from a source in rock of ρ, β: ρ̄ the mean density and v̄ = z/t
-    /// the mean velocity above the quarter-wavelength depth z.
+    /// Amplification √(ρβ/(ρ̄ v̄)) of waves of `frequency_hz` from a source in rock with ρ and β,
+    /// where ρ̄ is the mean density and v̄ = z/t the mean velocity above the quarter-wavelength
+    /// depth z.
     ///
     /// # Reference
-    /// Joyner, Warrick and Fumal (1981); Boore and Joyner (1997), BSSA 87. Densities from velocities by
-    /// [`density_kg_m3`].
+    /// Joyner, Warrick and Fumal (1981); Boore and Joyner (1997), BSSA 87. Densities from
+    /// velocities by [`density_kg_m3`].
     ///
     /// # Accuracy
     /// Depths in closed form, the mean density to 1e-12.
@@ -142,7 +146,7 @@ impl VelocityPiece {
         self.velocity_m_s * (depth_m / self.reference_depth_m).powf(self.exponent_ratio)
     }
 
-    /// z_ref/(v (1 − n)) (z/z_ref)^(1−n), the time from the surface if the piece began there.
+    /// z_ref/(v (1 − n)) (z/z_ref)^(1−n): the time from the surface if the layer began there.
     fn time_from_surface_s(&self, depth_m: f64) -> f64 {
         let rest = 1.0 - self.exponent_ratio;
         self.reference_depth_m / (self.velocity_m_s * rest) * (depth_m / self.reference_depth_m).powf(rest)
@@ -152,7 +156,7 @@ impl VelocityPiece {
         self.time_from_surface_s(to_m) - self.time_from_surface_s(from_m)
     }
 
-    /// The depth that is `time_s` below `from_m`.
+    /// The depth reached from `from_m` in `time_s`.
     fn depth_m(&self, from_m: f64, time_s: f64) -> f64 {
         let rest = 1.0 - self.exponent_ratio;
         let time_s = self.time_from_surface_s(from_m) + time_s;
@@ -162,12 +166,13 @@ impl VelocityPiece {
 
 /// Density of rock or soil from its shear-wave velocity \[kg/m³\].
 ///
-/// With β in km/s and V_p = 0.9409 + 2.0947β − 0.8206β² + 0.2683β³ − 0.0251β⁴ (Brocher 2005), in g/cm³:
-/// 1 + 1.53β^0.85/(0.35 + 1.889β^1.7) below 0.3 km/s, 1.74 V_p^0.25 to 3.55 km/s (Gardner), and above the polynomial of
-/// Nafe and Drake in V_p.
+/// With β in km/s and V_p = 0.9409 + 2.0947β − 0.8206β² + 0.2683β³ − 0.0251β⁴ (Brocher 2005), in
+/// g/cm³: 1 + 1.53β^0.85/(0.35 + 1.889β^1.7) below 0.3 km/s, 1.74 V_p^0.25 up to 3.55 km/s
+/// (Gardner), and above that the polynomial of Nafe and Drake in V_p.
 ///
 /// # Reference
-/// Boore (2016), "Determining generic velocity and density models for crustal amplification calculations", BSSA 106.
+/// Boore (2016), "Determining generic velocity and density models for crustal amplification
+/// calculations", BSSA 106.
 ///
 /// # Example
 /// β = 1 km/s has V_p = 2.4582 km/s and 1.74·2.4582^¼ = 2.1787 g/cm³:
@@ -196,7 +201,8 @@ mod tests {
         let piece =
             VelocityPiece { from_depth_m: 0.0, reference_depth_m: 1.0, velocity_m_s: 1000.0, exponent_ratio: 0.0 };
         let rock = ShearWaveProfile::new(vec![piece]).unwrap();
-        // z = v/(4f); √(2800·3500/(ρ·1000)), ρ of 1000 m/s. Sums of a rule that is good to 1e-13.
+        // z = v/(4f); √(2800·3500/(ρ·1000)), ρ at 1000 m/s. Sums of a rule that is accurate to
+        // 1e-13.
         assert!((rock.quarter_wavelength_depth_m(5.0) - 50.0).abs() < 1e-12);
         let expected = (2800.0 * 3500.0 / (density_kg_m3(1000.0) * 1000.0)).sqrt();
         for frequency_hz in [0.1, 1.0, 20.0] {
@@ -207,8 +213,8 @@ mod tests {
     #[test]
     fn the_rock_of_melbourne_amplifies_as_by_another_computation() {
         let melbourne = ShearWaveProfile::melbourne();
-        // Sums over a million layers, even in ln z from 10 pm to 60 km with 50 m and 4 km among them, printed to five digits
-        // by validation/crust/layers.py.
+        // Sums over a million layers, evenly spaced in ln z from 10 pm to 60 km with 50 m and 4 km
+        // among them, printed to five digits by validation/crust/layers.py.
         let layers = [
             (0.1, 1.16232),
             (0.2, 1.32877),
@@ -224,8 +230,8 @@ mod tests {
             let got = melbourne.amplification_ratio(frequency_hz, 2800.0, 3500.0);
             assert!((got - expected).abs() < 1e-5, "{frequency_hz} Hz: {got}");
         }
-        // Another computation of the profile differs by 0.25 % up to 5 Hz and by 3.4 % at 50 Hz. Why is not known; the sums
-        // over layers side with the closed form.
+        // Another computation of the profile differs by 0.25 % up to 5 Hz and by 3.4 % at 50 Hz,
+        // for an unknown reason; the sums over layers agree with the closed form.
         for (frequency_hz, table, within) in [
             (0.1, 1.164, 0.0025),
             (0.5, 1.612, 0.0025),

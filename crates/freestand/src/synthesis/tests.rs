@@ -23,7 +23,7 @@ fn the_misfit_is_that_of_the_motion_that_is_returned() {
         .map(|(&t, psa)| psa / (melbourne_de(t) * G0_M_S2) - 1.0)
         .collect();
     let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
-    // The same numbers by another order of multiplication, and once through ln and exp.
+    // The same numbers, multiplied in another order, and once through ln and exp.
     assert!((misfit.rms_ratio - rms).abs() < 1e-14);
     let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
     assert!((misfit.worst_ratio.abs() - worst).abs() < 1e-14);
@@ -37,10 +37,11 @@ fn the_misfit_is_that_of_the_motion_that_is_returned() {
 fn motions_fit_and_have_the_pga_that_the_shape_of_class_de_forces() {
     for index in 0..3 {
         let misfit = motion(index).misfit;
-        // The aim is 5 %; the ten motions of the module's table are at 2.6 to 4.0 %.
+        // The goal is 5 %; the ten motions of the module's table are at 2.6 to 4.0 %.
         assert!(misfit.rms_ratio < 0.05, "{misfit:?}");
-        // Broad-band motions amplify by 2.71 at most in 84 of 100 cases (Newmark and Hall, 5 %), so the plateau of
-        // 0.2944 g asks for a PGA of 0.109 g, not 0.088; and an oscillator of 0.05 s nearly follows the ground.
+        // Broad-band motions amplify by at most 2.71 in 84 of 100 cases (Newmark and Hall, 5 %), so
+        // the plateau of 0.2944 g requires a PGA of 0.109 g rather than 0.088 g; and an oscillator
+        // of 0.05 s nearly follows the ground.
         assert!(misfit.pga_g > 0.2944 / 2.71 && misfit.pga_g < melbourne_de(0.05), "{misfit:?}");
     }
 }
@@ -54,10 +55,12 @@ fn a_motion_starts_and_ends_at_rest_after_quiet() {
     let velocity = cumulative_trapezoid(motion.dt_s(), accel);
     let displacement = cumulative_trapezoid(motion.dt_s(), &velocity);
     let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
-    // 9000 additions of numbers up to the peak, ε each, and 45 s of the velocity's error in the displacement.
+    // 9000 additions of numbers up to the peak, ε each, and 45 s of the velocity's error in the
+    // displacement.
     assert!(velocity[9000].abs() < 9000.0 * f64::EPSILON * peak(&velocity));
     assert!(displacement[9000].abs() < 45.0 * 9000.0 * f64::EPSILON * (peak(&velocity) + peak(&displacement)));
-    // No drift: within three times the spectrum's 59 mm. Without the low cut ten motions had 0.28 m on average.
+    // No drift: within three times the 59 mm of the spectrum. Without the low cut ten motions had
+    // 0.28 m on average.
     assert!(peak(&displacement) < 3.0 * 0.059, "{}", peak(&displacement));
 }
 
@@ -70,14 +73,15 @@ fn a_motion_is_its_seed_and_index() {
         let product =
             |a: &Motion, b: &Motion| -> f64 { a.accel_m_s2().iter().zip(b.accel_m_s2()).map(|(a, b)| a * b).sum() };
         let correlation = product(&a, &b) / (product(&a, &a) * product(&b, &b)).sqrt();
-        // Independent narrow-band noise of about 11 s · 10 Hz = 100 samples' worth: 0.1 standard deviation.
+        // Independent narrow-band noise worth about 11 s · 10 Hz = 100 samples: a standard
+        // deviation of 0.1.
         assert!(correlation.abs() < 0.4, "{correlation}");
     }
 }
 
 #[test]
 fn a_record_is_matched_with_its_own_step() {
-    // The motion of rock, every second sample, brought to the spectrum of deep soil.
+    // The motion of rock, every second sample, matched to the spectrum of deep soil.
     let rock = As1170_4::new(Edition::default(), SiteClass::Be, 0.08, 500).unwrap();
     let rock = synthesize(|t| rock.sa_g(t), 1, 0, &SynthesisOptions::default()).unwrap().motion;
     let record = Motion::new(0.01, rock.accel_m_s2().iter().copied().step_by(2).collect()).unwrap();
@@ -90,8 +94,9 @@ fn a_record_is_matched_with_its_own_step() {
 
 #[test]
 fn a_coarse_record_is_matched_between_its_samples_too() {
-    // Every fourth sample of a motion, 0.02 s apart, brought to another spectrum; then the spectrum of the match with its
-    // straight lines cut into steps of 0.002 s, by the oscillators of the library.
+    // Every fourth sample of a motion, 0.02 s apart, matched to another spectrum; then the spectrum
+    // of the match with its straight lines cut into steps of 0.002 s, from the oscillators of the
+    // library.
     let rock = As1170_4::new(Edition::default(), SiteClass::Be, 0.08, 500).unwrap();
     let rock = synthesize(|t| rock.sa_g(t), 1, 0, &SynthesisOptions::default()).unwrap().motion;
     let record = Motion::new(0.02, rock.accel_m_s2().iter().copied().step_by(4).collect()).unwrap();
@@ -109,11 +114,11 @@ fn a_coarse_record_is_matched_between_its_samples_too() {
     };
     let rms = |errors: &[f64]| (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
     let between = errors(&spectrum);
-    // A peak between two looks is lost by at most 1 − cos(ω dt/2): at T = 0.05 s and 0.005 s 5 %, at 0.1 s 1.2 %; over all
-    // periods much less.
+    // A peak between two samples is missed by at most 1 − cos(ω dt/2): 5 % at T = 0.05 s and
+    // 0.005 s, 1.2 % at 0.1 s, and much less over all periods.
     assert!((said.rms_ratio - rms(&between)).abs() < 0.005, "{said:?} {}", rms(&between));
     assert!(rms(&between) < 0.06 && between.iter().all(|error| error.abs() < 0.2), "{}", rms(&between));
-    // The samples alone would have it otherwise: 1 − cos(ω dt/2) at 0.05 s and 0.02 s is 0.69.
+    // The samples alone give another result: 1 − cos(ω dt/2) at 0.05 s and 0.02 s is 0.69.
     let at_samples = errors(&response_spectrum(&matched, DAMPING_RATIO, &matched_periods_s()).unwrap());
     assert!(at_samples[0] < between[0] - 0.03, "{} {}", at_samples[0], between[0]);
 }
@@ -124,7 +129,7 @@ fn every_class_fits_with_every_seed() {
         let code = As1170_4::new(Edition::default(), site, 0.08, 500).unwrap();
         for seed in 1..=10 {
             let misfit = synthesize(|t| code.sa_g(t), seed, 0, &SynthesisOptions::default()).unwrap().misfit;
-            // The aim that the documents state.
+            // The goal that the documentation states.
             assert!(misfit.rms_ratio < 0.05, "{} {seed}: {misfit:?}", site.name());
         }
     }
@@ -175,8 +180,9 @@ fn change(one: &Motion, other: &Motion) -> f64 {
 
 #[test]
 fn other_last_digits_of_a_machine_do_not_change_a_motion() {
-    // What libraries of functions differ by, an ulp or two: in the noise and its window, in the step, and through the
-    // target in the logarithm and the gain of every period in every pass.
+    // The differences between mathematical libraries, an ulp or two: in the noise and its window,
+    // in the step, and through the target in the logarithm and the gain of every period in every
+    // pass.
     for index in 0..10 {
         let mut disturbance = noise(99, index);
         let mut wobble = move || 1.0 + 1e-15 * disturbance();
@@ -190,20 +196,23 @@ fn other_last_digits_of_a_machine_do_not_change_a_motion() {
     }
 }
 
-/// The rest that a motion must end at: final velocity and displacement as rounding leaves them.
+/// The state of rest at the end of a motion: final velocity and displacement are zero up to
+/// rounding.
 fn assert_ends_at_rest(motion: &Motion) {
     let accel = motion.accel_m_s2();
     let velocity = cumulative_trapezoid(motion.dt_s(), accel);
     let displacement = cumulative_trapezoid(motion.dt_s(), &velocity);
     let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
     let (n, last) = (accel.len() as f64, accel.len() - 1);
-    // n additions of numbers up to the peak, ε each, and the length times the velocity's error.
+    // n additions of numbers up to the peak, ε each, and the length times the error of the
+    // velocity.
     assert!(velocity[last].abs() < n * f64::EPSILON * peak(&velocity), "{}", velocity[last]);
     let bound = motion.duration_s() * n * f64::EPSILON * (peak(&velocity) + peak(&displacement));
     assert!(displacement[last].abs() < bound, "{}", displacement[last]);
 }
 
-/// A record with a character of its own: two bursts and a pulse, 20 s at 0.01 s, not at rest at its end.
+/// A record with distinctive features: two bursts and a pulse, 20 s at 0.01 s, not at rest at its
+/// end.
 fn record() -> Motion {
     let mut numbers = noise(5, 0);
     let accel = (0..2000).map(|k| {
@@ -220,9 +229,10 @@ fn wavelets_match_a_record_and_keep_its_character() {
     let wavelets = match_by_wavelets(&record, melbourne_de, 30).unwrap();
     let fourier = match_motion(&record, melbourne_de, 30).unwrap();
     let kept = |matched: &MatchedMotion| Resemblance::between(&record, &matched.motion);
-    // The aim is 5 %; of a record with a gap and a pulse both methods come to 3 %.
+    // The goal is 5 %; for a record with a gap and a pulse both methods reach 3 %.
     assert!(wavelets.misfit.rms_ratio < 0.05 && wavelets.misfit.rms_ratio < 1.2 * fourier.misfit.rms_ratio);
-    // Broader gains and no low cut leave more of the record: its samples, and the times at which its energy passes.
+    // Broader gains without a low cut preserve more of the record: its samples, and the times at
+    // which its energy arrives.
     let (by_wavelets, by_fourier) = (kept(&wavelets), kept(&fourier));
     assert!(by_wavelets.correlation_ratio > by_fourier.correlation_ratio && by_wavelets.correlation_ratio > 0.6);
     assert!(by_wavelets.husid_difference_ratio < by_fourier.husid_difference_ratio);
@@ -240,7 +250,7 @@ fn a_peak_is_met_and_its_cost_is_told() {
     let raised = with_pga(&before.motion, melbourne_de, 0.2).unwrap();
     assert!((raised.misfit.pga_g / 0.2 - 1.0).abs() < 1e-3);
     assert_ends_at_rest(&raised.motion);
-    // The quiet before and after stays.
+    // The quiet before and after is preserved.
     let accel = after.motion.accel_m_s2();
     assert!(accel[..=200].iter().chain(&accel[8200..]).all(|&a| a == 0.0));
     assert!(matches!(with_pga(&before.motion, melbourne_de, 0.0), Err(SynthesisError::Option { name: "pga_g", .. })));

@@ -1,4 +1,4 @@
-//! One Fourier transform and its inverse, used again and again.
+//! A Fourier transform and its inverse, prepared once and used many times.
 
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlannerScalar};
@@ -13,9 +13,9 @@ pub(super) struct Transform {
 }
 
 impl Transform {
-    /// For motions of up to `samples` samples.
+    /// A transform for motions of up to `samples` samples.
     pub(super) fn new(samples: usize) -> Self {
-        // The scalar planner: its results do not depend on the vector units of the machine.
+        // The scalar planner: its results do not depend on the vector units of the processor.
         let mut planner = FftPlannerScalar::new();
         let length = transform_length(samples);
         let (forward, inverse) = (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
@@ -28,12 +28,12 @@ impl Transform {
         self.bins.len()
     }
 
-    /// Frequency between bins \[Hz\].
+    /// Spacing of the bins \[Hz\].
     pub(super) fn step_hz(&self, dt_s: f64) -> f64 {
         1.0 / (self.length() as f64 * dt_s)
     }
 
-    /// The bins of `accel`, with zeros behind it.
+    /// The bins of `accel`, with zeros appended.
     pub(super) fn forward(&mut self, accel: &[f64]) {
         self.bins.fill(Complex::default());
         for (bin, &a) in self.bins.iter_mut().zip(accel) {
@@ -42,7 +42,7 @@ impl Transform {
         self.forward.process_with_scratch(&mut self.bins, &mut self.scratch);
     }
 
-    /// Multiplies the amplitudes by `gain(k)` for bins 1 to the middle, and by 0 at no frequency.
+    /// Multiplies the amplitudes by `gain(k)` for bins 1 to the middle, and by 0 at zero frequency.
     pub(super) fn multiply(&mut self, mut gain: impl FnMut(usize) -> f64) {
         let length = self.length();
         self.bins[0] = Complex::default();
@@ -56,7 +56,7 @@ impl Transform {
         }
     }
 
-    /// Back to samples.
+    /// The inverse transform, back to samples.
     pub(super) fn inverse(&mut self, accel: &mut [f64]) {
         self.inverse.process_with_scratch(&mut self.bins, &mut self.scratch);
         let length = self.length() as f64;
@@ -66,7 +66,8 @@ impl Transform {
     }
 }
 
-/// Least length of the form 2^a, 3·2^a or 9·2^a that holds `samples`: quick to transform and little longer.
+/// The smallest length of the form 2^a, 3·2^a or 9·2^a that is at least `samples`: fast to
+/// transform and little longer.
 fn transform_length(samples: usize) -> usize {
     let above = |factor: usize| factor * samples.div_ceil(factor).next_power_of_two();
     above(1).min(above(3)).min(above(9))

@@ -229,7 +229,8 @@ proptest! {
         changes in proptest::collection::vec((any::<proptest::sample::Index>(), any::<u8>()), 1..6),
         part in 0..6usize,
     ) {
-        let rows = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "<s=\"1\"><v>45413</v></c>", "<><f>1</f><v>600</v></c>"]);
+        let cells = ["a", "x", "0.5", "<s=\"1\"><v>45413</v></c>", "<><f>1</f><v>600</v></c>"];
+        let rows = row(1, &HEADINGS) + &row(2, &cells);
         let merged = "<mergeCells count=\"1\"><mergeCell ref=\"C2:C3\"/></mergeCells>";
         let mut parts = parts(&[("Objects", "", &sheet(&rows, merged))]);
         let count = parts.len();

@@ -15,7 +15,8 @@ fn register(rows: usize) -> String {
         let (height, depth, level) = (1000 + n % 1300, 300 + n % 400, (n % 101) as f64 / 100.0);
         writeln!(
             text,
-            "obj-{n},cabinet {},1,Block {},Level {},{},H,M,L,{level},{height},{depth},900,{},2190,2,5,11,0.3-0.5,note {n},maker {},2019",
+            "obj-{n},cabinet {},1,Block {},Level {},{},H,M,L,{level},{height},{depth},900,{},2190,2,5,11,0.3-0.5,note \
+             {n},maker {},2019",
             n % 50,
             n % 7,
             n % 12,

@@ -82,7 +82,8 @@ fn parts(sheets: &[(&str, &str, &str)]) -> Vec<(String, Vec<u8>)> {
     add(
         "xl/styles.xml",
         format!(
-            "<styleSheet xmlns=\"{MAIN}\"><cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf numFmtId=\"14\"/></cellXfs></styleSheet>"
+            "<styleSheet xmlns=\"{MAIN}\"><cellXfs count=\"2\"><xf numFmtId=\"0\"/><xf \
+             numFmtId=\"14\"/></cellXfs></styleSheet>"
         ),
     );
     parts
@@ -116,7 +117,8 @@ const HEADINGS: [&str; 6] = ["id", "item", "level_ratio", "height [mm]", "thickn
 #[test]
 fn every_column_becomes_its_value() {
     let text = "id,item,quantity,priority,location,building,floor,room,life safety,PL,Functional Loss,level_ratio,\
-        height [mm],depth (cm),width_m,base_thickness [mm],base_width [mm],cg_height [mm],mass [kg],pad_stiffness [N/mm],\
+        height [mm],depth (cm),width_m,base_thickness [mm],base_width [mm],cg_height [mm],mass [kg],pad_stiffness \
+        [N/mm],\
         pads_per_edge,series_stiffness [kN/m],pad_thickness [mm],tolerance [g],tolerance_duration [ms],\
         tolerance_velocity_change [m/s],tolerance_edge_lift [mm],restitution,friction,accepted,notes,serial\n\
         A1,cabinet,2,first,east,A,3,3.12,H,medium,l,50 %,2300,60,0.9,540,850,1000,140,2190,2,20000,10,5,11,0.9,50,0.9,\
@@ -169,23 +171,26 @@ fn empty_cells_are_missing_and_cost_no_file() {
 
 #[test]
 fn all_problems_of_a_file_at_once() {
-    let text = "id,level_ratio,height,depth [mm],cg_height [mm],base_width [mm],width [mm],mass [kg],quantity,LS,friction,restitution,accepted\n\
+    let text = "id,level_ratio,height,depth [mm],cg_height [mm],base_width [mm],width [mm],mass \
+         [kg],quantity,LS,friction,restitution,accepted\n\
         a,7,2300,600,,,,,,,,,\n\
         a,0.5,2.3 m,-600,2400,900,800,x,1.5,severe,0.5-0.3,1.2,100 %\n\
         b,0.5,2.3 kg,n/a,,,,\"1.500,5\",0,,,,\n";
     let said = problems(text);
     let expected = [
         "objects.csv:2: row 2, column B (level_ratio): the level is 7, not from 0 to 1 | 0 is the ground, 1 the roof",
-        "objects.csv:2: row 2, column C (height): \"2300\" needs a unit | write \"2300 m\" or \"2300 mm\", or name the unit in the heading, such as \"height [mm]\"",
+        "objects.csv:2: row 2, column C (height): \"2300\" needs a unit | write \"2300 m\" or \"2300 mm\", or name \
+         the unit in the heading, such as \"height [mm]\"",
         "objects.csv:3: row 3, column D (depth [mm]): must be positive, not -600",
         "objects.csv:3: row 3, column F (base_width [mm]): the base width",
-        "objects.csv:3: row 3, column H (mass [kg]): \"x\" is not a quantity | write the number alone, the heading states its unit (kg)",
+        "objects.csv:3: row 3, column H (mass [kg]): \"x\" is not a quantity | write the number alone, the heading \
+         states its unit (kg)",
         "objects.csv:3: row 3, column I (quantity): \"1.5\" is not a whole number from 1",
         "objects.csv:3: row 3, column J (LS): \"severe\" is no rating | write H, M or L",
         "objects.csv:3: row 3, column K (friction): \"0.5-0.3\" is not a positive value or a rising range",
         "objects.csv:3: row 3, column L (restitution): is 1.2 | write a value above 0, up to 1",
         "objects.csv:3: row 3, column M (accepted): is 1 | write a value between 0 and 1",
-        "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, a length is expected",
+        "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, not a length",
         "objects.csv:4: row 4, column D (depth [mm]): \"n/a\" is no value | leave the cell empty",
         "objects.csv:4: row 4, column H (mass [kg]): \"1.500,5\" has a comma in the number",
         "objects.csv:4: row 4, column I (quantity): \"0\" is not a whole number from 1",
@@ -226,7 +231,9 @@ fn headings_are_checked_as_a_whole() {
 
 #[test]
 fn rows_that_cannot_be_right_are_warned_about_together() {
-    let mut text = "Register of the north wing\n\nid,level_ratio,height [mm],thickness [mm],mass [kg],stiffness [N/mm],pad_stiffness [N/mm]\n".to_owned();
+    let mut text = "Register of the north wing\n\nid,level_ratio,height [mm],thickness [mm],mass [kg],stiffness \
+         [N/mm],pad_stiffness [N/mm]\n"
+        .to_owned();
     for n in 0..40 {
         text += &format!("a{n},0.5,1.8,0.45,,,\n");
     }
@@ -301,7 +308,8 @@ fn entries_of_the_libraries_are_looked_up() {
     };
     let names = [["bench".to_owned()], ["damped".to_owned()]];
     let lookup = Lookup { tolerance: &stands, cushion: &prior, tolerance_names: &names[0], cushion_names: &names[1] };
-    let head = "level_ratio,height [mm],depth [mm],mass [kg],stiffness [N/mm],pads_per_edge,series_stiffness [N/mm],cushion,tolerance [g],tolerance_entry\n";
+    let head = "level_ratio,height [mm],depth [mm],mass [kg],stiffness [N/mm],pads_per_edge,series_stiffness \
+         [N/mm],cushion,tolerance [g],tolerance_entry\n";
     let read = |rows: &str| parse_inventory(format!("{head}{rows}").into_bytes(), Path::new("a.csv"), None, &lookup);
     let reading = read(
         "0,1800,600,140,,2,,pad,,bench\n0,1800,600,140,,,,edge,,\n0,1800,600,140,,,20000,edge,,\n\

@@ -76,7 +76,8 @@ proptest! {
     #[test]
     fn every_cell_comes_back(rows in proptest::collection::vec(proptest::collection::vec(cell(), 4), 1..6)) {
         let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
-        writer.write_record(["id", "item", "level_ratio", "height [mm]", "thickness [mm]", "a", "b", "c", "d"]).unwrap();
+        let headings = ["id", "item", "level_ratio", "height [mm]", "thickness [mm]", "a", "b", "c", "d"];
+        writer.write_record(headings).unwrap();
         for (n, cells) in rows.iter().enumerate() {
             let guarded = cells.iter().map(|text| super::super::cell::guarded(text));
             let fixed = [format!("n{n}"), "x".to_owned(), "0.5".to_owned(), "1800".to_owned(), "600".to_owned()];

@@ -1,4 +1,5 @@
-//! The counts in the summary of an assessment, made row by row in bounded memory; shared by all outputs with a summary.
+//! The counts in the summary of an assessment, made row by row in bounded memory; shared by all
+//! outputs with a summary.
 
 use std::collections::BTreeMap;
 
@@ -177,8 +178,8 @@ impl Overview {
     pub fn partial(&self) -> Option<String> {
         (self.assessed < self.total).then(|| {
             format!(
-                "PARTIAL: {} of {} objects were assessed before the run was stopped. The list, the ranks and all counts \
-                 below are for these objects only.",
+                "PARTIAL: {} of {} objects were assessed before the run was stopped. The list, the ranks and all \
+                 counts below are for these objects only.",
                 self.assessed, self.total
             )
         })

@@ -11,7 +11,8 @@ fn overview(count: usize, assessed: usize) -> Overview {
     overview
 }
 
-/// Of 24 items every fourth has no tolerance; the other 18 are restrained, left and softened in turn, a third each.
+/// Of 24 items every fourth has no tolerance; the other 18 are restrained, left and softened in
+/// turn, a third each.
 #[test]
 fn decisions_are_counted() {
     let overview = overview(24, 24);

@@ -1,7 +1,9 @@
-//! `objects.parquet`: the columns of `objects.csv` with their types, in groups of rows so that memory stays bounded.
+//! `objects.parquet`: the columns of `objects.csv` with their types, in groups of rows so that
+//! memory stays bounded.
 //!
-//! Numbers are optional doubles, counts optional 64-bit integers, texts optional UTF-8. Where a number is `overturned` it
-//! is null, and the Boolean column next to it, `…_overturned`, is `true`; infinity and NaN are never written.
+//! Numbers are optional doubles, counts optional 64-bit integers, texts optional UTF-8. Where a
+//! number is `overturned` it is null, and the Boolean column next to it, `…_overturned`, is `true`;
+//! infinity and NaN are never written.
 
 use std::fs::File;
 use std::sync::Arc;
@@ -40,7 +42,8 @@ pub(super) struct ParquetTable {
     text_bytes: usize,
 }
 
-/// The values of a column in the group that is being filled, and whether each row has one (1) or is null (0).
+/// The values of a column in the group that is being filled, and whether each row has one (1) or is
+/// null (0).
 struct Values {
     present: Vec<i16>,
     values: Typed,
@@ -152,7 +155,8 @@ impl Values {
         Self { present: Vec::new(), values }
     }
 
-    /// Adds a cell, as null where it is not of the type of this column; returns the bytes of its text.
+    /// Adds a cell, as null where it is not of the type of this column; returns the bytes of its
+    /// text.
     fn push(&mut self, cell: Cell) -> usize {
         let (mut is_present, mut bytes) = (true, 0);
         match (&mut self.values, cell) {

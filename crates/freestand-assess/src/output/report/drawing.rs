@@ -80,7 +80,8 @@ pub(super) fn sketch(item: &Item) -> String {
         let _ = write!(title, "; {side} {}, edges {} apart", mm(*side_m), mm(*base_m));
     }
     let mut svg = format!(
-        "<svg viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" role=\"img\"><title>{title}</title>\
+        "<svg viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" \
+         role=\"img\"><title>{title}</title>\
          <text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
         LEFT_PX - 4.0,
         TOP_PX + 0.5 * h + 4.0,
@@ -126,7 +127,8 @@ fn view(side: &str, [h, w, b, z]: [f64; 4], middle: f64) -> String {
         let _ = write!(
             svg,
             "<path d=\"M{edge:.1} {floor:.1} l-4 7 h8 z\" fill=\"#222\"/>\
-             <line x1=\"{edge:.1}\" y1=\"{floor:.1}\" x2=\"{middle:.1}\" y2=\"{:.1}\" stroke=\"#777\" stroke-dasharray=\"3 3\"/>",
+             <line x1=\"{edge:.1}\" y1=\"{floor:.1}\" x2=\"{middle:.1}\" y2=\"{:.1}\" stroke=\"#777\" \
+             stroke-dasharray=\"3 3\"/>",
             floor - z
         );
     }
@@ -139,10 +141,12 @@ fn view(side: &str, [h, w, b, z]: [f64; 4], middle: f64) -> String {
     svg
 }
 
-/// In a bar of the tornado, where numbers end and where `overturned` is; then its width and height \[px\].
+/// In a bar of the tornado, where numbers end and where `overturned` is; then its width and height
+/// \[px\].
 const SWING_PX: (f64, f64, f64, f64) = (190.0, 210.0, 220.0, 20.0);
 
-/// What the bars of a tornado share: the value at the right end of the scale, and the limit where there is one.
+/// What the bars of a tornado share: the value at the right end of the scale, and the limit where
+/// there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scale {
     full: f64,
@@ -168,7 +172,8 @@ impl Scale {
     }
 }
 
-/// One value of the tornado: a bar from its low to its high end, a line at the result, a dashed line at the limit.
+/// One value of the tornado: a bar from its low to its high end, a line at the result, a dashed
+/// line at the limit.
 pub(super) fn swing_bar(swing: &Swing, scale: Scale) -> String {
     let (_, beyond, width, height) = SWING_PX;
     let mut svg =
@@ -184,7 +189,8 @@ pub(super) fn swing_bar(swing: &Swing, scale: Scale) -> String {
         let (from, length) = (low.min(high), (low - high).abs().max(1.0));
         let _ = write!(
             svg,
-            "<rect x=\"{from:.1}\" y=\"4\" width=\"{length:.1}\" height=\"12\" fill=\"{fill}\" fill-opacity=\"0.85\" stroke=\"#333\"/>"
+            "<rect x=\"{from:.1}\" y=\"4\" width=\"{length:.1}\" height=\"12\" fill=\"{fill}\" fill-opacity=\"0.85\" \
+             stroke=\"#333\"/>"
         );
         if low.max(high) == beyond {
             let _ = write!(svg, "<path d=\"M{beyond} 2 l8 8 l-8 8 z\" fill=\"#333\"/>");

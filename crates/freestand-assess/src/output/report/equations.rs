@@ -23,8 +23,8 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     match chain.stiffness_n_m {
         Some(stiffness_n_m) => lines.extend(spring(chain, stiffness_n_m)),
         None => lines.push(format!(
-            "The cushion is not a spring. Solved numerically, the landing of m_eff at v gives a_edge = {} g, Δv = {} m/s, \
-             T = {} ms.",
+            "The cushion is not a spring. Solved numerically, the landing of m_eff at v gives a_edge = {} g, Δv = {} \
+             m/s, T = {} ms.",
             number(chain.edge_acceleration_g, 4),
             number(chain.velocity_change_m_s, 4),
             number(1e3 * chain.pulse_duration_s, 4)

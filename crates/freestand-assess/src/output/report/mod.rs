@@ -1,5 +1,5 @@
-//! `report.html` of an assessment: a summary and a page for each of the most urgent objects, in one file that loads
-//! nothing else.
+//! `report.html` of an assessment: a summary and a page for each of the most urgent objects, in one
+//! file that loads nothing else.
 
 mod drawing;
 mod equations;
@@ -81,7 +81,8 @@ fn cut(text: &str, longest: usize) -> String {
         None => escape(text),
         Some((end, _)) => format!("{} … <i>(truncated)</i>", escape(&text[..end])),
     };
-    // Characters that change the direction of writing would change it for our own words after them too.
+    // Characters that change the direction of writing would change it for our own words after them
+    // too.
     let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     if text.contains(turns) { format!("<bdi>{shown}</bdi>") } else { shown }
 }

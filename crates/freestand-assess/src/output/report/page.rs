@@ -381,7 +381,8 @@ const MAX_CARRIED: usize = 30;
 mod tests {
     use super::*;
 
-    /// An object without geometry, level, mass and tolerance has a page, which says what is missing.
+    /// An object without geometry, level, mass and tolerance has a page, which says what is
+    /// missing.
     #[test]
     fn a_bare_object_has_a_page() {
         let inventory = crate::output::fixture::inventory(vec![]);

@@ -39,8 +39,8 @@ fn tiles(overview: &Overview) -> String {
         let share = if overview.assessed == 0 { 0.0 } else { objects as f64 / overview.assessed as f64 };
         let _ = writeln!(
             html,
-            "<div class=\"tile {}\"><span class=\"badge\">{} {}</span><strong>{objects}</strong><span>{} of the objects, \
-             {pieces} {}: {}</span></div>",
+            "<div class=\"tile {}\"><span class=\"badge\">{} {}</span><strong>{objects}</strong><span>{} of the \
+             objects, {pieces} {}: {}</span></div>",
             decision.name(),
             sign(decision),
             label(decision),
@@ -74,15 +74,16 @@ fn first(overview: &Overview, pages: usize) -> String {
     if pages < overview.assessed {
         let _ = write!(
             note,
-            " The {pages} most urgent objects have a page below. All objects are in objects.csv and in the sheet Objects \
-             of assessment.xlsx, with every number.",
+            " The {pages} most urgent objects have a page below. All objects are in objects.csv and in the sheet \
+             Objects of assessment.xlsx, with every number.",
         );
     }
     html.push_str(&paragraph(&note));
     html.push_str(
         "<table class=\"first\"><thead><tr><th scope=\"col\" class=\"n\">Rank</th><th scope=\"col\">Object</th><th \
-         scope=\"col\">Decision</th><th scope=\"col\" class=\"n\">Demand / capacity</th><th scope=\"col\">Governing</th><th \
-         scope=\"col\">P(exceeded), 95 %</th><th scope=\"col\" class=\"n\">Median shock</th></tr></thead>\n<tbody>\n",
+         scope=\"col\">Decision</th><th scope=\"col\" class=\"n\">Demand / capacity</th><th \
+         scope=\"col\">Governing</th><th scope=\"col\">P(exceeded), 95 %</th><th scope=\"col\" class=\"n\">Median \
+         shock</th></tr></thead>\n<tbody>\n",
     );
     for one in overview.urgent.values() {
         html.push_str(&first_row(one, one.rank <= pages));
@@ -103,7 +104,8 @@ fn first_row(one: &Urgent, has_page: bool) -> String {
     };
     let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
     format!(
-        "<tr><td class=\"n\" data-label=\"Rank\">{}</td><th scope=\"row\">{link} {}{many}<br /><small>{}</small><small class=\"why\">{}</small></th>\
+        "<tr><td class=\"n\" data-label=\"Rank\">{}</td><th scope=\"row\">{link} {}{many}<br \
+         /><small>{}</small><small class=\"why\">{}</small></th>\
          <td data-label=\"Decision\">{}</td>\
          <td class=\"n\" data-label=\"Demand / capacity\">{}</td><td data-label=\"Governing\">{}</td>\
          <td data-label=\"P(exceeded), 95 %\">{}</td><td class=\"n\" data-label=\"Median shock\">{}</td></tr>\n",

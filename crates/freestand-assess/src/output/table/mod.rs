@@ -114,7 +114,8 @@ pub struct Column {
     pub cell: for<'a> fn(&Line<'a>) -> Cell<'a>,
 }
 
-/// The headers of the columns that are carried through, each made different from ours and from those before it.
+/// The headers of the columns that are carried through, each made different from ours and from
+/// those before it.
 ///
 /// An inventory may be the `objects.csv` of an earlier run, whose columns have our names.
 ///

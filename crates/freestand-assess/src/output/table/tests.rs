@@ -80,7 +80,8 @@ fn the_table_is_in_the_order_of_the_inventory() {
         // A text of the inventory, although it looks like a number.
         assert_eq!(at(&table, row, "rank (inventory)"), "'-12");
     }
-    // Row 0 is to be restrained: it overturns at 84 % of the motions, and the first source has the larger anchor tension.
+    // Row 0 is to be restrained: it overturns at 84 % of the motions, and the first source has the
+    // larger anchor tension.
     assert_eq!((at(&table, 0, "decision"), at(&table, 0, "edge_acceleration_g_p84")), ("restrain", "overturned"));
     assert_eq!((at(&table, 0, "restraint_force_n"), at(&table, 0, "anchor_tension_n")), ("530", "950"));
     assert_eq!(at(&table, 0, "restraint_source"), "ASCE 7-22, 13.3.1");
@@ -141,7 +142,8 @@ fn rows_that_come_in_another_order_are_refused() {
     assert!(problem.message.contains("order of the inventory"), "{problem}");
 }
 
-/// Sixteen thousand equal headers get different names, in a time that does not grow with the square of their number.
+/// Sixteen thousand equal headers get different names, in a time that does not grow with the square
+/// of their number.
 #[test]
 fn carried_names_are_unlike() {
     let names = carried_names(&vec!["RANK".to_owned(); 16_000]);

@@ -11,7 +11,8 @@ use freestand_input::words::number;
 use super::cells::{Styles, put_formula, put_number, put_text};
 use super::sheet;
 
-/// Number of objects in the sheet, the most urgent ones: with more, a spreadsheet takes minutes to open.
+/// Number of objects in the sheet, the most urgent ones: with more, a spreadsheet takes minutes to
+/// open.
 const MAX_OBJECTS: usize = 50_000;
 
 /// Row of the headers, counted from 0; the objects follow.
@@ -20,8 +21,8 @@ const HEADER_ROW: RowNum = 7;
 /// The cell with the acceleration of gravity.
 const GRAVITY: &str = "$B$4";
 
-/// Columns of the sheet, in order. An `Input` is a value; a `Check` has three columns: formula, value of the assessment,
-/// difference.
+/// Columns of the sheet, in order. An `Input` is a value; a `Check` has three columns: formula,
+/// value of the assessment, difference.
 #[derive(Clone, Copy)]
 enum Part {
     Text(&'static str),
@@ -119,12 +120,12 @@ impl Audit {
             &styles.title,
         )?;
         let words = [
-            "Blue: inputs. Green: live formulas, calculated by this spreadsheet. Next to each are the value of the assessment \
-             and their difference, relative to that value. R_D = 1 − ⅜(d/R)² (6); a = √(2kgΔh/m) (7); \
+            "Blue: inputs. Green: live formulas, calculated by this spreadsheet. Next to each are the value of the \
+             assessment and their difference, relative to that value. R_D = 1 − ⅜(d/R)² (6); a = √(2kgΔh/m) (7); \
              a_edge = ¾(1−R_D²)^(−½)(d/R)²a (5), halted ¾(d/R)²a (8); Δv = 2v, T = π√(m_eff/k).",
-            "Blocks that are not uniform or have inset feet: I₀/m = (h²+t²)/12 + R², R_D = 1 − B²/(2I₀/m), \
-             v = B√(2gΔh/(I₀/m)), a_edge = v√(k/m_eff). Contact laws other than a spring are solved numerically: their shock \
-             has a value but no formula.",
+            "Blocks that are not uniform or have inset feet: I₀/m = (h²+t²)/12 + R², R_D = 1 − B²/(2I₀/m), v = \
+             B√(2gΔh/(I₀/m)), a_edge = v√(k/m_eff). Contact laws other than a spring are solved numerically: their \
+             shock has a value but no formula.",
         ];
         for (text, row) in words.iter().zip(1..) {
             put_text(&mut sheet, (row, 0), text, &styles.text)?;

@@ -77,7 +77,8 @@ pub(super) fn put_number(
     Ok(())
 }
 
-/// A formula with its result, for programs that do not calculate; without a finite result the cell stays empty.
+/// A formula with its result, for programs that do not calculate; without a finite result the cell
+/// stays empty.
 pub(super) fn put_formula(
     sheet: &mut Worksheet,
     (row, column): (RowNum, ColNum),

@@ -1,6 +1,8 @@
-//! `assessment.xlsx`: summary, objects, live formulas for a reviewer, the meanings of the columns, the sources.
+//! `assessment.xlsx`: summary, objects, live formulas for a reviewer, the meanings of the columns,
+//! the sources.
 //!
-//! Text is always written as text, so that no cell of an inventory becomes a formula. The same rows give the same bytes.
+//! Text is always written as text, so that no cell of an inventory becomes a formula. The same rows
+//! give the same bytes.
 
 mod audit;
 mod cells;
@@ -31,7 +33,8 @@ pub const WORKBOOK_NAME: &str = "assessment.xlsx";
 /// Rows of a sheet, of which one is the header.
 const SHEET_ROWS: u32 = 1_048_576;
 
-/// Objects from which sheets are kept in temporary files: each object takes about 20 kB of memory otherwise.
+/// Objects from which sheets are kept in temporary files: each object takes about 20 kB of memory
+/// otherwise.
 const LARGE: usize = 2_000;
 
 /// The workbook as it is written.
@@ -44,7 +47,8 @@ pub(super) struct Book {
 }
 
 impl Book {
-    /// Begins the workbook. The temporary files of a large one are in its folder, which needs the space anyway.
+    /// Begins the workbook. The temporary files of a large one are in its folder, which needs the
+    /// space anyway.
     pub(super) fn begin(folder: &OutputFolder, inventory: &Inventory) -> Result<Self, Problem> {
         let beside = folder.path_of(WORKBOOK_NAME)?;
         guarded(|| {
@@ -106,7 +110,8 @@ fn sheet(workbook: &mut Workbook, is_large: bool, name: &str) -> Result<Workshee
     Ok(sheet)
 }
 
-/// The library panics where a temporary file cannot be written, mostly because the disk is full: that becomes a problem.
+/// The library panics where a temporary file cannot be written, mostly because the disk is full:
+/// that becomes a problem.
 fn guarded<T>(work: impl FnOnce() -> Result<T, XlsxError>) -> Result<T, Problem> {
     let failed = |message: String| Problem::new(ProblemKind::Io, format!("cannot write {WORKBOOK_NAME}: {message}"));
     match catch_unwind(AssertUnwindSafe(work)) {

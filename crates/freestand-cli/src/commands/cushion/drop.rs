@@ -16,7 +16,7 @@ use freestand_study::laboratory::{Failed, drop_figures};
 
 use freestand_study::laboratory::virtual_test::VELOCITY_ERROR_RATIO;
 
-use super::static_test::{Boundary, Impactor, name};
+use super::static_test::{BOUNDARIES, IMPACTORS};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::{Failure, problem};
@@ -69,14 +69,14 @@ pub(crate) struct DropArgs {
     #[arg(long, positive = Dimension::Length)]
     pad_thickness: Option<Given>,
     /// Shape of the impactor; replaces what the files state
-    #[arg(long, value_name = "SHAPE")]
-    impactor: Option<Impactor>,
+    #[arg(long, value_name = "SHAPE", value_parser = IMPACTORS)]
+    impactor: Option<String>,
     /// Radius of a spherical impactor
     #[arg(long, positive = Dimension::Length)]
     sphere_radius: Option<Given>,
     /// Boundary of the pad; replaces what the files state
-    #[arg(long, value_name = "BOUNDARY")]
-    boundary: Option<Boundary>,
+    #[arg(long, value_name = "BOUNDARY", value_parser = BOUNDARIES)]
+    boundary: Option<String>,
     /// Change the sign of all samples: the sensor is mounted upside down
     #[arg(long)]
     invert: bool,
@@ -124,11 +124,11 @@ pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Re
 fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure> {
     let mut values = Values::default();
     let read = ReadOptions { unit: values.read(&args.unit), dt_s: values.read(&args.dt), ..ReadOptions::default() };
-    if args.impactor == Some(Impactor::Flat) && args.sphere_radius.is_some() {
+    if args.impactor.as_deref() == Some("flat") && args.sphere_radius.is_some() {
         values.push(problem("--sphere-radius is given for a flat impactor", "leave one of the two out"));
     }
-    // A radius says that it is a sphere.
-    let impactor = args.impactor.or(args.sphere_radius.as_ref().map(|_| Impactor::Sphere));
+    // Only a sphere has a radius.
+    let impactor = args.impactor.clone().or(args.sphere_radius.as_ref().map(|_| "sphere".to_owned()));
     let request = DropRequest {
         files: args.files.clone(),
         mass_kg: values.read(&args.mass),
@@ -141,9 +141,9 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
         read,
         component: args.component.clone(),
         inverted: args.invert,
-        impactor: name(impactor.as_ref()),
+        impactor,
         sphere_radius_m: values.read(&args.sphere_radius),
-        boundary: name(args.boundary.as_ref()),
+        boundary: args.boundary.clone(),
         thickness_m: values.read(&args.pad_thickness),
         seed: global.seed(),
     };
@@ -161,7 +161,7 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
     }
 }
 
-/// What is read of several tests.
+/// The table of several tests.
 const COLUMNS: [Column; 12] = [
     ("path", "file", 0),
     ("impact_velocity_m_s", "impact velocity [m/s]", 4),

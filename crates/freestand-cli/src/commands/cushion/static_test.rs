@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_study::laboratory::static_test::{StaticReport, StaticRequest, StaticsReport, curve_csv, static_tests};
@@ -13,7 +13,7 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, failed_lines, print_failure};
-use crate::values::{Given, Reads, Values};
+use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
 #[derive(Debug, Args)]
@@ -38,42 +38,23 @@ pub(crate) struct StaticArgs {
     #[arg(long, positive = Dimension::Stiffness)]
     machine_compliance: Option<Given>,
     /// Whether to cut off the toe of the curve [default: cut, but keep for a sphere]
-    #[arg(long, value_name = "WHEN")]
-    toe: Option<Toe>,
+    #[arg(long, value_name = "WHEN", value_parser = choice(TOES))]
+    toe: Option<bool>,
     /// Shape of the impactor; replaces what the files state
-    #[arg(long, value_name = "SHAPE")]
-    impactor: Option<Impactor>,
+    #[arg(long, value_name = "SHAPE", value_parser = IMPACTORS)]
+    impactor: Option<String>,
     /// Boundary of the pad; replaces what the files state
-    #[arg(long, value_name = "BOUNDARY")]
-    boundary: Option<Boundary>,
+    #[arg(long, value_name = "BOUNDARY", value_parser = BOUNDARIES)]
+    boundary: Option<String>,
     /// Dynamic stiffness from a drop test, to compare with the secant stiffness
     #[arg(long, positive = Dimension::Stiffness)]
     dynamic: Option<Given>,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum Toe {
-    Cut,
-    Keep,
-}
+const TOES: Choices<bool> = &[(true, "cut", "The toe is cut off"), (false, "keep", "The toe is kept")];
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Impactor {
-    Flat,
-    Sphere,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub(super) enum Boundary {
-    Glued,
-    Unglued,
-    Lubricated,
-}
-
-/// The name of a value in flags and files.
-pub(super) fn name<T: ValueEnum>(value: Option<&T>) -> Option<String> {
-    value.and_then(|value| value.to_possible_value()).map(|value| value.get_name().to_owned())
-}
+pub(super) const IMPACTORS: [&str; 2] = ["flat", "sphere"];
+pub(super) const BOUNDARIES: [&str; 3] = ["glued", "unglued", "lubricated"];
 
 pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
@@ -81,9 +62,9 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
         files: args.files.clone(),
         load_n: values.read(&args.load),
         machine_stiffness_n_m: values.read(&args.machine_compliance),
-        compensates_toe: args.toe.map(|toe| matches!(toe, Toe::Cut)),
-        impactor: name(args.impactor.as_ref()),
-        boundary: name(args.boundary.as_ref()),
+        compensates_toe: args.toe,
+        impactor: args.impactor.clone(),
+        boundary: args.boundary.clone(),
         dynamic_stiffness_n_m: values.read(&args.dynamic),
     };
     values.finish()?;

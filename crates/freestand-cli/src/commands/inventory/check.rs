@@ -1,4 +1,4 @@
-//! `freestand inventory check`: what an inventory says, as it is understood.
+//! `freestand inventory check`: how an inventory is understood.
 
 use std::path::PathBuf;
 
@@ -6,6 +6,7 @@ use clap::Args;
 use freestand_assess::inventory::{Inventory, Item, Reading, inspect_inventory};
 use freestand_assess::library::Libraries;
 use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::counted;
 use freestand_study::cushion::cushion_words;
 use serde::Serialize;
 
@@ -54,7 +55,7 @@ struct CheckReport {
     first_rows: Vec<RowReport>,
 }
 
-/// How many rows say what.
+/// How many rows have which values.
 #[derive(Debug, Default, Serialize)]
 struct Counts {
     rows: usize,
@@ -164,7 +165,7 @@ fn text(report: &CheckReport, inventory: &Inventory) -> String {
     let mut facts = vec![
         ("file", report.path.clone()),
         ("headings", format!("row {}", report.header_row)),
-        ("rows", format!("{} ({} objects)", counts.rows, counts.objects)),
+        ("rows", format!("{} ({})", counts.rows, counted(counts.objects as usize, "object"))),
         ("with height and thickness", of(counts.with_size)),
         ("with a level", of(counts.with_level)),
         ("with a width (both axes)", of(counts.with_width)),
@@ -190,7 +191,7 @@ fn text(report: &CheckReport, inventory: &Inventory) -> String {
     let headings = ["row", "id", "item", "level", "height", "thickness", "width", "mass", "cushion", "tolerance"];
     let mut text = pairs(&facts);
     text += "\n";
-    text += &table(&["column", "heading", "is", "unit"], &columns);
+    text += &table(&["column", "heading", "meaning", "unit"], &columns);
     text += "\n";
     text += &table(&headings, &shown);
     if inventory.items.len() > SHOWN {

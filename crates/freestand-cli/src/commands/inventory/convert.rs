@@ -46,7 +46,7 @@ struct ConvertReport {
     path: Option<String>,
     rows: usize,
     columns: usize,
-    /// The file itself, where it was not written.
+    /// The text, where it was not written to a file.
     text: Option<String>,
 }
 

@@ -70,7 +70,7 @@ impl Format {
         }
     }
 
-    /// The format that a file's name asks for.
+    /// The format that the name of a file implies.
     fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?;
         let formats = [Self::Csv, Self::Xlsx];
@@ -78,7 +78,7 @@ impl Format {
     }
 }
 
-/// Where an inventory went: a file that is named, one in `--out`, or nowhere yet: its text is to be
+/// Where an inventory was written: a named file, a file in `--out`, or nowhere, so that its text is
 /// printed.
 struct Placed {
     path: Option<String>,
@@ -104,22 +104,22 @@ fn place(
     Ok(Placed { path, text })
 }
 
-/// Refuses a workbook without a file to be, and two places for one file.
+/// Refuses a workbook without a file, and two places for one file.
 fn check_place(format: Format, file: Option<&PathBuf>, global: &GlobalArgs) -> Result<(), Failure> {
     match (file, &global.out) {
         (Some(file), Some(_)) => {
-            let message = format!("both {} and --out are named", file.display());
-            Err(Failure::usage(message, "name the file, or the folder"))
+            let message = format!("both {} and --out are given", file.display());
+            Err(Failure::usage(message, "give either the file or the folder"))
         }
         (None, None) if format == Format::Xlsx => Err(Failure::usage(
-            "a workbook is not printed",
-            "name a file, such as objects.xlsx, or a folder with --out",
+            "a workbook cannot be printed",
+            "give a file, such as objects.xlsx, or a folder with --out",
         )),
         _ => Ok(()),
     }
 }
 
-/// The file itself, or where it is.
+/// The text, or the path of the file.
 fn shown(text: &Option<String>, path: &Option<String>) -> String {
     match (text, path) {
         (Some(text), _) => text.clone(),

@@ -37,7 +37,7 @@ struct TemplateReport {
     format: &'static str,
     path: Option<String>,
     columns: Vec<ColumnReport>,
-    /// The file itself, where it was not written.
+    /// The text, where it was not written to a file.
     text: Option<String>,
 }
 

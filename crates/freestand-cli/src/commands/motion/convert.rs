@@ -58,7 +58,7 @@ pub(super) struct Converted {
     npts: usize,
     /// What was done to it, one step each.
     processing: Vec<String>,
-    /// The factor on the samples, with every digit.
+    /// The factor applied to the samples, with all digits.
     scale_ratio: f64,
     /// The file itself, where it was not written to `--out`.
     text: Option<String>,

@@ -69,7 +69,7 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
         let csv = report.measures_csv()?;
         out.write("measures.csv", || csv)?;
     }
-    // The pictures that were written.
+    // The figures that were written.
     let facts = report.facts().key("plots", plots);
     out.print(printer, "freestand.motion-info/1", &facts, &report.warnings, || text(&report, block.is_some()))?;
     print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
@@ -99,7 +99,7 @@ fn text(report: &InfoReport, has_block: bool) -> String {
     text + &failed_lines(report.failed.iter().map(Failed::facts))
 }
 
-/// What is read of several motions; the last three are of a block.
+/// The table of several motions; the last three columns need a block.
 const COLUMNS: [Column; 17] = [
     ("path", "file", 0),
     ("format", "format", 0),

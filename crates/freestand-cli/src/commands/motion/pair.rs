@@ -37,7 +37,7 @@ pub(super) struct PairArgs {
 }
 
 impl PairArgs {
-    /// What is to be read; what is wrong goes into `values`.
+    /// The files to read; problems go into `values`.
     pub(super) fn request(&self, values: &mut Values) -> PairFiles {
         PairFiles { files: self.read.files(&self.files, values), components: values.read(&self.components) }
     }

@@ -1,4 +1,4 @@
-//! `--plot`: where the pictures of motions go.
+//! `--plot`: the figures of motions and their files.
 
 use std::path::PathBuf;
 
@@ -19,7 +19,7 @@ pub(super) struct PlotArgs {
     plot: Option<Option<PathBuf>>,
 }
 
-/// Where the pictures go.
+/// Where the figures are written.
 #[derive(Debug)]
 pub(super) enum Target {
     Svg(PathBuf),
@@ -29,14 +29,14 @@ pub(super) enum Target {
 }
 
 impl PlotArgs {
-    /// Where the pictures go; `None`: nothing is drawn.
+    /// Where the figures are written; `None`: nothing is drawn.
     pub(super) fn target(&self, global: &GlobalArgs) -> Result<Option<Target>, Failure> {
         let Some(name) = &self.plot else { return Ok(None) };
         let Some(path) = name else {
             if global.out.is_none() {
                 return Err(Failure::usage(
-                    "--plot has nowhere to write to",
-                    "name a picture, --plot FILE.svg or FILE.png, or a folder with --out",
+                    "--plot has no place to write to",
+                    "name a file, --plot FILE.svg or FILE.png, or a folder with --out",
                 ));
             }
             return Ok(Some(Target::Folder));
@@ -46,14 +46,14 @@ impl PlotArgs {
             Some("svg") => Ok(Some(Target::Svg(path.clone()))),
             Some("png") => Ok(Some(Target::Png(path.clone()))),
             _ => Err(Failure::usage(
-                format!("--plot {}: a picture is .svg or .png", path.display()),
-                "write --plot FILE.svg; without a name, --plot stands behind the record files, with --out",
+                format!("--plot {}: a figure is written as .svg or .png", path.display()),
+                "write --plot FILE.svg; without a name, put --plot after the record files and add --out",
             )),
         }
     }
 }
 
-/// Puts figures, each with its name, in their place and returns where they are.
+/// Writes figures, each with its name, and returns their paths.
 pub(super) fn place(
     target: &Target,
     figures: Vec<(String, Figure)>,
@@ -81,13 +81,13 @@ pub(super) fn place(
 }
 
 impl Target {
-    /// Refuses one name for several pictures.
+    /// Refuses one file name for several figures.
     pub(super) fn check(&self, count: usize) -> Result<(), Failure> {
         if count == 1 || matches!(self, Self::Folder) {
             return Ok(());
         }
         Err(Failure::usage(
-            format!("--plot names one picture, but there are {count} motions"),
+            format!("--plot names one file, but there are {count} motions"),
             "choose one with --component, or write --plot without a name and a folder with --out",
         ))
     }

@@ -50,7 +50,7 @@ pub(crate) struct SpectrumArgs {
 struct Document<'a> {
     #[serde(flatten)]
     report: &'a SpectrumReport,
-    /// The pictures that were written.
+    /// The figures that were written.
     plots: Vec<String>,
 }
 

@@ -4,15 +4,14 @@ use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
 use freestand::compliant::{ASSUMED_TANGENTIAL_RATIO, CompliantBase, CompliantOptions, Start};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_output::folder::write_file;
 use freestand_study::compliant::{CompliantRequest, accuracy, history_csv, rock_on_cushions, trace_figure};
 
-use super::{Reading, RockArgs, SCHEMA, read};
+use super::{Reading, RockArgs};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Printer, lines};
+use crate::printer::Printer;
 use crate::values::{Given, Reads, Values, point};
 
 /// What the object stands on.
@@ -61,20 +60,13 @@ impl CompliantArgs {
 
 pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let (request, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
-    let files = Files::begin(global, &inputs)?;
-    let mut report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
-    report.warnings.splice(0..0, reading.warnings);
-    files.write("history.csv", || history_csv(&report.history))?;
+    let files = Files::begin(global, &reading.inputs)?;
+    let report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
     if !report.rocking.touches.is_empty() {
         files.figure("trace", || trace_figure(&report))?;
     }
-    if let Some(path) = &args.history {
-        write_file(path, history_csv(&report.history).as_bytes(), &inputs)?;
-    }
-    let facts = report.facts.key("processing", reading.processing);
-    files.print(printer, SCHEMA, &facts, &report.warnings, || lines(&facts))?;
-    Ok(Done::OK)
+    let history = || history_csv(&report.history);
+    reading.finish(args.history.as_deref(), history, (report.facts, report.warnings), files, printer)
 }
 
 fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
@@ -131,10 +123,8 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     let normal_n_m = base.normal_stiffness_n_m(gravity_m_s2);
     let tangential_stiffness_ratio = tangential.map(|k| k / normal_n_m).or(ratio).unwrap_or(ASSUMED_TANGENTIAL_RATIO);
     let base = CompliantBase { tangential_stiffness_ratio, ..base };
-    let mut reading = Reading::default();
-    let horizontal = args.motion.as_ref().map(|path| read(&args.read, path, &mut reading)).transpose()?;
-    let vertically = args.vertically.reading(&args.read);
-    let vertical = args.vertical.as_ref().map(|path| read(&vertically, path, &mut reading)).transpose()?;
+    let mut reading = Reading::of(args)?;
+    let (horizontal, vertical) = (reading.horizontal.take(), reading.vertical.take());
     let options = CompliantOptions {
         gravity_m_s2,
         accuracy: accuracy(args.rocking.accuracy),

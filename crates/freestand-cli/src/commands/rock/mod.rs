@@ -2,13 +2,14 @@
 
 mod compliant;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 use freestand::rocking::{RockingOptions, Until};
 use freestand_input::quantity::Dimension;
+use freestand_output::facts::Facts;
 use freestand_output::folder::write_file;
 use freestand_study::rock::{RockRequest, history_csv, rock};
 
@@ -100,26 +101,58 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         return Err(Failure::usage(format!("--{flag} is of a compliant base"), "add --base compliant"));
     }
     let (request, reading) = request(args)?;
-    let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
-    let files = Files::begin(global, &inputs)?;
-    let mut report = rock(&request, args.history.is_some() || files.wanted())?;
-    report.warnings.splice(0..0, reading.warnings);
-    files.write("history.csv", || history_csv(&request.block, &report.history))?;
-    if let Some(path) = &args.history {
-        write_file(path, history_csv(&request.block, &report.history).as_bytes(), &inputs)?;
-    }
-    let facts = report.facts.key("processing", reading.processing);
-    files.print(printer, SCHEMA, &facts, &report.warnings, || lines(&facts))?;
-    Ok(Done::OK)
+    let files = Files::begin(global, &reading.inputs)?;
+    let report = rock(&request, args.history.is_some() || files.wanted())?;
+    let history = || history_csv(&request.block, &report.history);
+    reading.finish(args.history.as_deref(), history, (report.facts, report.warnings), files, printer)
 }
 
-const SCHEMA: &str = "freestand.rock/1";
-
-/// What is to be said about the records.
+/// The motions, and what is to be said about them.
 #[derive(Debug, Default)]
 struct Reading {
+    horizontal: Option<Motion>,
+    vertical: Option<Motion>,
     warnings: Vec<String>,
     processing: Vec<String>,
+    inputs: Vec<PathBuf>,
+}
+
+impl Reading {
+    fn of(args: &RockArgs) -> Result<Self, Failure> {
+        let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
+        let mut reading = Self { inputs, ..Self::default() };
+        reading.horizontal = args.motion.as_ref().map(|path| reading.read(&args.read, path)).transpose()?;
+        let vertically = args.vertically.reading(&args.read);
+        reading.vertical = args.vertical.as_ref().map(|path| reading.read(&vertically, path)).transpose()?;
+        Ok(reading)
+    }
+
+    fn read(&mut self, args: &ReadArgs, path: &Path) -> Result<Motion, Failure> {
+        let read = args.read_one(path)?;
+        let named = |text: &String| format!("{}: {text}", read.motion.name);
+        self.warnings.extend(read.notes.iter().map(named));
+        self.processing.extend(read.motion.processing.iter().map(named));
+        Ok(read.motion.motion)
+    }
+
+    /// Writes the history and ends the command.
+    fn finish(
+        self,
+        place: Option<&Path>,
+        history: impl Fn() -> String,
+        (facts, warnings): (Facts<'static>, Vec<String>),
+        files: Files,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
+        files.write("history.csv", &history)?;
+        if let Some(path) = place {
+            write_file(path, history().as_bytes(), &self.inputs)?;
+        }
+        let facts = facts.key("processing", self.processing);
+        let warnings = [self.warnings, warnings].concat();
+        files.print(printer, "freestand.rock/1", &facts, &warnings, || lines(&facts))?;
+        Ok(Done::OK)
+    }
 }
 
 fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
@@ -167,17 +200,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     if no_motion && duration.is_none() {
         return Err(Failure::usage("free rocking has no end", "give --duration, for example --duration 30s"));
     }
-    let mut reading = Reading::default();
-    let horizontal = args.motion.as_ref().map(|path| read(&args.read, path, &mut reading)).transpose()?;
-    let vertically = args.vertically.reading(&args.read);
-    let vertical = args.vertical.as_ref().map(|path| read(&vertically, path, &mut reading)).transpose()?;
+    let mut reading = Reading::of(args)?;
+    let (horizontal, vertical) = (reading.horizontal.take(), reading.vertical.take());
     Ok((RockRequest { block, horizontal, vertical, options, cushion: mass.zip(edge), friction }, reading))
-}
-
-fn read(args: &ReadArgs, path: &std::path::Path, reading: &mut Reading) -> Result<Motion, Failure> {
-    let read = args.read_one(path)?;
-    let named = |text: &String| format!("{}: {text}", read.motion.name);
-    reading.warnings.extend(read.notes.iter().map(named));
-    reading.processing.extend(read.motion.processing.iter().map(named));
-    Ok(read.motion.motion)
 }

@@ -1,4 +1,4 @@
-//! PEER AT2: prose, a unit, a line with NPTS and DT, then the values in any number a line.
+//! PEER AT2: prose, a unit, a line with NPTS and DT, then the values, any number per line.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading};
 use crate::text::digit_style::DigitStyle;
@@ -10,7 +10,8 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 use std::path::Path;
 
-/// How far down the line with NPTS and DT may stand: the fourth in every file of PEER, a few more in copies.
+/// The last line that may hold NPTS and DT. It is the fourth in every file of PEER, a few lines
+/// further down in copies.
 const HEADER_LINES: usize = 20;
 
 /// The line that says how many values there are and how far apart.
@@ -25,9 +26,10 @@ pub(super) fn is_at2(bytes: &[u8]) -> bool {
     header_end(bytes).is_some()
 }
 
-/// The number of the line that names NPTS and DT. Where several do (a title may, too), the fourth is the one.
+/// The number of the line that names NPTS and DT. If several do (a title may), it is the fourth.
 fn header_end(bytes: &[u8]) -> Option<usize> {
-    // Elsewhere than on the fourth line it must be readable: a table's prose may mention both words.
+    // Any other line than the fourth must be readable: the prose above a table may mention both
+    // words.
     let named = |line: &Line<'_>| {
         let text = line.text();
         !line.is_comment() && names_counts(&text) && (line.number == 4 || read_counts(&text).is_ok())
@@ -43,7 +45,7 @@ fn names_counts(text: &str) -> bool {
         && upper.contains(|c: char| c.is_ascii_digit())
 }
 
-/// Where `word` stands on its own in `text`.
+/// The place of `word` as a word of its own in `text`.
 fn find_word(text: &str, word: &str) -> Option<usize> {
     let letter_at =
         |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_alphanumeric);
@@ -66,7 +68,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     })?;
     let counts = Counts { line: header_line, ..counts };
 
-    // The last line that states a unit is the one nearest to the values; line 3 in every file of PEER.
+    // The last line that states a unit is the one nearest to the values; line 3 in every file of
+    // PEER.
     let stated = header
         .iter()
         .enumerate()
@@ -88,14 +91,15 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     Ok(Reading { format: "PEER AT2", components: vec![component], notes })
 }
 
-/// VT2 and DT2 look the same and hold velocity and displacement.
+/// Refuses VT2 and DT2, which look the same but hold velocity and displacement.
 fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
     for (i, text) in header.iter().enumerate() {
         let upper = text.to_ascii_uppercase();
         for (word, name) in [("VELOCITY", "velocity record (VT2)"), ("DISPLACEMENT", "displacement record (DT2)")] {
             let series = ["TIME SERIES", "TIME HISTORY", "UNITS OF"].iter().any(|rest| upper.contains(rest));
             let stated = unit_in_prose(text).filter(|unit| unit.dimension != Dimension::Acceleration);
-            // "PEAK VELOCITY" or "SHEAR WAVE VELOCITY" may be mentioned in the header of an acceleration record.
+            // "PEAK VELOCITY" or "SHEAR WAVE VELOCITY" may be mentioned in the header of an
+            // acceleration record.
             if upper.contains(word)
                 && !upper.contains("ACCEL")
                 && (series && upper.trim_start().starts_with(word) || stated.is_some())
@@ -112,7 +116,8 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
     Ok(())
 }
 
-/// `NPTS=  4000, DT= .01000 SEC`, `DT=0.01 NPTS=4000`, `NPTS, DT: 4000 .01`, or with the numbers first: `4000  .01  NPTS, DT`.
+/// `NPTS=  4000, DT= .01000 SEC`, `DT=0.01 NPTS=4000`, `NPTS, DT: 4000 .01`, or with the numbers
+/// first: `4000  .01  NPTS, DT`.
 fn read_counts(text: &str) -> Result<Counts, &'static str> {
     let upper = text.to_ascii_uppercase();
     let (npts_at, dt_at) =
@@ -157,9 +162,10 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
 }
 
 fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result<(Vec<f64>, usize), Problem> {
-    // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two bytes.
+    // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two
+    // bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));
-    // Of no values, the line that says so.
+    // Without values, the line that says so.
     let (mut line_of_first_value, mut digit_style, mut markers) =
         (counts.line, DigitStyle::default(), Markers::default());
     for line in lines(bytes).skip(counts.line) {
@@ -190,7 +196,8 @@ fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result
     Err(Problem::new(ProblemKind::Format, message).at_line(counts.line).hint(hint))
 }
 
-/// PEER's second line is `event, date, station, component`; anything else is prose, and the file's name must do.
+/// PEER's second line is `event, date, station, component`. If it is anything else, the file's name
+/// is used.
 fn name_and_station(title: &str, path: &Path) -> (String, Option<String>) {
     let parts: Vec<&str> = title.split(',').map(str::trim).collect();
     let is_date = |part: &&str| {

@@ -90,7 +90,7 @@ fn prose_full_of_numbers_is_prose() {
 fn the_unit_is_never_guessed() {
     let text = "a\nb\nc\nNPTS= 2, DT= .02\n1 2";
     let problem = read(text).unwrap_err();
-    assert!(problem.message.contains("not stated") && problem.hint.unwrap().contains("--unit"));
+    assert!(problem.message.contains("not stated") && problem.hint.unwrap().contains("`unit`"));
     let options = ReadOptions { unit: Some("cm/s2".to_owned()), ..ReadOptions::default() };
     assert_eq!(read_with(text.as_bytes(), &options).unwrap().motion.accel_m_s2(), [0.01, 0.02]);
     let problem = read_with(format!("{TITLE}NPTS= 2, DT= .02\n1 2").as_bytes(), &options).unwrap_err();
@@ -99,7 +99,12 @@ fn the_unit_is_never_guessed() {
         (Some(3), "the record is in g according to the file, not in cm/s2")
     );
     let options = ReadOptions { unit: Some("furlong".to_owned()), ..ReadOptions::default() };
-    assert_eq!(read_with(text.as_bytes(), &options).unwrap_err().path, None, "a wrong flag is no fault of the file");
+    assert_eq!(
+        read_with(text.as_bytes(), &options).unwrap_err().path,
+        None,
+        "a wrong option is not a fault of the \
+                                                                              file"
+    );
 }
 
 #[test]
@@ -179,6 +184,6 @@ fn a_number_that_lost_characters_is_said() {
 fn a_decimal_comma_is_named() {
     let problem = read(&format!("{TITLE}NPTS= 2, DT= 0,01\n1 2")).unwrap_err();
     assert!(problem.message.ends_with("has a decimal comma: write a point"), "{problem}");
-    // The comma behind a whole number separates: there is a blank, or no digit.
+    // The comma after a whole number separates: there is a blank, or no digit.
     assert!(read(&format!("{TITLE}NPTS= 2, DT= 1, SEC\n1 2")).is_ok());
 }

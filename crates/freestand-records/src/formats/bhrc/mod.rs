@@ -1,6 +1,8 @@
-//! Iran's strong-motion network (BHRC), volume 1: uncorrected, components L, V and T a file, in tenths of g.
+//! Iran's strong-motion network (BHRC), volume 1: uncorrected, components L, V and T a file, in
+//! tenths of g.
 //!
-//! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line that ends the record.
+//! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line
+//! that ends the record.
 
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note};
 use crate::text::fixed_width::Format;
@@ -13,7 +15,7 @@ use std::path::Path;
 
 const VALUES: Format = Format::new(10, 13);
 const TEXT_LINES: usize = 13;
-/// Lines of integers and of reals, which hold nothing that the text does not.
+/// Lines of integers and of reals. They repeat what the text states.
 const NUMBER_LINES: usize = 14;
 
 /// The volume that the first line of a component names: `* VOL1DS FILE`.
@@ -43,7 +45,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     Ok(Reading { format: "BHRC volume 1", components, notes })
 }
 
-/// The first line of the next component, behind the line that ends the one before.
+/// The first line of the next component, after the line that ends the one before.
 ///
 /// # Errors
 /// Numbers where a component should begin.
@@ -81,7 +83,7 @@ fn component(
     rest.by_ref().take(NUMBER_LINES).for_each(drop);
     let block = VALUES.read(rest, npts, "acceleration")?;
     notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
-    // The letter stands alone on its line.
+    // The letter is alone on its line.
     let name = text.iter().map(|line| line.trim()).find(|line| matches!(*line, "L" | "V" | "T" | "l" | "v" | "t"));
     let name = name.map_or_else(|| format!("component {number}"), str::to_ascii_uppercase);
     notes.push(format!("{name}: the time step {dt_s} s is the duration divided by the number of values"));
@@ -99,12 +101,13 @@ fn component(
     .component(options)
 }
 
-/// `NO OF POINTS = 6013  DURATION = 30.065 SEC`: the line that names the duration, else the eleventh of the header.
+/// `NO OF POINTS = 6013  DURATION = 30.065 SEC`: the line that names the duration, else the
+/// eleventh of the header.
 fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, usize), Problem> {
     let at = text.iter().position(|line| line.to_ascii_uppercase().contains("DURATION")).unwrap_or(9);
     let line = line_of_title + at + 1;
     let numbers = text.get(at).map(|line| numbers_in(line)).unwrap_or_default();
-    // Both must be told before a step can be made of them.
+    // The step needs both.
     if let [count, duration] = numbers.as_slice()
         && count.value >= 2.0
         && count.value < 1e9
@@ -118,9 +121,9 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, u
         .hint("the line states two numbers: how many values there are, and the duration in s"))
 }
 
-/// The step \[s\] of `count` values in a duration that is printed with some decimals. Files count the last interval in or
-/// leave it out; where one of the two makes a step of whole half milliseconds, as the network's recorders have, it is
-/// that one, else the duration over the number of values.
+/// The step \[s\] of `count` values in a duration with a few decimals. Files may or may not count
+/// the last interval. If one of the two ways gives a multiple of half a millisecond, as the
+/// network's recorders have, that is the step; else the duration divided by the number of values.
 fn step(count: f64, duration: Number) -> f64 {
     let half_digit = 0.5 * 10f64.powi(duration.last_digit_exponent.clamp(-300, 300));
     for intervals in [count, count - 1.0] {
@@ -138,7 +141,7 @@ fn numbers_in(text: &str) -> Vec<Number> {
     let mut numbers = Vec::new();
     let mut at = 0;
     while at < bytes.len() {
-        // "VOL1" and "SSA-2" hold digits, but no numbers.
+        // "VOL1" and "SSA-2" hold digits but are not numbers.
         let is_inside_word = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'-');
         match scan(&bytes[at..]).filter(|_| !is_inside_word) {
             Some(number) => {
@@ -151,7 +154,8 @@ fn numbers_in(text: &str) -> Vec<Number> {
     numbers
 }
 
-/// The azimuths of L and T are the last two of the five numbers behind the word Station: latitude, longitude, height.
+/// The azimuths of L and T are the last two of the five numbers after the word Station; the first
+/// are latitude, longitude and height.
 fn direction(text: &[String], name: &str) -> Option<Direction> {
     let at = match name {
         "V" => return Some(Direction::Up),
@@ -164,7 +168,7 @@ fn direction(text: &[String], name: &str) -> Option<Direction> {
     (0.0..=360.0).contains(&azimuth).then_some(Direction::Azimuth(azimuth % 360.0))
 }
 
-/// The name before the word Station, else the code behind the colon of the title.
+/// The name before the word Station, else the code after the colon of the title.
 fn station(title: &Line<'_>, text: &[String]) -> Option<String> {
     let name = text.iter().find_map(|line| line.get(..line.to_ascii_lowercase().find("station")?));
     let title = title.text();

@@ -56,7 +56,8 @@ fn three_components_in_tenths_of_g() {
     assert_eq!(read(&part("V", points, &values())).unwrap().components.len(), 1);
 }
 
-/// 200 samples a second: the duration counts the last interval in, or leaves it out, or fits neither.
+/// 200 samples a second: the duration counts the last interval in, or leaves it out, or fits
+/// neither.
 #[test]
 fn the_step_is_the_duration_over_the_values() {
     for (text, expected) in [("30.065", 0.005), ("30.06", 0.005), ("30.060", 0.005), ("60.13", 0.01)] {
@@ -88,7 +89,10 @@ fn components_that_are_not_there_are_said() {
     let three: String = ["L", "V", "T"].iter().map(|name| part(name, points, &values())).collect();
     assert_eq!(read(&three).unwrap().notes.len(), 3, "one of each step");
     let cut = read(three.trim_end().strip_suffix("-END OF RECORD-").unwrap()).unwrap();
-    assert_eq!(cut.notes[3..], ["no line \"end of record\" ends the last channel: the file may be cut off"]);
+    assert_eq!(
+        cut.notes[3..],
+        ["the last channel does not end with a line \"end of record\": the file may be cut off"]
+    );
     let one = read(&part("L", points, &values())).unwrap();
-    assert_eq!(one.notes[1..], ["the file has 1 of three components: it may be cut off"]);
+    assert_eq!(one.notes[1..], ["the file has only 1 of three components: it may be cut off"]);
 }

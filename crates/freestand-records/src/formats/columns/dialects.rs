@@ -112,7 +112,8 @@ fn one_column_or_a_series() {
         assert_one(format!("# dt = 10 ms, units m/s2\n{text}").as_bytes(), &options("", 0.0));
     }
     assert_one(b"4 0.01\n0.5 -0.25 0.001\n-0.0\n", &unit);
-    // Several values a line are columns, whether or not one series was meant; a short last line tells that it was.
+    // Several values a line are columns, whether or not one series was meant; a short last line
+    // tells that it was.
     assert_eq!(read(b"0.5 -0.25\n0.001 -0.0\n", &both).unwrap().components.len(), 2);
     let ragged = read(b"0.5 -0.25 1\n0.001 -0.0\n", &both).unwrap_err();
     assert!(ragged.hint.unwrap().contains("NPTS, DT"));
@@ -159,7 +160,8 @@ fn uneven_times_are_interpolated_only_on_request() {
     assert!(refused.hint.as_ref().unwrap().contains("`resample = \"0.01 s\"`"), "{refused:?}");
     let asked = |dt_s| ReadOptions { uneven_dt_s: Some(dt_s), ..ReadOptions::default() };
     let file = read(text.as_bytes(), &asked(0.01)).unwrap();
-    // Straight between the points: from 3 at 10 ms to 0 at 40 ms in thirds, which are exact here to one rounding.
+    // Straight between the points: from 3 at 10 ms to 0 at 40 ms in thirds, which are exact here to
+    // one rounding.
     for (found, expected) in file.components[0].motion.accel_m_s2().iter().zip([1.0, 3.0, 2.0, 1.0, 0.0, 5.0]) {
         assert!((found - expected).abs() < 1e-15, "{found} {expected}");
     }

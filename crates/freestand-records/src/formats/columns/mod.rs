@@ -1,4 +1,4 @@
-//! Motions in columns: with or without a time column, a header, units.
+//! Motions in columns, with or without a time column, a header and units.
 
 use crate::motion_file::{Component, Direction, ReadOptions, Reading, motion};
 use crate::text::dialect::Separator;
@@ -15,7 +15,7 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
 use std::path::Path;
 
-/// What is stated above the numbers.
+/// What the lines above the numbers state.
 struct Stating {
     headings: Option<Vec<Heading>>,
     /// Line of the headings.
@@ -24,18 +24,18 @@ struct Stating {
     dt_s: Option<(f64, usize)>,
 }
 
-/// Where the time comes from.
+/// The source of the time.
 enum Time {
     /// The first column.
     Column,
-    /// A step from outside the columns: every column is a component.
+    /// A step that is not from the columns: every column is a component.
     Step(f64),
 }
 
-/// The step of the samples; and the times \[s\] of the rows, where these must be brought to it.
+/// The step of the samples, and the times \[s\] of the rows if they must be interpolated to it.
 struct Spacing {
     dt_s: f64,
-    /// Time of the first row \[s\], where there is a column of times.
+    /// Time of the first row \[s\], if there is a time column.
     start_s: Option<f64>,
     uneven_s: Option<Vec<f64>>,
 }
@@ -102,19 +102,20 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             *value = unit.to_si(*value);
         }
         if let Some(times_s) = &spacing.uneven_s {
-            // All columns together are no more than one motion may be: two rows of many columns are a short file.
+            // All columns together may have as many samples as one motion: two rows of many columns
+            // are a short file.
             values = resampled(times_s, &values, spacing.dt_s, MAX_SAMPLES / count.max(1), &mut notes)
                 .map_err(|uneven| uneven_problem(uneven, &table, bytes))?;
         }
         let motion = motion(spacing.dt_s, values, table.line_of_first_value)?;
         let name = match heading.name.as_str() {
             "" if count == 1 => crate::motion_file::file_stem(path),
-            // Numbered as --component counts them, which is not how the columns are counted.
+            // Numbered as components, which is not the number of the column.
             "" => format!("component {}", components.len() + 1),
             name => name.to_owned(),
         };
         let line_of_first_value = table.line_of_first_value;
-        // `1` and `2` number their columns; an azimuth has three digits, or says that it is one.
+        // `1` and `2` number the columns; an azimuth has three digits or a unit.
         let is_number = heading.name.len() < 3 && heading.name.bytes().all(|b| b.is_ascii_digit());
         let direction = Direction::parse(&heading.name).filter(|_| !is_number);
         let unit = unit.symbol;
@@ -172,7 +173,7 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
         (stating.headings, stating.line) = (Some(headings), line);
     }
     if stating.unit.is_none() && !table.header.is_empty() {
-        // Prose above the numbers may state the unit in so many words; brackets in it would be no such statement.
+        // Prose above the numbers may state the unit in words; brackets in prose do not count.
         let prose = table
             .header
             .iter()
@@ -192,7 +193,8 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
     Ok(stating)
 }
 
-/// Whether the columns cannot have a time among them: prose may speak of a step that is not theirs, and counts only here.
+/// Whether the columns cannot include a time. A step in prose counts only in this case, because it
+/// may belong to something else.
 fn has_no_time(table: &Table, stating: &Stating) -> bool {
     let first = stating.headings.as_ref().and_then(|headings| headings.first());
     // Names of directions, "NS,EW,UD", or accelerations.
@@ -203,14 +205,15 @@ fn has_no_time(table: &Table, stating: &Stating) -> bool {
     table.columns.len() == 1 || is_acceleration
 }
 
-/// With a step from the flag or the file every column is a component, unless the header says that the first is the time.
+/// With a step from the user or the file, every column is a component unless the header says that
+/// the first is the time.
 fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOptions) -> Result<Time, Problem> {
     let first = stating.headings.as_ref().and_then(|headings| headings.get(at));
     let named = names_time(stating, at);
     if let (Some(dt_s), Some((stated_s, line))) = (options.dt_s, stating.dt_s) {
         agree(dt_s, stated_s, line)?;
     }
-    // A step in a comment does not make a component of a column that counts the time in just that step.
+    // A step in a comment does not turn a time column with that step into a component.
     let counts_time =
         |dt_s: f64| options.dt_s.is_none() && table.columns.len() > at + 1 && is_time(table, at, Some(dt_s));
     let step = options.dt_s.or(stating.dt_s.map(|(dt_s, _)| dt_s));
@@ -229,7 +232,7 @@ fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOption
     }
 }
 
-/// Refuses a column of periods where the time is expected: no motion has one.
+/// Refuses a column of periods instead of the time.
 fn refuse_spectrum(stating: &Stating, at: usize) -> Result<(), Problem> {
     let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
     match heading.filter(|heading| heading.name.to_ascii_lowercase().starts_with("period")) {
@@ -254,16 +257,18 @@ fn names_time(stating: &Stating, at: usize) -> bool {
     })
 }
 
-/// Whether a column rises in equal steps from 0 or from one step, as no motion does: steps of `dt_s`, where it is given.
+/// Whether a column rises in equal steps, from 0 or from one step, as motions do not; if `dt_s` is
+/// given, in steps of `dt_s`.
 fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
     let Some(column) = table.columns.get(at).filter(|column| column.values.len() > 2) else { return false };
     let Ok(step) = time_step(&column.values, column.last_digit_exponent) else { return false };
-    // One part in a thousand, as for a step that is stated beside printed times.
+    // One part in a thousand, as for a stated step next to printed times.
     let is_step = |value: f64| (value - step).abs() <= 1e-3 * step;
     column.values.first().is_some_and(|first| *first == 0.0 || is_step(*first)) && dt_s.is_none_or(is_step)
 }
 
-/// Whether the first column is 1, 2, 3 … and the second the time: the first would make a step of one second.
+/// Whether the first column is 1, 2, 3 … and the second the time: read as a time, the first would
+/// give a step of one second.
 fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool {
     let [numbers, _, _, ..] = table.columns.as_slice() else { return false };
     let counts = numbers.last_digit_exponent == 0 && numbers.values.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
@@ -272,7 +277,7 @@ fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool 
 }
 
 fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
-    // One part in a thousand: a step read from printed times may carry their rounding.
+    // One part in a thousand: a step from printed times includes their rounding.
     if (given_s - stated_s).abs() <= 1e-3 * stated_s {
         return Ok(());
     }
@@ -284,7 +289,7 @@ fn agree(given_s: f64, stated_s: f64, line: usize) -> Result<(), Problem> {
     .hint("leave out `dt`, or correct the file if it is wrong"))
 }
 
-/// The step that the time column means, in seconds.
+/// The step of the time column, in seconds.
 fn spacing_of_column(
     table: &Table,
     bytes: &[u8],
@@ -339,7 +344,7 @@ fn uneven_problem(uneven: Uneven, table: &Table, bytes: &[u8]) -> Problem {
     Problem::new(ProblemKind::Format, uneven.message).at_line(table.line_of_row(bytes, uneven.row)).hint(uneven.hint)
 }
 
-/// A component on equal steps, with notes of what that did to it.
+/// Interpolates a component to equal steps, with notes about the effect.
 fn resampled(
     times_s: &[f64],
     values: &[f64],
@@ -352,16 +357,16 @@ fn resampled(
     let (before, after) = (peak(values), peak(&samples));
     let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));
     let note = format!(
-        "uneven times were interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps were \
-         off by up to {furthest:.3e} s",
+        "uneven times were interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps \
+         were off by up to {furthest:.3e} s",
         values.len(),
         samples.len()
     );
-    // Several components share their times.
+    // Components share their times, so the note is written once.
     if !notes.contains(&note) {
         notes.push(note);
     }
-    // A peak between two samples is cut; a step that has every time on its grid cuts none.
+    // A peak between two samples is reduced, unless the step has every time on its grid.
     if after < before * (1.0 - 1e-9) {
         notes
             .push(format!("interpolation reduced a peak from {before:.5} to {after:.5} m/s2: a shorter step keeps it"));

@@ -78,7 +78,7 @@ fn what_the_file_leaves_open_the_flags_say() {
     let file = parse("5 0.02\n1 2 3\n4 5\n", &options("m/s2", 0.0)).unwrap();
     assert_eq!(facts(&file), [("rec", "m/s2", 0.02, &[1.0, 2.0, 3.0, 4.0, 5.0][..])]);
     assert!(file.notes[0].contains("number of values"));
-    // A velocity beside the acceleration is left out, and said.
+    // A velocity next to the acceleration is left out, with a note.
     let file = parse("t[s],a[g],v[cm/s],disp,force [kN]\n0,1,1,1,1\n1,2,2,2,2\n", &ReadOptions::default()).unwrap();
     assert_eq!((file.components.len(), file.notes.len()), (1, 3));
 }
@@ -98,8 +98,8 @@ fn what_is_refused() {
         ("# units=cm/s dt=1\n0\n1\n", options("g", 0.0), Some(1), "is a velocity (cm/s)"),
         ("t[s],v[cm/s]\n0,1\n1,2\n", options("g", 0.0), Some(2), "no column holds an acceleration, only a velocity"),
         ("a[g],t[s]\n0,1\n1,2\n", none(), Some(1), "the first column is not the time"),
-        ("0 1\n1 2\n2 3 4\n", options("g", 0.0), Some(3), "the first row has 2 values, this one 3"),
-        ("0,1\n1,2\n2\n", options("g", 0.0), Some(3), "the first row has 2 values, this one 1"),
+        ("0 1\n1 2\n2 3 4\n", options("g", 0.0), Some(3), "the first row has 2 values, this one has 3"),
+        ("0,1\n1,2\n2\n", options("g", 0.0), Some(3), "the first row has 2 values, this one has 1"),
         ("0,1\n1,\n2,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1,1\n1,,2\n2,1,1\n", options("g", 0.0), Some(2), "a value is missing"),
         ("0,1\n1,x\n", options("g", 0.0), Some(2), "\"x\" is not a number"),
@@ -116,11 +116,11 @@ fn what_is_refused() {
         ),
         ("0 1\n1 2\n0 3\n", options("g", 0.0), Some(3), "does not increase"),
         ("0,0123\n0,0222\n-0,0100\n", options("g", 0.01), Some(1), "comma may be a decimal sign"),
-        ("5 0.02\n1 2 3\n4\n", options("g", 0.0), Some(2), "the first row has 2 values, this one 3"),
+        ("5 0.02\n1 2 3\n4\n", options("g", 0.0), Some(2), "the first row has 2 values, this one has 3"),
         ("t[s],a[g]\n0,1\n1e-9,2\n", none(), Some(2), "the time step must be from 1e-6 s to 100 s, not 1e-9 s"),
         ("0 1\n1000 2\n", options("g", 0.0), Some(1), "from 1e-6 s to 100 s, not 1000.0 s"),
         ("# units=g dt=1e-12\n0\n1\n", none(), Some(2), "not 1e-12 s"),
-        ("time [min],a [g]\n0,1\n1,2\n", none(), Some(1), "\"time [min]\" states no unit of time"),
+        ("time [min],a [g]\n0,1\n1,2\n", none(), Some(1), "\"time [min]\" does not state a unit of time"),
         ("nothing but words\n", none(), None, "no row of numbers"),
         ("# only comments\n", none(), None, "no row of numbers"),
     ] {
@@ -137,7 +137,8 @@ fn what_is_refused() {
     }
 }
 
-/// Above one column a damaged number must not pass as a header of one word: the sample would be lost in silence.
+/// Above one column a damaged number must not pass as a header of one word: the sample would be
+/// lost in silence.
 #[test]
 fn a_header_of_one_word_is_told_from_a_damaged_number() {
     for word in ["nan", "-inf", "*****", "0.12O", "O.12", "-nan(ind)", "1.#IND", ".", "-", "1.2.3", "+-1", "null"] {
@@ -223,9 +224,10 @@ fn a_number_of_values_that_does_not_fit_is_no_value() {
     let options = options("g", 0.01);
     let decimals = series(300, |value| format!("{value:.6}"));
     let problem = parse(&format!("400\n{decimals}"), &options).unwrap_err();
-    assert_eq!(problem.message, "the first row, 400, seems to be the number of values, but 300 follow");
+    assert_eq!(problem.message, "the first row, 400, seems to be the number of values, but 300 values follow");
     assert!(problem.line == Some(1) && problem.hint.unwrap().contains("cut off"));
-    // The number that fits, a first value with a point, one that others exceed, one of several whole ones.
+    // The number that fits, a first value with a point, one that others exceed, one of several
+    // whole ones.
     assert_eq!(parse(&format!("300\n{decimals}"), &options).unwrap().components[0].motion.accel_m_s2().len(), 300);
     for text in [format!("400.0\n{decimals}"), format!("2\n3.5\n{decimals}"), format!("2\n1\n{decimals}")] {
         assert!(parse(&text, &options).is_ok(), "{text}");
@@ -264,7 +266,7 @@ fn a_number_of_rows_that_is_stated_is_compared() {
         ("# NPTS = 3\nt [s],a [m/s2]\n", false),
     ] {
         let file = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap();
-        let note = "line 1 states 6 values, the table has 3 rows: it may be cut off";
+        let note = "line 1 states 6 values, but the table has 3 rows: it may be cut off";
         assert_eq!(file.notes.iter().any(|found| found == note), told, "{head} {:?}", file.notes);
     }
 }

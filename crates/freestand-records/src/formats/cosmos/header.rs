@@ -1,4 +1,4 @@
-//! What stands above the values of a COSMOS channel: text, whole numbers and reals.
+//! The header of a COSMOS channel: text, whole numbers and reals.
 
 use super::Series;
 use crate::formats::volumes::{first_integer, step_in};
@@ -9,20 +9,20 @@ use crate::text::lines::Lines;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// What stands above the values of a channel.
+/// The header of a channel.
 pub(super) struct Header {
     pub(super) text: Vec<String>,
     pub(super) integers: Vec<f64>,
     pub(super) reals: Vec<f64>,
     pub(super) line_of_reals: usize,
-    /// What stands for a value that is not known, in either header and in the data.
+    /// Numbers that mark an unknown value, in the headers and in the data.
     pub(super) missing: [f64; 2],
 }
 
 pub(super) fn read_header(first: String, rest: &mut Lines<'_>) -> Result<Header, Problem> {
     let lower = first.to_ascii_lowercase();
     let declared = lower.split("with").nth(1).and_then(first_integer).unwrap_or(13);
-    // The format has 13; room for the "exceptional cases" that it allows, not for a damaged number.
+    // The format has 13; this leaves room for the "exceptional cases" that it allows.
     if !(5..=200).contains(&declared) {
         return Err(Problem::new(ProblemKind::Format, format!("the header declares {declared} lines of text"))
             .at_line(rest.line_number())
@@ -57,7 +57,7 @@ fn read_block(rest: &mut Lines<'_>, what: &str, least: usize) -> Result<(Vec<f64
     Ok((block.values, block.first_line))
 }
 
-/// Text line 13 ends with what is written for an unknown whole number and real number.
+/// Text line 13 ends with the whole number and the real number that mark unknown values.
 fn missing_values(text: &[String]) -> [f64; 2] {
     let line = text.iter().rev().find(|line| line.to_ascii_lowercase().contains("unknown"));
     let listed = line.and_then(|line| line.rsplit_once(':')).map_or("", |(_, list)| list);
@@ -72,7 +72,7 @@ impl Header {
         (value != self.missing[1] && !is_missing_value(value)).then_some(value)
     }
 
-    /// What one count is worth \[m/s²\]: volts a count over volts a g.
+    /// The value of one count \[m/s²\]: volts per count divided by volts per g.
     pub(super) fn count_m_s2(&self, notes: &mut Vec<String>) -> Result<f64, Problem> {
         let positive = |number: usize, what: &str| {
             self.real(number).filter(|value| *value > 0.0).ok_or_else(|| {
@@ -90,8 +90,9 @@ impl Header {
         Ok(volts / volts_a_g * G0_M_S2)
     }
 
-    /// The time step \[s\] and its line: real header 62 in ms, else the rate above the values, which the first version of
-    /// the format has. Real header 34 is the recorder's, which holds for its own values only.
+    /// The time step \[s\] and its line: real header 62 in ms, else the rate above the values,
+    /// which the first version of the format has. Real header 34 is the step of the recorder, which
+    /// applies to uncorrected values only.
     pub(super) fn step(&self, series: &Series, is_raw: bool, options: &ReadOptions) -> Result<(f64, usize), Problem> {
         let of_title = step_in(&series.title.to_ascii_uppercase());
         let of_header = self.real(62).filter(|dt_ms| *dt_ms > 0.0).map(|dt_ms| dt_ms / 1000.0);
@@ -115,7 +116,8 @@ impl Header {
     }
 }
 
-/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, `Sta Cha: 1     0 deg (Rcrdr Chan  1)`, `Sta Chan   1  90    HNE   Location:`.
+/// `Sta Chan  1: 360 deg (Rcrdr Chan  1)`, `Sta Cha: 1     0 deg (Rcrdr Chan  1)`,
+/// `Sta Chan   1  90    HNE   Location:`.
 pub(super) fn channel_name(text: &[String]) -> Option<String> {
     let line =
         text.iter().map(|line| line.trim_start()).find(|line| line.to_ascii_lowercase().starts_with("sta cha"))?;
@@ -126,7 +128,8 @@ pub(super) fn channel_name(text: &[String]) -> Option<String> {
     (!name.is_empty()).then(|| name.to_owned())
 }
 
-/// `Statn No: 05- 23837 Code:CE-23837  CGS  Pomona - Orange Grove & Fairplex`: the name stands from column 41 on.
+/// `Statn No: 05- 23837 Code:CE-23837  CGS  Pomona - Orange Grove & Fairplex`: the name begins in
+/// column 41.
 pub(super) fn station(text: &[String]) -> Option<String> {
     let line = text.iter().find(|line| line.trim_start().to_ascii_lowercase().starts_with("stat"))?;
     let name: String = line.chars().skip(40).collect();

@@ -1,7 +1,8 @@
-//! COSMOS, the exchange format of the strong-motion networks, stages V0 (counts) to V2: every block says itself how many
-//! values it has and in which Fortran format.
+//! COSMOS, the exchange format of the strong-motion networks, stages V0 (counts) to V2: every block
+//! states how many values it has, and their Fortran format.
 //!
-//! Source: COSMOS Strong Motion Data Format, version 1.20, 2001. Headers are counted from 1, as there.
+//! Source: COSMOS Strong Motion Data Format, version 1.20, 2001. Headers are counted from 1, as
+//! there.
 
 mod header;
 
@@ -17,8 +18,8 @@ use freestand_input::quantity::{Dimension, Unit, shorten};
 use header::{Header, channel_name, read_header, station};
 use std::path::Path;
 
-/// Lines within which the next block must begin: comments are a few lines.
-const MOST_COMMENTS: usize = 10_000;
+/// The next block must begin within this many lines; comments take a few lines.
+const MAX_COMMENTS: usize = 10_000;
 
 /// Whether the text is a COSMOS file: the first line names the format.
 pub(super) fn is_cosmos(bytes: &[u8]) -> bool {
@@ -43,7 +44,7 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
     let mut rest = lines(bytes);
     let (mut components, mut notes, mut refused) = (Vec::new(), Vec::new(), Vec::new());
     let mut header: Option<Header> = None;
-    // Where a header stands whose values have not come yet.
+    // The line of a header whose values have not been read yet.
     let mut open = None;
     let (mut format, mut headers) = ("COSMOS", 0);
     while let Some(line) = rest.find(|line| !line.is_blank()) {
@@ -122,10 +123,10 @@ fn stage(title: &str) -> &'static str {
     }
 }
 
-/// Comments begin with a bar; the line that counts them may be there without any.
+/// Comments begin with a bar; the line that counts them is there even without comments.
 fn skip_comments(rest: Lines<'_>) -> Lines<'_> {
     let mut at = rest;
-    for _ in 0..MOST_COMMENTS {
+    for _ in 0..MAX_COMMENTS {
         let before = at.clone();
         let Some(line) = at.next() else { return before };
         let text = line.text();
@@ -137,7 +138,8 @@ fn skip_comments(rest: Lines<'_>) -> Lines<'_> {
     at
 }
 
-/// `13400 acceleration pts, approx  67 secs, units=g.     (02)Format=(8f9.6)`; `None` for another line.
+/// `13400 acceleration pts, approx  67 secs, units=g.     (02)Format=(8f9.6)`; `None` for another
+/// line.
 fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
     let title = line.text();
     let lower = title.to_ascii_lowercase();
@@ -155,7 +157,8 @@ fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
     Ok(Some(Series { line: line.number, title: lower, count, format }))
 }
 
-/// The values, up to the line that ends them. Some networks count one more or less: the end line tells.
+/// The values, up to the line that ends them. Some networks count one more or one less; the end
+/// line decides.
 fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -> Result<Block, Problem> {
     let try_count = |count: usize| {
         let mut at = rest.clone();
@@ -187,7 +190,7 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
     Err(problem)
 }
 
-/// What the series is, where it is not an acceleration.
+/// What the series is, if it is not an acceleration.
 fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
     // Integer header 2, table 1 of the format; 1 is acceleration.
     let of_code = match header.integers[1] as i64 {
@@ -196,7 +199,7 @@ fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
         10..=99 => Some("a quantity other than acceleration"),
         _ => None,
     };
-    // A file with all three series of a channel names each above its values.
+    // In a file with all three series of a channel, the line above the values names each.
     let of_title = if series.title.contains("acc") {
         return None;
     } else if series.title.contains("vel") {
@@ -224,7 +227,7 @@ fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
         .map(str::to_owned)
 }
 
-/// Counts, before the header tells what one is worth.
+/// Counts, before their value is known.
 const COUNTS: Unit = Unit::acceleration("counts", 0, 0.0);
 
 /// Unit of the values, by table 2 of the format.
@@ -282,7 +285,7 @@ fn component(
     let is_unknown = |value: f64| value == header.missing[1] || is_missing_value(value);
     let name = channel_name(&header.text).unwrap_or_else(|| format!("channel {channel}"));
     if is_raw {
-        // These are ordinary counts, which every second record passes.
+        // These are ordinary counts, which occur in every second record.
         let is_ordinary = |value: f64| value == -999.0 || value == -9999.0;
         notes.extend(block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?);
         let count = block.values.iter().filter(|value| is_ordinary(**value)).count();
@@ -305,7 +308,7 @@ fn component(
         is_raw,
     }
     .component(options)?;
-    // Of counts the header has the peak in g or in volts, with the mean removed or not.
+    // For counts, the header gives the peak in g or in volts, with or without the mean.
     if !is_raw && let Some(peak) = header.real(64) {
         notes.extend(peak_note(&found, unit.to_si(peak)));
     }

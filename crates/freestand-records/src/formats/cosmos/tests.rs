@@ -2,7 +2,8 @@ use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use freestand::G0_M_S2;
 use std::fmt::Write;
 
-/// A channel as the format's description has it, with the declared sizes and formats of `sizes`: values a line, width.
+/// A channel as the format's description has it, with the declared sizes and formats of `sizes`:
+/// values a line, width.
 struct Channel<'a> {
     title: &'a str,
     name: &'a str,
@@ -27,8 +28,9 @@ const UNCORRECTED: Channel<'_> = Channel {
 
 fn text(channel: &Channel<'_>) -> String {
     let mut text = format!(
-        "{}\nRcrd of an earthquake\nHypocenter: ?\nOrigin: ?\n{:<40}{}\nCoords: 0 0\nRecorder: x\nRcrd start time: x\n{}\nRaw record\n\
-         Processed\nRecord not filtered.\nValues used when parameter or data value is unknown/unspecified:   -999, -999.0\n",
+        "{}\nRcrd of an earthquake\nHypocenter: ?\nOrigin: ?\n{:<40}{}\nCoords: 0 0\nRecorder: x\nRcrd start time: \
+         x\n{}\nRaw record\nProcessed\nRecord not filtered.\nValues used when parameter or data value is \
+         unknown/unspecified:   -999, -999.0\n",
         channel.title, "Statn No: 05- 1 Code:CE-1  CGS", "A Town - Main St", channel.name
     );
     for (what, (per_line, width), decimals) in [("Integer", channel.sizes[0], 0), ("Real", channel.sizes[1], 6)] {
@@ -64,11 +66,13 @@ const VALUES: [f64; 10] = [1.0, -10.123, -99999.999, 0.0, 0.5, 0.25, 0.125, 0.0,
 fn sizes_and_formats_are_those_that_the_file_declares() {
     let wide = Channel { sizes: [(12, 6), (5, 15)], ..UNCORRECTED };
     for text in [text(&UNCORRECTED), text(&wide), text(&UNCORRECTED).replace('\n', "\r\n")] {
-        // The large value stands for one that touches its neighbour; the header's peak is another, and no ground has it.
+        // The large value touches its neighbour; the header's peak is another,
+        // and no ground has it.
         let file = read(&text).unwrap();
         assert_eq!((file.format, file.components.len(), file.notes.len()), ("COSMOS V1", 1, 2));
         let one = &file.components[0];
-        // Exact: one division by an exact number, and 5 ms over 1000 is the nearest number to 0.005.
+        // Exact: one division by an exact number, and 5 ms over 1000 is the nearest number to
+        // 0.005.
         assert_eq!(one.motion.accel_m_s2(), VALUES.map(|value| value / 100.0));
         assert_eq!((one.name.as_str(), one.unit, one.is_raw), ("360 deg", "cm/s2", false));
         assert_eq!((one.direction, one.motion.dt_s()), (Some(Direction::Azimuth(0.0)), 0.005));
@@ -92,10 +96,10 @@ fn units_are_told_by_code_and_name() {
         assert!((file.components[0].motion.accel_m_s2()[0] - worth).abs() < 1e-15 * worth.max(1.0), "{stated}");
     }
     for (stated, message) in [
-        ("units=g (04)", "g by its name and cm/s2 by its code"),
-        ("units=volts (51)", "not one of acceleration"),
-        ("units=sec & g (03)", "not one of acceleration"),
-        ("units=", "not one of acceleration"),
+        ("units=g (04)", "g by its name, but cm/s2 by its code"),
+        ("units=volts (51)", "not a known unit of acceleration"),
+        ("units=sec & g (03)", "not a known unit of acceleration"),
+        ("units=", "not a known unit of acceleration"),
     ] {
         let problem = read(&text(&UNCORRECTED).replace("units=cm/sec2(04)", stated)).expect_err(stated);
         assert!(problem.starts_with("x.v1c:46:") && problem.contains(message), "{stated}: {problem}");
@@ -115,8 +119,9 @@ fn counts_need_the_sensitivity() {
     let file = read(&text(&raw)).unwrap();
     let one = &file.components[0];
     assert_eq!((file.format, one.unit, one.is_raw, one.motion.dt_s()), ("COSMOS V0", "counts", true, 0.01));
-    assert!(file.notes[0].contains("1 values are -999"));
-    // 2 microvolts a count over 0.5 V/g are 4e-6 g a count; three factors, so some units in the last place.
+    assert!(file.notes[0].contains("1 values of -999"));
+    // 2 microvolts a count over 0.5 V/g are 4e-6 g a count; three factors, so some units in the
+    // last place.
     for (found, count) in one.motion.accel_m_s2().iter().zip([100.0, -999.0, -50.0, 1e6]) {
         assert!((found - count * 4e-6 * G0_M_S2).abs() <= 1e-14 * found.abs());
     }
@@ -138,7 +143,7 @@ fn channels_follow_one_another_and_other_quantities_are_left_out() {
     let file = read(&[text(&UNCORRECTED), text(&velocity), text(&up), text(&UNCORRECTED)].concat()).unwrap();
     let names: Vec<&str> = file.components.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(names, ["360 deg, channel 1", "UP", "360 deg, channel 3"]);
-    assert!(file.notes.iter().any(|note| note.contains("1 series of other quantities")));
+    assert!(file.notes.iter().any(|note| note.contains("1 series of quantities other")));
     let problem = read(&text(&velocity)).unwrap_err();
     assert!(problem.starts_with("x.v1c:46: holds a velocity"), "{problem}");
     // All three series of a channel below one header.
@@ -166,7 +171,7 @@ fn the_first_version_states_the_rate_above_the_values() {
     let unnamed = text.replace(old.name, "Sta Chan  1:");
     assert_eq!(read(&unnamed).unwrap().components[0].name, "channel 1");
     let both = self::text(&UNCORRECTED).replace("approx  1 secs", "at 100 pts/sec");
-    assert!(read(&both).unwrap_err().contains("0.005 s in the header and 0.01 s above the values"));
+    assert!(read(&both).unwrap_err().contains("0.005 s in the header, but 0.01 s above the values"));
 }
 
 #[test]
@@ -205,9 +210,9 @@ fn what_is_wrong_names_its_line() {
     let open = text.replacen("     5.000000", "  -999.000000", 1);
     let dt = ReadOptions { dt_s: Some(0.01), ..ReadOptions::default() };
     assert_eq!(read_with(&open, &dt).unwrap().components[0].motion.dt_s(), 0.01);
-    assert!(read_with(&text, &dt).unwrap_err().contains("0.005 s as the header says"));
+    assert!(read_with(&text, &dt).unwrap_err().contains("0.005 s according to the header"));
     let unit = ReadOptions { unit: Some("g".to_owned()), ..ReadOptions::default() };
-    assert!(read_with(&text, &unit).unwrap_err().contains("in cm/s2 as the file says"));
+    assert!(read_with(&text, &unit).unwrap_err().contains("in cm/s2 according to the file"));
 }
 
 #[test]
@@ -221,7 +226,8 @@ fn damaged_files_are_read_or_refused() {
             if let Ok(file) = read(bytes.clone()) {
                 assert!(file.components.iter().all(|one| one.motion.accel_m_s2().iter().all(|a| a.is_finite())));
             }
-            // Cut off at the damage, nothing is left of one channel but a refusal or a record that lacks its end line.
+            // Cut off at the damage, nothing is left of one channel but a refusal or a record that
+            // lacks its end line.
             bytes.truncate(at);
             let is_whole = at >= text.find("    -2.000").unwrap();
             assert!(is_whole || read(bytes).is_err(), "cut at {at}");
@@ -236,12 +242,15 @@ fn channels_that_are_not_there_are_said() {
         .replace("Recorder: x", "Recorder: x ( 2 Chns of   3 at Sta)");
     let two = one.clone() + &one;
     assert_eq!(read(&two).unwrap().notes, Vec::<String>::new());
-    assert_eq!(read(&one).unwrap().notes, ["the header states 2 channels, the file has 1: it may be cut off"]);
+    assert_eq!(read(&one).unwrap().notes, ["the header states 2 channels, but the file has 1: it may be cut off"]);
     let cut = two.trim_end().strip_suffix(UNCORRECTED.end).unwrap();
-    assert_eq!(read(cut).unwrap().notes, ["no line \"end-of-data\" ends the last channel: the file may be cut off"]);
+    assert_eq!(
+        read(cut).unwrap().notes,
+        ["the last channel does not end with a line \"end-of-data\": the file may be cut off"]
+    );
 }
 
-/// What the header says stands for an unknown value does, unless the others are as large.
+/// The header's mark of an unknown value is one, unless the others are as large.
 #[test]
 fn the_value_for_unknown_stands_out() {
     let gap = text(&UNCORRECTED).replace("     2.000    -2.000", "     2.000  -999.000");

@@ -1,4 +1,5 @@
-//! The free format of Taiwan's weather service (CWB, since 2023 CWA): time and three components in columns, in gal.
+//! The free format of Taiwan's weather service (CWB, since 2023 CWA): time and three components in
+//! columns, in gal.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::text::fixed_width::Format;
@@ -12,11 +13,12 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
-/// How far down the last header line may stand: the 22nd in files with the earthquake, the 11th in those without.
+/// The last line that may belong to the header. It is line 22 in files with data of the earthquake,
+/// line 11 in others.
 const HEADER_LINES: usize = 60;
 
-/// Whether the text is such a file: `#Earthquake Information` or, in files without it, `#StationCode:` comes first, and
-/// one of the lines about the data follows.
+/// Whether the text is such a file: `#Earthquake Information` or, in files without it,
+/// `#StationCode:` comes first, and one of the lines about the data follows.
 pub(super) fn is_cwa(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(HEADER_LINES).filter(|line| !line.is_blank());
     head.next().is_some_and(|line| {
@@ -32,7 +34,8 @@ fn key_is(line: &str, key: &str) -> bool {
     line.trim_start().as_bytes().get(..key.len()).is_some_and(|start| start.eq_ignore_ascii_case(key.as_bytes()))
 }
 
-/// Reads such a file: lines that begin with `#`, then rows of time, and the components that the header names.
+/// Reads such a file: lines that begin with `#`, then rows of time, and the components that the
+/// header names.
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let header = Header(Head::take(&mut rest, HEADER_LINES, |line| !line.is_comment() && !line.is_blank()));
@@ -42,7 +45,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let (unit_line, text) = header.value("#AmplitudeUnit").unwrap_or((rate_line, ""));
     let stated = text.split_whitespace().next().and_then(record_unit).map(|unit| Stated { unit, line: unit_line });
     let unit = decide(stated, requested(options.unit.as_deref())?, "the record")?;
-    // "gal. DCoffset(corr)": the agency removed the offset. Where it does not say so, it may still be there.
+    // "gal. DCoffset(corr)": the agency removed the offset. Without this text, the offset may still
+    // be there.
     let is_raw = !text.to_ascii_lowercase().contains("(corr)");
 
     let format = header.format(sequence.len() + 1)?;
@@ -67,7 +71,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
             is_raw,
         }
         .component(options)?;
-        // Whether the header's peak is the one about the mean is not known where the offset is left in.
+        // If the offset is left in, it is unknown whether the header's peak is counted from the
+        // mean.
         if let Some(peak) = peak.filter(|_| !is_raw) {
             notes.extend(peak_note(&component, unit.to_si(peak)));
         }
@@ -96,7 +101,7 @@ impl Channel {
 struct Header(Head);
 
 impl Header {
-    /// What stands behind the colon of the line that begins with `key`.
+    /// The text after the colon of the line that begins with `key`.
     fn value(&self, key: &str) -> Result<(usize, &str), Problem> {
         self.0.find(key, "the header is incomplete: fetch the file again", |text| {
             Some(text.split_once(':').filter(|_| key_is(text, key))?.1.trim())
@@ -108,7 +113,7 @@ impl Header {
         Ok((found.0, leading_number(key, found)?))
     }
 
-    /// `#DataSequence: Time U(+); N(+); E(+)`: the columns behind the time.
+    /// `#DataSequence: Time U(+); N(+); E(+)`: the columns after the time.
     fn sequence(&self) -> Result<Vec<Channel>, Problem> {
         let (line, text) = self.value("#DataSequence")?;
         let mut words = text.split(|c: char| c.is_whitespace() || ";,".contains(c)).filter(|word| !word.is_empty());
@@ -151,7 +156,8 @@ impl Header {
     }
 }
 
-/// The times only count the rows; one that is half a step off tells of rows that were lost or doubled.
+/// Checks the times, which only count the rows. A time that is half a step off means that rows were
+/// lost or doubled.
 fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
     let Some((times, &first)) = rows.columns.first().and_then(|times| Some((times, times.first()?))) else {
         return Ok(());
@@ -170,7 +176,8 @@ fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
     }
 }
 
-/// The record's length is rounded to the digits it is printed with, and may or may not count the last step.
+/// Checks the length of the record, which is rounded to few digits and may or may not count the
+/// last step.
 fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<String>, Problem> {
     let Ok((line, text)) = header.value("#RecordLength") else { return Ok(None) };
     let Some(length) = scan(text.as_bytes()) else { return Ok(None) };
@@ -178,7 +185,7 @@ fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Str
     let found = rows.columns.first().map_or(0, Vec::len);
     let expected = length.value * rate_hz;
     if (found as f64 - expected).abs() <= 1.0 + rounding_s * rate_hz {
-        // Neither way of counting makes a row less than the length holds.
+        // Neither way of counting gives fewer rows than the length.
         let is_short = expected - found as f64 > 0.5 + 0.5 * rounding_s * rate_hz;
         return Ok(is_short.then(|| {
             format!("{found} rows were read, but {} s at {rate_hz} Hz would be {expected:.0}", length.value)

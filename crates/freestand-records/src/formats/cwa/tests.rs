@@ -77,11 +77,16 @@ fn what_is_wrong_names_its_line() {
     for (from, to, line, message) in [
         ("     0.100", "     0.105", "x.txt:38:", "the time is 0.105"),
         ("     0.100     1.000    -1.000    -1.500\n", "", "x.txt:38:", "the time is 0.105"),
-        ("     0.100     1.000    -1.000    -1.500\n", "     0.100     1.000    -1.000\n", "x.txt:38:", "this one 3"),
-        ("(sec):    1.000", "(sec):    2.000", "x.txt:10:", "400 rows; the file has 200"),
+        (
+            "     0.100     1.000    -1.000    -1.500\n",
+            "     0.100     1.000    -1.000\n",
+            "x.txt:38:",
+            "this one has 3",
+        ),
+        ("(sec):    1.000", "(sec):    2.000", "x.txt:10:", "400 rows, but the file has 200"),
         ("#SampleRate(Hz): 200", "#SampleRate(Hz): 100", "x.txt:20:", "the time is 0.01"),
         ("#SampleRate(Hz): 200", "#SampleRate(Hz): 0", "x.txt:11:", "sampling rate is 0"),
-        ("#SampleRate(Hz): 200", "#SampleRate(Hz): many", "x.txt:11:", "no number"),
+        ("#SampleRate(Hz): 200", "#SampleRate(Hz): many", "x.txt:11:", "not a number"),
         ("#SampleRate(Hz): 200\n", "", "x.txt:16:", "no line \"#SampleRate\""),
         ("gal. DCoffset", "Count. DCoffset", "x.txt: ", "unit of the record is not stated"),
         ("gal. DCoffset", "cm. DCoffset", "x.txt:12:", "an acceleration is expected"),
@@ -100,7 +105,7 @@ fn what_is_wrong_names_its_line() {
 #[test]
 fn a_row_less_than_the_length_holds_is_said() {
     let found = read(&file(true).replace("(sec):    1.000", "(sec):    1.005")).unwrap();
-    assert_eq!(found.notes, ["200 rows were read, 1.005 s at 200 Hz would be 201"]);
+    assert_eq!(found.notes, ["200 rows were read, but 1.005 s at 200 Hz would be 201"]);
     // A length that leaves out the last step, and one that is rounded.
     for length in ["0.995", "1.0", "1"] {
         assert!(read(&file(true).replace("(sec):    1.000", &format!("(sec): {length}"))).unwrap().notes.is_empty());

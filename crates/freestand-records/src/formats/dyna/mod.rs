@@ -1,4 +1,5 @@
-//! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`, then one value a line.
+//! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`,
+//! then one value a line.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
 use crate::text::keyed::{Header, entry, read_rows};
@@ -8,10 +9,11 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use std::path::Path;
 
-/// How far down the keys are looked for that tell the format.
+/// The number of lines in which the keys that identify the format are searched for.
 const HEAD_LINES: usize = 100;
 
-/// Whether the text is a DYNA file: its first key with others that no prose has, or the two that no file can do without.
+/// Whether the text is a DYNA file: its first key and others that prose does not have, or the two
+/// that every file has.
 pub(super) fn is_dyna(bytes: &[u8]) -> bool {
     let head: Vec<_> = lines(bytes).take(HEAD_LINES).filter(|line| !line.is_blank()).map(|line| entry(&line)).collect();
     let has = |key: &str| head.iter().any(|entry| entry.is(key));
@@ -50,7 +52,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         is_raw: false,
     }
     .component(options)?;
-    // The peak is a check and no reason to refuse a record.
+    // The peak is only a check, not a reason to refuse a record.
     if let Ok(Some((peak, _))) = header.number("PGA_CM/S^2") {
         notes.extend(peak_note(&component, 0.01 * peak));
     }
@@ -60,7 +62,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     Ok(Reading { format: "DYNA", components: vec![component], notes })
 }
 
-/// The archives give velocities, displacements and spectra in files of the same form.
+/// Refuses velocities, displacements and spectra, which the archives publish in the same form.
 fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let Some(stated) = header.get("DATA_TYPE") else { return Ok(()) };
     let upper = stated.value.to_ascii_uppercase();
@@ -85,7 +87,8 @@ fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem
     decide(Some(Stated { unit, line: stated.line }), requested, "the record")
 }
 
-/// `HNE` of the SEED channel, or the `NS`, `WE`, `UP` of the oldest files, whose WE is positive to the east.
+/// `HNE` of the SEED channel, or the `NS`, `WE`, `UP` of the oldest files, whose WE is positive to
+/// the east.
 fn name_and_direction(header: &Header, path: &Path) -> (String, Option<Direction>) {
     if let Some(stream) = header.get("STREAM") {
         return (stream.value.clone(), Direction::parse(&stream.value));

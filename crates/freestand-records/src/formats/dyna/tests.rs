@@ -5,8 +5,8 @@ const VALUES: [f64; 5] = [0.0, -0.000123, 1.5, -2.25, 0.000001];
 /// A file as ESM writes it, with the keys that matter and some that only get in the way.
 fn file() -> String {
     let mut text = String::from(
-        "EVENT_NAME: A TOWN\nEVENT_ID: EMSC-1\nEVENT_DATE_YYYYMMDD: 20190728\nEVENT_TIME_HHMMSS: 160908\nMAGNITUDE_W: \n\
-         NETWORK: HI\nSTATION_CODE: ABC1\nSTATION_NAME: Town Hall,A: Town\nLOCATION: \nVS30_M/S: \n\
+        "EVENT_NAME: A TOWN\nEVENT_ID: EMSC-1\nEVENT_DATE_YYYYMMDD: 20190728\nEVENT_TIME_HHMMSS: 160908\nMAGNITUDE_W: \
+         \nNETWORK: HI\nSTATION_CODE: ABC1\nSTATION_NAME: Town Hall,A: Town\nLOCATION: \nVS30_M/S: \n\
          DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS: 20190728_160919.870\nSAMPLING_INTERVAL_S: 0.005000\nNDATA: 5\n\
          DURATION_S: 0.025\nSTREAM: HNE\nUNITS: cm/s^2\nINSTRUMENT: sensor = X | digitizer = Y\nPGA_CM/S^2: 2.250000\n\
          BASELINE_CORRECTION: BASELINE REMOVED\nHEADER_FORMAT: DYNA 1.2\nDATA_TYPE: ACCELERATION\n\
@@ -60,7 +60,7 @@ fn esm_and_afad() {
 
 #[test]
 fn what_a_header_leaves_open() {
-    // The first key may be another; Latin-5 letters are no reason to refuse.
+    // The first key may be another; Latin-5 letters are not a reason to refuse.
     let mut bytes = file().replacen("EVENT_NAME: A TOWN\n", "", 1).replace("Town Hall", "K#Y").into_bytes();
     bytes.iter_mut().filter(|byte| **byte == b'#').for_each(|byte| *byte = 0xD6);
     let found = parse_motions(bytes, "x.asc".as_ref(), &ReadOptions::default()).unwrap();
@@ -93,13 +93,13 @@ fn what_is_refused() {
         ("UNITS: cm/s^2", "UNITS: cm/s", "x.asc:16: the record is a velocity"),
         ("UNITS: cm/s^2", "UNITS: counts", "x.asc:16: the unit \"counts\" is not known"),
         ("UNITS: cm/s^2", "UNITS: ", "the unit of the record is not stated"),
-        ("NDATA: 5", "NDATA: 6", "x.asc:13: the header declares 6 values, the file has 5"),
+        ("NDATA: 5", "NDATA: 6", "x.asc:13: the header declares 6 values, but the file has 5"),
         ("NDATA: 5", "NDATA: 5.5", "x.asc:13: NDATA is \"5.5\""),
         ("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: 0", "x.asc:12: the time step must be positive"),
         ("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: ", "the header has no time step"),
         ("1.500000", "-999", "x.asc:27: \"-999\" marks a missing value"),
         ("1.500000", "1.5OOO", "x.asc:27: "),
-        ("1.500000", "0.01 1.500000", "x.asc:27: a row has 1 values, this one 2"),
+        ("1.500000", "0.01 1.500000", "x.asc:27: a row must have 1 values, but this one has 2"),
     ] {
         let problem = read(&file().replacen(from, to, 1)).expect_err(message);
         assert!(problem.contains(message), "{problem}");

@@ -1,7 +1,9 @@
-//! GeoNet's V1A (uncorrected) and V2A (corrected), New Zealand: up to three components a file, mm/s².
+//! GeoNet's V1A (uncorrected) and V2A (corrected), New Zealand: up to three components a file,
+//! mm/s².
 //!
-//! For each component 16 lines of text, 40 integers (10I8), 60 reals (10F8) and the accelerations (10F8); a V2A file
-//! has the velocities and displacements behind them. Source: GeoNet, "Strong motion file formats".
+//! For each component 16 lines of text, 40 integers (10I8), 60 reals (10F8) and the accelerations
+//! (10F8); in a V2A file the velocities and displacements follow. Source: GeoNet, "Strong motion
+//! file formats".
 
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
 use crate::text::fixed_width::{Block, Format};
@@ -23,7 +25,7 @@ enum Volume {
     Corrected,
 }
 
-/// What the first line of a component says it is.
+/// The kind of a component, from its first line.
 fn volume(line: &Line<'_>) -> Option<Volume> {
     let title = line.text().trim_start().to_ascii_lowercase();
     if title.starts_with("uncorrected accelerogram") {
@@ -32,8 +34,9 @@ fn volume(line: &Line<'_>) -> Option<Volume> {
     title.starts_with("corrected accelerogram").then_some(Volume::Corrected)
 }
 
-/// Whether the text is a GeoNet file. Other agencies call their records corrected accelerograms, too: GNS Science must
-/// be named, or the second line must begin with the site; and a line must name the component.
+/// Whether the text is a GeoNet file. Other agencies also write of corrected accelerograms, so the
+/// file must name GNS Science or begin its second line with the site, and a line must name the
+/// component.
 pub(super) fn is_geonet(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(20).filter(|line| !line.is_blank());
     let Some(title) = head.next().filter(|line| volume(line).is_some()) else { return false };
@@ -99,8 +102,9 @@ fn component(
     let integers = INTEGERS.read(rest, 40, "the integer header")?;
     let reals = REALS.read(rest, 60, "the real header")?;
     let count = |at: usize, what: &str| integers.count(at, INTEGERS, what);
-    // Integers 31 and 34 to 36: samples digitised, and in the blocks of acceleration, velocity and displacement. An
-    // uncorrected record has all that was digitised; where its two numbers differ, the block that ends well decides.
+    // Integers 31 and 34 to 36: samples digitised, and in the blocks of acceleration, velocity and
+    // displacement. An uncorrected record has all samples that were digitised. If its two numbers
+    // differ, the one with which the block ends correctly is right.
     let accelerations = count(33, "accelerations")?;
     let counts = match volume {
         Volume::Corrected => vec![accelerations],
@@ -112,7 +116,7 @@ fn component(
     notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
 
     let name = name(&text).unwrap_or_else(|| format!("component {number}"));
-    // Real 8 makes mm/s² of the readings of an uncorrected record; it is 1 wherever they are in mm/s² already.
+    // Real 8 converts the readings of an uncorrected record to mm/s²; it is 1 if they are in mm/s².
     let factor = reals.values[7];
     let is_scaled = volume == Volume::Uncorrected && factor > 0.0 && (factor - 1.0).abs() > 1e-9;
     if is_scaled {
@@ -124,7 +128,8 @@ fn component(
         name,
         station: station(&text),
         unit: UNIT,
-        // Real 26 is the interval of the samples in the file; real 25 that of the instrument, which may be finer.
+        // Real 26 is the interval of the samples in the file, real 25 that of the instrument, which
+        // may be shorter.
         dt_s: reals.values[25],
         line_of_step: reals.first_line + 2,
         values: block.values.into_iter().map(|value| value * scale).collect(),
@@ -135,7 +140,7 @@ fn component(
     // Reals 31 and 36: the peaks of the unfiltered and of the filtered record.
     let peak = if volume == Volume::Uncorrected { reals.values[30] } else { reals.values[35] };
     notes.extend(peak_note(&component, UNIT.to_si(peak)));
-    // Real 24: the duration. Integers 34 to 36 are one number in a file that is whole.
+    // Real 24: the duration. In a complete file, integers 34 to 36 are equal.
     notes.extend(length_note(&component, reals.values[23]));
     if let Some(other) = others.into_iter().find(|&other| other != 0 && other != found) {
         notes.push(format!(
@@ -146,10 +151,11 @@ fn component(
     Ok(component)
 }
 
-/// The accelerations; the first of `counts` for which a component or the end of the file follows is their number.
+/// The accelerations. Their number is the first of `counts` after which a component or the end of
+/// the file follows.
 ///
 /// # Errors
-/// No count fits, or the file ends within the velocities and displacements: it was cut off, whatever is whole before them.
+/// No count fits, or the file ends within the velocities or displacements: it was cut off.
 fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Block, Problem> {
     let mut refused = None;
     for &count in counts {
@@ -171,7 +177,8 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Bl
     Err(refused.unwrap_or_else(|| Problem::new(ProblemKind::Format, "the header declares no values")))
 }
 
-/// Skips velocities and displacements. Only their extent matters, so that a value too large for its field does no harm.
+/// Skips velocities and displacements. Only their number is checked, so a value too large for its
+/// field does no harm.
 fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> {
     for (count, what) in others.into_iter().zip(["velocity", "displacement"]) {
         let wanted = count.div_ceil(VALUES.per_line);
@@ -179,7 +186,7 @@ fn skip_others(rest: &mut Lines<'_>, others: [usize; 2]) -> Result<(), Problem> 
         for line in rest.by_ref().filter(|line| !line.is_blank()).take(wanted) {
             (found, width) = (found + 1, line.bytes.trim_ascii_end().len());
         }
-        // At the end of the file the last line must have all its fields, too.
+        // At the end of the file, the last line must be complete too.
         let fields_in_last = count - VALUES.per_line * wanted.saturating_sub(1);
         if found < wanted || rest.bytes_left() == 0 && width < fields_in_last * VALUES.width {
             return Err(Problem::new(

@@ -118,13 +118,14 @@ fn one_component_and_other_counts() {
     let found = read(&Part { factor: 0.5, ..part("Uncorrected", "N", &values) }.text()).unwrap();
     assert_eq!(found.components[0].motion.accel_m_s2()[0], values[0] * 0.5 * 1e-3);
     assert!(found.notes.len() == 2 && found.notes[0].contains("0.5 mm/s2"), "{:?}", found.notes);
-    assert_eq!(found.notes[1], "the file has 1 of three components: it may be cut off");
-    // A corrected record whose velocities are cut off is no whole file, though all its accelerations are there.
+    assert_eq!(found.notes[1], "the file has only 1 of three components: it may be cut off");
+    // A corrected record whose velocities are cut off is incomplete, though all its
+    // accelerations are there.
     let text = part("Corrected", "N", &values).text();
     let cut: Vec<&str> = text.lines().take(31).collect();
     assert!(read(&cut.join("\n")).unwrap_err().contains("x.V1A:31: the file ends after 2 of 3 lines of velocity"));
     let found = read(&format!("{text}--- end of file ---\n")).unwrap();
-    assert!(found.notes[0].contains("not read"));
+    assert!(found.notes[0].contains("were ignored"));
 }
 
 #[test]
@@ -154,11 +155,11 @@ fn lengths_and_numbers_that_contradict_are_said() {
     assert_eq!(long.notes, ["N: 23 values at 0.02 s last 0.46 s, but the header states 0.88 s: the step may be wrong"]);
     let odd = Part { others: 22, ..part("Corrected", "N", &values) }.text();
     let odd = odd + &part("Corrected", "E", &values).text() + &part("Corrected", "Up", &values).text();
-    let note = "N: 23 accelerations were read, the header declares 22 velocities or displacements";
+    let note = "N: 23 accelerations were read, but the header declares 22 velocities or displacements";
     assert_eq!(read(&odd).unwrap().notes, [note]);
 }
 
-/// mm/s² pass -999 in every second strong record; a gap in a weak one stands out.
+/// Every second strong record exceeds 999 mm/s²; in a weak one, -999 is clearly a gap.
 #[test]
 fn minus_999_is_missing_where_it_stands_out() {
     let strong: Vec<f64> = (0..23).map(|i| f64::from(i * 163 % 23 - 11) * 111.0).collect();

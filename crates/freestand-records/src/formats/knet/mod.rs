@@ -1,5 +1,6 @@
-//! K-NET and KiK-net ASCII, of the National Research Institute for Earth Science and Disaster Resilience (NIED), Japan:
-//! one component a file, in counts that keep the instrument's offset.
+//! K-NET and KiK-net ASCII, of the National Research Institute for Earth Science and Disaster
+//! Resilience (NIED), Japan: one component per file, in counts that include the instrument's
+//! offset.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note_of};
 use crate::text::fortran::{fields, scan};
@@ -11,10 +12,12 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, shorten};
 use std::path::Path;
 
-/// How far down the last header line may stand: the 17th in every file of NIED, more where the memo is long.
+/// The last line that may belong to the header. It is line 17 in every file of NIED, unless the
+/// memo is long.
 const HEADER_LINES: usize = 60;
 
-/// Whether the text is a K-NET file: the origin time first, then at least one of the lines about the instrument.
+/// Whether the text is a K-NET file: the origin time first, then at least one of the lines about
+/// the instrument.
 pub(super) fn is_knet(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(HEADER_LINES).filter(|line| !line.is_blank());
     head.next().is_some_and(|line| value_of(&line.text(), "origin time").is_some())
@@ -46,7 +49,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let unit = *scale.unit;
     let component =
         Found { name, station, direction, unit, dt_s, line_of_step, values, line, is_raw: true }.component(options)?;
-    // The header's peak is the one about the mean, in gal, as NIED's description of the format says.
+    // The header's peak is the one about the mean, in gal, as NIED's description of the format
+    // says.
     if let Ok(peak) = header.number("max acc") {
         let (accel_m_s2, mean_m_s2) = (component.motion.accel_m_s2(), component.motion.mean_m_s2());
         let found = accel_m_s2.iter().fold(0.0f64, |largest, a| largest.max((a - mean_m_s2).abs()));
@@ -55,8 +59,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     Ok(Reading { format: "K-NET", components: vec![component], notes })
 }
 
-/// What stands behind `key` at the start of a header line, whatever points, brackets and capitals are in the name:
-/// `Max. Acc. (gal)    4.954` has `4.954` behind `max acc`.
+/// The text after `key` at the start of a header line. Points, brackets and capitals in the name
+/// are ignored: `Max. Acc. (gal)    4.954` has `4.954` after `max acc`.
 fn value_of<'a>(line: &'a str, key: &str) -> Option<&'a str> {
     let mut rest = line.trim_start();
     for letter in key.chars().filter(|c| *c != ' ') {
@@ -67,11 +71,11 @@ fn value_of<'a>(line: &'a str, key: &str) -> Option<&'a str> {
         }
         rest = &rest[first.len_utf8()..];
     }
-    // "Direction" is another word than "Dir".
+    // "Direction" is not "Dir".
     if rest.starts_with(char::is_alphabetic) {
         return None;
     }
-    // Only the point that ends the name: the value may begin with one of its own, as .000634 does.
+    // Only the point that ends the name: the value may begin with a point, as .000634 does.
     let rest = rest.strip_prefix('.').unwrap_or(rest).trim_start();
     let rest = rest.strip_prefix('(').and_then(|unit| unit.split_once(')')).map_or(rest, |(_, value)| value);
     Some(rest.trim_start_matches(':').trim())
@@ -80,14 +84,14 @@ fn value_of<'a>(line: &'a str, key: &str) -> Option<&'a str> {
 /// The lines above the counts.
 struct Header(Head);
 
-/// What one count is worth.
+/// The value of one count.
 struct Scale {
     per_count: f64,
     unit: &'static Unit,
 }
 
 impl Header {
-    /// Takes the lines down to the memo; where there is none, down to the first line of numbers.
+    /// Takes the lines down to the memo or, without a memo, down to the first line of numbers.
     fn read(rest: &mut Lines<'_>) -> Self {
         let mut is_below_memo = false;
         Self(Head::take(rest, HEADER_LINES, |line| {
@@ -97,7 +101,7 @@ impl Header {
         }))
     }
 
-    /// The line that begins with `key`, and what stands on it.
+    /// The line that begins with `key`: its number and the text after the key.
     fn value(&self, key: &str) -> Result<(usize, &str), Problem> {
         let hint = "a K-NET header has 17 lines, from Origin Time to Memo.: fetch the file again";
         self.0.find(key, hint, |text| value_of(text, key))
@@ -107,7 +111,7 @@ impl Header {
         leading_number(key, self.value(key)?)
     }
 
-    /// `3920(gal)/6182761`: so many gal over so many counts.
+    /// `3920(gal)/6182761`: gal divided by counts.
     fn scale(&self) -> Result<Scale, Problem> {
         let (line, text) = self.value("scale factor")?;
         parse_scale(text).ok_or_else(|| {
@@ -144,8 +148,9 @@ fn parse_scale(text: &str) -> Option<Scale> {
 
 /// Name, direction, and whether the sensor is at the bottom of a borehole.
 ///
-/// KiK-net numbers its channels 1 to 3 below and 4 to 6 at the surface, north, east and up each time, and ends the names
-/// of its files with `NS1` to `UD2`; a component is called by these.
+/// KiK-net numbers its channels 1 to 3 in the borehole and 4 to 6 at the surface, in the order
+/// north, east, up. The names of its files end with `NS1` to `UD2`, which become the names of the
+/// components.
 fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) {
     let text = header.value("dir").map_or("", |(_, text)| text);
     let name = match text {
@@ -158,7 +163,7 @@ fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) 
         "6" => "UD2",
         other => other,
     };
-    // A number here is a channel, never an azimuth.
+    // A number here is a channel, not an azimuth.
     if name.bytes().all(|b| b.is_ascii_digit()) {
         return (name.to_owned(), None, false);
     }
@@ -168,7 +173,8 @@ fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) 
     }
 }
 
-/// The counts and the line of the first. -999 and -32768 are counts like others; only what is no number is missing.
+/// The counts and the line of the first. -999 and -32768 are ordinary counts; only a word can mark
+/// a missing value.
 fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
     let (mut values, mut first_line) = (Vec::new(), rest.line_number() + 1);
     for line in rest {
@@ -185,8 +191,8 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
     Ok((values, first_line))
 }
 
-/// The header states the duration in place of the number of values. One value more or less is a matter of where the last
-/// second ends.
+/// Checks the duration, which the header states instead of the number of values. One value more or
+/// less depends on where the last second ends.
 fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<String>, Problem> {
     let (line, _) = header.value("duration time")?;
     let duration_s = header.number("duration time")?;

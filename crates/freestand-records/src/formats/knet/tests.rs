@@ -1,8 +1,9 @@
 use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use std::fmt::Write;
 
-/// A file as NIED's description of the format has it (kyoshin.bosai.go.jp, "About K-NET ASCII format"): a name in 18
-/// columns and a value, 17 times; then eight counts a line, each in eight columns with a blank behind it.
+/// A file as NIED's description of the format has it (kyoshin.bosai.go.jp, "About K-NET ASCII
+/// format"): a name in 18 columns and a value, 17 times; then eight counts a line, each in eight
+/// columns with a blank after it.
 fn file(dir: &str, counts: &[i64], peak_gal: f64) -> String {
     let mut text = String::new();
     let duration = counts.len() as f64 / 100.0;
@@ -129,15 +130,15 @@ fn markers_of_missing_values_are_counts_like_others() {
 fn one_value_more_or_less_is_said() {
     let text = file("N-S", &counts(), 0.995);
     let found = read(&text.replace("Duration Time(s)  2\n", "Duration Time(s)  2.01\n")).unwrap();
-    assert_eq!(found.notes, ["200 values were read, 2.01 s at 100 Hz would be 201"]);
+    assert_eq!(found.notes, ["200 values were read, but 2.01 s at 100 Hz would be 201"]);
 }
 
 #[test]
 fn what_is_wrong_names_its_line() {
     let text = file("N-S", &counts(), 0.995);
     for (from, to, line, message) in [
-        ("Duration Time(s)  2", "Duration Time(s)  3", "x.NS:12:", "300 values; the file has 200"),
-        ("Duration Time(s)  2", "Duration Time(s)  two", "x.NS:12:", "\"two\" is no number for \"duration time\""),
+        ("Duration Time(s)  2", "Duration Time(s)  3", "x.NS:12:", "300 values, but the file has 200"),
+        ("Duration Time(s)  2", "Duration Time(s)  two", "x.NS:12:", "\"two\" is not a number for \"duration time\""),
         ("Duration Time(s)  2\n", "", "x.NS:16:", "no line \"duration time\""),
         ("100Hz", "0Hz", "x.NS:11:", "sampling rate is 0"),
         ("100Hz", "1E300Hz", "x.NS:11:", "sampling rate is"),
@@ -153,7 +154,7 @@ fn what_is_wrong_names_its_line() {
         assert!(text.contains(from), "{from}");
         match read(&text.replacen(from, to, 1)) {
             Err(problem) => assert!(problem.starts_with(line) && problem.contains(message), "{problem}"),
-            // One value less is no more than a note.
+            // One value less only makes a note.
             Ok(found) => assert!(message == "anything" && found.notes[0].starts_with("199 values"), "{to}"),
         }
     }

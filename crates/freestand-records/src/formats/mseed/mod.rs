@@ -1,4 +1,5 @@
-//! miniSEED 2 (SEED 2.4) and 3 (FDSN): counts of a digitizer in records, several channels a file; no unit.
+//! miniSEED 2 (SEED 2.4) and 3 (FDSN): counts of a digitizer in records, several channels a file;
+//! no unit.
 
 mod record;
 mod series;
@@ -17,11 +18,12 @@ use station_xml::{Sensed, Stations};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
-/// Whether the file begins with a record of miniSEED, or with the control headers of a full SEED volume.
+/// Whether the file begins with a record of miniSEED, or with the control headers of a full SEED
+/// volume.
 pub(super) fn is_mseed(bytes: &[u8]) -> bool {
     let begins = |bytes: &[u8]| is_version3(bytes) || header_order(bytes).is_some();
     let is_volume = is_control_header(bytes) && bytes.get(6) == Some(&b'V');
-    // A file may begin with numbered blank records, which are no longer than others.
+    // A file may begin with numbered blank records.
     let is_late = || {
         let mut starts = (SKIP..bytes.len().min(1 << 16)).step_by(SKIP);
         is_blank(bytes) && starts.any(|at| begins(&bytes[at..]))
@@ -68,8 +70,9 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     Ok(Reading { format, components, notes })
 }
 
-/// Counts become m/s² by the sensitivity of a StationXML, or are taken to be in the user's unit. What is no acceleration
-/// comes back as the problem that it would be on its own.
+/// Converts counts to m/s² with the sensitivity of a StationXML, or reads them in the user's unit.
+/// The inner error is a channel that is not an acceleration; alone in a file it would be the
+/// problem.
 fn scaled(
     series: Series,
     name: String,
@@ -106,11 +109,12 @@ fn scaled(
             (*unit, Direction::parse(&source.channel))
         }
         (None, None) => {
-            return Err(Problem::new(ProblemKind::Value, format!("{full_name}: the sensitivity of the counts is not known"))
-                .hint(format!(
-                    "name its StationXML file with `station_xml`, or put it next to the record as {}.xml; if the values already have a unit, state it with `unit`",
-                    source.full_station().unwrap_or_else(|| "STATION".to_owned())
-                )));
+            let message = format!("{full_name}: the sensitivity of the counts is unknown");
+            let station = source.full_station().unwrap_or_else(|| "STATION".to_owned());
+            return Err(Problem::new(ProblemKind::Value, message).hint(format!(
+                "name its StationXML file with `station_xml`, or put it next to the record as {station}.xml; if the \
+                 values already have a unit, state it with `unit`"
+            )));
         }
     };
     let station = source.full_station();
@@ -131,16 +135,16 @@ fn names(channels: &[Series], path: &Path) -> Vec<String> {
     names.into_iter().map(or_file).collect()
 }
 
-/// What stands in a file, record by record.
+/// The records of a file.
 #[derive(Default)]
 struct Scan<'a> {
-    /// In the order in which the file begins them.
+    /// In the order of their first records.
     channels: Vec<(Source, Vec<Record<'a>>)>,
     places: HashMap<Source, usize>,
     texts: usize,
     rateless: usize,
     control_headers: usize,
-    /// Records that state no samples, but hold something where samples stand.
+    /// Records that state 0 samples but hold data.
     countless: usize,
 }
 
@@ -175,7 +179,8 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// Control headers and records begin at multiples of this many bytes; blank records are skipped in steps of it.
+/// Control headers and records begin at multiples of this many bytes; blank records are skipped in
+/// steps of it.
 const SKIP: usize = 64;
 /// Powers of two of the lengths of control headers: 256 to 65536 bytes.
 const CONTROL_LENGTHS: std::ops::RangeInclusive<u32> = 8..=16;
@@ -221,11 +226,12 @@ fn is_control_header(bytes: &[u8]) -> bool {
     })
 }
 
-/// How long the control header is that `bytes` begin with: what the first blockette of the volume states, `010  98 2.412`
-/// (blockettes 005, 008, 010), else the distance of the first two control headers; less where a record begins before.
+/// The length of the control header at the start of `bytes`: as the first blockette of the volume
+/// states, `010  98 2.412` (blockettes 005, 008, 010), else the distance between the first two
+/// control headers; less if a record begins before.
 ///
 /// # Errors
-/// Bytes within it that no text has: a damaged record of data would vanish in it.
+/// Bytes within it that text does not have: it may hide a damaged record of data.
 fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> Result<usize, Problem> {
     *length = stated_length(bytes).or(*length);
     let most = length.unwrap_or(bytes.len()).min(bytes.len());
@@ -248,14 +254,15 @@ fn skip_control_header(bytes: &[u8], at: usize, length: &mut Option<usize>) -> R
     Ok(most)
 }
 
-/// Behind the blockette's number, length and version stands the power of two.
+/// The power of two follows the blockette's number, length and version.
 fn stated_length(bytes: &[u8]) -> Option<usize> {
     let head = bytes.get(8..21).filter(|head| matches!(&head[..3], b"005" | b"008" | b"010"))?;
     let power = std::str::from_utf8(&head[11..]).ok()?.trim().parse().ok()?;
     CONTROL_LENGTHS.contains(&power).then_some(1 << power)
 }
 
-/// What fills the room between records: a number and blanks, or nothing but blanks or zeros.
+/// Whether these bytes fill the space between records: a number and blanks, or only blanks or
+/// zeros.
 fn is_blank(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(SKIP)];
     let (number, rest) = head.split_at(head.len().min(6));

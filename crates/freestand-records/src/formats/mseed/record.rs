@@ -1,10 +1,10 @@
-//! The headers of miniSEED 2 and 3: which channel, when, how fast, and where the samples are.
+//! The headers of miniSEED 2 and 3: channel, start, sampling rate, and the place of the samples.
 
 use crate::formats::binary::{Order, as_written, field};
 use crate::formats::instant::Instant;
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// Who recorded.
+/// The channel that recorded.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(in crate::formats) struct Source {
     pub(in crate::formats) network: String,
@@ -32,12 +32,12 @@ pub(super) struct Record<'a> {
     pub(super) data: &'a [u8],
 }
 
-/// A record and whose it is.
+/// A record and its channel.
 type Found<'a> = (Source, Record<'a>);
 
-/// What is wrong with a record.
+/// A problem with a record.
 pub(super) fn problem(number: usize, at: usize, what: &str) -> Problem {
-    // Whoever knows better gives another hint.
+    // The caller may give a better hint.
     Problem::new(ProblemKind::Format, format!("record {number} (byte {at}) {what}"))
         .hint("the file is damaged or cut off: fetch it again")
 }
@@ -46,7 +46,8 @@ const HEADER: usize = 48;
 /// Powers of two of the lengths of records: 128 to 65536 bytes.
 const LENGTHS: std::ops::RangeInclusive<u8> = 7..=16;
 
-/// The byte order of a version 2 header, or `None` where there is none: only the right order makes year and day possible.
+/// The byte order of a version 2 header: only in the right order are year and day possible. `None`
+/// if this is not such a header.
 pub(super) fn header_order(bytes: &[u8]) -> Option<Order> {
     let head = bytes.get(..HEADER)?;
     let is_number = |b: &u8| b.is_ascii_digit() || matches!(b, b' ' | 0);
@@ -63,14 +64,14 @@ pub(super) fn header_order(bytes: &[u8]) -> Option<Order> {
     has_form.then(|| [Order::Big, Order::Little].into_iter().find(is_date)).flatten()
 }
 
-/// Blockettes that matter.
+/// The blockettes that are used.
 #[derive(Default)]
 struct Blockettes {
     /// Blockette 1000: encoding, order of the samples, power of two of the length.
     data_only: Option<(u8, Order, u8)>,
     /// Blockette 1001: microseconds to add to the start.
     microseconds: i8,
-    /// Blockette 100: the rate as measured \[Hz\].
+    /// Blockette 100: the measured rate \[Hz\].
     rate_hz: Option<f32>,
 }
 
@@ -95,7 +96,7 @@ pub(super) fn version2(
             .ok_or_else(|| wrong("does not state its length (blockette 1000), and no record follows it"))?,
     };
     let record = rest.get(..length).ok_or_else(cut)?;
-    // A record of 0 samples reports the state of the instrument; its number may also be damaged.
+    // A record of 0 samples reports the state of the instrument; or its number is damaged.
     let has_data = record.get(data_at..).is_some_and(|data| data_at >= HEADER && data.iter().any(|byte| *byte != 0));
     let is_text = blockettes.data_only.is_some_and(|(encoding, ..)| encoding == 0);
     if samples == 0 && (is_text || !has_data) {
@@ -130,7 +131,7 @@ pub(super) fn version2(
     Ok((Some((source, record)), length))
 }
 
-/// Walks the chain, which must lead forwards.
+/// Follows the chain, which must lead forwards.
 fn blockettes(record: &[u8], order: Order) -> Option<Blockettes> {
     let mut found = Blockettes::default();
     let mut at = usize::from(order.u16(record, 46)?);
@@ -153,14 +154,16 @@ fn blockettes(record: &[u8], order: Order) -> Option<Blockettes> {
     Some(found)
 }
 
-/// The length of a record that does not state it: the least that ends where another begins, or where the file does.
+/// The length of a record that does not state it: the smallest with which another record, or the
+/// end of the file, follows.
 fn found_length(rest: &[u8]) -> Option<usize> {
     let ends =
         |length: &usize| *length == rest.len() || rest.get(*length..).is_some_and(|next| header_order(next).is_some());
     LENGTHS.map(|power| 1usize << power).find(ends)
 }
 
-/// Start with the correction of the clock, unless the flag says that it is in already, and microseconds.
+/// Start with microseconds and the correction of the clock, unless the flag says that it was
+/// applied.
 fn start_time(record: &[u8], order: Order, microseconds: i8) -> Option<Instant> {
     let [hour, minute, second] = *record.get(24..27)? else { return None };
     let second_of_day = 3600 * u32::from(hour) + 60 * u32::from(minute) + u32::from(second);
@@ -171,8 +174,8 @@ fn start_time(record: &[u8], order: Order, microseconds: i8) -> Option<Instant> 
     Some(start.later_by_ns((fraction + correction) * 100_000 + i128::from(microseconds) * 1000))
 }
 
-/// Factor and multiplier: positive ones are samples per second, negative ones seconds per sample or divisors. One
-/// division makes the step of 100 Hz the f64 nearest to 0.01.
+/// Factor and multiplier: positive ones are samples per second, negative ones seconds per sample or
+/// divisors. One division makes the step of 100 Hz the f64 nearest to 0.01.
 fn nominal_step(factor: i16, multiplier: i16) -> Option<f64> {
     let (factor, multiplier) = (f64::from(factor), f64::from(if multiplier == 0 { 1 } else { multiplier }));
     let step = match (factor > 0.0, multiplier > 0.0) {
@@ -231,14 +234,14 @@ pub(super) fn version3(bytes: &[u8], at: usize, number: usize) -> Result<(Option
     Ok((Some((source_of(&field(record, 40, 40 + name_length)), found)), record.len()))
 }
 
-/// `FDSN:NET_STA_LOC_B_S_SS`; another identifier is the name of the channel as it stands.
+/// `FDSN:NET_STA_LOC_B_S_SS`; any other identifier is used as the name of the channel.
 fn source_of(identifier: &str) -> Source {
     let parts: Vec<&str> = identifier.strip_prefix("FDSN:").map_or_else(Vec::new, |rest| rest.split('_').collect());
     let [network, station, location, band, source, position] = parts.as_slice() else {
         let empty = String::new;
         return Source { network: empty(), station: empty(), location: empty(), channel: identifier.to_owned() };
     };
-    // The three codes of old are one letter each; longer ones keep their separators.
+    // The older three codes have one letter each; longer ones keep their separators.
     let is_short = [band, source, position].iter().all(|code| code.chars().count() <= 1);
     let separator = if is_short { "" } else { "_" };
     Source {
@@ -249,7 +252,7 @@ fn source_of(identifier: &str) -> Source {
     }
 }
 
-/// CRC-32C (Castagnoli, RFC 3309) of a version 3 record, whose own field counts as zero.
+/// CRC-32C (Castagnoli, RFC 3309) of a version 3 record, with its own field taken as zero.
 pub(super) fn crc32c(record: &[u8]) -> u32 {
     !record.iter().enumerate().fold(u32::MAX, |crc, (at, &byte)| {
         let byte = if (28..32).contains(&at) { 0 } else { byte };
@@ -275,7 +278,7 @@ const CRC_OF_BYTE: [u32; 256] = {
 };
 
 impl Source {
-    /// `NET.STA`, or as much of it as is named.
+    /// `NET.STA`, or the part of it that is stated.
     pub(in crate::formats) fn full_station(&self) -> Option<String> {
         match (self.network.as_str(), self.station.as_str()) {
             ("", "") => None,

@@ -1,4 +1,4 @@
-//! The records of one channel, put together in the order of time.
+//! The records of one channel, joined in the order of time.
 
 use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
@@ -16,13 +16,14 @@ pub(super) struct Series {
     pub(super) notes: Vec<String>,
 }
 
-/// How much rates of one channel may differ: a measured rate wanders by parts in a million.
+/// How much the rates of one channel may differ: a measured rate varies by parts in a million.
 const RATE_TOLERANCE: f64 = 1e-4;
 
 /// The samples of one channel.
 ///
 /// # Errors
-/// Records that leave a gap or overlap by more than half a sample, that differ in rate, or that cannot be decoded.
+/// Records that leave a gap or overlap by more than half a sample, that differ in rate, or that
+/// cannot be decoded.
 pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Option<Series>, Problem> {
     let name = source.full_name();
     records.sort_by_key(|record| (record.start, record.number));
@@ -63,7 +64,7 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
     Ok(Some(Series { source, start: first.start, end, dt_s, values, notes }))
 }
 
-/// When the sample behind the last is due.
+/// The time of the sample that would follow the last one.
 fn end_of(record: &Record<'_>, dt_s: f64) -> Instant {
     record.start.later_by_s(record.samples as f64 * dt_s)
 }
@@ -99,7 +100,8 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
     Ok(())
 }
 
-/// Each step may be off by half a sample; when all are off the same way, the clock and the rate disagree.
+/// A note if the clock and the rate disagree: each step may be off by half a sample, but not all in
+/// the same direction.
 fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<String> {
     let (first, last) = (records.first()?, records.last()?);
     let samples: usize = records.iter().take(records.len() - 1).map(|record| record.samples).sum();
@@ -109,7 +111,7 @@ fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<String> {
     })
 }
 
-/// Flags that say that samples are not what the ground did.
+/// A note about flags that mark samples as faulty.
 fn quality_note(records: &[Record<'_>], name: &str) -> Option<String> {
     let flags = ["saturated amplifier", "clipped", "spikes", "glitches", "missing or padded data"];
     let set = records.iter().fold(0, |set, record| set | record.quality);
@@ -162,7 +164,7 @@ fn append(record: &Record<'_>, out: &mut Vec<f64>) -> Result<(), String> {
     Ok(())
 }
 
-/// Encodings that are known by name and not read (SEED 2.4 manual, blockette 1000).
+/// Names of encodings that cannot be read (SEED 2.4 manual, blockette 1000).
 fn encoding_name(code: u8) -> String {
     let name = match code {
         2 => "24-bit integers",

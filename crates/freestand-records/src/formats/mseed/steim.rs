@@ -1,10 +1,11 @@
-//! Steim-1 and Steim-2: differences of 32-bit integers, packed into frames of 64 bytes (SEED 2.4 manual, appendix B).
+//! Steim-1 and Steim-2: differences of 32-bit integers, packed into frames of 64 bytes (SEED 2.4
+//! manual, appendix B).
 
 use crate::formats::binary::Order;
 
 const FRAME: usize = 64;
 
-/// Which way of packing differences into a word.
+/// How differences are packed into a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Packing {
     Steim1,
@@ -13,9 +14,10 @@ pub(super) enum Packing {
 
 /// Appends the samples of one record.
 ///
-/// The first word of a frame holds sixteen codes of two bits, one for each word, which say how many differences the word
-/// holds. Words 1 and 2 of the first frame are the first and the last sample; the first difference leads from the record
-/// before and is not used. The last sample proves that nothing was lost or misread.
+/// The first word of a frame holds sixteen codes of two bits, one for each word, which say how many
+/// differences the word holds. Words 1 and 2 of the first frame are the first and the last sample;
+/// the first difference refers to the record before and is not used. The last sample proves that
+/// nothing was lost or misread.
 ///
 /// # Errors
 /// A code that is not defined, too few differences, a last sample other than the one stated.
@@ -42,7 +44,7 @@ pub(super) fn decode(
                 if found == samples {
                     break;
                 }
-                // The first difference leads from the record before.
+                // The first difference refers to the record before.
                 value = if found == 0 { first } else { value.wrapping_add(difference) };
                 out.push(f64::from(value));
                 found += 1;
@@ -73,13 +75,13 @@ impl Differences {
     }
 }
 
-/// The differences of one word, or `None` for a code without a meaning.
+/// The differences of one word, or `None` for an undefined code.
 fn unpack(raw: &[u8], code: u32, order: Order, packing: Packing) -> Option<Differences> {
     let mut values = [0; 7];
     let word = order.u32(raw, 0)?;
     let count = match (code, packing) {
         (0, _) => 0,
-        // Bytes, and in Steim-1 pairs of bytes, stand in the order of time whichever the order of bytes is.
+        // Bytes, and in Steim-1 pairs of bytes, are in the order of time for both byte orders.
         (1, _) => {
             for (value, &byte) in values.iter_mut().zip(raw) {
                 *value = i32::from(byte.cast_signed());

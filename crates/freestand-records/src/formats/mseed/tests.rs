@@ -4,7 +4,8 @@ use crate::formats::binary::Order;
 use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use proptest::prelude::*;
 
-/// 29 samples whose differences fill every kind of word: 7 of 4 bits, 6 of 5, 5 of 6, 4 of 8, 3 of 10, 2 of 15, 1 of 30.
+/// 29 samples whose differences fill every kind of word: 7 of 4 bits, 6 of 5, 5 of 6, 4 of 8, 3 of
+/// 10, 2 of 15, 1 of 30.
 const SAMPLES: [i32; 29] = [
     1000,
     1007,
@@ -97,7 +98,7 @@ fn damaged_frames_are_refused() {
     let mut damaged = STEIM2;
     damaged[4] ^= 1;
     let message = decode(&big(&damaged), Order::Big, Packing::Steim2, 29, &mut out).unwrap_err();
-    assert!(message.contains("states 536872228 as its last one"), "{message}");
+    assert!(message.contains("states 536872228 as its last sample"), "{message}");
     let message = decode(&big(&STEIM2), Order::Big, Packing::Steim2, 30, &mut out).unwrap_err();
     assert!(message.contains("ends after 29 of 30"), "{message}");
     // Code 2 with the upper bits 00 means nothing.
@@ -282,7 +283,7 @@ fn a_record_of_version_3_is_read() {
     assert_eq!((file.components[0].station.as_deref(), file.components[0].motion.dt_s()), (Some("XX.TEST"), 0.01));
     assert_eq!(values(&file), as_f64(&SAMPLES));
     bytes[70] ^= 1;
-    refused(&bytes, "record 1 (byte 0) does not agree with its check sum");
+    refused(&bytes, "record 1 (byte 0) does not match its checksum");
 }
 
 #[test]
@@ -293,7 +294,7 @@ fn version_3_has_periods_and_other_names() {
     assert_eq!(values(&file), [1.5, -2.5]);
     let file = read(&record3("XFDSN:mine", 5, 8.0, 2, &data)).unwrap();
     assert_eq!((file.components[0].name.as_str(), &file.components[0].station), ("XFDSN:mine", &None));
-    refused(&record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 3, &data), "declares 3 samples, and has room for 2");
+    refused(&record3("FDSN:XX_A_10_H_N_1", 5, 8.0, 3, &data), "declares 3 samples, but has room for 2");
     // A count that would fill the memory.
     refused(&record3("FDSN:XX_A_10_H_N_1", 11, 8.0, u32::MAX, &big(&STEIM2)), "ends after 29 of 4294967295");
     let nan: Vec<u8> = [1.5f64, f64::NAN].iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -315,7 +316,7 @@ fn records_are_put_in_the_order_of_time_and_used_once() {
         let bytes: Vec<u8> = order.iter().flat_map(|&i| records[i].clone()).collect();
         let file = read(&bytes).unwrap();
         assert_eq!(values(&file), as_f64(&expected), "{order:?}");
-        assert_eq!(file.notes.iter().any(|note| note.contains("1 records stand in the file twice")), order.len() == 4);
+        assert_eq!(file.notes.iter().any(|note| note.contains("1 records are in the file twice")), order.len() == 4);
     }
 }
 
@@ -336,7 +337,7 @@ fn gaps_and_overlaps_name_time_and_record() {
     );
     let mut slow = three(2900, 5800);
     slow[2] = record2(&Header { factor: 50, start: HEADER.start + 5800, ..HEADER }, 29, &big(&STEIM1));
-    refused(&slow.concat(), "record 3 (byte 1024) has 50 Hz, the records before it 100 Hz");
+    refused(&slow.concat(), "record 3 (byte 1024) has 50 Hz, but the records before it have 100 Hz");
 }
 
 /// The clock's correction counts unless it is in already; blockette 1001 adds microseconds.
@@ -393,8 +394,8 @@ fn a_record_without_its_length_is_measured() {
     let two = [record2(&bare, 29, &big(&STEIM1)), record2(&next, 29, &big(&STEIM1))].concat();
     let file = read(&two).unwrap();
     assert_eq!((values(&file).len(), file.notes[0].contains("no encoding is stated")), (58, true));
-    refused(&two[..two.len() - 1], "record 2 (byte 256) states no length");
-    refused(&record2(&bare, 29, &big(&STEIM2)), "states no encoding (blockette 1000), and as Steim-1 it");
+    refused(&two[..two.len() - 1], "record 2 (byte 256) does not state its length");
+    refused(&record2(&bare, 29, &big(&STEIM2)), "states no encoding (blockette 1000); read as Steim-1, it");
 }
 
 #[test]
@@ -420,7 +421,8 @@ fn what_is_no_motion_is_skipped_or_refused() {
     assert!(flagged.notes[0].contains("clipped, missing or padded data"), "{:?}", flagged.notes);
 }
 
-/// In a SEED volume, control headers end where the volume says or shows, so that damaged data do not pass for theirs.
+/// In a SEED volume, control headers end where the volume says or shows, so that damaged data do
+/// not pass for theirs.
 #[test]
 fn no_record_is_lost_behind_control_headers() {
     let header = |kind: &str, blockette: &str, length: usize| {
@@ -445,11 +447,11 @@ fn no_record_is_lost_behind_control_headers() {
         let message = format!("record 2 (byte {}) does not begin as a record", control.len() + 512);
         refused(&[control, good[0].as_slice(), &damaged].concat(), &message);
     }
-    // Where nothing tells the length, what is no text is no control header.
+    // If nothing states the length, bytes that are not text do not belong to a control header.
     let alone = header("V ", "011  21  1CLC  ", 1024);
     refused(
         &[alone.as_slice(), &damaged, &good[1]].concat(),
-        "the control header at byte 0 has bytes at 1024 that are no text",
+        "the control header at byte 0 has bytes at 1024 that are not text",
     );
 }
 
@@ -460,7 +462,7 @@ fn without_a_sensitivity_the_way_out_is_said() {
     let problem = &error.problems[0];
     assert!(problem.message.contains("sensitivity") && problem.line.is_none(), "{problem}");
     let hint = problem.hint.as_deref().unwrap();
-    assert!(["--station-xml", "CI.CLC.xml", "--unit"].iter().all(|word| hint.contains(word)), "{hint}");
+    assert!(["`station_xml`", "CI.CLC.xml", "`unit`"].iter().all(|word| hint.contains(word)), "{hint}");
     let options = ReadOptions { unit: Some("g".to_owned()), dt_s: Some(0.02), ..ReadOptions::default() };
     let error = parse_motions(record2(&HEADER, 29, &big(&STEIM1)), "x".as_ref(), &options).unwrap_err();
     assert!(error.problems[0].to_string().starts_with("x: CI.CLC..HNE: the time step is 0.01 s"), "{error}");
@@ -506,7 +508,8 @@ proptest! {
     }
 }
 
-/// A damaged number of samples must not lose them in silence; a record of none has nothing where they would stand.
+/// A damaged number of samples must not lose them in silence; a record of none has nothing where
+/// they would stand.
 #[test]
 fn records_of_no_samples_that_hold_some_are_said() {
     let good = record2(&HEADER, 29, &big(&STEIM1));

@@ -1,4 +1,5 @@
-//! The older text files of Turkey's network (AFAD, NSMN): lines `KEY : value`, then columns N-S, E-W and U-D in gal.
+//! The older text files of Turkey's network (AFAD, NSMN): lines `KEY : value`, then columns N-S,
+//! E-W and U-D in gal.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::text::fortran::scan;
@@ -14,8 +15,8 @@ const STEP: &str = "SAMPLING INTERVAL";
 const COUNT: &str = "NUMBER OF DATA";
 const KEYS: [&str; 4] = [STEP, COUNT, "STATION ID", "RECORD TIME"];
 
-/// Whether the text is such a file: its title, and a key that no prose has. The country is spelt in several ways and
-/// encodings, so it is not looked at.
+/// Whether the text is such a file: its title, and a key that prose does not have. The country is
+/// spelt in several ways and encodings, so it is ignored.
 pub(super) fn is_nsmn(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(60).filter(|line| !line.is_blank());
     let title = head.next().map_or_else(String::new, |line| line.text().trim().to_ascii_uppercase());
@@ -32,7 +33,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let names = column_names(&header, &mut notes);
     let declared = header.count(COUNT)?;
     let rows = read_rows(&mut rest, names.len(), declared, &mut notes)?;
-    // The line of the peaks states the unit; the form itself is in gal, whatever lines are missing.
+    // The line of the peaks states the unit. Without it the unit is gal, as in all files of this
+    // form.
     let peaks = header.entries.iter().find(|entry| entry.key.to_ascii_uppercase().contains("PGA"));
     let stated = peaks.and_then(|entry| Some(Stated { unit: unit_in_prose(&entry.key)?, line: entry.line }));
     let requested = requested(options.unit.as_deref())?;
@@ -65,7 +67,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     Ok(Reading { format: "AFAD/NSMN text", components, notes })
 }
 
-/// The words of the line above the numbers, if every one is a direction; else the order that all files have.
+/// The words of the line above the numbers if all are directions; else the order that all files
+/// have.
 fn column_names(header: &Header, notes: &mut Vec<String>) -> Vec<String> {
     let last = header.entries.last().filter(|entry| entry.value.is_empty());
     let names: Vec<String> =

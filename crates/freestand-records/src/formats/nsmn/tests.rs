@@ -71,7 +71,7 @@ fn other_spellings_and_missing_lines() {
     assert_eq!(read(replace("(N-S) 3.5", "(N-S) 9.5")).unwrap().notes.len(), 1);
     let mut bytes = file();
     bytes.extend(b"\n\nend of file\n");
-    assert!(read(bytes).unwrap().notes[0].contains("behind the last value"));
+    assert!(read(bytes).unwrap().notes[0].contains("follows the last value"));
     // One component alone.
     let mut bytes: Vec<u8> = file().split_inclusive(|&b| b == b'\n').take(11).flatten().copied().collect();
     bytes.extend(b"   U-D\n 1.0\n-2.0\n 3.0\n-120.25\n");
@@ -82,11 +82,11 @@ fn other_spellings_and_missing_lines() {
 #[test]
 fn what_is_refused() {
     for (from, to, message) in [
-        ("DATA          : 4", "DATA          : 5", "x.txt:7: the header declares 5 values, the file has 4"),
+        ("DATA          : 4", "DATA          : 5", "x.txt:7: the header declares 5 values, but the file has 4"),
         ("(sec) : 0.01", "(sec) : ", "the header has no time step"),
         ("(sec) : 0.01", "(sec) : 0", "x.txt:8: the time step must be positive"),
         ("-120.250000", " -32768", "x.txt:14: \"-32768\" marks a missing value"),
-        ("-120.250000", "", "x.txt:14: a row has 3 values, this one 2"),
+        ("-120.250000", "", "x.txt:14: a row must have 3 values, but this one has 2"),
     ] {
         let problem = read(replace(from, to)).expect_err(message);
         assert!(problem.contains(message), "{problem}");

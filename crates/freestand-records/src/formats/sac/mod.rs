@@ -1,4 +1,5 @@
-//! SAC, the Seismic Analysis Code's files: a header of 632 bytes, single-precision samples, and no unit.
+//! Files of SAC, the Seismic Analysis Code: a header of 632 bytes and single-precision samples
+//! without a unit.
 
 use super::binary::{Order, as_written, field};
 use super::instant::Instant;
@@ -10,12 +11,12 @@ use std::path::Path;
 
 /// Bytes before the samples.
 const HEADER: usize = 632;
-/// Double-precision values behind the samples in version 7.
+/// Double-precision values after the samples in version 7.
 const FOOTER: usize = 22 * 8;
-/// What an unset number of the header is.
+/// The value of a header number that is not set.
 const UNSET: f32 = -12345.0;
 
-/// Numbers of the words of the header that are used.
+/// Places of the header words that are used.
 mod word {
     pub(super) const DELTA: usize = 0;
     pub(super) const DEPMIN: usize = 1;
@@ -34,7 +35,7 @@ mod word {
     pub(super) const LEVEN: usize = 105;
 }
 
-/// The order in which the version of the header is 6 or 7 and the other fields are possible.
+/// The byte order in which the header version is 6 or 7 and the other fields are possible.
 fn order(bytes: &[u8]) -> Option<Order> {
     let fits = |order: &Order| {
         let at = |word: usize| order.i32(bytes, 4 * word);
@@ -50,8 +51,8 @@ pub(super) fn is_sac(bytes: &[u8]) -> bool {
     order(bytes).is_some()
 }
 
-/// Whether this is a SAC file in text: five numbers a line, fourteen lines of reals and then whole numbers, of which the
-/// seventh is the version; what is not set is -12345.
+/// Whether this is a SAC file in text: five numbers per line, fourteen lines of reals, then whole
+/// numbers, of which the seventh is the version; numbers that are not set are -12345.
 pub(super) fn is_text_sac(bytes: &[u8]) -> bool {
     let head: Vec<String> = lines(bytes).take(16).map(|line| line.text()).collect();
     let words: Vec<Vec<&str>> = head.iter().map(|text| text.split_whitespace().collect()).collect();
@@ -87,7 +88,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     let Some(unit) = units::requested(options.unit.as_deref())? else {
         return Err(Problem::new(ProblemKind::Value, "a SAC file does not state its unit").hint(
-            "state it with `unit`: nm/s2 for files from data centres, g for records of the Community Seismic Network, cm/s2 or m/s2 elsewhere",
+            "state it with `unit`: nm/s2 for files from data centres, g for records of the Community Seismic Network, \
+             cm/s2 or m/s2 elsewhere",
         ));
     };
     let values: Vec<f64> = (0..npts).filter_map(|i| order.f32(bytes, HEADER + 4 * i)).map(f64::from).collect();
@@ -136,7 +138,7 @@ impl Header<'_> {
         self.order.i32(self.bytes, 4 * word).unwrap_or(-12345)
     }
 
-    /// Time of the first sample: B seconds after the reference time, where the header has both.
+    /// Time of the first sample: B seconds after the reference time, if the header has both.
     fn start_s(&self) -> Option<f64> {
         let field = |i: usize| u32::try_from(self.integer(word::NZYEAR + i)).ok();
         let (year, day) = (u16::try_from(field(0)?).ok()?, u16::try_from(field(1)?).ok()?);
@@ -191,7 +193,7 @@ impl Header<'_> {
         refused(format!("is {what}; an acceleration is expected"), "use the record of the accelerometer")
     }
 
-    /// The time step \[s\]: version 7 repeats it in double precision behind the samples.
+    /// The time step \[s\]: version 7 repeats it in double precision after the samples.
     fn step(&self, version: i32, footer_at: usize) -> Result<f64, Problem> {
         let double = (version == 7).then(|| self.order.f64(self.bytes, footer_at)).flatten();
         let double = double.filter(|step| *step > 0.0 && step.is_finite());

@@ -3,7 +3,8 @@ use proptest::prelude::*;
 
 const VALUES: [f32; 4] = [0.5, -0.25, 12.0, -12345.0];
 
-/// A file as the SAC manual has it: 70 reals, 40 whole numbers, 192 characters, samples; in version 7 a footer.
+/// A file as the SAC manual has it: 70 reals, 40 whole numbers, 192 characters, samples; in version
+/// 7 a footer.
 fn file(big: bool, version: i32, words: &[(usize, f32)], integers: &[(usize, i32)]) -> Vec<u8> {
     let put = |bits: u32| if big { bits.to_be_bytes() } else { bits.to_le_bytes() };
     let mut header = [(-12345.0f32).to_bits(); 110];
@@ -53,12 +54,15 @@ fn either_order_and_version_is_read() {
 #[test]
 fn the_unit_is_asked_for() {
     let message = read_in(&file(false, 6, &[], &[]), None).unwrap_err();
-    assert!(message.contains("states no unit") && message.contains("--unit") && message.contains("nm/s2"), "{message}");
+    assert!(
+        message.contains("does not state its unit") && message.contains("`unit`") && message.contains("nm/s2"),
+        "{message}"
+    );
     let found = read_in(&file(false, 6, &[], &[]), Some("nm/s2")).unwrap();
     let third = found.components[0].motion.accel_m_s2()[2];
     // The unit and the product are rounded, each to half an epsilon.
     assert!((third - 12e-9).abs() <= f64::EPSILON * 12e-9, "{third}");
-    assert!(found.notes[0].contains("taken to be in nm/s2"));
+    assert!(found.notes[0].contains("assumed to be in nm/s2"));
 }
 
 #[test]
@@ -75,7 +79,7 @@ fn directions_scale_and_peak_are_told() {
     }
     let found = read(&file(false, 6, &[(3, 2.0), (1, -12344.0), (2, 12.0)], &[])).unwrap();
     assert_eq!(found.notes.len(), 3, "{:?}", found.notes);
-    assert!(found.notes[2].contains("more than the ground or a floor"), "{:?}", found.notes);
+    assert!(found.notes[2].contains("more than any ground or floor motion"), "{:?}", found.notes);
     assert!(found.notes[1].contains("SCALE is 2") && found.notes[1].contains("not multiplied"));
     let found = read(&file(false, 6, &[(1, -1.0), (2, 12.0)], &[])).unwrap();
     assert!(found.notes[1].contains("states a peak of 12"), "{:?}", found.notes);
@@ -93,12 +97,12 @@ fn what_is_no_acceleration_in_equal_steps_is_refused() {
         (file(false, 6, &[], &[(85, 2)]), "is a spectrum"),
         (file(false, 6, &[], &[(85, 4)]), "IFTYPE = 4"),
         (file(false, 6, &[], &[(105, 0)]), "unevenly spaced"),
-        (file(false, 6, &[], &[(79, 5)]), "declares 5 samples (NPTS), the file has room for 4"),
+        (file(false, 6, &[], &[(79, 5)]), "declares 5 samples (NPTS), but the file has room for 4"),
         (file(false, 6, &[], &[(79, -1)]), "(NPTS) is -1"),
         (file(false, 6, &[(0, -12345.0)], &[]), "DELTA) is missing"),
         (nan, "sample 2 is NaN"),
         (good[..640].to_vec(), "room for 2"),
-        (file(false, 5, &[], &[]), "no binary format is recognised"),
+        (file(false, 5, &[], &[]), "binary file of an unknown format"),
     ] {
         let found = read(&bytes).unwrap_err();
         assert!(found.contains(message) && !found.contains("x.sac:1"), "{found}");
@@ -114,7 +118,7 @@ fn sac_in_text_is_told() {
     text.push_str("    -12345    -12345    -12345    -12345    -12345\n");
     text.push_str("    -12345         6    -12345    -12345         4\n");
     text.push_str(&"    -12345    -12345    -12345    -12345    -12345\n".repeat(6));
-    assert!(read(text.as_bytes()).unwrap_err().contains("a SAC file in text"));
+    assert!(read(text.as_bytes()).unwrap_err().contains("an alphanumeric SAC file"));
     assert!(!read(text.replace("-12345", "-12346").as_bytes()).unwrap_err().contains("SAC"));
 }
 

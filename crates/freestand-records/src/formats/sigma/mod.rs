@@ -1,4 +1,5 @@
-//! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values a line that may touch.
+//! SIGMA and RESORCE records (`.cor.acc`): ten lines of header, then five values per line, which
+//! may touch.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note};
 use crate::text::fixed_width::Format;
@@ -12,7 +13,7 @@ use std::path::Path;
 
 const VALUES: Format = Format::new(5, 14);
 
-/// Whether the text is such a file: its first key, with another that no prose has.
+/// Whether the text is such a file: its first key, and another that prose does not have.
 pub(super) fn is_sigma(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(40).filter(|line| !line.is_blank()).map(|line| entry(&line));
     let others = ["Time Increment", "Number of Data", "Orientation", "PGA", "Station Code / Name"];
@@ -58,14 +59,14 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         is_raw: false,
     }
     .component(options)?;
-    // The peak is a check and no reason to refuse a record.
+    // The peak is only a check, not a reason to refuse a record.
     if let Ok(Some((peak, _))) = header.number("PGA") {
         notes.extend(peak_note(&component, unit.to_si(peak)));
     }
     Ok(Reading { format: "SIGMA/RESORCE", components: vec![component], notes })
 }
 
-/// The line above the values says of what they are.
+/// Refuses other series than accelerations; the line above the values names the series.
 fn refuse_other_series(header: &Header) -> Result<(), Problem> {
     let Some(title) = header.entries.last().filter(|entry| entry.value.is_empty()) else { return Ok(()) };
     let lower = title.key.to_ascii_lowercase();

@@ -75,7 +75,7 @@ fn what_is_refused_and_what_is_noted() {
         let problem = read(&text.replacen(from, to, 1)).expect_err(message);
         assert!(problem.contains(message), "{problem}");
     }
-    // The unit stands in two places; one is enough. Without both the user must say it.
+    // The unit is stated in two places; one is enough. Without both, the user must state it.
     let one = text.replace("Accelaration time series in m/s/s\n", "");
     assert_eq!(read(&one).unwrap().components[0].unit, "m/s2");
     assert!(read(&one.replace("PGA (m/s/s)", "PGA        ")).unwrap_err().contains("unit of the record is not stated"));

@@ -1,4 +1,5 @@
-//! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component a file, cm/s².
+//! SMC, the format of the U.S. Geological Survey's strong-motion archive: one component per file,
+//! in cm/s².
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::text::fixed_width::Format;
@@ -16,22 +17,28 @@ const VALUES: Format = Format::new(8, 10);
 const UNIT: Unit = Unit::acceleration("cm/s2", -2, 1.0);
 const TEXT_LINES: usize = 11;
 
-/// What the first line says the file holds.
-fn kind(line: &Line<'_>) -> Option<&'static str> {
+/// What a file holds.
+enum Kind {
+    Acceleration(&'static str),
+    Other,
+}
+
+/// What the file holds, from its first line.
+fn kind(line: &Line<'_>) -> Option<Kind> {
     let text = line.text();
     let (number, words) = text.trim_start().split_at_checked(1)?;
     let words = words.trim_start().to_ascii_uppercase();
     match number {
-        "1" if words.starts_with("UNCORRECTED") => Some("SMC, uncorrected"),
-        "2" if words.starts_with("CORRECTED") => Some("SMC, corrected"),
+        "1" if words.starts_with("UNCORRECTED") => Some(Kind::Acceleration("SMC, uncorrected")),
+        "2" if words.starts_with("CORRECTED") => Some(Kind::Acceleration("SMC, corrected")),
         "3" | "4" | "5" | "6" if ["VELOCITY", "DISPLACEMENT", "RESPONSE"].iter().any(|w| words.starts_with(w)) => {
-            Some("other")
+            Some(Kind::Other)
         }
         _ => None,
     }
 }
 
-/// Whether the text is an SMC file: its kind on line 1, and an asterisk where line 2 says nothing.
+/// Whether the text is an SMC file: its kind on line 1, and an asterisk on line 2 if that is empty.
 pub(super) fn is_smc(bytes: &[u8]) -> bool {
     let mut head = lines(bytes);
     let kind = head.next().and_then(|line| kind(&line));
@@ -42,15 +49,15 @@ pub(super) fn is_smc(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let text: Vec<String> = rest.by_ref().take(TEXT_LINES).map(|line| line.text()).collect();
-    let format = lines(bytes).next().and_then(|line| kind(&line)).unwrap_or("SMC");
-    if format == "other" {
-        return Err(Problem::new(
-            ProblemKind::Format,
-            format!("holds \"{}\"; an acceleration record is expected", shorten(text[0].trim())),
-        )
-        .at_line(1)
-        .hint("use the acceleration file of the same record"));
-    }
+    let format = match lines(bytes).next().and_then(|line| kind(&line)) {
+        Some(Kind::Acceleration(format)) => format,
+        _ => {
+            let message = format!("holds \"{}\"; an acceleration record is expected", shorten(text[0].trim()));
+            return Err(Problem::new(ProblemKind::Format, message)
+                .at_line(1)
+                .hint("use the acceleration file of the same record"));
+        }
+    };
     let integers = INTEGERS.read(&mut rest, 48, "the integer header")?;
     let reals = REALS.read(&mut rest, 50, "the real header")?;
     let comments = integers.count(15, INTEGERS, "comment lines")?;

@@ -1,7 +1,8 @@
 use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use std::fmt::Write;
 
-/// A file as the format's description has it: Seekins et al. (1992), USGS Open-File Report 91-441-A.
+/// A file as the format's description has it: Seekins et al. (1992), USGS Open-File Report
+/// 91-441-A.
 fn file(values: &[f64], peaks: (f64, f64)) -> String {
     let mut text = String::from("2 CORRECTED ACCELEROGRAM\n*\nABC0A\n");
     text.push_str("     1989  10  18    0004 Somewhere\nMoment Mag=      7.1\n");
@@ -78,8 +79,8 @@ fn what_is_wrong_names_its_line() {
         ("  0.2000000E+03", "  0.1700000E+39", "x.txt:18:", "sampling rate"),
         ("        21", "        29", "x.txt:32:", "ends after 21 of 29"),
         ("        21", "    -32768", "x.txt:14:", "number of values is -32768"),
-        // Hours of nothing, if each were asked for.
-        ("         2\n", " 999999999\n", "x.txt:13:", "declares 999999999 comment lines, 5 lines follow"),
+        // Reading each of them would take hours.
+        ("         2\n", " 999999999\n", "x.txt:13:", "declares 999999999 comment lines, but 5 lines follow"),
         ("         2\n", "    -32768\n", "x.txt:13:", "number of comment lines is -32768"),
         ("-1.0000E+2", "    1.7E38", "x.txt:30:", "missing value"),
     ] {
@@ -93,11 +94,11 @@ fn what_stands_behind_the_values_is_refused_or_said() {
     let text = file(&values(), (0.0, 0.0));
     assert!(read(&format!("{text}\n\n")).unwrap().notes.is_empty());
     assert!(read(&format!("{text}1.0 2.0 3.0\n")).unwrap_err().contains("x.txt:33: there are more values"));
-    // One value less than there are: 17, of which the last stands on a line of its own.
+    // One value less than there are: 17, of which the last is on a line of its own.
     let short = file(&values()[..17], (0.0, 0.0)).replacen("        17", "        16", 1);
     assert!(read(&short).unwrap_err().contains("more values than the header declares"));
     let twice = read(&format!("{text}{text}")).unwrap();
-    assert_eq!(twice.notes, ["line 33 stands behind the last value and was not read"]);
+    assert_eq!(twice.notes, ["line 33 follows the last value and was ignored"]);
 }
 
 /// Cut off within the last number, and a character lost: the columns show it.
@@ -108,5 +109,5 @@ fn numbers_that_lost_a_character_are_refused() {
     assert!(read(cut).unwrap_err().contains("x.txt:34: "), "cut off");
     let at = text.rfind('.').unwrap();
     let lost = format!("{}{}", &text[..at], &text[at + 1..]);
-    assert!(read(&lost).unwrap_err().contains("x.txt:34: the line has 49 characters, its numbers fill 50"));
+    assert!(read(&lost).unwrap_err().contains("x.txt:34: the line has 49 characters, but its numbers need 50"));
 }

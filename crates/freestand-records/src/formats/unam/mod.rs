@@ -1,5 +1,5 @@
-//! ASA, the standard acceleration file of Mexico's networks (UNAM, CICESE): a long Spanish header, then a column for each
-//! channel, in gal.
+//! ASA, the standard acceleration file of Mexico's networks (UNAM, CICESE): a long Spanish header,
+//! then a column for each channel, in gal.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
 use crate::text::fixed_width::Format;
@@ -12,12 +12,13 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use std::path::Path;
 
-/// How far down the title may stand: the seventh line in every file known.
+/// The last line that may be the title; in every known file it is line 7.
 const TITLE_LINES: usize = 20;
-/// How far down the first row may stand: the 110th line in every file known.
+/// The last line that may be the first row; in every known file it is line 110.
 const HEADER_LINES: usize = 300;
 
-/// Whether the text is such a file: `ARCHIVO ESTANDAR DE ACELERACION` among the first lines, and a list for the channels.
+/// Whether the text is such a file: `ARCHIVO ESTANDAR DE ACELERACION` among the first lines, and a
+/// list for the channels.
 pub(super) fn is_unam(bytes: &[u8]) -> bool {
     let has_list = |line: &Line<'_>| {
         let text = plain(&line.text());
@@ -29,7 +30,7 @@ pub(super) fn is_unam(bytes: &[u8]) -> bool {
         && lines(bytes).take(HEADER_LINES).any(|line| has_list(&line))
 }
 
-/// Capitals without accents, which some files have and some have not.
+/// Capitals without accents, which only some files have.
 fn plain(text: &str) -> String {
     let letter = |c: char| match c {
         'Á' => 'A',
@@ -43,7 +44,8 @@ fn plain(text: &str) -> String {
     text.to_uppercase().chars().map(letter).collect()
 }
 
-/// Reads such a file: `NAME : value` lines, the names of the channels above their columns, the rows.
+/// Reads such a file: `NAME : value` lines, the names of the channels above their columns, the
+/// rows.
 pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let mut rest = lines(bytes);
     let header = Header::read(&mut rest);
@@ -88,7 +90,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     Ok(Reading { format: "ASA", components, notes })
 }
 
-/// `N00E`, `V`, `N90W;-`: the bearing, and behind the semicolon the sign.
+/// `N00E`, `V`, `N90W;-`: the bearing and, after the semicolon, the sign.
 fn direction(name: &str) -> Option<Direction> {
     let (bearing, sign) = name.split_once(';').unwrap_or((name, "+"));
     let (bearing, sign) = match bearing.trim().strip_prefix(['+', '-']) {
@@ -106,8 +108,8 @@ fn direction(name: &str) -> Option<Direction> {
 struct Header(Head);
 
 impl Header {
-    /// Takes the lines down to the first row: the first line of numbers below the heading of the data, or below the line
-    /// that states their format where there is no heading.
+    /// Takes the lines down to the first row: the first line of numbers below the heading of the
+    /// data or, without a heading, below the line that states their format.
     fn read(rest: &mut Lines<'_>) -> Self {
         let begins = |line: &Line<'_>, name: &str| plain(line.text().trim_start()).starts_with(name);
         let last_before = |name: &str| rest.clone().take(HEADER_LINES).find(|line| begins(line, name));
@@ -117,7 +119,7 @@ impl Header {
         Self(Head::take(rest, HEADER_LINES, |line| line.number > above && is_row(line)))
     }
 
-    /// What stands behind the first colon of the line whose name begins with `name`.
+    /// The text after the first colon of the line whose name begins with `name`.
     fn value(&self, name: &str) -> Result<(usize, &str), Problem> {
         self.0.find(name, "the header is incomplete: fetch the file again", |text| {
             let (own, value) = text.split_once(':')?;
@@ -125,7 +127,8 @@ impl Header {
         })
     }
 
-    /// `/N00E/V/N90W/`: one entry for each channel, of the first six and of the next.
+    /// `/N00E/V/N90W/`: one entry for each channel; a second list has the seventh channel and
+    /// following.
     fn list(&self, name: &str) -> Result<(usize, Vec<&str>), Problem> {
         let (first, _) = self.value(name)?;
         let mut entries = Vec::new();
@@ -136,7 +139,7 @@ impl Header {
             {
                 let value = value.trim();
                 let value = value.strip_prefix('/').unwrap_or(value);
-                // An entry that is empty keeps its place: the next belongs to the next column.
+                // An empty entry keeps its place: the next belongs to the next column.
                 entries.extend(value.strip_suffix('/').unwrap_or(value).split('/').map(str::trim));
             }
         }
@@ -162,7 +165,7 @@ impl Header {
         }
     }
 
-    /// `3F10.3` where the header says so; else as many columns as the first row has.
+    /// `3F10.3` as the header states; else as many columns as the first row has.
     fn format(&self, rest: &Lines<'_>) -> Result<Format, Problem> {
         if let Ok((line, text)) = self.value("FORMATO DATOS")
             && !text.is_empty()
@@ -198,7 +201,8 @@ impl Header {
         }
     }
 
-    /// The orientations, in the order of the columns. What stands above the columns must not contradict them.
+    /// The orientations, in the order of the columns. The text above the columns must not
+    /// contradict them.
     fn names(&self, columns: usize) -> Result<Vec<String>, Problem> {
         let listed = self.list("ORIENTACION").map(|(_, names)| names).unwrap_or_default();
         let mut names: Vec<String> = listed.into_iter().take(columns).map(str::to_owned).collect();
@@ -223,7 +227,8 @@ impl Header {
         Ok(names)
     }
 
-    /// The number of rows is the largest of the channels' numbers; what a shorter channel has below its end is no motion.
+    /// The number of rows is the largest of the channels' numbers. Rows after the end of a shorter
+    /// channel are ignored for it.
     fn check_counts(&self, columns: &mut [Vec<f64>], names: &[String], notes: &mut Vec<String>) -> Result<(), Problem> {
         let (line, counts) = self.numbers("NUM. TOTAL DE MUESTRAS", columns.len())?;
         let found = columns.first().map_or(0, Vec::len);
@@ -245,7 +250,7 @@ impl Header {
         Ok(())
     }
 
-    /// A file that was thinned out must say so in its step: the durations tell.
+    /// Checks the durations: they reveal a file that was decimated without correcting its step.
     fn check_durations(&self, dt_s: f64, columns: &[Vec<f64>], notes: &mut Vec<String>) -> Result<(), Problem> {
         let Ok((line, durations)) = self.numbers("DURACION DEL REGISTRO", columns.len()) else { return Ok(()) };
         let Some((column, &stated_s)) = columns.iter().zip(&durations).find(|(column, stated_s)| {

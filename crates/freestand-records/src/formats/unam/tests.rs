@@ -2,7 +2,8 @@ use super::direction;
 use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use std::fmt::Write;
 
-/// A file of the standard's version 2: the parts and names that its readers look for, on as many lines as they expect.
+/// A file of the standard's version 2: the parts and names that its readers look for, on as many
+/// lines as they expect.
 fn file() -> String {
     let mut text = String::from("\n\nRED DE PRUEBA\n\n\n\n");
     text.push_str("       ARCHIVO ESTANDAR DE ACELERACION\n");
@@ -108,24 +109,24 @@ fn headers_of_other_hands() {
     assert!(peak.notes[0].starts_with("V: the largest value is"), "{:?}", peak.notes);
     let short = read(&text.replace("/120/120/120/", "/120/119/120/")).unwrap();
     assert_eq!(short.components[1].motion.accel_m_s2().len(), 119);
-    assert!(short.notes[0].contains("behind its 119 values"), "{:?}", short.notes);
+    assert!(short.notes[0].contains("after its 119 values"), "{:?}", short.notes);
     let duration = read(&text.replace("/1.20/1.20/1.20/", "/12.0/12.0/12.0/")).unwrap();
-    assert!(duration.notes[0].contains("last 1.20 s, the header states 12 s"), "{:?}", duration.notes);
+    assert!(duration.notes[0].contains("last 1.20 s, but the header states 12 s"), "{:?}", duration.notes);
 }
 
 #[test]
 fn what_is_wrong_names_its_line() {
     let text = file();
     for (from, to, line, message) in [
-        ("/120/120/120/", "/130/130/130/", "x.ASA:19:", "declares 130 rows, the file has 120"),
-        ("/120/120/120/", "/120/120/", "x.ASA:19:", "no number for each of 3 channels"),
+        ("/120/120/120/", "/130/130/130/", "x.ASA:19:", "declares 130 rows, but the file has 120"),
+        ("/120/120/120/", "/120/120/", "x.ASA:19:", "a number for each of 3 channels"),
         ("/0.010/0.010/0.010/", "/0.010/0.020/0.010/", "x.ASA:16:", "different time steps"),
-        ("/0.010/0.010/0.010/", "/-/-/-/", "x.ASA:16:", "no number for each"),
+        ("/0.010/0.010/0.010/", "/-/-/-/", "x.ASA:16:", "a number for each"),
         ("Gal (cm/s/s)", "cm/s", "x.ASA:22:", "an acceleration is expected"),
         ("Gal (cm/s/s)", "cuentas", "x.ASA: ", "unit of the record is not stated"),
         ("3F10.3", "I10,2F10.3", "x.ASA:24:", "format of the data is"),
         ("      N00E         V      E--W", "         V      N00E      E--W", "x.ASA:108:", "the header lists"),
-        ("     1.000    -1.000    -0.500\n", "     1.000    -1.000\n", "x.ASA:110:", "this one 2"),
+        ("     1.000    -1.000    -0.500\n", "     1.000    -1.000\n", "x.ASA:110:", "this one has 2"),
         ("  1234.500", "  -999.000", "x.ASA:117:", "missing value"),
         ("INTERVALO", "INTERVENO", "x.ASA:109:", "no line \"INTERVALO DE MUESTREO\""),
     ] {
@@ -139,5 +140,5 @@ fn what_is_wrong_names_its_line() {
         .replace("/1.20/1.20/1.20/", "/3.60/3.60/3.60/")
         .replace("FACTOR DE DECIMACION                    : 1", "FACTOR DE DECIMACION                    : 3");
     let problem = read(&thinned).unwrap_err();
-    assert!(problem.contains("last 1.20 s, the header states 3.6 s"), "{problem}");
+    assert!(problem.contains("last 1.20 s, but the header states 3.6 s"), "{problem}");
 }

@@ -1,20 +1,20 @@
-//! What stands above the series of a channel: text, whole numbers, and what they say.
+//! The header of a channel: text, whole numbers, and what they state.
 
-use super::{MOST_REALS, is_numbers, not_acceleration, unannounced};
+use super::{MAX_REALS, is_numbers, not_acceleration, unannounced};
 use crate::text::fortran::{number, scan};
 use crate::text::lines::{Line, Lines};
 use crate::text::units::{TENTHS_OF_G, record_unit, unit_in_prose};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit};
 
-/// Most lines of text above a channel: 13 in volume I, 25 in volume II, and some wrapped.
-const MOST_TEXT: usize = 60;
+/// The most lines of text above a channel: 13 in volume I, 25 in volume II, and some wrapped lines.
+const MAX_TEXT: usize = 60;
 
 /// Text, integers and reals of a channel.
 pub(super) struct Header {
     pub(super) text: Vec<String>,
     pub(super) first_line: usize,
-    /// Whole numbers by their columns; `None` where there is none.
+    /// Whole numbers by their columns; `None` for an empty field.
     pub(super) integers: Vec<Option<f64>>,
 }
 
@@ -28,10 +28,11 @@ pub(in crate::formats) fn is_full_integer_row(line: &Line<'_>) -> bool {
     is_integer_row(line) && line.bytes.trim_ascii_end().len() >= 60
 }
 
-/// The header of the next channel, and `rest` behind its integers; `None` at the end of the file.
+/// Reads the header of the next channel and leaves `rest` after its integers. `None` at the end of
+/// the file.
 ///
 /// # Errors
-/// Text without the integers of a header, numbers without the text of one.
+/// Text without the integers of a header, or numbers without its text.
 pub(super) fn read_header(
     rest: &mut Lines<'_>,
     columns: usize,
@@ -48,14 +49,14 @@ pub(super) fn read_header(
             break;
         }
         match line {
-            Some(line) if header.text.len() < MOST_TEXT => {
+            Some(line) if header.text.len() < MAX_TEXT => {
                 if header.first_line == 0 && !line.is_blank() {
                     if may_end && is_numbers(&line) {
                         return Err(unannounced(&line));
                     }
                     header.first_line = line.number;
                 }
-                // Blank lines above a channel belong to none.
+                // Blank lines above a channel do not belong to it.
                 if header.first_line > 0 {
                     header.text.push(line.text().chars().filter(|c| *c != '\x0C').take(columns).collect());
                 }
@@ -74,7 +75,7 @@ pub(super) fn read_header(
     loop {
         let before = rest.clone();
         match rest.next() {
-            Some(line) if is_integer_row(&line) && rows.len() < MOST_REALS => rows.push(line.bytes.trim_ascii_end()),
+            Some(line) if is_integer_row(&line) && rows.len() < MAX_REALS => rows.push(line.bytes.trim_ascii_end()),
             Some(line) if line.is_blank() => {}
             _ => {
                 *rest = before;
@@ -92,10 +93,10 @@ pub(super) fn read_header(
     Ok(Some(header))
 }
 
-/// What stands behind the last channel, from `tail` on, is text that holds no further one.
+/// Checks that only text without a further channel follows the last one, from `tail` on.
 ///
 /// # Errors
-/// Numbers: they may be a channel whose header is damaged.
+/// Numbers, which may be a channel with a damaged header.
 fn end<'a>(mut tail: Lines<'a>, rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<(), Problem> {
     if let Some(first) = tail.ahead() {
         if let Some(line) = tail.find(is_numbers) {
@@ -112,7 +113,8 @@ pub(in crate::formats) fn first_integer(text: &str) -> Option<usize> {
     text.split_whitespace().next()?.parse().ok()
 }
 
-/// The step that a line in capitals states: `SPACED AT  .020 SEC`, `INTERVALS OF .020`, `AT 100 PTS/SEC`.
+/// The step that a line in capitals states: `SPACED AT  .020 SEC`, `INTERVALS OF .020`,
+/// `AT 100 PTS/SEC`.
 pub(in crate::formats) fn step_in(upper: &str) -> Option<f64> {
     let step = ["SPACED AT", "INTERVALS OF", "INTERVAL OF"].iter().find_map(|words| number_after(upper, words));
     step.or_else(|| {
@@ -160,7 +162,7 @@ impl Header {
         self.text.iter().find_map(|line| step_in(&line.to_ascii_uppercase()))
     }
 
-    /// The unit of volume I: of the line with the word, else of one that names tenths of g.
+    /// The unit of volume I: from the line with the word, else from one that names tenths of g.
     pub(super) fn unit(&self) -> Result<Option<Unit>, Problem> {
         for word in ["UNIT", "UNIDAD", "G/10"] {
             for line in self.lines_with(word) {
@@ -182,8 +184,9 @@ impl Header {
         counted.filter(|count| count.fract() == 0.0)
     }
 
-    /// A number of values other than `count` that the header states: volume I in its text, volume II in text line 16,
-    /// `3251 POINTS OF INSTRUMENT- AND BASELINE-CORRECTED ACCEL`, and integer 53; there `NO. OF POINTS` are the digitised.
+    /// The number of values that the header states, if it is not `count`: volume I in its text,
+    /// volume II in text line 16, `3251 POINTS OF INSTRUMENT- AND BASELINE-CORRECTED ACCEL`, and
+    /// integer 53; there `NO. OF POINTS` is the number of digitised points.
     pub(super) fn other_count(&self, count: usize, is_volume_two: bool) -> Option<f64> {
         let of_text = || {
             let line =

@@ -1,9 +1,10 @@
-//! The layout in which Caltech published accelerograms, and which others took over: channels one after another, each with
-//! lines of text, 100 whole numbers, 50 or 100 reals, and the series.
+//! The layout of Caltech's published accelerograms, which others adopted: channels one after
+//! another, each with lines of text, 100 whole numbers, 50 or 100 reals, and the series.
 //!
-//! Volume I has the record as it was digitised, as pairs of time and value or, later, as values at equal steps below a
-//! title line. Volume II has acceleration, velocity and displacement, each below a title line.
-//! Source: Hudson et al. (1969-1975), Strong Motion Earthquake Accelerograms, EERL, and the files of CSMIP, USC, RENADIC.
+//! Volume I has the record as it was digitised, as pairs of time and value or, later, as values at
+//! equal steps below a title line. Volume II has acceleration, velocity and displacement, each
+//! below a title line. Source: Hudson et al. (1969-1975), Strong Motion Earthquake Accelerograms,
+//! EERL, and the files of CSMIP, USC, RENADIC.
 
 mod header;
 
@@ -23,13 +24,13 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
 use header::{Header, number_after, read_header, unit_of};
 
-/// What differs from one network to the other.
+/// What differs between networks.
 pub(super) struct Network {
     pub(super) volume_one: &'static str,
     pub(super) volume_two: &'static str,
-    /// Columns of text; behind them stand numbers that count something else.
+    /// Columns of text. Numbers after them count something else.
     pub(super) columns: usize,
-    /// What the line that ends a channel has, where every file has one.
+    /// The text of the line that ends a channel, if every file has one.
     pub(super) end_mark: Option<&'static str>,
 }
 
@@ -40,15 +41,15 @@ struct Title {
     count: usize,
 }
 
-/// Most lines of reals: 7 in volume I, 13 in volume II.
-const MOST_REALS: usize = 20;
+/// The most lines of reals: 7 in volume I, 13 in volume II.
+const MAX_REALS: usize = 20;
 
 /// The first lines that are not blank, in capitals.
 pub(super) fn head(bytes: &[u8], count: usize) -> Vec<String> {
     lines(bytes).filter(|line| !line.is_blank()).take(count).map(|line| line.text().to_ascii_uppercase()).collect()
 }
 
-/// Volume III has response and Fourier spectra.
+/// Refuses volume III, which holds response and Fourier spectra.
 pub(super) fn refuse_spectra(head: &[String]) -> Result<(), Problem> {
     if head.first().is_some_and(|line| line.contains("RESPONSE")) {
         return Err(Problem::new(
@@ -114,8 +115,8 @@ fn is_volume_two(text: &[String]) -> bool {
 /// Skips the reals, to the title of a series or to the first pairs.
 fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
     let mut ahead = rest.clone();
-    let mut behind_reals = None;
-    for _ in 0..MOST_REALS {
+    let mut after_reals = None;
+    for _ in 0..MAX_REALS {
         let Some(line) = ahead.find(|line| !line.is_blank()) else { break };
         if line.is_text() {
             let text = line.text();
@@ -123,17 +124,17 @@ fn find_title(rest: &mut Lines<'_>) -> Result<Option<Title>, Problem> {
             *rest = ahead;
             return Ok(Some(Title { line: line.number, text, count }));
         }
-        // 50 and 100 are no multiples of 8: the last row of reals is short.
-        if behind_reals.is_none() && line.bytes.trim_ascii_end().len() <= 60 {
-            behind_reals = Some(ahead.clone());
+        // 50 and 100 are not multiples of 8, so the last row of reals is short.
+        if after_reals.is_none() && line.bytes.trim_ascii_end().len() <= 60 {
+            after_reals = Some(ahead.clone());
         }
     }
-    let Some(behind) = behind_reals else {
+    let Some(after) = after_reals else {
         return Err(Problem::new(ProblemKind::Format, "the real header does not end")
             .at_line(rest.line_number())
             .hint("50 or 100 reals in rows of 8 are expected: the file may be damaged"));
     };
-    *rest = behind;
+    *rest = after;
     Ok(None)
 }
 
@@ -183,8 +184,8 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     found(header, channel, unit, step, block, options).map(|component| (component, notes))
 }
 
-/// How many samples interpolation may still make: all channels together are no more than one motion may be, for a short
-/// file can have many channels with damaged times.
+/// How many samples interpolation may still make. All channels together may have as many as one
+/// motion, because a short file can have many channels with damaged times.
 fn room(components: &[Component]) -> usize {
     let taken: usize = components.iter().map(|one| one.motion.accel_m_s2().len()).sum();
     MAX_SAMPLES.saturating_sub(taken)
@@ -196,7 +197,7 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let count = pairs.times_s.len();
     let of_integers = [27, 32].map(|at| header.integers.get(at).copied().flatten());
     let of_text = header.points();
-    // Programs keep the count in one place or another: integer 28, 33, or the text.
+    // Programs write the count in integer 28, in integer 33 or in the text.
     if count == 0 || ![of_text, of_integers[0], of_integers[1]].contains(&Some(count as f64)) {
         let declared = of_text.or(of_integers[0]).map_or_else(|| "no".to_owned(), |count| count.to_string());
         return Err(Problem::new(
@@ -210,7 +211,7 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     let name = header.name(channel);
     let (dt_s, values, note) = pairs.evenly(&shorten(&name), options.uneven_dt_s, room)?;
     let block = Block { values, first_line };
-    // The step given by the user is for files that state none; here the times state it.
+    // A step from the user is for files that do not state one; here the times do.
     found(header, channel, header.unit()?, (dt_s, first_line), block, options)
         .map(|component| (component, notes.into_iter().chain(note).collect()))
 }
@@ -243,7 +244,7 @@ fn found(
     .component(options)
 }
 
-/// The format in the title; where there is none, eight equal fields on a line.
+/// The format in the title; without one, eight equal fields per line.
 fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
     Format::named_in(&title.text).unwrap_or_else(|| {
         let length = rest.ahead().map_or(0, |line| line.bytes.trim_ascii_end().len());
@@ -251,7 +252,8 @@ fn format_of(title: &Title, rest: &Lines<'_>) -> Format {
     })
 }
 
-/// What a channel holds where its text says that it is no acceleration: `Data: Velocity`, response spectra.
+/// What a channel holds, if its text says that it is not an acceleration: `Data: Velocity`,
+/// response spectra.
 fn other_quantity(header: &Header) -> Option<(String, usize)> {
     let data = header.lines_with("DATA:").find_map(|line| {
         let (_, tail) = line.split_once("DATA:")?;
@@ -268,13 +270,13 @@ fn other_quantity(header: &Header) -> Option<(String, usize)> {
     data.map(|what| (what, header.first_line))
 }
 
-/// Leaves `rest` at the first line of the next channel: behind the velocity and the displacement, and the `/&` that ends
-/// a channel. Not every channel has that mark, nor a title that says accelerogram: a full row of integers shows that the
-/// text above it is a header.
+/// Leaves `rest` at the first line of the next channel, after the velocity and the displacement and
+/// the `/&` that ends a channel. Not every channel has that mark, or a title with the word
+/// accelerogram: a full row of integers shows that the text above it is a header.
 ///
 /// # Errors
-/// A file that ends within the velocity or the displacement: it was cut off, whatever is whole before them. Numbers that
-/// no line announces.
+/// A file that ends within the velocity or the displacement: it was cut off. Numbers that no line
+/// announces.
 fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
     let mut text_from: Option<Lines<'_>> = None;
     loop {
@@ -314,7 +316,7 @@ fn skip_to_next_channel(rest: &mut Lines<'_>) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Whether a line has numbers and nothing else, even where they touch.
+/// Whether a line has only numbers, even if they touch.
 fn is_numbers(line: &Line<'_>) -> bool {
     let is_of_number = |b: &u8| {
         b.is_ascii_digit() || b.is_ascii_whitespace() || matches!(b, b'.' | b'+' | b'-' | b'e' | b'E' | b'd' | b'D')
@@ -322,14 +324,14 @@ fn is_numbers(line: &Line<'_>) -> bool {
     line.bytes.iter().all(is_of_number) && line.bytes.iter().any(u8::is_ascii_digit)
 }
 
-/// What is to be said of numbers that may be a channel whose first lines are damaged.
+/// The problem of numbers that may be a channel whose first lines are damaged.
 fn unannounced(line: &Line<'_>) -> Problem {
     Problem::new(ProblemKind::Format, "no line announces these numbers")
         .at_line(line.number)
         .hint("the line above them that states their number may be damaged: fetch the file again")
 }
 
-/// Skips what a channel holds that is left out.
+/// Skips the contents of a channel that is left out.
 fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Problem> {
     if let Some(title) = title {
         return skip_series(title, rest);
@@ -347,7 +349,8 @@ fn skip_values(title: Option<&Title>, rest: &mut Lines<'_>) -> Result<(), Proble
     }
 }
 
-/// Skips the lines of a series; only how many there are matters, so that a value too large for its field does no harm.
+/// Skips the lines of a series. Only their number is checked, so a value too large for its field
+/// does no harm.
 fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
     let wanted = title.count.div_ceil(format_of(title, rest).per_line);
     for found in 0..wanted {
@@ -372,7 +375,7 @@ fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
     Ok(())
 }
 
-/// What is to be said where the values do not have the peak that the text states.
+/// A note if the values do not have the peak that the text states.
 fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Option<String> {
     if is_volume_two {
         let line = header.lines_with("PEAK ACC").next()?;
@@ -381,7 +384,7 @@ fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Optio
     let line = header.lines_with("MAX").next()?;
     let (_, tail) = line.split_once("MAX")?;
     let stated = number_after(tail, "=").filter(|_| tail.contains(" G,") || tail.contains(" G."))? * G0_M_S2;
-    // Printed to 0.001 g, of which half is rounding.
+    // Printed to 0.001 g: rounding is half of that.
     let rounding = 6e-4 * G0_M_S2;
     let is_near = (component.motion.peak_m_s2() - stated.abs()).abs() <= rounding;
     peak_note(component, stated).filter(|_| !is_near)

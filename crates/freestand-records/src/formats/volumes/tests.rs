@@ -1,7 +1,8 @@
 use crate::formats::{Direction, MotionFile, ReadOptions, parse_motions};
 use freestand::G0_M_S2;
 
-/// 16I5 and 8F10.3 blocks of `integers` and `reals` numbers; integers 28 and 53 are the number of points.
+/// 16I5 and 8F10.3 blocks of `integers` and `reals` numbers; integers 28 and 53 are the number of
+/// points.
 fn blocks(npts: usize, integers: (usize, usize), reals: usize) -> String {
     let (count, width) = integers;
     let ints: Vec<String> = (1..=count)
@@ -130,8 +131,8 @@ fn pairs_at_equal_times_keep_their_step() {
     // Of two counts, one is right; the last value is lost with its time.
     assert!(read(&text.replace("POINTS =  13", "POINTS =  99")).is_ok());
     let cut = text.replace("100.070  -.500", "").replace("100.070 -0.500", "");
-    assert!(cut != text && read(&cut).unwrap_err().contains("declares 13 points, the channel has 12"));
-    assert!(read(&text.replace("-12.500", "-999.00")).unwrap_err().starts_with("x:28: \"-999\" stands for a missing"));
+    assert!(cut != text && read(&cut).unwrap_err().contains("declares 13 points, but the channel has 12"));
+    assert!(read(&text.replace("-12.500", "-999.00")).unwrap_err().starts_with("x:28: \"-999\" marks a missing"));
     assert!(read(&text.replace(" 99.960", " 99.940")).unwrap_err().contains("does not increase"));
 }
 
@@ -153,8 +154,8 @@ fn a_title_line_gives_count_step_unit_and_format() {
     }
     for (from, to, start, message) in [
         (" 10 Acc", " 11 Acc", "x:", "not a number"),
-        (" 10 Acc", "  9 Acc", "x:30:", "stand on a line"),
-        (" 10 Acc", "  8 Acc", "x:30:", "more than the 8 values"),
+        (" 10 Acc", "  9 Acc", "x:30:", "on a line that"),
+        (" 10 Acc", "  8 Acc", "x:30:", "more values follow than the 8"),
         ("units of g.", "units of cm/sec.", "x:28:", "values in cm/s"),
         ("at 100 pts/sec", "", "x:28:", "time step"),
         (" 0.500000", "-999.    ", "x:29:", "missing"),
@@ -169,8 +170,8 @@ fn a_title_line_gives_count_step_unit_and_format() {
     let displacement = text.replace("HYPOCENTER: ?", "SCSN   Data: Displacement");
     let found = read(&(text.clone() + &velocity + &displacement)).unwrap();
     let notes = [
-        "line 32: a channel that holds a velocity is left out",
-        "line 63: a channel that holds a displacement is left out",
+        "line 32: a channel that holds a velocity was left out",
+        "line 63: a channel that holds a displacement was left out",
     ];
     assert_eq!((found.components.len(), found.notes), (1, notes.map(str::to_owned).to_vec()));
     let cut = text.clone() + &velocity.lines().take(29).collect::<Vec<_>>().join("\n");
@@ -203,10 +204,11 @@ fn of_volume_two_the_acceleration_is_read() {
     let damaged = text.clone() + &text.replace(" 11 POINTS OF ACCEL", " xx POINTS OF ACCEL");
     assert!(read(&damaged).unwrap_err().contains("the channel has 0"));
     let lines_of_header = text.lines().take_while(|line| !line.contains("POINTS OF ACCEL DATA")).count();
-    // Three lines a series, its title among them: behind the accelerations, and within velocities and displacements.
+    // Three lines a series, its title among them: after the accelerations, and within velocities
+    // and displacements.
     for (lines, message) in [(4, "lines of \"11 POINTS OF VELOC"), (7, "lines of \"11 POINTS OF DISPL")] {
         let head: Vec<&str> = text.lines().take(lines_of_header + lines).collect();
-        assert!(read(&head.join("\n")).unwrap_err().contains(message), "cut {lines} lines behind the header");
+        assert!(read(&head.join("\n")).unwrap_err().contains(message), "cut {lines} lines after the header");
     }
     for lines in [10, 30, 40, 46, 47] {
         let head: String = text.lines().take(lines).map(|line| format!("{line}\n")).collect();
@@ -215,7 +217,8 @@ fn of_volume_two_the_acceleration_is_read() {
     assert!(read(&format!("RESPONSE AND FOURIER AMPLITUDE SPECTRA\n{text}")).unwrap_err().contains("spectra"));
 }
 
-/// Without an end mark, and under a title that does not say accelerogram, a channel is a channel still.
+/// Without an end mark, and under a title that does not say accelerogram, a channel is a channel
+/// still.
 #[test]
 fn no_channel_is_lost_in_silence() {
     let whole = v2("UP", (10, 3), "");
@@ -226,7 +229,7 @@ fn no_channel_is_lost_in_silence() {
     for between in ["", "/&\n", "\n\n"] {
         let found = read(&format!("{text}{between}{alien}")).unwrap();
         assert_eq!((found.components.len(), found.notes.len()), (2, 1), "{between:?}");
-        assert!(found.notes[0].contains("no line \"/&\" ends the last channel"), "{:?}", found.notes);
+        assert!(found.notes[0].contains("does not end with a line \"/&\""), "{:?}", found.notes);
         assert_values(&found, 1, &SERIES, CM_S2);
     }
     for end in ["", "/&\n"] {
@@ -234,12 +237,12 @@ fn no_channel_is_lost_in_silence() {
         let first = lines + 1 + end.lines().count();
         for count in [1, 100] {
             let found = read(&format!("{text}{end}{}", "A REMARK\n".repeat(count))).unwrap();
-            let note = format!("line {first}: the text behind the last channel is not read");
+            let note = format!("line {first}: the text after the last channel was ignored");
             assert_eq!((found.components.len(), &found.notes[0]), (1, &note), "{end:?}");
-            // Behind a hundred lines nobody looks for the mark.
+            // The mark is not looked for after a hundred lines.
             assert_eq!(found.notes.len(), if end.is_empty() || count == 100 { 2 } else { 1 }, "{:?}", found.notes);
         }
-        // More text than any header has, and a channel behind it; numbers that no line announces.
+        // More text than any header has, and a channel after it; numbers that no line announces.
         let integers = alien.lines().position(|line| line.starts_with("    1    2")).unwrap();
         for (tail, at) in [
             ("A REMARK\n".repeat(100) + &alien, first + 100 + integers),
@@ -319,7 +322,8 @@ fn renadic_is_volume_one_in_latin_letters() {
 #[test]
 fn damaged_files_are_read_or_refused() {
     for text in [v1(&UNEVEN), v2("UP", (10, 3), "")] {
-        // Behind the first digits of the last acceleration a record is whole, whatever else is lost.
+        // Behind the first digits of the last acceleration a record is whole, whatever else is
+        // lost.
         let last_value = text.find(" 11 POINTS OF VELOC").or_else(|| text.find("/&")).unwrap() - 8;
         for at in (0..text.len()).step_by(5) {
             for byte in *b"-9x\n /" {
@@ -350,12 +354,12 @@ fn what_the_header_states_is_compared() {
     let text = one.clone() + &one;
     assert_eq!(read(&text).unwrap().notes, Vec::<String>::new());
     for (from, to, note) in [
-        (one.as_str(), "", "the header states 2 channels, the file has 1: it may be cut off"),
-        ("POINTS =  40", "POINTS =  44", "90 DEG: line 28 declares 40 values, the header 44"),
+        (one.as_str(), "", "the header states 2 channels, but the file has 1: it may be cut off"),
+        ("POINTS =  40", "POINTS =  44", "90 DEG: line 28 declares 40 values, but the header 44"),
         (
             "AT 100 SAMPLES",
             "AT 200 SAMPLES",
-            "90 DEG: the time step is 0.01 s above the values and 0.005 s in the header",
+            "90 DEG: the time step is 0.01 s above the values, but 0.005 s in the header",
         ),
         (
             ".390 SEC",
@@ -366,7 +370,7 @@ fn what_the_header_states_is_compared() {
         assert_eq!(read(&text.replacen(from, to, 1)).unwrap().notes, [note]);
     }
     let cut = text.strip_suffix("/& End of Data\n").unwrap();
-    assert_eq!(read(cut).unwrap().notes, ["no line \"/&\" ends the last channel: the file may be cut off"]);
+    assert_eq!(read(cut).unwrap().notes, ["the last channel does not end with a line \"/&\": the file may be cut off"]);
     let two = v2("UP", (10, 3), "").replace("  11 POINTS OF INSTR", "  12 POINTS OF INSTR");
-    assert_eq!(read(&two).unwrap().notes, ["UP: line 46 declares 11 values, the header 12"]);
+    assert_eq!(read(&two).unwrap().notes, ["UP: line 46 declares 11 values, but the header 12"]);
 }

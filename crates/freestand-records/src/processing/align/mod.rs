@@ -1,4 +1,4 @@
-//! Two components brought to the times that both have.
+//! Trims two components to the times that both have.
 
 use freestand::motion::Motion;
 
@@ -8,25 +8,27 @@ use crate::formats::Component;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
 
-/// Part of a sample by which clocks of two channels may differ without a word: they agree to some microseconds, and times
-/// in columns to their last digit.
+/// Clocks of two channels may differ by this part of a sample without a note: they agree to some
+/// microseconds, and times in columns to their last digit.
 const SAME_TIME: f64 = 0.05;
 
 const ONE_RECORD: &str = "give two components of one record";
 
-/// One of two components from the same time on, with the same number of samples; a raw one without its mean.
+/// One of two components with the same start and number of samples; the mean of a raw one is
+/// removed.
 #[derive(Debug)]
 pub(super) struct Aligned {
     /// The motion.
     pub(super) motion: Motion,
-    /// What was done to it unasked; what concerns both stands with the first.
+    /// What was done to it without a request; what concerns both is with the first.
     pub(super) steps: Vec<String>,
 }
 
-/// Brings two components to the times that both have; `names` are what they are called in words.
+/// Trims two components to the times that both have; `names` are their names in words.
 ///
 /// # Errors
-/// Components that have no time in common. Steps that differ are left to differ, for the next step to refuse.
+/// Components that do not overlap in time. Different time steps are left for the next step to
+/// refuse.
 pub(super) fn aligned(
     (first, second): (&Component, &Component),
     names: (&str, &str),
@@ -53,7 +55,8 @@ pub(super) fn aligned(
     Ok([one, two])
 }
 
-/// Samples by which the second component begins later than the first (earlier: negative), by the times that both have.
+/// Samples by which the second component begins later than the first, from their start times;
+/// negative if earlier.
 fn later_by(
     (first, second): (&Component, &Component),
     names: (&str, &str),
@@ -76,8 +79,8 @@ fn later_by(
     Ok(whole as i64)
 }
 
-/// What is said where two steps differ, but by so little that the last samples are still of one time: two recordings of one
-/// clock whose times were rounded. `None`: they do not differ, or by more.
+/// A note if two steps differ by so little that the last samples still coincide: recordings of one
+/// clock whose times were rounded. `None` if the steps are equal or differ by more.
 fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<String> {
     let (dt_s, other_s) = (one.dt_s(), two.dt_s());
     let intervals = one.accel_m_s2().len().saturating_sub(1) as f64;
@@ -85,7 +88,8 @@ fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<String> {
     let is_one = dt_s != other_s && drift < SAME_TIME;
     is_one.then(|| {
         format!(
-            "time step of {} taken as {dt_s} s, that of {}, in place of {other_s} s: they differ by {} of a sample at the end",
+            "time step of {} taken as {dt_s} s, that of {}, in place of {other_s} s: they differ by {} of a sample at \
+             the end",
             names.1,
             names.0,
             number(drift, 2)
@@ -93,7 +97,7 @@ fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<String> {
     })
 }
 
-/// The samples of a component that are kept, of a raw one without their mean, and what was done.
+/// The samples of a component that are kept, without the mean for a raw one, and what was done.
 fn cut(component: &Component, name: &str, kept: std::ops::Range<usize>, keep_mean: bool) -> Result<Aligned, Problem> {
     let mut steps = Vec::new();
     let mut motion = component.motion.clone();

@@ -8,7 +8,8 @@ fn pair(first: &Component, second: &Component) -> Result<(Processed, Processed),
     process_pair((first, second), (&first.name, &second.name), &Processing::default())
 }
 
-/// Two channels of one instrument that begin 0.05 s apart: the same times belong together, whatever their numbers.
+/// Two channels of one instrument that begin 0.05 s apart: the same times belong together, whatever
+/// their numbers.
 #[test]
 fn components_are_brought_to_the_times_that_both_have() {
     let whole = three();
@@ -25,7 +26,8 @@ fn components_are_brought_to_the_times_that_both_have() {
     file.components[1].start_s = Some(1e9);
     let problem = pair(&file.components[0], &file.components[1]).unwrap_err();
     assert!(problem.message.contains("no time in common"), "{problem}");
-    // A third of a sample is left, and said; without a time on both sides the first samples belong together.
+    // A third of a sample is left, and said; without a time on both sides the first samples belong
+    // together.
     file.components[1].start_s = Some(0.0533);
     let (one, _) = pair(&file.components[0], &file.components[1]).unwrap();
     assert_eq!(one.notes[0], "components N-S and E-W are 0.33 of a sample apart");
@@ -53,7 +55,8 @@ fn steps_of_rounded_times_are_one() {
     assert!(two.notes[0].starts_with("time step of b taken as 0.0078125"), "{:?}", two.notes);
     assert!(two.notes[0].contains(", that of a, in place of 0.007812"), "{:?}", two.notes);
     assert_eq!((one.steps.clone(), two.steps.clone()), (one.notes, two.notes));
-    // 900 samples with a step that is longer by 1/18000 are 0.05 of a sample apart at the last, nearly.
+    // 900 samples with a step that is longer by 1/18000 are 0.05 of a sample apart at the last,
+    // nearly.
     let stretched = |ratio: f64| {
         let mut other = short.clone();
         other.motion = Motion::new(long.motion.dt_s() * (1.0 + ratio), short.motion.accel_m_s2().to_vec()).unwrap();
@@ -68,11 +71,11 @@ fn steps_of_rounded_times_are_one() {
 fn a_copy_of_a_component_is_noticed() {
     let file = three();
     let (one, two) = pair(&file.components[0], &file.components[0]).unwrap();
-    assert_eq!(one.notes, ["components N-S and N-S are equal sample by sample"]);
+    assert_eq!(one.notes, ["components N-S and N-S are identical"]);
     assert!(two.notes.is_empty());
 }
 
-/// What is said of both is said once; each has its own steps.
+/// A note about both is written once; each has its own steps.
 #[test]
 fn each_component_has_its_own_steps() {
     let mut file = three();

@@ -1,4 +1,4 @@
-//! The spectrum that records are scaled to: where it stands, and what it is.
+//! The spectrum to which records are scaled.
 
 use std::path::{Path, PathBuf};
 
@@ -8,26 +8,24 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
 
-/// Damping of a target that states none.
-
-/// Dampings and periods that differ by less than this share are the same one, printed with fewer digits.
+/// Dampings and periods that differ by less than this share are equal, printed with fewer digits.
 const SAME: f64 = 1e-6;
 
-/// Where a target spectrum stands, and which part of it counts.
+/// The file of a target spectrum, and which part of it is used.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TargetSource {
     /// The file.
     pub path: PathBuf,
-    /// The shortest and the longest period that count \[s\]; `None`: all.
+    /// The shortest and the longest period to use \[s\]; `None`: all.
     pub range_s: Option<(f64, f64)>,
-    /// Damping ratio; `None`: that of the file, where it states one only, else 5 %.
+    /// Damping ratio; `None`: that of the file if it states only one, else 5 %.
     pub damping_ratio: Option<f64>,
 }
 
-/// A spectrum that records are scaled to.
+/// A spectrum to which records are scaled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TargetSpectrum {
-    /// What it is called in the step that scales to it.
+    /// Its name in the step that scales to it.
     pub name: String,
     /// The file that it was read from.
     pub file: Option<InputFile>,
@@ -37,15 +35,16 @@ pub struct TargetSpectrum {
     pub psa_m_s2: Vec<f64>,
     /// Their damping ratio.
     pub damping_ratio: f64,
-    /// What was left out of the file without being asked to.
+    /// A note about what was left out of the file.
     pub note: Option<String>,
 }
 
 /// Reads a target from its file.
 ///
 /// # Errors
-/// A file that cannot be read or is not a table of periods and accelerations with units in its headings; values that no
-/// spectrum has, a period that stands twice; a damping that the file does not have; a range without periods.
+/// A file that cannot be read or is not a table of periods and accelerations with units in its
+/// headings; values that no spectrum has, a period that stands twice; a damping that the file does
+/// not have; a range without periods.
 pub fn read_target(source: &TargetSource) -> Result<TargetSpectrum, Problem> {
     parse_target(load_spectrum(&source.path)?, source)
 }
@@ -71,12 +70,12 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
     let name = name_of(&source.path);
     let note = left_out.map(|others| {
         format!(
-            "{name} has spectra for several dampings: that for {} is the target, those for {others} are left out (write \
-             another after the file name)",
+            "{name} has spectra for several dampings: that for {} is the target, those for {others} are left out \
+             (write another after the file name)",
             percent(damping_ratio)
         )
     });
-    // The whole of it, so that what is wrong does not hide behind a range.
+    // All of it, so that a range of periods does not hide a problem.
     let (periods_s, psa_m_s2): (Vec<f64>, Vec<f64>) = rows.iter().map(|row| (row.period_s, row.psa_m_s2)).unzip();
     if let Some((row, problem)) = fault(&periods_s, &psa_m_s2) {
         let line = rows.get(row).map_or(1, |row| row.line);
@@ -118,8 +117,8 @@ fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-/// The damping that is meant; of a file with several the rows of others go, and unless one was asked for the others are
-/// named.
+/// The damping to use. In a file with several, the rows of the others are removed; if none was
+/// requested, the others are returned as text.
 fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64, Option<String>), Problem> {
     let is = |one: f64, other: f64| (one - other).abs() <= SAME;
     let mut stated: Vec<f64> = Vec::new();
@@ -153,7 +152,7 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64,
     Ok((damping_ratio, left_out))
 }
 
-/// The first row that no spectrum has, and why.
+/// The first row with an impossible value, and why.
 pub(super) fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Problem)> {
     for (row, (&period_s, &psa_m_s2)) in periods_s.iter().zip(psa_m_s2).enumerate() {
         if !(period_s >= 0.0 && period_s.is_finite()) {
@@ -184,7 +183,8 @@ fn wrong(message: impl Into<String>) -> Problem {
 }
 
 impl TargetSpectrum {
-    /// `target.csv (24 periods from 0.1 s to 3 s, 5 % damping`: the bracket is left open for how it is met.
+    /// `target.csv (24 periods from 0.1 s to 3 s, 5 % damping`: the bracket is left open for the
+    /// misfit.
     pub(super) fn words(&self) -> String {
         let (first, last) = ends(&self.periods_s);
         let periods = match self.periods_s.len() {

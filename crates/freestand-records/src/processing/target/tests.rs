@@ -26,7 +26,7 @@ fn the_damping_is_that_of_the_file_unless_it_has_several() {
     assert_eq!(other.to_string(), "t.csv: the spectrum is not for 3 % damping");
     assert!(other.hint.is_some_and(|hint| hint.ends_with("2 %, 5 %")));
     let percent = read("T [s],Sa [g],damping\n1,0.2,5\n", "t.csv").unwrap_err();
-    assert_eq!(percent.to_string(), "t.csv:2: a damping ratio of 5 is none");
+    assert_eq!(percent.to_string(), "t.csv:2: 5 is not a damping ratio");
 }
 
 #[test]
@@ -46,7 +46,7 @@ fn values_that_no_spectrum_has_are_refused_with_their_line() {
         ("1,0.2\n-0.1,0.3\n", "t.csv:3: a period must be 0 s or more"),
         ("1,0.2\n2,0\n", "t.csv:3: the acceleration of a target must be above 0"),
         ("1,0.2\n2,-999\n", "t.csv:3: the acceleration of a target must be above 0"),
-        ("1,0.2\n\n2,0.1\n1,0.3\n", "t.csv:5: the period 1 s stands twice"),
+        ("1,0.2\n\n2,0.1\n1,0.3\n", "t.csv:5: the period 1 s is there twice"),
         ("0,0.2\n-0,0.1\n", "t.csv:3: the period"),
     ] {
         let problem = read(&format!("T [s],Sa [g]\n{rows}"), "t.csv").expect_err(rows);

@@ -1,6 +1,6 @@
 //! A spectrum in columns: periods and accelerations, with units in their headings.
 
-use crate::text::headings::{Heading, headings_of, is_time_name};
+use crate::text::headings::{Heading, headings_of, in_si, is_time_name};
 use crate::text::lines::check_text;
 use crate::text::table::{self, Table};
 use freestand_input::file::load_up_to;
@@ -8,12 +8,13 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, lookup, shorten};
 use std::path::Path;
 
-/// Longest file of a spectrum \[bytes\]: some hundred thousand periods, each of which costs an oscillator.
+/// Longest file of a spectrum \[bytes\]: some hundred thousand periods. Each costs the calculation
+/// of an oscillator.
 const MAX_BYTES: u64 = 16 << 20;
 
-/// How a spectrum may be written, for every fault of its table.
-const HINT: &str = "a spectrum is a text with one row per period, below headings with units such as \"period [s]; PSA [g]\"; \
-                    decimal commas need a ; between the columns, and comments begin with #";
+/// How to write a spectrum: the hint for every problem of its table.
+const HINT: &str = "a spectrum is a text with one row per period, below headings with units such as \"period [s]; PSA \
+                    [g]\"; decimal commas need a ; between the columns, and comments begin with #";
 
 /// One period of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,11 +42,11 @@ pub fn load_spectrum(path: &Path) -> Result<Vec<u8>, Problem> {
     )
 }
 
-/// The rows of a spectrum, as the file has them. Of several accelerations that which is called PSA is taken, in its absence
-/// Sa: `freestand motion spectrum` writes both.
+/// The rows of a spectrum, as the file has them. Of several accelerations the one called PSA is
+/// used, else Sa: `freestand motion spectrum` writes both.
 ///
 /// # Errors
-/// No table, a unit that is not stated, no or several columns that can be meant. Values are not judged.
+/// No table, a missing unit, no column or several columns that qualify. Values are not checked.
 pub fn parse_spectrum(mut bytes: Vec<u8>) -> Result<Vec<SpectrumRow>, Problem> {
     check_text(&mut bytes)?;
     let table = table::read(&bytes).map_err(|problem| problem.hint(HINT))?;
@@ -65,7 +66,7 @@ pub fn parse_spectrum(mut bytes: Vec<u8>) -> Result<Vec<SpectrumRow>, Problem> {
     Ok(rows(&table, &bytes, &headings, [Some(period), Some(psa), damping]))
 }
 
-/// Adds the unit that a heading of our own files ends in, `period_s`, `psa_g`, `rotd50_g`: in a spectrum nothing else is meant.
+/// Adds the unit at the end of a heading: `period_s`, `psa_g`, `rotd50_g`.
 fn complete(heading: &mut Heading) {
     let name = heading.name.to_ascii_lowercase();
     if heading.unit.is_none() {
@@ -78,11 +79,7 @@ fn complete(heading: &mut Heading) {
     }
 }
 
-fn measures(heading: &Heading, dimension: Dimension) -> bool {
-    heading.unit.is_some_and(|unit| unit.dimension == dimension)
-}
-
-/// The places of the headings for which it holds.
+/// The places of the headings for which `holds` is true.
 fn places(headings: &[Heading], holds: impl Fn(&Heading) -> bool) -> Vec<usize> {
     headings.iter().enumerate().filter(|(_, heading)| holds(heading)).map(|(i, _)| i).collect()
 }
@@ -92,16 +89,19 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
         let name = heading.name.to_ascii_lowercase();
         matches!(name.as_str(), "t" | "t_s") || name.starts_with("period")
     };
-    match places(headings, |heading| measures(heading, Dimension::Time))[..] {
+    match places(headings, |heading| heading.measures(Dimension::Time))[..] {
         [one] => match headings.get(one) {
-            // T is a time in a record and a period here, by habit; no other word for a time is.
+            // T is a time in a record and a period in a spectrum; other words for time are not used
+            // for periods.
             Some(heading) if is_time_name(&heading.name) && !named(heading) => {
                 let message = format!(
                     "\"{}\" is not a period: this seems to be a record, not a spectrum",
                     shorten(&heading.name)
                 );
-                Err(Problem::new(ProblemKind::Format, message)
-                    .hint("name a file of periods and pseudo-accelerations; the command motion spectrum writes that of a record"))
+                Err(Problem::new(ProblemKind::Format, message).hint(
+                    "name a file of periods and pseudo-accelerations; the command motion spectrum writes that \
+                           of a record",
+                ))
             }
             _ => Ok(one),
         },
@@ -124,7 +124,7 @@ fn acceleration_column(headings: &[Heading]) -> Result<usize, Problem> {
     let found = [
         places(headings, |heading| lower(heading).starts_with("psa")),
         places(headings, |heading| is_sa(&lower(heading))),
-        places(headings, |heading| measures(heading, Dimension::Acceleration)),
+        places(headings, |heading| heading.measures(Dimension::Acceleration)),
     ];
     let found = found.into_iter().find(|found| !found.is_empty()).unwrap_or_default();
     let chosen: Vec<&Heading> = found.iter().filter_map(|&i| headings.get(i)).collect();
@@ -175,14 +175,9 @@ fn unit_is_open(heading: &Heading, example: &str) -> Problem {
         .hint(format!("write it in the heading, such as \"{example}\""))
 }
 
-/// The columns at three places row by row, in SI; a ratio may be bare.
+/// Three columns row by row, in SI; a ratio may be a bare number.
 fn rows(table: &Table, bytes: &[u8], headings: &[Heading], places: [Option<usize>; 3]) -> Vec<SpectrumRow> {
-    let column = |place: Option<usize>| -> Option<Vec<f64>> {
-        let at = place?;
-        let unit = headings.get(at)?.unit;
-        let values = &table.columns.get(at)?.values;
-        Some(values.iter().map(|&value| unit.map_or(value, |unit| unit.to_si(value))).collect())
-    };
+    let column = |place: Option<usize>| place.map(|index| in_si(table, headings, index));
     let [periods, accelerations, dampings] = places.map(column);
     let values = periods.unwrap_or_default().into_iter().zip(accelerations.unwrap_or_default());
     let rows = table.lines_of_rows(bytes).zip(values).enumerate();

@@ -36,7 +36,8 @@ fn spectra_of_many_hands_are_one() {
     }
 }
 
-/// What `freestand motion spectrum --out` writes: PSA is taken, not Sa; each row has its damping and its line.
+/// What `freestand motion spectrum --out` writes: PSA is taken, not Sa; each row has its damping
+/// and its line.
 #[test]
 fn our_own_spectra_are_read() {
     let text = "period_s,sd_m,psv_m_s,psa_g,sa_g,damping_ratio\n0.5,0.1,0.2,0.25,9,0.02\n\n0.5,0.1,0.2,0.125,9,0.05\n";
@@ -60,18 +61,18 @@ fn what_is_no_spectrum_is_refused_with_line_and_remedy() {
         ("T [s];PSA;PGA [g]\n0.2;0.5;0.4\n", Some(1), "the unit of \"PSA\" is not stated"),
         ("T [s],value\n0.2,0.5\n", Some(1), "the unit of \"value\" is not stated"),
         ("0.2,0.5\n1.5,0.3\n", Some(1), "there are no headings"),
-        ("f [Hz],Sa [g]\n0.2,0.5\n", Some(1), "no column holds a time"),
+        ("f [Hz],Sa [g]\n0.2,0.5\n", Some(1), "no column holds periods"),
         ("T [s],Sd [m]\n0.2,0.5\n", Some(1), "no column holds an acceleration"),
         ("T [s],PSA [cm]\n0.2,0.5\n", Some(1), "\"PSA\" is a length (cm)"),
-        ("time [s],a [g]\n0.01,0.1\n0.02,0.2\n", Some(1), "\"time\" is no period"),
-        ("time_s,accel_m_s2\n0.01,0.1\n", Some(1), "\"time_s\" is no period"),
+        ("time [s],a [g]\n0.01,0.1\n0.02,0.2\n", Some(1), "\"time\" is not a period"),
+        ("time_s,accel_m_s2\n0.01,0.1\n", Some(1), "\"time_s\" is not a period"),
         ("T [s],t [s],Sa [g]\n0.2,0.5,1\n", Some(1), "several columns hold a time"),
         (
             "period_s,rotd50_g,rotd100_g\n1,2,3\n",
             Some(1),
             "several columns hold a spectral acceleration: rotd50_g, rotd100_g",
         ),
-        ("T [s],Sa [g]\n0.2,0.5\n1.5\n", Some(3), "the first row has 2 values, this one 1"),
+        ("T [s],Sa [g]\n0.2,0.5\n1.5\n", Some(3), "the first row has 2 values, this one has 1"),
         ("T [s];Sa [g]\n0,2;0,5\n1,5;o,3\n", Some(3), "\"o,3\" is not a number"),
         ("T [s],Sa [g]\n0.2,0.5\n1.5,\n", Some(3), "a value is missing"),
         ("T [s],Sa [g]\n", None, "no row of numbers"),
@@ -85,7 +86,7 @@ fn what_is_no_spectrum_is_refused_with_line_and_remedy() {
     }
 }
 
-/// A record is no spectrum, however long, and a pipe without end is not read to its end.
+/// A long record is not a spectrum, and an endless pipe is not read to its end.
 #[cfg(unix)]
 #[test]
 fn a_file_without_end_is_refused() {

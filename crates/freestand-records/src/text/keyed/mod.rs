@@ -1,4 +1,5 @@
-//! Headers of lines `KEY: value`, which several archives write, and the rows of numbers below them.
+//! Headers of lines `KEY: value`, as several archives write them, and the rows of numbers below
+//! them.
 
 use super::digit_style::DigitStyle;
 use super::fortran::{Number, bad_field, fields, is_missing_word, number};
@@ -7,7 +8,8 @@ use super::rows::Rows;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
-/// How far down the first row of numbers may stand: the 65th line in the longest of these headers.
+/// The last line on which the first row of numbers may be; in the longest of these headers it is
+/// line 65.
 const HEADER_LINES: usize = 1000;
 
 /// A line of a header. Prose without a colon is a key with an empty value.
@@ -30,7 +32,7 @@ pub(crate) fn entry(line: &Line<'_>) -> Entry {
 }
 
 impl Entry {
-    /// Whether its key is `key`, whatever its capitals and a unit in brackets behind it.
+    /// Whether its key is `key`, ignoring capitals and a unit in brackets after it.
     pub(crate) fn is(&self, key: &str) -> bool {
         self.key.split('(').next().unwrap_or("").trim().eq_ignore_ascii_case(key)
     }
@@ -66,26 +68,26 @@ impl Header {
         self.entries.iter().find(|entry| entry.is(key) && !entry.value.is_empty())
     }
 
-    /// The value of a key; empty where there is none.
+    /// The value of a key; empty if the key is missing.
     pub(crate) fn text(&self, key: &str) -> &str {
         self.get(key).map_or("", |entry| &entry.value)
     }
 
-    /// The number that a key has, with its line.
+    /// The number under a key, with its line.
     ///
     /// # Errors
-    /// A value that is no number.
+    /// A value that is not a number.
     pub(crate) fn number(&self, key: &str) -> Result<Option<(f64, usize)>, Problem> {
         let Some(entry) = self.get(key) else { return Ok(None) };
         let value = number(entry.value.as_bytes()).ok_or_else(|| entry.problem("a number"))?.value;
         Ok(Some((value, entry.line)))
     }
 
-    /// The time step \[s\] that a key has, with its line; a key may state its unit in brackets. Where there is none, the
-    /// user's.
+    /// The time step \[s\] under a key, with its line; a key may state its unit in brackets.
+    /// Without the key, the step `given_s` by the user.
     ///
     /// # Errors
-    /// A value that is no number, or a unit other than seconds and milliseconds; no step at all.
+    /// A value that is not a number, or a unit other than seconds and milliseconds; no step at all.
     pub(crate) fn step_s(&self, key: &str, given_s: Option<f64>) -> Result<(f64, usize), Problem> {
         let Some((value, line)) = self.number(key)? else {
             return given_s.map(|dt_s| (dt_s, 1)).ok_or_else(|| {
@@ -103,10 +105,10 @@ impl Header {
         }
     }
 
-    /// The number of values that a key has, with its line.
+    /// The number of values under a key, with its line.
     ///
     /// # Errors
-    /// A value that is no whole number.
+    /// A value that is not a whole number.
     pub(crate) fn count(&self, key: &str) -> Result<Option<(usize, usize)>, Problem> {
         let Some(entry) = self.get(key) else { return Ok(None) };
         let value = number(entry.value.as_bytes()).map(|number| number.value);
@@ -117,8 +119,8 @@ impl Header {
     }
 }
 
-/// Whether a line is a row of numbers. A row of words that stand for missing values is one: it must be refused, not
-/// taken for a header.
+/// Whether a line is a row of numbers. A row of words that mark missing values counts: it must be
+/// refused, not taken for a header.
 fn is_row(line: &Line<'_>) -> bool {
     let mut values = 0;
     if fields(line.bytes, |_| values += 1).is_ok() {
@@ -128,10 +130,11 @@ fn is_row(line: &Line<'_>) -> bool {
     words.all(|word| is_missing_word(word) || number(word).is_some())
 }
 
-/// Reads rows of `width` numbers to the end of the file; `declared` is how many the header promises, and where.
+/// Reads rows of `width` numbers to the end of the file; `declared` is the number that the header
+/// states, and its line.
 ///
 /// # Errors
-/// A field that is no number, another number of rows, none at all; otherwise as [`Rows::push`].
+/// A field that is not a number, a wrong number of rows, no rows; otherwise as [`Rows::push`].
 pub(crate) fn read_rows(
     rest: &mut Lines<'_>,
     width: usize,
@@ -149,7 +152,7 @@ pub(crate) fn read_rows(
             row.push(number.value);
         };
         if let Err(bad) = fields(line.bytes, each) {
-            // Behind the last value there may be a footer.
+            // A footer may follow the last value.
             if row.is_empty() && declared.is_some_and(|(count, _)| count == rows.count()) {
                 notes.push(format!("line {} follows the last value and was ignored", line.number));
                 break;
@@ -166,13 +169,13 @@ pub(crate) fn read_rows(
     }
 }
 
-/// The header promises another number of values than there are.
+/// The problem that the header states another number of values than the file has.
 fn wrong_count(declared: usize, found: usize) -> Problem {
     Problem::new(ProblemKind::Format, format!("the header declares {declared} values, but the file has {found}"))
         .hint("the file may be cut off: fetch it again, or correct the number if no value is missing")
 }
 
-/// Refuses numbers behind the last value that the header declares, and notes any other text there.
+/// Refuses numbers after the last value that the header declares, and notes other text there.
 ///
 /// # Errors
 /// A row of numbers.

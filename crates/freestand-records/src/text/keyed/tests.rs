@@ -52,7 +52,7 @@ fn rows_are_counted_and_a_footer_is_noted() {
         ("1 2\n3 4\nthe end\n", Some(3), "line 3: \"the\" is not a number"),
         ("1 2\n3 4\n", Some(3), "line 99: the header declares 3 values, but the file has 2"),
         ("1 2\n3 4\n", Some(1), "line 99: the header declares 1 values, but the file has 2"),
-        ("1 2\n3\n", Some(2), "line 2: the other rows have 2 values, this one has 1"),
+        ("1 2\n3\n", Some(2), "line 2: a row must have 2 values, but this one has 1"),
         ("1 2\n3 -999\n", Some(2), "line 2: \"-999\" marks a missing value"),
         ("1 2\n3 NaN\n", Some(2), "line 2: \"NaN\" marks a missing value"),
         ("\n", None, "line 1: no row of numbers follows the header"),

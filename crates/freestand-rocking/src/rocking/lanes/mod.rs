@@ -138,7 +138,9 @@ fn follow(
             // A block of a tile has a plan.
             let rockers: Vec<Rocker> =
                 tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker)| rocker)).collect();
-            Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, plan.parts).run(wait)
+            let mut tile = Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, plan.parts);
+            tile.run(wait);
+            tile.records
         })
         .collect();
     let mut records = vec![Record::default(); blocks.len()];

@@ -25,8 +25,8 @@ use freestand_records::tables::laboratory::comments;
 
 pub use pool::{PooledReport, cushion_toml};
 
-/// A warning is given below this many samples per contact: 50, with a contact time that is accurate to
-/// one or two per cent.
+/// A warning is given below this many samples per contact: 50, with a contact time that is accurate
+/// to one or two per cent.
 const GOOD_SAMPLES: f64 = 49.0;
 /// A warning is given where the estimates of a linear pad differ by more than this.
 const WIDE_SPREAD: f64 = 0.1;
@@ -165,7 +165,7 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
         return Err(in_file(
-            value("the mass is not known").hint("give mass, or a line \"# mass: 0.365 kg\" in the file"),
+            value("the mass is not known").hint("give `mass`, or a line \"# mass: 0.365 kg\" in the file"),
         ));
     };
     let height_m = request.height_m.or(if request.impact_velocity_m_s.is_some() { None } else { said.height_m });
@@ -351,7 +351,8 @@ fn notes(report: &DropReport, thickness_m: Option<f64>, warnings: &mut Vec<Strin
     let spread_ratio = found.map_or(0.0, |found| found.stiffness.spread_ratio());
     if found.is_some_and(|found| found.chosen == FittedLaw::Linear) && spread_ratio > WIDE_SPREAD {
         say(format!(
-            "the four estimates differ by {} %, although the pulse is that of a linear pad: check mass, height and zero line",
+            "the four estimates differ by {} %, although the pulse is that of a linear pad: check mass, height and \
+             zero line",
             significant(100.0 * spread_ratio, 2)
         ));
     }

@@ -10,8 +10,8 @@ use freestand_output::facts::Facts;
 
 /// Masses that differ by more than this are those of different plates.
 const MASS_SHARE: f64 = 0.01;
-/// Impact velocities that differ by more than this come from different heights: two errors of 1 % and
-/// a margin.
+/// Impact velocities that differ by more than this come from different heights: two errors of 1 %
+/// and a margin.
 const SPEED_SHARE: f64 = 0.03;
 
 /// All drops of one pad.
@@ -35,7 +35,8 @@ pub struct PooledPad {
     pub restitution_ratio: Option<f64>,
 }
 
-/// Pools the drops that have a stiffness and the law of most of them, if they are repeats of each other.
+/// Pools the drops that have a stiffness and the law of most of them, if they are repeats of each
+/// other.
 pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>) -> PooledReport {
     let given: Vec<&DropReport> = tests.iter().filter(|test| test.found().is_some()).collect();
     let differences = differences(&given);
@@ -52,7 +53,7 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
     if alike.len() < given.len() {
         let laws: Vec<&str> = given.iter().filter_map(|test| law_of(test)).map(FittedLaw::name).collect();
         warnings.push(format!(
-            "the drops fit different laws ({}): only the {} of {} are pooled; a given law applies to all",
+            "the drops fit different laws ({}): only the {} of {} are pooled; `law` sets one law for all",
             laws.join(", "),
             alike.len(),
             law.name()
@@ -60,8 +61,8 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
     }
     if !is_linear(law) && are_of_other_heights(&alike) {
         warnings.push(
-            "the drops are from different heights and the stiffness of the pad depends on the compression: the pooled \
-             stiffness holds for none of them; evaluate each height on its own"
+            "the drops are from different heights and the stiffness of the pad depends on the compression: the \
+             pooled stiffness holds for none of them; evaluate each height on its own"
                 .to_owned(),
         );
     }
@@ -208,7 +209,8 @@ mod tests {
     use crate::laboratory::drop_test::{DropRequest, DropsReport, cushion_toml, drop_tests};
     use crate::laboratory::virtual_test::drop_file;
 
-    /// A drop of 0.365 kg by `height_m`, of 60 samples per contact, with lines of comment before it.
+    /// A drop of 0.365 kg by `height_m`, of 60 samples per contact, with lines of comment before
+    /// it.
     fn write(folder: &Path, name: &str, cushion: &Cushion, height_m: f64, said: &str) -> PathBuf {
         let (mass_kg, speed_m_s) = (0.365, (2.0 * G0_M_S2 * height_m).sqrt());
         let contact_s = cushion.land(mass_kg, speed_m_s).duration_s;
@@ -272,7 +274,8 @@ mod tests {
         }
     }
 
-    /// Secants of a Hertz pad at 50 and 200 mm differ by 4^(1/5) = 1.32 and are no repeats; of a linear pad they are.
+    /// Secants of a Hertz pad at 50 and 200 mm differ by 4^(1/5) = 1.32 and are no repeats; of a
+    /// linear pad they are.
     #[test]
     fn other_heights_matter_where_the_pad_is_curved() {
         let folder = tempfile::tempdir().unwrap();

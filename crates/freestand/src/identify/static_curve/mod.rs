@@ -131,7 +131,8 @@ const PAUSE_SHARE: f64 = 0.05;
 /// use freestand::identify::{StaticOptions, static_test};
 /// let force: Vec<f64> = (0..=50).map(|i| f64::from(i) * 10.0).collect();
 /// let displacement: Vec<f64> = force.iter().map(|f| f / 0.8e6).collect();
-/// let options = StaticOptions { load_n: None, machine_stiffness_n_m: Some(4e6), compensates_toe: true };
+/// let machine_stiffness_n_m = Some(4e6);
+/// let options = StaticOptions { load_n: None, machine_stiffness_n_m, compensates_toe: true };
 /// let test = static_test(&force, &displacement, &options)?;
 /// assert!((test.tangent_stiffness_n_m / 1e6 - 1.0).abs() < 1e-9);
 /// # Ok::<(), freestand::identify::StaticError>(())

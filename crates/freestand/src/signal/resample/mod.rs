@@ -73,7 +73,8 @@ const MIRRORED: usize = 1000;
 /// let coarse = Motion::new(0.1, (0..=40).map(|k| hump(0.1 * f64::from(k))).collect())?;
 /// let fine = upsampled_sinc(&coarse, 4)?;
 /// assert_eq!((fine.dt_s(), fine.accel_m_s2().len()), (0.025, 161));
-/// assert!((fine.accel_m_s2()[81] - hump(2.025)).abs() < 1e-8); // the straight line is wrong by 0.03 here
+/// // The straight line is wrong by 0.03 here.
+/// assert!((fine.accel_m_s2()[81] - hump(2.025)).abs() < 1e-8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn upsampled_sinc(motion: &Motion, factor: usize) -> Result<Motion, ResampleError> {

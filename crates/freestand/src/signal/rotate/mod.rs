@@ -93,7 +93,8 @@ impl<'m> Pair<'m> {
     /// # Example
     /// ```
     /// use freestand::{motion::Motion, signal::rotate::Pair};
-    /// let (north, east) = (Motion::new(0.01, vec![0.0, 1.0])?, Motion::new(0.01, vec![0.0, 1.0])?);
+    /// let north = Motion::new(0.01, vec![0.0, 1.0])?;
+    /// let east = north.clone();
     /// let northeast = Pair::new(&north, &east)?.component_at(0.0, 90.0, 45.0)?;
     /// assert!((northeast.peak_m_s2() - 2f64.sqrt()).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())

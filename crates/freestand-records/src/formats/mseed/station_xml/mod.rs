@@ -1,5 +1,5 @@
-//! FDSN StationXML: the sensitivity and the direction of a channel. No response is removed: one number scales all
-//! frequencies, which is right where the instrument is flat.
+//! FDSN StationXML: the sensitivity and the direction of a channel. The response is not removed:
+//! one number scales all frequencies, which is right where the response is flat.
 
 use super::Source;
 use crate::formats::instant::Instant;
@@ -17,7 +17,8 @@ const MAX_BYTES: usize = 512 << 20;
 /// Nodes of such an inventory; each takes some tens of bytes while the file is read.
 const MAX_NODES: u32 = 20_000_000;
 
-/// The descriptions of stations that belong to a record file: the one that is named, or what lies beside it.
+/// The station descriptions for a record file: the one that the user names, or those next to the
+/// file.
 pub(super) struct Stations<'a> {
     record: &'a Path,
     named: Option<&'a Path>,
@@ -32,7 +33,7 @@ pub(super) struct Inventory {
     epochs: Vec<Epoch>,
 }
 
-/// A channel while nothing about it changed.
+/// A channel during a time in which nothing about it changed.
 struct Epoch {
     source: Source,
     /// Where its element begins.
@@ -56,7 +57,7 @@ struct Sensitivity {
     output: String,
 }
 
-/// How counts become m/s².
+/// How to convert counts to m/s².
 #[derive(Debug)]
 pub(super) struct Scaling {
     pub(super) counts_per_m_s2: f64,
@@ -64,11 +65,11 @@ pub(super) struct Scaling {
     pub(super) notes: Vec<String>,
 }
 
-/// What an instrument senses.
+/// What an instrument measures.
 #[derive(Debug)]
 pub(super) enum Sensed {
     Acceleration(Scaling),
-    /// Something else: no fault of the file, but nothing to read either.
+    /// Something else. The file is correct, but the channel cannot be used.
     Other(Problem),
 }
 
@@ -80,9 +81,9 @@ impl<'a> Stations<'a> {
     /// The description of a channel's station, where there is one.
     ///
     /// # Errors
-    /// A file that cannot be read or is no StationXML.
+    /// A file that cannot be read or is not StationXML.
     pub(super) fn of(&mut self, source: &Source) -> Result<Option<&Inventory>, Problem> {
-        let path = self.named.map(Path::to_path_buf).or_else(|| beside(self.record, source));
+        let path = self.named.map(Path::to_path_buf).or_else(|| next_to(self.record, source));
         let Some(path) = path else { return Ok(None) };
         let place = match self.read.iter().position(|one| one.file.path == path) {
             Some(place) => place,
@@ -95,11 +96,11 @@ impl<'a> Stations<'a> {
     }
 }
 
-/// The first of these that lies beside `CI.CLC..HNE.D.mseed`: the channel's or the station's name with `.xml`, or the
-/// file's own, shortened dot by dot.
-fn beside(record: &Path, source: &Source) -> Option<PathBuf> {
+/// The first of these files next to `CI.CLC..HNE.D.mseed`: the name of the channel or the station
+/// with `.xml`, or the file's own name, shortened dot by dot.
+fn next_to(record: &Path, source: &Source) -> Option<PathBuf> {
     let mut names = Vec::new();
-    // What a record says of itself must not lead out of its folder.
+    // A name from a record must not lead out of its folder.
     let is_plain = |text: &str| text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'-');
     if let Some(station) = source.full_station()
         && [&source.network, &source.station, &source.location, &source.channel].iter().all(|part| is_plain(part))
@@ -161,7 +162,7 @@ impl Inventory {
         self.file.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
     }
 
-    /// How the counts of a channel between two times become m/s².
+    /// How to convert the counts of a channel between two times to m/s².
     ///
     /// # Errors
     /// No epoch with the start of the record, epochs that contradict each other, or no sensitivity.
@@ -211,7 +212,8 @@ impl Inventory {
         };
         let file = self.name();
         let mut notes = vec![format!(
-            "{name}: counts are divided by the sensitivity in {file}, {words}; the response of the instrument is not removed"
+            "{name}: counts are divided by the sensitivity in {file}, {words}; the response of the instrument is not \
+             removed"
         )];
         if epoch.end.is_some_and(|until| until < end) {
             notes.push(format!("{name}: the record continues past the end of its epoch in {file}"));
@@ -224,15 +226,15 @@ impl Inventory {
     }
 
     fn listing(&self) -> String {
-        const MOST: usize = 8;
+        const MAX: usize = 8;
         let mut names: Vec<String> = Vec::new();
         for epoch in &self.epochs {
             let name = epoch.source.full_name();
             if !names.contains(&name) {
                 names.push(name);
             }
-            if names.len() > MOST {
-                names[MOST] = "and more".to_owned();
+            if names.len() > MAX {
+                names[MAX] = "and more".to_owned();
                 break;
             }
         }
@@ -244,11 +246,11 @@ fn shorten_each(names: &[String]) -> Vec<String> {
     names.iter().map(|name| shorten(name)).collect()
 }
 
-/// Why counts do not become m/s².
+/// Why counts cannot be converted to m/s².
 enum Refusal {
-    /// The instrument senses something else: what.
+    /// The instrument measures something else; the text says what.
     Other(String),
-    /// The description is not enough: why, and what to do.
+    /// The description is incomplete: why, and what to do.
     Wrong(String, &'static str),
 }
 
@@ -269,8 +271,8 @@ impl Epoch {
         sensitivity.counts_per_m_s2(&self.source)
     }
 
-    /// Dip is degrees below the horizon, azimuth degrees from north. A sensor within five degrees of its axis carries its
-    /// name, as in the naming of SEED's channels.
+    /// Dip is in degrees below the horizon, azimuth in degrees from north. A sensor within five
+    /// degrees of an axis has the name of that axis, as SEED names channels.
     fn direction(&self) -> Option<Direction> {
         let (Some(azimuth), Some(dip)) = (self.azimuth_deg, self.dip_deg) else {
             return Direction::parse(&self.source.channel);
@@ -303,14 +305,15 @@ impl Sensitivity {
                     let message = format!("the sensitivity is to displacement ({input}), but its frequency is missing");
                     return Err(Refusal::Wrong(message, "correct it, or state the unit with `unit`"));
                 };
-                // Instrument code N: an accelerometer, whatever its sensitivity is written in.
+                // Instrument code N means an accelerometer, whatever the unit of its sensitivity.
                 if source.channel.chars().nth(1) != Some('N') {
                     let message = format!("the sensitivity is to displacement ({input}); an accelerometer is expected");
                     return Err(Refusal::Other(message));
                 }
                 let omega_rad_s = std::f64::consts::TAU * frequency_hz;
                 let words = format!(
-                    "{value} counts/({input}) at {frequency_hz} Hz: at that frequency, a displacement of 1 means an acceleration of (2 pi f)^2"
+                    "{value} counts/({input}) at {frequency_hz} Hz: at that frequency, a displacement of 1 means an \
+                     acceleration of (2 pi f)^2"
                 );
                 Ok((value / unit.to_si(1.0) / (omega_rad_s * omega_rad_s), words))
             }
@@ -330,7 +333,7 @@ fn epoch(network: Node<'_, '_>, station: Node<'_, '_>, channel: Node<'_, '_>) ->
     let written = |name| channel.attribute(name);
     let time = |name| written(name).and_then(Instant::parse);
     let bad_date = ["startDate", "endDate"].into_iter().filter_map(written).find(|text| Instant::parse(text).is_none());
-    // "--" stands for the empty location in requests, and in some descriptions.
+    // "--" means the empty location in requests and in some descriptions.
     let location = code(channel, "locationCode").replace("--", "");
     let response = children(channel, "Response").next();
     let in_response = |name| response.and_then(|response| children(response, name).next());
@@ -358,7 +361,7 @@ fn epoch(network: Node<'_, '_>, station: Node<'_, '_>, channel: Node<'_, '_>) ->
     }
 }
 
-/// Children of one name, in whichever namespace: some writers leave it out.
+/// Children of one name, in any namespace: some writers omit it.
 fn children<'a, 'input>(node: Node<'a, 'input>, name: &'static str) -> impl Iterator<Item = Node<'a, 'input>> {
     node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
 }

@@ -2,16 +2,19 @@ use super::*;
 use crate::formats::mseed::fixture::mseed_record;
 use crate::formats::{MotionFile, parse_motions};
 
-/// A description with one channel an entry: code, location, epoch, azimuth and dip, what stands in `Response`.
+/// A description with one channel an entry: code, location, epoch, azimuth and dip, what stands in
+/// `Response`.
 fn xml(channels: &[(&str, &str, &str, &str, &str)]) -> String {
     let mut out = String::from(
-        "<?xml version='1.0' encoding='UTF-8'?>\n<FDSNStationXML xmlns=\"http://www.fdsn.org/xml/station/1\" schemaVersion=\"1.2\">\n\
-        <Source>me</Source>\n<Network code=\"XX\">\n<Station code=\"ABC\" startDate=\"1990-01-01\">\n",
+        "<?xml version='1.0' encoding='UTF-8'?>\n<FDSNStationXML xmlns=\"http://www.fdsn.org/xml/station/1\" \
+         schemaVersion=\"1.2\">\n<Source>me</Source>\n<Network code=\"XX\">\n<Station code=\"ABC\" \
+         startDate=\"1990-01-01\">\n",
     );
     for (code, location, epoch, direction, response) in channels {
         let (azimuth, dip) = direction.split_once(' ').unwrap();
         out.push_str(&format!(
-            "<Channel code=\"{code}\" locationCode=\"{location}\" {epoch}>\n<Azimuth unit=\"DEGREES\">{azimuth}</Azimuth><Dip>{dip}</Dip>\n<Response>{response}</Response>\n</Channel>\n"
+            "<Channel code=\"{code}\" locationCode=\"{location}\" {epoch}>\n<Azimuth \
+             unit=\"DEGREES\">{azimuth}</Azimuth><Dip>{dip}</Dip>\n<Response>{response}</Response>\n</Channel>\n"
         ));
     }
     out + "</Station>\n</Network>\n</FDSNStationXML>\n"
@@ -71,7 +74,8 @@ fn every_spelling_of_an_acceleration_is_taken() {
     }
 }
 
-/// At 2 Hz a displacement of 1 m is an acceleration of (4 pi)^2 m/s2: 157.91 counts/m are 1 count/(m/s2).
+/// At 2 Hz a displacement of 1 m is an acceleration of (4 pi)^2 m/s2: 157.91 counts/m are 1
+/// count/(m/s2).
 #[test]
 fn an_accelerometer_may_be_described_by_displacement() {
     let value = (4.0 * std::f64::consts::PI).powi(2) * 2000.0;
@@ -137,12 +141,13 @@ fn epochs_and_locations_choose_the_channel() {
     assert!(scaling(&bad, "HNE", "", "2020-01-01").unwrap_err().message.contains("\"yesterday\" is not a date"));
     let twice = xml(&[("HNE", "", late, "0 0", &new), ("HNE", "", late, "0 0", &old)]);
     let problem = scaling(&twice, "HNE", "", "2020-01-01").unwrap_err();
-    assert!(problem.message.contains("two epochs hold") && problem.message.ends_with("line 10"), "{problem}");
+    assert!(problem.message.contains("two epochs with different") && problem.message.ends_with("line 10"), "{problem}");
 }
 
 #[test]
 fn what_is_no_station_xml_is_refused() {
-    let bomb = "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY b \"bbbbbbbb\"><!ENTITY c \"&b;&b;&b;\">]><FDSNStationXML>&c;</FDSNStationXML>";
+    let bomb = "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY b \"bbbbbbbb\"><!ENTITY c \
+                \"&b;&b;&b;\">]><FDSNStationXML>&c;</FDSNStationXML>";
     // Deep enough for the stack of a thread if elements were read one inside the other.
     let deep = "<a>".repeat(200_000);
     for (text, message) in [
@@ -169,12 +174,12 @@ fn read(folder: &Path, named: Option<&str>, unit: Option<&str>) -> Result<Motion
 }
 
 #[test]
-fn the_description_is_named_or_lies_beside_the_record() {
+fn the_description_is_named_or_next_to_the_record() {
     let text = |value: &str| xml(&[("HNE", "", "", "90 0", &sensitivity(value, "1", "M/S**2", "COUNTS"))]);
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let put = |name: &str, value: &str| std::fs::write(folder.join(name), text(value)).unwrap();
-    assert!(read(folder, None, None).unwrap_err().contains("sensitivity of the counts is not known"));
+    assert!(read(folder, None, None).unwrap_err().contains("sensitivity of the counts is unknown"));
     assert_eq!(read(folder, None, Some("m/s2")).unwrap().components[0].motion.peak_m_s2(), 2000.0);
     // From the least wanted to the most: each newcomer is taken before what was there.
     for (name, value, peak_m_s2) in [
@@ -200,12 +205,12 @@ fn the_description_is_named_or_lies_beside_the_record() {
     let file = parse_motions([seismometer.clone(), mseed_record()].concat(), &folder.join("x"), &options).unwrap();
     assert_eq!(file.components.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["HNE"]);
     assert!(file.notes[0].contains("XX.ABC..HHE: the instrument senses a velocity (M/S)"), "{:?}", file.notes);
-    assert!(file.notes[0].ends_with("it is left out"), "{:?}", file.notes);
+    assert!(file.notes[0].ends_with("it was left out"), "{:?}", file.notes);
     let error = parse_motions(seismometer, &folder.join("x"), &options).unwrap_err().to_string();
     assert!(error.contains("both.xml:") && error.contains("senses a velocity"), "{error}");
     put("other.xml", "500");
     assert_eq!(read(folder, Some("other.xml"), None).unwrap().components[0].motion.peak_m_s2(), 4.0);
     assert!(read(folder, Some("absent.xml"), None).unwrap_err().contains("absent.xml: cannot open"));
     let both = read(folder, None, Some("g")).unwrap_err();
-    assert!(both.contains("the unit g is given too") && both.contains("leave out the unit"), "{both}");
+    assert!(both.contains("the unit g is given too") && both.contains("leave out `unit`"), "{both}");
 }

@@ -1,7 +1,8 @@
-//! The kernel against the scalar solver, and against itself.
+//! The kernel against the scalar solver, and against itself; what work both take.
 
 mod agreement;
 mod determinism;
 mod edges;
+mod effort;
 mod extremes;
 mod trouble;

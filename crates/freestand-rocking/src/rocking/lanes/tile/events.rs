@@ -14,6 +14,8 @@ use crate::rocking::lanes::series::TERMS;
 impl Tile<'_> {
     /// Takes up to [`BATCH`] lanes from where they are in the step to their next event, or to its end.
     pub(super) fn events(&mut self, step: Step, batch: &[u32]) {
+        self.work.batches += 1;
+        self.work.events += batch.len();
         self.batch.gather(&self.moving, batch);
         (self.degree.solve)(self.arch, &mut self.batch, step.ground, batch.len());
         for (i, &lane) in batch.iter().enumerate() {

@@ -65,10 +65,22 @@ struct Lift {
     tau: f64,
 }
 
+/// What a tile took, for the tests that watch over it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Work {
+    /// Steps of blocks that move.
+    pub(super) steps: usize,
+    /// Batches of lanes with an event.
+    pub(super) batches: usize,
+    /// Lanes in these batches.
+    pub(super) events: usize,
+}
+
 pub(super) struct Tile<'a> {
     shaking: &'a Shaking,
     rockers: &'a [Rocker],
-    records: Vec<Record>,
+    pub(super) records: Vec<Record>,
+    pub(super) work: Work,
     /// Steps of an interval.
     parts: usize,
     arch: Arch,
@@ -102,6 +114,7 @@ impl<'a> Tile<'a> {
             shaking,
             rockers,
             records: vec![Record::default(); rockers.len()],
+            work: Work::default(),
             parts,
             arch,
             degree,
@@ -118,7 +131,7 @@ impl<'a> Tile<'a> {
     }
 
     /// Follows every block through the motion, and until it rests, where there is a longest `wait`, in intervals, for it.
-    pub(super) fn run(mut self, wait: Option<usize>) -> Vec<Record> {
+    pub(super) fn run(&mut self, wait: Option<usize>) {
         for block in 0..self.rockers.len() as u32 {
             self.wait(block, 0);
         }
@@ -140,7 +153,6 @@ impl<'a> Tile<'a> {
                 record.state = State::GivenUp;
             }
         }
-        self.records
     }
 
     /// Follows blocks that still move behind the record, for so many intervals at most.
@@ -188,6 +200,7 @@ impl<'a> Tile<'a> {
                     self.start(lift.block, lift.edge, lift.tau);
                 }
             }
+            self.work.steps += self.moving.count();
             advance(self.arch, self.moving.in_use(), ground, &mut self.queue);
             while !self.queue.is_empty() {
                 let mut queue = std::mem::take(&mut self.queue);
