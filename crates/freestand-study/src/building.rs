@@ -1,4 +1,4 @@
-//! Buildings: from periods or the tables of files to their modes, and back into words.
+//! Buildings: their modes from periods or from tables in files, and their description in words.
 
 use std::path::{Path, PathBuf};
 
@@ -15,15 +15,15 @@ pub const DEFAULT_STOREYS: u32 = 30;
 pub const DEFAULT_STOREY_HEIGHT_M: f64 = 3.2;
 /// α₀ of its beam: a frame combined with walls.
 pub const DEFAULT_SHEAR_FLEXURE_RATIO: f64 = 5.0;
-/// Damping of each mode of a building where none is stated.
+/// Default damping of each mode.
 pub const DEFAULT_DAMPING_RATIO: f64 = freestand::oscillator::DAMPING_RATIO;
-/// Number of modes that are kept where none is stated.
+/// Default number of modes.
 pub const DEFAULT_MODES: usize = 10;
 
-/// A share of the mass up to this one is 1 and a rounding error, of one mode as of their sum.
+/// A share of the mass up to this value is 1 with a rounding error, for one mode as for their sum.
 const LARGEST_ROUNDED_RATIO: f64 = 1.01;
 
-/// What the modes of one axis come from.
+/// The source of the modes of one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisModel {
     /// A uniform shear-flexure beam.
@@ -33,20 +33,20 @@ pub enum AxisModel {
         /// `α₀ = H √(GA/EI)`.
         shear_flexure_ratio: f64,
     },
-    /// A file with a row a storey: height, mass, stiffness.
+    /// A file with one row for each storey: height, mass, stiffness.
     StoreyTable(PathBuf),
-    /// A file with a row a mode: period, participation, the shape at the floors.
+    /// A file with one row for each mode: period, participation, shape at the floors.
     ModeTable(PathBuf),
 }
 
-/// One horizontal axis of a building, as it is asked for.
+/// A request for one horizontal axis of a building.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisRequest {
-    /// What its modes come from.
+    /// The source of its modes.
     pub model: AxisModel,
-    /// Damping, where a table does not say it of a mode.
+    /// Damping of modes for which a table does not state it.
     pub damping: Damping,
-    /// How many modes; `None`: [`DEFAULT_MODES`], or all that there are.
+    /// Number of modes; `None`: [`DEFAULT_MODES`], or fewer if the building has fewer.
     pub modes: Option<usize>,
 }
 
@@ -55,11 +55,11 @@ pub struct AxisRequest {
 pub struct Axis {
     /// Its modes.
     pub building: Building,
-    /// Height of the roof \[m\], where a table says it.
+    /// Height of the roof \[m\], if a table states it.
     pub height_m: Option<f64>,
     /// The table.
     pub table: Option<BuildingTable>,
-    /// What seems wrong with it.
+    /// Warnings.
     pub warnings: Vec<String>,
 }
 
@@ -70,16 +70,16 @@ pub struct BuildingTable {
     pub key: &'static str,
     /// The file.
     pub file: InputFile,
-    /// What stands in it.
+    /// Its content.
     pub text: Vec<u8>,
-    /// It says the damping of every mode, so that no other is used.
+    /// Whether it states the damping of every mode, so that no other is used.
     pub states_damping: bool,
 }
 
 /// Makes the modes of an axis, reading its table.
 ///
 /// # Errors
-/// A file that cannot be read or is no such table, with its line; values that make no building.
+/// A file that cannot be read or is not such a table, with its line; values that give no building.
 pub fn axis(request: &AxisRequest) -> Result<Axis, Problem> {
     match &request.model {
         AxisModel::Beam { period_s, shear_flexure_ratio } => {
@@ -105,8 +105,8 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
     let heights_m: Vec<f64> = table.storeys.iter().map(|storey| storey.height_m).collect();
     let warnings = look_like_elevations(&heights_m).then(|| {
         format!(
-            "{}: the heights change from row to row by nearly the same step, as elevations above the ground do; the height \
-             of each storey alone is meant",
+            "{}: the heights change from row to row by nearly the same step, like elevations above the ground; give \
+             the height of each storey itself",
             file_name(path)
         )
     });
@@ -119,8 +119,9 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
     })
 }
 
-/// Whether heights rise (or fall, from the roof down) by steps that are alike and are storeys themselves. Storeys grow by
-/// a few decimetres at most: less than a third of the lowest.
+/// Whether heights increase (or decrease, from the roof down) by nearly equal steps that could be
+/// storeys. Heights of real storeys differ by a few decimetres at most: less than a third of the
+/// lowest.
 fn look_like_elevations(heights_m: &[f64]) -> bool {
     let steps_m: Vec<f64> = heights_m.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let (Some(&first), true) = (steps_m.first(), heights_m.len() >= 3) else { return false };
@@ -179,16 +180,16 @@ fn at_row(problem: Problem, lines: &[usize], row: usize) -> Problem {
 fn refused(error: &BuildingError) -> Problem {
     let hint = match error {
         BuildingError::Period { .. } => "check the units of mass and stiffness",
-        BuildingError::RayleighModes { .. } => "name two modes with rayleigh_modes, such as 1 and 3",
+        BuildingError::RayleighModes { .. } => "give two modes, such as `rayleigh_modes = [1, 3]`",
         BuildingError::ModeDamping { .. } => {
-            "a ratio in percent needs the heading \"damping [%]\"; Rayleigh damping grows with the frequency: keep fewer \
-             modes, or name a higher one as the second"
+            "a ratio in percent needs the heading \"damping [%]\"; Rayleigh damping grows with the frequency: keep \
+             fewer modes, or give a higher second mode"
         }
         BuildingError::ModeValue { what: "effective mass", .. } => {
             "shares in percent need the heading \"effective mass [%]\""
         }
-        BuildingError::Storeys { .. } => "put storeys together, or use the modes of your own model",
-        BuildingError::Modes { .. } => "a building has no more modes than storeys; few of them move the floors",
+        BuildingError::Storeys { .. } => "combine storeys, or use the modes of your own model",
+        BuildingError::Modes { .. } => "a building has no more modes than storeys, and few of them matter",
         _ => "correct the value",
     };
     Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
@@ -197,22 +198,23 @@ fn refused(error: &BuildingError) -> Problem {
 fn doubt_words(doubt: ModalDoubt) -> String {
     match doubt {
         ModalDoubt::EffectiveMass { sum_ratio } if sum_ratio > 1.0 => format!(
-            "the modes carry {} of the mass, more than there is: are they all of one direction?",
+            "the effective masses of the modes add up to {} of the mass: do all modes belong to one direction?",
             percent(sum_ratio, 1)
         ),
         ModalDoubt::EffectiveMass { sum_ratio } => format!(
-            "the modes carry {} of the mass, 90 % is the usual demand of codes: export more modes; what is missing follows the ground",
+            "the effective masses of the modes add up to {} of the mass, while codes usually require 90 %: export \
+             more modes; the rest of the mass follows the ground",
             percent(sum_ratio, 1)
         ),
         ModalDoubt::RoofShare { sum_ratio } => format!(
-            "participation times shape adds up to {} at the roof, 1 is expected: take both from one export, in the same \
-             units and direction",
+            "participation times shape adds up to {} at the roof instead of 1: take both from one export, in the \
+             same units and direction",
             number(sum_ratio, 4)
         ),
     }
 }
 
-/// What kind of building it is, for people.
+/// The kind of building, in words.
 pub fn model_words(building: &Building) -> String {
     match building.model() {
         Model::Beam { shear_flexure_ratio } => format!(
@@ -224,7 +226,7 @@ pub fn model_words(building: &Building) -> String {
     }
 }
 
-/// One ratio, or that of the first mode and the last.
+/// One ratio, or those of the first and the last mode.
 pub fn damping_words(building: &Building) -> String {
     match (building.damping_ratio(), building.modes()) {
         (Some(ratio), _) => format!("{} in every mode", percent(ratio, 1)),
@@ -335,7 +337,8 @@ mod tests {
         assert!(problem.to_string().contains("tower.csv:1: the column \"elevation\""), "{problem}");
     }
 
-    /// Whatever one byte of a table becomes, it is read or refused: no panic, and no number that is none.
+    /// Whatever one byte of a table becomes, it is read or refused: no panic, and no number that is
+    /// none.
     #[test]
     fn no_byte_of_a_table_brings_it_down() {
         let (folder, path) = file("");

@@ -1,5 +1,6 @@
-//! A made-up study and result for tests: 10 motions, 2 levels, 26 heights × 5 thicknesses. The rocking is a formula, not
-//! a history: some objects do not uplift, some rock, some overturn, one cannot be followed.
+//! A made-up study and result for tests: 10 motions, 2 levels, 26 heights × 5 thicknesses. The
+//! rocking is a formula, not a history: some objects do not uplift, some rock, some overturn, one
+//! cannot be followed.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::path::PathBuf;
@@ -88,7 +89,8 @@ pub(crate) fn study() -> Study {
     }
 }
 
-/// The same with recorded ground motions, a tolerance, and names that an HTML writer must not trust.
+/// The same with recorded ground motions, a tolerance, and names that an HTML writer must not
+/// trust.
 pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
     let motions = result.ground.iter().map(|g| RecordedMotion {
         name: "<b>El & \"Centro\"</b> $x$ $y$".into(),

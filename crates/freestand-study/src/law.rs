@@ -1,16 +1,17 @@
-//! The stiffness of a contact law as people write it.
+//! Reads the stiffness of a contact law.
 
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
 use freestand_input::words::number;
 
-/// Exponents in a unit and in a flag are the same number, typed twice.
+/// Exponents in a unit and under their key are the same number, typed twice.
 const SAME_EXPONENT: f64 = 1e-9;
 
-/// The coefficient K of F = K dⁿ in N/mⁿ, and a note where the unit was completed.
+/// The coefficient K of F = K dⁿ in N/mⁿ, and a note if the unit was completed.
 ///
-/// `"2190 N/mm"` for n = 1; `"2e7 N/m^1.5"` or `"632 N/mm^1.5"` for n = 1.5. A plain `"632 N/mm"`, or `"632000 N/m"`, with
-/// n ≠ 1 is read as the secant at 1 mm, 632 N/mmⁿ, and the note says so. 1 N/mmⁿ = 1000ⁿ N/mⁿ.
+/// `"2190 N/mm"` for n = 1; `"2e7 N/m^1.5"` or `"632 N/mm^1.5"` for n = 1.5. A plain `"632 N/mm"`,
+/// or `"632000 N/m"`, with n ≠ 1 is read as the secant at 1 mm, 632 N/mmⁿ, and the note says so. 1
+/// N/mmⁿ = 1000ⁿ N/mⁿ.
 ///
 /// # Errors
 /// No positive stiffness, or an exponent in the unit that is not `exponent`.
@@ -32,12 +33,13 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
     let is_one = (exponent - 1.0).abs() <= SAME_EXPONENT;
     match stated {
         Some(stated) if (stated - exponent).abs() > SAME_EXPONENT => {
-            let message = format!("\"{}\" has the exponent {stated}, the law has {exponent}", shorten(text));
+            let message = format!("\"{}\" has the exponent {stated}, but the law has {exponent}", shorten(text));
             Err(Problem::new(ProblemKind::Value, message).hint("give the same exponent in both places"))
         }
         _ if is_one => Ok((stiffness_n_m, None)),
         _ => {
-            // One N/mm is 1000 N/m, one N/mmⁿ is 1000ⁿ N/mⁿ; without an exponent in the unit its length is a millimetre.
+            // One N/mm is 1000 N/m, one N/mmⁿ is 1000ⁿ N/mⁿ; without an exponent in the unit its
+            // length is a millimetre.
             let is_per_mm = stated.is_none() || plain.trim_end().to_ascii_lowercase().ends_with("/mm");
             let lengths_in_m: f64 = if is_per_mm { 1e3 } else { 1.0 };
             let coefficient_n_mn = stiffness_n_m * lengths_in_m.powf(exponent - 1.0);
@@ -45,8 +47,8 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
                 let (written, power) = (shorten(text), number(exponent, 6));
                 let per_mm = number(stiffness_n_m / 1e3, 6);
                 format!(
-                    "\"{written}\" is read as the secant stiffness at 1 mm, {per_mm} N/mm^{power}: {coefficient_n_mn:.4e} \
-                     N/m^{power}"
+                    "\"{written}\" is read as the secant stiffness at 1 mm, {per_mm} N/mm^{power}: \
+                     {coefficient_n_mn:.4e} N/m^{power}"
                 )
             });
             Ok((coefficient_n_mn, note))

@@ -1,4 +1,4 @@
-//! Everything that a run leaves behind, complete or not at all.
+//! The files of a run, written all or not at all.
 
 use std::path::PathBuf;
 
@@ -30,7 +30,8 @@ pub struct Written {
     pub body: Value,
 }
 
-/// The names of the files that a run of `study` will write, varied or not, but for the figures: these depend on the result.
+/// The names of the files that a run of `study` will write, with variations or without. The figures
+/// are missing, because they depend on the result.
 pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
     let mut names: Vec<String> =
         ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
@@ -52,14 +53,15 @@ fn ground_name(motion: &str) -> String {
 }
 
 fn floor_name(motion: &str, level: &str) -> String {
-    // A folder for each level: "rec" on the level "roof" and the ground motion "rec_roof" are two files.
+    // A folder for each level: "rec" on the level "roof" and the ground motion "rec_roof" are two
+    // files.
     format!("motions/{level}/{motion}.csv")
 }
 
 /// Writes the files of a run into `folder` and puts it in its place.
 ///
 /// # Errors
-/// A disk that is full or a folder that has changed since; nothing is left behind then.
+/// A full disk, or a folder that has changed in the meantime; then nothing is written.
 pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) -> Result<Written, Problems> {
     let (tables, pages) = rayon::join(|| tables(study, result), || pages(study, result));
     let mut files = tables?;
@@ -94,7 +96,7 @@ fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
 /// The table that synthetic motions were made for, as it was read.
 const TARGET_NAME: &str = "target_spectrum.csv";
 
-/// The study, as it gives the same result from the output folder.
+/// The study in a form that gives the same result from the output folder.
 fn rerun_toml(study: &Study) -> Result<String, Problem> {
     let toml = match &study.objects.cushion_file {
         Some((_, words)) => with_cushion(&study.toml, words)?,
@@ -173,7 +175,7 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
     Ok(files)
 }
 
-/// The figures and the report; the report shows them whether or not they are files too.
+/// The figures and the report, which contains the figures even if they are not written to files.
 fn pages(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
     if !(study.outputs.figures || study.outputs.report) {
         return Ok(Vec::new());

@@ -1,4 +1,4 @@
-//! Ground motions from record files: read, one component chosen, scaled, named and fingerprinted.
+//! Ground motions from record files: reads them, chooses components, scales and names them.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ use freestand_records::processing::{
 pub struct MotionFiles {
     /// The files, in order.
     pub paths: Vec<PathBuf>,
-    /// What the files may not say themselves.
+    /// Values that the files may not state.
     pub read: ReadOptions,
     /// Which component of each; `None`: each has only one.
     pub component: Option<String>,
@@ -32,45 +32,42 @@ pub struct MotionFiles {
     pub processing: Processing,
 }
 
-/// Where the second horizontal component of each motion is.
+/// The place of the second horizontal component of each motion.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Second {
-    /// There is none: objects are tried in one direction.
+    /// There is none: objects are computed in one direction.
     #[default]
     None,
-    /// In the same file; the names or numbers of both, or `None` for the only two that can be meant.
+    /// In the same file; the names or numbers of both, or `None` if only two are possible.
     SameFile(Option<(String, String)>),
     /// In these files, one for each of the first.
     Files(Vec<PathBuf>),
 }
 
-/// A motion, and what its reader noted.
+/// A motion, and the notes of its reader.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadMotion {
     /// The motion.
     pub motion: RecordedMotion,
-    /// What was concluded or left out.
+    /// Conclusions and omissions.
     pub notes: Vec<String>,
-    /// What is to be said where the motion is written to a file: see [`start_note`].
+    /// A warning for when the motion is written to a file: see [`start_note`].
     pub start_note: Option<String>,
     /// The unit of acceleration in the file; the motion itself is in m/s².
     pub unit: &'static str,
 }
 
-/// What is lost of a file with a time column where its motion is written to another: times are counted from the first
-/// sample everywhere here, so that they and the time step keep every bit.
+/// A warning for when the motion of a file with a time column is written to another file: times are
+/// then counted from the first sample, so that they and the time step keep every bit.
 pub fn start_note(file: &MotionFile) -> Option<String> {
     let has_clock = matches!(file.format, "CSV" | "columns");
     let start_s = file.components.iter().filter(|_| has_clock).find_map(|one| one.start_s)?;
     (start_s != 0.0).then(|| {
-        format!(
-            "the time column begins at {} s, and this is not kept: what is written begins at 0 s",
-            number(start_s, 9)
-        )
+        format!("the time column begins at {} s, but the times of the written motion begin at 0 s", number(start_s, 9))
     })
 }
 
-/// Reads all files; what fails is listed with its index and hides nothing else.
+/// Reads all files; each problem is listed with the index of its file.
 pub fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Problem)>) {
     let (mut motions, mut failures) = (Vec::new(), Vec::new());
     let mut names = HashSet::new();
@@ -103,8 +100,8 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
         }
         Second::Files(paths) => {
             let Some(second_path) = paths.get(index) else {
-                let problem = Problem::new(ProblemKind::Value, "has no file with its second component");
-                return Err(in_file(problem.hint("name one for each motion, in their order")));
+                let problem = Problem::new(ProblemKind::Value, "there is no file with its second component");
+                return Err(in_file(problem.hint("name one for each motion, in the same order")));
             };
             let (second_file, second_sha256) = read_file(second_path, files)?;
             let component = files.component.as_deref();
@@ -135,7 +132,7 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
         across,
     };
     let start_note = start_note(&file);
-    // Two components that were turned to an azimuth are of one file; the unit of the first stands for both.
+    // Two components that were turned to an azimuth are of one file and have the same unit.
     let chosen = file.select(files.component.as_deref()).ok().or(file.components.first());
     let unit = chosen.map_or("m/s2", |component| component.unit);
     let notes = file.notes.into_iter().chain(processed.notes).collect();
@@ -149,7 +146,7 @@ fn read_file(path: &Path, files: &MotionFiles) -> Result<(MotionFile, String), V
     Ok((file, sha256))
 }
 
-/// Both components processed; what was done to the second stands behind what was done to the first.
+/// Both components processed; the steps of the second follow those of the first.
 fn both(
     first: &Component,
     second: &Component,
@@ -161,13 +158,13 @@ fn both(
             .hint("name two horizontal components"));
     }
     if files.processing.azimuth_deg.is_some() {
-        return Err(Problem::new(ProblemKind::Value, "two components are tried in all directions, not turned to one")
+        return Err(Problem::new(ProblemKind::Value, "two components are used in all directions, not turned to one")
             .hint("leave the azimuth out, or the second component"));
     }
     let (mut one, two) = process_pair((first, second), names, &files.processing)?;
     Pair::new(&one.motion, &two.motion).map_err(|error| {
         Problem::new(ProblemKind::Value, error.to_string())
-            .hint("resample one of them to the step of the other first: freestand motion convert")
+            .hint("resample one of them to the step of the other first, with the command motion convert")
     })?;
     one.steps.extend(two.steps.into_iter().map(|step| format!("{}: {step}", names.1)));
     one.notes.extend(two.notes);
@@ -179,7 +176,8 @@ fn chosen_words(first: &Component, second: &Component) -> String {
     format!(", components {} and {}", first.name, second.name)
 }
 
-/// The file's name without its extension, with what is unsafe in a file name replaced by `-`.
+/// The file's name without its extension; characters that are unsafe in a file name are replaced by
+/// `-`.
 pub fn name_of(path: &Path) -> String {
     let stem = path.file_stem().map_or_else(|| "motion".into(), |stem| stem.to_string_lossy());
     let name: String =
@@ -188,7 +186,8 @@ pub fn name_of(path: &Path) -> String {
     if name.is_empty() { "motion".to_owned() } else { name }
 }
 
-/// The name, or the name with the first free number from 2; capitals do not tell names apart, as in some file systems.
+/// The name, or the name with the first free number from 2. Names that differ only in capitals are
+/// equal, as in some file systems.
 pub(crate) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let mut candidate = name.to_owned();
     let mut number = 2;

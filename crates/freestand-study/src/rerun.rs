@@ -1,11 +1,11 @@
-//! A study's text with the ground motions that were used, so that it runs again where its outputs are.
+//! Changes the text of a study, so that it can be run again from the folder of its outputs.
 
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, value};
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// The text with this seed of the synthetic motions; all else, comments too, stays.
+/// The text with this seed of the synthetic motions; everything else is kept, comments too.
 ///
 /// # Errors
 /// A text that is not TOML, or a seed that TOML cannot hold.
@@ -19,9 +19,9 @@ use freestand_input::problem::{Problem, ProblemKind};
 /// ```
 pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    let seed = i64::try_from(seed).map_err(|_| broken(format!("{seed} is more than TOML holds")))?;
+    let seed = i64::try_from(seed).map_err(|_| broken(format!("{seed} is too large for TOML")))?;
     let ground = study.entry("ground").or_insert_with(toml_edit::table);
-    let Some(ground) = ground.as_table_like_mut() else { return Err(broken("ground is no table")) };
+    let Some(ground) = ground.as_table_like_mut() else { return Err(broken("ground is not a table")) };
     match ground.get_mut("seed").and_then(Item::as_value_mut) {
         Some(old) if old.as_integer() == Some(seed) => {}
         Some(old) => {
@@ -36,10 +36,11 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     Ok(study.to_string())
 }
 
-/// The text with another value of a key; `in_place_of` are keys that go, since they say the same in another way.
+/// The text with another value of a key; keys of `in_place_of` are removed, because they state the
+/// same quantity in another way.
 ///
 /// # Errors
-/// A text that is not TOML, or where the table is none.
+/// A text that is not TOML, or in which `table` is not a table.
 ///
 /// # Example
 /// ```
@@ -51,7 +52,7 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
 pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &[&str]) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let entry = study.entry(table).or_insert_with(toml_edit::table);
-    let Some(keys) = entry.as_table_like_mut() else { return Err(broken(format!("{table} is no table"))) };
+    let Some(keys) = entry.as_table_like_mut() else { return Err(broken(format!("{table} is not a table"))) };
     // `damping_percent` and the like state the unit in the key.
     let is =
         |name: &str, key: &str| name.strip_prefix(key).is_some_and(|unit| unit.is_empty() || unit.starts_with('_'));
@@ -69,8 +70,8 @@ pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &
     Ok(study.to_string())
 }
 
-/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled; with a step between the
-/// directions \[degrees\] where each file has two components.
+/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled; with a
+/// step between the directions \[degrees\] if each file has two components.
 ///
 /// # Errors
 /// A text that is not TOML.
@@ -91,13 +92,14 @@ pub fn with_motions(toml: &str, files: &[String], rotation_step_deg: Option<f64>
 pub struct LevelFiles {
     /// Its name.
     pub name: String,
-    /// Its height as a share of the building's, where it is known.
+    /// Its height as a share of the building's, if it is known.
     pub level_ratio: Option<f64>,
     /// Its files.
     pub motions: Vec<String>,
 }
 
-/// The text with the motions of floors from files, which are in m/s² and scaled, as in [`with_motions`].
+/// The text with the motions of floors from files, which are in m/s² and scaled, as in
+/// [`with_motions`].
 ///
 /// # Errors
 /// A text that is not TOML, or without `[building]`.
@@ -122,7 +124,7 @@ pub fn with_floor_motions(
     }
     broken_lines(&mut entries);
     let Some(building) = study.get_mut("building").and_then(Item::as_table_like_mut) else {
-        return Err(broken("building is no table"));
+        return Err(broken("building is not a table"));
     };
     building.insert("levels", value(entries));
     Ok(study.to_string())
@@ -149,7 +151,7 @@ fn broken_lines(list: &mut Array) {
     list.set_trailing_comma(true);
 }
 
-/// Puts `ground` in the place of the table of that name.
+/// Replaces the table ground.
 fn replace_ground(study: &mut DocumentMut, mut ground: Table) {
     if let Some(old) = study.get("ground").and_then(Item::as_table) {
         *ground.decor_mut() = old.decor().clone();
@@ -158,14 +160,14 @@ fn replace_ground(study: &mut DocumentMut, mut ground: Table) {
     study.insert("ground", Item::Table(ground));
 }
 
-/// The text with the words of a cushion file in place of its name, so that it does not need the file.
+/// The text with the words of a cushion file instead of its name, so that the file is not needed.
 ///
 /// # Errors
 /// A text that is not TOML, or without `[objects]`.
 pub fn with_cushion(toml: &str, words: &Words) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let Some(objects) = study.get_mut("objects").and_then(Item::as_table_like_mut) else {
-        return Err(broken("objects is no table"));
+        return Err(broken("objects is not a table"));
     };
     objects.remove("cushion");
     for (key, text) in words.entries() {
@@ -205,7 +207,7 @@ pub fn with_building_tables(toml: &str, tables: &[(bool, &str, String)]) -> Resu
 pub fn with_spectrum(toml: &str, file: &str) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let Some(ground) = study.get_mut("ground").and_then(Item::as_table_like_mut) else {
-        return Err(broken("ground is no table"));
+        return Err(broken("ground is not a table"));
     };
     ground.insert("spectrum", value(file));
     Ok(study.to_string())
@@ -233,8 +235,8 @@ mod tests {
             ("series_stiffness", "4380 N/mm, 9000 N/mm"),
         ]);
         let text = with_cushion("[objects]\ncushion = \"pad.toml\" # ours\nmass = \"1 kg\"\n", &words).unwrap();
-        let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = 2\nseries_stiffness = \
-                        \"4380 N/mm, 9000 N/mm\"\n";
+        let expected = "[objects]\nmass = \"1 kg\"\npad_stiffness = \"2190 N/mm\"\npads_per_edge = \
+                        2\nseries_stiffness = \"4380 N/mm, 9000 N/mm\"\n";
         assert_eq!(text, expected);
     }
 
@@ -264,7 +266,8 @@ mod tests {
         assert_eq!(with_seed(builtin_toml(), 7).unwrap(), builtin_toml().replacen("\nseed = 1\n", "\nseed = 7\n", 1));
         assert_eq!(with_seed("", 7).unwrap(), "[ground]\nseed = 7\n");
         assert!(with_seed("", u64::MAX).is_err());
-        let ground = "[ground]\n# As the run used them: component chosen, scaled, in m/s2.\nmotions = [\n    \"motions/a.csv\",\n]\n";
+        let ground = "[ground]\n# As the run used them: component chosen, scaled, in m/s2.\nmotions = [\n    \
+                      \"motions/a.csv\",\n]\n";
         let study = "# mine\n[ground]\nmotions = [\"/x/a\"]\nscale = 2.0\n# hers\n[objects]\nmass = \"1 kg\" # 1\n";
         let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
         assert_eq!(text, format!("# mine\n{ground}# hers\n[objects]\nmass = \"1 kg\" # 1\n"));

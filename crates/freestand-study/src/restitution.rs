@@ -8,7 +8,8 @@ use freestand_input::words::number;
 /// A restitution that none of these blocks gains energy with.
 ///
 /// # Errors
-/// A value outside (0, 1], or a factor that is not positive or makes the restitution of a block larger than 1.
+/// A value outside (0, 1], or a factor that is not positive or makes the restitution of a block
+/// larger than 1.
 ///
 /// # Example
 /// Housner's ratio of the block is 0.940, so that a factor of 1.1 makes it 1.034.

@@ -1,4 +1,4 @@
-//! What a study gave: one row for each object and motion, and the statistics over all motions.
+//! The result of a study: one row for each object and motion, and the statistics over all motions.
 
 use freestand::building::Mode;
 use freestand::rocking::Outcome;
@@ -16,7 +16,7 @@ pub struct StudyResult {
     pub motions: Vec<String>,
     /// The ground motions, in the same order; none where the motions of the floors are given.
     pub ground: Vec<GroundMotion>,
-    /// The building's modes, by falling period.
+    /// The building's modes, in order of decreasing period.
     pub modes: Vec<Mode>,
     /// Peak accelerations of every floor; `None` where the motions of the floors are given.
     pub profile: Option<FloorProfile>,
@@ -24,13 +24,13 @@ pub struct StudyResult {
     pub levels: Vec<LevelResult>,
     /// The history that is drawn, if any object uplifted.
     pub history: Option<ExampleHistory>,
-    /// What the result owes to the assumptions, where that was asked for.
+    /// How the result depends on the assumptions, if that was requested.
     pub sensitivity: Option<Sensitivity>,
-    /// What the reader must know: assumptions, doubts, validity.
+    /// Warnings for the reader: assumptions, doubts, validity.
     pub warnings: Vec<String>,
 }
 
-/// A ground motion as it was used.
+/// A ground motion as used.
 #[derive(Debug, Clone)]
 pub struct GroundMotion {
     /// Its name in the outputs.
@@ -39,11 +39,12 @@ pub struct GroundMotion {
     pub motion: HorizontalMotion,
     /// Its 5 % spectrum.
     pub spectrum: PseudoSpectrum,
-    /// How well it meets its target, where it was made for or matched to one.
+    /// How well it fits its target, if it has one.
     pub misfit: Option<Misfit>,
 }
 
-/// Pseudo-accelerations over periods; of two components, the largest over all horizontal directions (RotD100).
+/// Pseudo-accelerations over periods; of two components, the largest over all horizontal directions
+/// (RotD100).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PseudoSpectrum {
     /// Undamped periods \[s\].
@@ -52,16 +53,19 @@ pub struct PseudoSpectrum {
     pub psa_m_s2: Vec<f64>,
 }
 
-/// Peak accelerations up the height of the building.
+/// Peak accelerations over the height of the building.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorProfile {
     /// Every floor as a share of the height, from the ground to the roof.
     pub levels_ratio: Vec<f64>,
-    /// Peak floor accelerations, `[motion][level]`; of two components, in whatever direction \[g\].
+    /// Peak floor accelerations, `[motion][level]`; for two components, the largest in any
+    /// direction \[g\].
     pub pfa_g: Vec<Vec<f64>>,
-    /// Peak floor velocities, of the floor itself and not relative to the ground, in the same shape \[m/s\].
+    /// Peak floor velocities, of the floor itself and not relative to the ground, in the same shape
+    /// \[m/s\].
     pub pfv_m_s: Vec<Vec<f64>>,
-    /// What a code gives a rigid part at each level, where the target is one of a code that says it.
+    /// Accelerations of a rigid part at each level by the code, if the target is a code with such a
+    /// clause.
     pub code: Option<CodeParts>,
 }
 
@@ -83,17 +87,17 @@ pub struct LevelResult {
 /// One object under one motion.
 #[derive(Debug, Clone)]
 pub enum ObjectResponse {
-    /// The history was followed to its end.
+    /// The history was completed.
     Done {
         /// Rocking.
         uplift: UpliftCell,
         /// Shock.
         shock: ShockCell,
-        /// The direction that governs \[degrees from the first component\], of several that overturn the first; `None` where
-        /// motions have one component.
+        /// The governing direction \[degrees from the first component\], the first if several
+        /// overturn the object; `None` if motions have one component.
         direction_deg: Option<f64>,
     },
-    /// It could not be followed; why.
+    /// The history failed, for this reason.
     Failed(String),
 }
 
@@ -105,7 +109,7 @@ pub enum Ranked {
     Value(f64),
     /// The quantile falls among the overturned.
     Overturned,
-    /// No motion could be followed.
+    /// Every history failed.
     NoData,
 }
 
@@ -116,11 +120,11 @@ pub struct ObjectStatistics {
     pub height_m: f64,
     /// Thickness \[m\].
     pub thickness_m: f64,
-    /// Motions that were followed.
+    /// Motions whose histories did not fail.
     pub motions: usize,
-    /// Share of the motions under which it uplifts (overturned ones included).
+    /// Share of the motions that uplift it, including those that overturn it.
     pub uplift_share: f64,
-    /// Share of the motions under which it overturns.
+    /// Share of the motions that overturn it.
     pub overturned_share: f64,
     /// Uplift \[m\] at 16, 50 and 84 %.
     pub uplift_m: [Ranked; 3],
@@ -128,9 +132,9 @@ pub struct ObjectStatistics {
     pub edge_acceleration_g: [Ranked; 3],
     /// Shock from the impact velocity \[g\] at 16, 50 and 84 %.
     pub edge_acceleration_impact_velocity_g: [Ranked; 3],
-    /// Median shock of the motions that the object survives \[g\]; `None` when there are none.
+    /// Median shock of the motions that do not overturn the object \[g\]; `None` if there are none.
     pub edge_acceleration_survivors_g: Option<f64>,
-    /// Largest shock of the motions that the object survives \[g\].
+    /// Largest shock of the motions that do not overturn the object \[g\].
     pub edge_acceleration_max_g: Option<f64>,
     /// The uplift ceiling \[g\].
     pub ceiling_g: f64,
@@ -143,7 +147,8 @@ pub struct ExampleHistory {
     pub level: String,
     /// Name of the motion.
     pub motion: String,
-    /// The direction in which it rocks \[degrees from the first component\]; `None` with one component.
+    /// The direction in which it rocks \[degrees from the first component\]; `None` with one
+    /// component.
     pub direction_deg: Option<f64>,
     /// Height \[m\].
     pub height_m: f64,
@@ -163,7 +168,7 @@ pub struct ExampleHistory {
     pub impacts: Vec<(f64, f64)>,
 }
 
-/// What a code gives a rigid part on each level.
+/// Accelerations of a rigid part on each level by a code.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CodeParts {
     /// The clause and its formula.
@@ -172,16 +177,16 @@ pub struct CodeParts {
     pub accel_g: Vec<f64>,
 }
 
-/// One row of `vary.csv`: a level under one variation, or under the study as it is.
+/// One row of `vary.csv`: a level under one variation, or under the unchanged study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct VariedLevel {
-    /// The key that was changed; `base` for the study as it is.
+    /// The key that was changed; `base` for the unchanged study.
     pub parameter: String,
     /// Its value, as a study writes it; empty for `base`.
     pub value: String,
     /// Name of the level.
     pub level: String,
-    /// Height as a share of the building's, where it is known.
+    /// Height as a share of the building's, if it is known.
     pub level_ratio: Option<f64>,
     /// Median over the motions of the peak floor acceleration \[g\].
     pub pfa_g_median: Option<f64>,
@@ -191,12 +196,13 @@ pub struct VariedLevel {
     pub overturned_share: Option<f64>,
     /// Objects whose median over the motions is overturned.
     pub overturned_objects: Option<usize>,
-    /// Largest over the objects of the median over the motions, where that is a number \[g\].
+    /// Largest median over the motions of any object for which that is a number \[g\].
     pub edge_acceleration_g_median: Option<f64>,
-    /// Largest shock of any object that survives under any motion \[g\].
+    /// Largest shock of any history without overturning \[g\].
     pub edge_acceleration_g_max: Option<f64>,
-    /// Sum over the objects of the median shock, over the same sum of the base; of objects whose median is overturned in
-    /// neither. `None` where their mean in the base is below [`MIN_MEAN_G`](crate::vary::MIN_MEAN_G).
+    /// Sum of the median shocks of the objects, divided by the same sum of the base, without the
+    /// objects whose median is overturned in either. `None` if their mean in the base is below
+    /// [`MIN_MEAN_G`](crate::vary::MIN_MEAN_G).
     pub edge_acceleration_ratio: Option<f64>,
     /// How many objects these are.
     pub compared_objects: Option<usize>,
@@ -209,7 +215,7 @@ pub struct VariedLevel {
 /// Why a change has no result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NoResult {
-    /// The change does not reach the model, of which this stays the same: an answer, not a failure.
+    /// The change does not reach the model, in which this stays the same: an answer, not a failure.
     Unchanged(&'static str),
     /// The study does not allow the value, or the run failed.
     Failed(String),
@@ -231,7 +237,7 @@ impl Serialize for NoResult {
 }
 
 impl VariedLevel {
-    /// In short words, `α₀ 20`: tables and axes have little room.
+    /// A short form for tables and axes, `α₀ 20`.
     pub fn words(&self) -> String {
         let key = match self.parameter.as_str() {
             "shear_flexure" => "α₀",
@@ -243,10 +249,11 @@ impl VariedLevel {
     }
 }
 
-/// What a variation did to each level, beside the study as it is.
+/// What a variation did to each level, beside the unchanged study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {
-    /// The base first, then variation by variation; in each the levels in the order of the study.
+    /// The unchanged study first, then change by change; in each the levels in the order of the
+    /// study.
     pub rows: Vec<VariedLevel>,
     /// What could not be varied, and why: one sentence each.
     pub left_out: Vec<String>,

@@ -10,8 +10,9 @@ pub const QUANTILES: [f64; 3] = [0.16, 0.50, 0.84];
 
 /// Quantile of `values`, sorted here; an infinite value is an overturned object.
 ///
-/// Linear interpolation between the ranks (n−1)q (Hyndman and Fan 1996, type 7, the default of NumPy and pandas);
-/// a quantile that reaches into the overturned is [`Ranked::Overturned`], so the median is where half overturn.
+/// Linear interpolation between the ranks (n−1)q (Hyndman and Fan 1996, type 7, the default of
+/// NumPy and pandas); a quantile that reaches into the overturned is [`Ranked::Overturned`], so the
+/// median is where half overturn.
 pub fn ranked_quantile(values: &mut [f64], quantile: f64) -> Ranked {
     values.sort_unstable_by(f64::total_cmp);
     let Some(last) = values.len().checked_sub(1) else { return Ranked::NoData };
@@ -26,7 +27,7 @@ fn quantiles(mut values: Vec<f64>) -> [Ranked; 3] {
     QUANTILES.map(|q| ranked_quantile(&mut values, q))
 }
 
-/// Statistics of one object over the motions that could be followed; `None` where no motion could.
+/// Statistics of one object over the motions whose histories did not fail; `None` if all failed.
 pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>) -> Option<ObjectStatistics> {
     let done: Vec<_> = responses
         .filter_map(|response| match response {
@@ -60,7 +61,8 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
 }
 
 impl ObjectStatistics {
-    /// Whether the median shock, by the larger of the two sources, is above a tolerance; an overturned median is.
+    /// Whether the median shock, by the larger of the two sources, is above a tolerance. An
+    /// overturned median is.
     pub fn exceeds(&self, tolerance_g: f64) -> bool {
         [self.edge_acceleration_g[1], self.edge_acceleration_impact_velocity_g[1]].into_iter().any(
             |median| match median {
@@ -73,7 +75,7 @@ impl ObjectStatistics {
 }
 
 impl Ranked {
-    /// The number, where the quantile is one.
+    /// The quantile, if it is a number.
     pub fn value(self) -> Option<f64> {
         match self {
             Self::Value(value) => Some(value),

@@ -1,4 +1,4 @@
-//! `summary.json`: the key figures of each level, and where they come from.
+//! `summary.json`: the key figures of each level, and their provenance.
 
 use freestand::rocking::Outcome;
 use freestand::synthesis;
@@ -23,27 +23,28 @@ pub const SCHEMA: &str = "freestand.run/1";
 pub struct LevelSummary {
     /// Name of the level.
     pub level: String,
-    /// Height as a share of the building's, where it is known.
+    /// Height as a share of the building's, if it is known.
     pub level_ratio: Option<f64>,
     /// Median over the motions of the peak floor acceleration \[g\].
     pub pfa_g_median: f64,
     /// Histories on this level: objects × motions.
     pub histories: usize,
-    /// Histories that could not be followed.
+    /// Histories that failed.
     pub failed: usize,
     /// Share of the histories in which the object uplifts.
     pub uplift_share: f64,
     /// Share of the histories in which the object overturns.
     pub overturned_share: f64,
-    /// Objects that exceed the study's tolerance ([`crate::result::ObjectStatistics::exceeds`]); `None` without one.
+    /// Objects that exceed the study's tolerance ([`crate::result::ObjectStatistics::exceeds`]);
+    /// `None` without one.
     pub exceeded_objects: Option<usize>,
     /// Objects whose median over the motions is overturned.
     pub overturned_objects: usize,
-    /// Largest shock of any object that survives under any motion \[g\].
+    /// Largest shock of any history without overturning \[g\].
     pub edge_acceleration_g_max: Option<f64>,
-    /// Largest over the objects of the median over the motions, where that is a number \[g\].
+    /// Largest median over the motions of any object for which that is a number \[g\].
     pub edge_acceleration_g_median: Option<f64>,
-    /// Largest shock of any survivor from the impact velocity \[g\].
+    /// Largest shock from the impact velocity of any history without overturning \[g\].
     pub edge_acceleration_impact_velocity_g_max: Option<f64>,
     /// Largest median over the objects from the impact velocity \[g\].
     pub edge_acceleration_impact_velocity_g_median: Option<f64>,
@@ -146,11 +147,15 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
         })),
         "definitions": {
             "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
-            "overturned_share": "share of all object × motion histories that could be followed",
-            "direction_deg": "of motions with two components, the direction in which the centre of gravity rises most, from the first component; of several that overturn the first; the shock from the impact velocity is the largest of all directions",
-            "exceeded_objects": "objects whose median shock, by the larger of the two sources, is above the tolerance, or whose median is overturned; null without a tolerance",
-            "edge_acceleration_g_max": "largest over all objects and motions that do not overturn, source `uplift`",
-            "edge_acceleration_g_median": "largest over the objects of the median over all motions (no uplift = 0, overturned = above all), where that median is a number",
+            "overturned_share": "share of all histories (object × motion) that did not fail",
+            "direction_deg": "for motions with two components: the direction in which the centre of gravity rises \
+                              most, from the first component, or the first direction that overturns the object; the \
+                              shock from the impact velocity is the largest of all directions",
+            "exceeded_objects": "objects whose median shock, by the larger of the two sources, is above the \
+                                 tolerance, or that half or more of the motions overturn; null without a tolerance",
+            "edge_acceleration_g_max": "largest over all histories without overturning, source uplift",
+            "edge_acceleration_g_median": "largest over the objects of the median over all motions (no uplift \
+                counts as 0, overturned as larger than any number), if that median is a number",
         },
         "inputs": {
             "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
@@ -268,7 +273,7 @@ fn simulated_inputs(simulated: &SimulatedGround) -> Value {
     })
 }
 
-/// Where the motions of floors are given: the files of each level.
+/// The files of each level, if the motions of floors are given.
 fn floor_inputs(study: &Study) -> Value {
     if !matches!(study.ground, Ground::OnFloors) {
         return Value::Null;
@@ -309,7 +314,7 @@ fn input_file(file: &InputFile) -> Value {
     json!({"path": file.path.display().to_string(), "sha256": file.sha256})
 }
 
-/// How a restitution is written in outputs.
+/// A restitution in outputs.
 pub fn restitution_words(restitution: Restitution) -> String {
     match restitution {
         Restitution::Housner => "Housner".to_owned(),
@@ -318,7 +323,7 @@ pub fn restitution_words(restitution: Restitution) -> String {
     }
 }
 
-/// How an accuracy is written in outputs.
+/// An accuracy in outputs.
 pub fn accuracy_words(accuracy: Accuracy) -> String {
     accuracy.name().map_or_else(|| accuracy.tolerance().to_string(), str::to_owned)
 }

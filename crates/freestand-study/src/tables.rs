@@ -1,5 +1,5 @@
-//! The result as tables: CSV with a header, comma, LF, shortest numbers that read back the same; a missing value is an
-//! empty field.
+//! The result as tables: CSV with a header, comma, LF, shortest numbers that read back the same; a
+//! missing value is an empty field.
 
 use freestand_output::rows::{csv, optional};
 
@@ -9,7 +9,8 @@ use crate::study::Study;
 use freestand_input::problem::Problem;
 use freestand_input::words::shortest;
 
-/// One row for each motion, level and object, in this order; `extra` are the columns behind the common ones.
+/// One row for each motion, level and object, in this order; `extra` are the columns after the
+/// common ones.
 fn by_object(
     study: &Study,
     result: &StudyResult,
@@ -64,8 +65,8 @@ fn by_object(
     csv(&header, rows)
 }
 
-/// `urs.csv`: the uplift response spectra, one row for each motion, level and object; of motions with two components, in
-/// the direction that governs.
+/// `urs.csv`: the uplift response spectra, one row for each motion, level and object; for motions
+/// with two components, in the governing direction.
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
@@ -139,7 +140,8 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
     csv(&header, rows)
 }
 
-/// `floor_profile.csv`: peak floor accelerations and velocities up the height, quantiles over the motions, one row for each floor.
+/// `floor_profile.csv`: peak floor accelerations and velocities over the height, quantiles over the
+/// motions, one row for each floor.
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.

@@ -173,7 +173,7 @@ fn sensitivity_text(sensitivity: &Sensitivity) -> String {
         .filter(|row| row.level == highest.level)
         .map(|row| {
             let changed = match &row.reason {
-                _ if row.value.is_empty() => "as it is".to_owned(),
+                _ if row.value.is_empty() => "unchanged".to_owned(),
                 None => format!("{} = {}", row.parameter, row.value),
                 Some(reason) => format!("{} = {}: {reason}", row.parameter, row.value),
             };
@@ -189,7 +189,7 @@ fn sensitivity_text(sensitivity: &Sensitivity) -> String {
     let headings = ["changed", "median PFA g", "overturned", "largest median shock g", "shock ratio"];
     let mut text = format!("\n{}, one value changed at a time:\n{}", highest.level, table(&headings, &rows));
     text.push_str(
-        "shock ratio: median shocks added up, over those of the study as it is, of objects that overturn in neither\n",
+        "shock ratio: sum of the median shocks divided by that of the unchanged study, without objects that overturn in either\n",
     );
     for reason in &sensitivity.left_out {
         text.push_str(reason);

@@ -16,13 +16,13 @@ use freestand_output::figure::page::{Page, Panel, columns};
 use freestand_output::figure::style::{Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, decades, line, plain};
 
 const PANEL_PX: f64 = 310.0;
-/// More motions than this are drawn as a band from 16 to 84 %.
+/// Above this number motions are drawn as a band from 16 to 84 %.
 const MAX_LINES: usize = 40;
 /// Modes whose periods are marked.
 const MARKED_MODES: usize = 3;
 const TARGET_DASH: &str = "8 6";
 
-/// Spectra of the ground, with the target where there is one, and of each level.
+/// Spectra of the ground, with the target if there is one, and of each level.
 pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     let ground: Vec<&PseudoSpectrum> = result.ground.iter().map(|g| &g.spectrum).collect();
     let target = study.ground.code_spectrum().and_then(|target| {
@@ -74,9 +74,9 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
         }
         .into(),
         caption: format!(
-            "Pseudo-spectral acceleration at 5 % damping against period{}, each panel on a scale of its own. {}Free-standing \
-             objects have no period of their own: the spectra show what the building does to the motion, they do not give \
-             the rocking.",
+            "Pseudo-spectral acceleration at 5 % damping against period{}; each panel has its own scale. {}The \
+             spectra show how the building changes the motion. They do not predict the rocking, because \
+             free-standing objects have no natural period.",
             if study.directions_deg.len() > 1 { ", the largest over all horizontal directions (RotD100)" } else { "" },
             if modes.is_empty() { "" } else { "T₁, T₂, T₃ are the building’s periods. " },
         ),
@@ -129,7 +129,7 @@ fn points(spectrum: &PseudoSpectrum) -> Vec<(f64, f64)> {
     pairs.filter(|&(&t, a)| t > 0.0 && a.is_finite()).map(|(&t, &a)| (t, a / G0_M_S2)).collect()
 }
 
-/// 16, 50 and 84 % at each period; nothing where the curves do not share their periods.
+/// 16, 50 and 84 % at each period; empty if the curves have different periods.
 fn quantiles(curves: &[Vec<(f64, f64)>]) -> [Vec<(f64, f64)>; 3] {
     let mut result = [Vec::new(), Vec::new(), Vec::new()];
     let Some(first) = curves.first() else { return result };

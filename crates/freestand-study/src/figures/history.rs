@@ -19,9 +19,9 @@ use freestand_output::figure::time::{pixel, stacked, symmetric, thin, time_axis}
 const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
 /// Quiet time that is shown before the first and after the last rotation \[s\].
 const QUIET_S: f64 = 2.0;
-/// Rotation at which an object has fallen \[rad\], a little less than π/2.
+/// Rotation at which an object has overturned \[rad\], a little less than π/2.
 const FLAT_RAD: f64 = 1.57;
-/// A toppling object's rotation is drawn up to this multiple of α.
+/// Largest rotation that is drawn of an object that overturns, as a multiple of α.
 const HIGHEST_RATIO: f64 = 1.6;
 
 /// The history of the result, if there is one.
@@ -51,7 +51,7 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
     ];
     let outcome = match h.outcome {
         Outcome::NoUplift => "it does not uplift",
-        Outcome::Rocked => "it rocks and stays up",
+        Outcome::Rocked => "it rocks and does not overturn",
         Outcome::Overturned => "it overturns",
     };
     let title = format!(
@@ -62,10 +62,10 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
         h.motion
     );
     let caption = format!(
-        "An object {} mm thick and {} m high on the level “{}” under the motion “{}”: {outcome}. Above: rotation as a \
-         share of the slenderness angle α = {} rad; between: acceleration of the floor; below: edge shock of each \
-         impact from the angular velocity just before it (the source “impact velocity”; the paper’s shock comes from \
-         the largest uplift instead). Quiet time before and after is left out.",
+        "An object {} mm thick and {} m high on the level “{}”, motion “{}”: {outcome}. Top: rotation divided by \
+         the slenderness angle α = {} rad. Middle: acceleration of the floor. Bottom: edge shock of each impact from \
+         the angular velocity just before it (source “velocity”; the paper uses the largest uplift instead). Quiet \
+         time before and after is not shown.",
         number(1e3 * h.thickness_m, 4),
         number(h.height_m, 4),
         h.level,
@@ -87,7 +87,8 @@ fn entry(sign: Sign, words: &str) -> Entry {
     Entry { sign, words: words.into() }
 }
 
-/// From a little before the first rotation to a little after the last one or the fall, within the record.
+/// From shortly before the first rotation to shortly after the last one or the overturning, within
+/// the motion.
 fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
     let (start, end) = (*h.time_s.first()?, *h.time_s.last()?);
     let rotates = |&(_, &theta): &(&f64, &f64)| theta != 0.0;

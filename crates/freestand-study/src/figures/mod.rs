@@ -1,7 +1,8 @@
 //! The figures of a study, as SVG and PNG.
 //!
-//! Curves of the paper's Fig. 7 (uplift and shock against height), the share of motions that overturn, floor spectra,
-//! one rocking history, recorded motions, and the response spectrum of a motion. Colours after Okabe and Ito, and never colour alone: dashes and markers differ as well.
+//! Curves of the paper's Fig. 7 (uplift and shock against height), the share of motions that
+//! overturn, floor spectra, one rocking history, recorded motions, and the response spectrum of a
+//! motion. Colours are those of Okabe and Ito; curves also differ in dashes and markers.
 
 mod floor_spectra;
 mod history;
@@ -34,14 +35,14 @@ pub enum FigureKind {
     History,
     /// A ground motion, counted from 0.
     Record(usize),
-    /// What the result owes to each assumption.
+    /// How the result depends on each assumption.
     Vary,
 }
 
-/// Recorded ground motions that a study draws; with more of them, the first.
+/// Largest number of recorded ground motions that are drawn: the first ones.
 pub const MAX_RECORDS: usize = 6;
 
-/// Motions that were made for a study and are drawn: they are all of one kind.
+/// Number of generated motions that are drawn: they are all alike.
 pub const MAX_SYNTHETIC: usize = 2;
 
 impl FigureKind {
@@ -60,8 +61,8 @@ impl FigureKind {
     }
 }
 
-/// The figures that a result has, in the order of the report: `history` only where an object uplifted, and the first
-/// [`MAX_RECORDS`] of recorded ground motions.
+/// The figures that a result has, in the order of the report: `history` only where an object
+/// uplifted, and the first [`MAX_RECORDS`] of recorded ground motions.
 pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
     let mut kinds = Vec::new();
     if !result.levels.is_empty() {
@@ -87,7 +88,7 @@ pub fn figure_kinds(study: &Study, result: &StudyResult) -> Vec<FigureKind> {
 /// Draws one figure.
 ///
 /// # Errors
-/// What the plot library says when it cannot draw.
+/// The error of the plot library.
 pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<Figure, FigureError> {
     let page = match kind {
         FigureKind::Urs => response::urs(study, result),
@@ -98,8 +99,10 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
             figure: kind.name(),
             reason: "no object uplifted, so there is no history".into(),
         })?,
-        FigureKind::FloorProfile => study_profile(study, result)
-            .ok_or_else(|| FigureError { figure: kind.name(), reason: "the motions of the floors are given".into() })?,
+        FigureKind::FloorProfile => study_profile(study, result).ok_or_else(|| FigureError {
+            figure: kind.name(),
+            reason: "the study gives the motions of the floors".into(),
+        })?,
         FigureKind::Vary => {
             let levels: Vec<String> = study.levels.iter().map(|level| level.name.clone()).collect();
             let sensitivity = result
@@ -134,7 +137,7 @@ fn study_profile(study: &Study, result: &StudyResult) -> Option<Page> {
     Some(floor_profile(&FigureKind::FloorProfile.name(), &picture))
 }
 
-/// A ground motion as it is used; of two components the first.
+/// A ground motion as used; of two components the first.
 fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Page> {
     let ground = result.ground.get(index)?;
     let name = FigureKind::Record(index).name();
@@ -147,7 +150,7 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Pag
             record(name, words, &ground.motion.along)
         }
         Ground::Synthetic(synthetic) => {
-            let description = format!("made for {}, seed {}", synthetic.target.one_line(), synthetic.seed);
+            let description = format!("generated for {}, seed {}", synthetic.target.one_line(), synthetic.seed);
             let words = Words { name: &ground.name, description: &description, processing: &[] };
             record(name, words, &ground.motion.along)
         }
@@ -161,7 +164,8 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Pag
     Some(page)
 }
 
-/// Draws every figure of [`figure_kinds`], on the threads of the current pool; the figures do not depend on them.
+/// Draws every figure of [`figure_kinds`] on the current thread pool; the figures do not depend on
+/// the number of threads.
 ///
 /// # Errors
 /// The first figure that cannot be drawn.

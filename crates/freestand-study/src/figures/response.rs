@@ -1,4 +1,4 @@
-//! Uplift, shock and overturning against height, in the manner of the paper's Fig. 7.
+//! Uplift, shock and overturning against height, as in the paper's Fig. 7.
 
 use kuva::plot::BandPlot;
 use kuva::plot::scatter::MarkerShape;
@@ -20,14 +20,14 @@ use freestand_output::figure::style::{
 
 /// Height of a panel \[px\].
 const PANEL_PX: f64 = 330.0;
-/// What is left of it inside the axes \[px\].
+/// Its height inside the axes \[px\].
 const INSIDE_PX: f64 = PANEL_PX - TITLE_PX - LABELS_PX;
 /// Height of the strip's title and of each of its rows \[px\].
 const STRIP_TITLE_PX: f64 = 18.0;
 const STRIP_ROW_PX: f64 = 10.0;
-/// More thicknesses than this, and bands would cover each other.
+/// Largest number of thicknesses with bands: more would cover each other.
 const MAX_BANDS: usize = 6;
-/// About how many markers a curve carries.
+/// Approximate number of markers on a curve.
 const MARKERS_ON_CURVE: usize = 7;
 
 /// One object of a curve: height, the quantity at 16, 50 and 84 %, and its upper limit.
@@ -68,9 +68,9 @@ pub(crate) fn srs(study: &Study, result: &StudyResult) -> Page {
         "Edge shock (g)",
         "Shock spectra (SRS)",
         format!(
-            "Shock at the impacting edge by the paper’s Eqs. (5) and (7), from the largest rise of the centre of \
-             gravity, for {} kg on {}: {}. {} Dotted: the uplift ceiling, the shock from the balance point, which \
-             no motion can exceed from this source of energy.",
+            "Shock at the edge that lands by the paper’s Eqs. (5) and (7), from the largest rise of the centre of \
+             gravity, for {} kg on {}: {}. {} Dotted: the uplift ceiling, the shock of a landing from the balance \
+             point, which this source of energy cannot exceed.",
             number(study.objects.mass_kg, 6),
             cushion_words(&study.objects.cushion.cushion),
             median_words(result),
@@ -104,9 +104,9 @@ pub(crate) fn overturning(study: &Study, result: &StudyResult) -> Page {
         name: FigureKind::Overturning.name(),
         title: "Share of the motions that overturn the object".into(),
         caption:
-            "Share of the ground motions under which an object of this height and thickness overturns. Overturning \
-             does not grow steadily with height or with the strength of shaking; a share of a few motions is a \
-                  coarse estimate."
+            "Share of the ground motions that overturn an object of this height and thickness. Overturning does not \
+             increase steadily with height or with the intensity of the motion; a share of few motions is a coarse \
+             estimate."
                 .into(),
         panels,
         columns,
@@ -115,15 +115,16 @@ pub(crate) fn overturning(study: &Study, result: &StudyResult) -> Page {
     }
 }
 
-const OVERTURNED_WORDS: &str = "Where the median falls among the overturned the curve ends and crosses in the strip at the top mark those heights, \
-                                a row for each thickness with its sign at the left; nothing is extrapolated.";
+const OVERTURNED_WORDS: &str = "A curve ends where half or more of the motions overturn the object; crosses in the \
+                                strip at the top mark those heights, one row for each thickness with its marker at \
+                                the left. Nothing is extrapolated.";
 
 fn median_words(result: &StudyResult) -> String {
     match result.motions.len() {
         1 => "one motion, one curve for each thickness".into(),
         n => format!(
-            "the median over {n} motions, one curve for each thickness, with the band from 16 to 84 % as far as both \
-             are numbers (no uplift counts as 0, overturned as more than any number)"
+            "the median over {n} motions, one curve for each thickness, with the band from 16 to 84 % where both \
+             are numbers (no uplift counts as 0, overturned as larger than any number)"
         ),
     }
 }
@@ -256,14 +257,14 @@ fn strip(curves: &[Vec<Point>], fallen: usize, x: Axis, y: Axis) -> (Vec<Plot>, 
     (plots, layout)
 }
 
-/// No tick labels in the strip: it has no scale.
+/// The strip has no scale and therefore no tick labels.
 fn ticks_up_to(top: f64) -> TickFormat {
     TickFormat::Custom(std::sync::Arc::new(move |v| {
         if v <= top * (1.0 + 1e-9) { TickFormat::Auto.format(v) } else { String::new() }
     }))
 }
 
-/// Runs of neighbouring heights for which `pick` gives something.
+/// Runs of neighbouring heights for which `pick` gives a value.
 fn runs<T>(curve: &[Point], pick: impl Fn(&Point) -> Option<T>) -> Vec<Vec<T>> {
     let mut runs = vec![Vec::new()];
     for point in curve {
@@ -288,7 +289,7 @@ fn band(curve: &[Point], style: CurveStyle) -> Vec<Plot> {
         .collect()
 }
 
-/// The part of the ceiling that the axes show, up to one point beyond them, which is clipped.
+/// The part of the ceiling inside the axes, and one point outside, which is clipped.
 fn ceiling(curve: &[Point], top: f64, style: CurveStyle) -> Vec<Plot> {
     let points: Vec<(f64, f64)> = curve.iter().filter_map(|p| Some((p.height_m, p.ceiling?))).collect();
     let mut cut: Vec<(f64, f64)> = Vec::new();
@@ -311,7 +312,8 @@ fn median(curve: &[Point], index: usize) -> Vec<Plot> {
     let style = curve_style(index);
     let mut plots = Vec::new();
     for run in runs(curve, |p| Some((p.height_m, value(p.ranked[1])?))) {
-        // Where an object does not uplift all curves lie on one another: markers would only hide each other there.
+        // Where an object does not uplift all curves lie on one another: markers would only hide
+        // each other there.
         let mut marked: Vec<_> = some_of(&run, index).into_iter().filter(|p| p.1 > 0.0).collect();
         // The end of a curve is a result of its own, and a lone point has no line.
         if let Some(&end) = run.last()
@@ -325,7 +327,7 @@ fn median(curve: &[Point], index: usize) -> Vec<Plot> {
     plots
 }
 
-/// A few points of a curve to carry its marker, not at the same heights as those of its neighbours.
+/// A few points of a curve for its marker, at other heights than those of its neighbours.
 fn some_of(points: &[(f64, f64)], index: usize) -> Vec<(f64, f64)> {
     let stride = (points.len() / MARKERS_ON_CURVE).max(1);
     points.iter().copied().skip(index % stride).step_by(stride).collect()

@@ -1,4 +1,4 @@
-//! What each assumption does to the shock and to the share that overturns, level by level.
+//! How shock and overturning depend on each assumption, level by level.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use freestand_output::figure::style::{Axis, DARK, LABELS_PX, TITLE_PX, axes, cur
 const ROW_PX: f64 = 19.0;
 const DOT_PX: f64 = 4.5;
 
-/// A quantity of a row, and how it is written.
+/// A quantity of a row, and its label.
 type Quantity = (fn(&VariedLevel) -> Option<f64>, &'static str);
 
 const QUANTITIES: [Quantity; 2] = [
@@ -25,7 +25,8 @@ const QUANTITIES: [Quantity; 2] = [
     (|row| row.overturned_share.map(|share| 100.0 * share), "Histories that overturn (%)"),
 ];
 
-/// Two panels a level; in each a row for every variation, from the value of the study as it is to that of the variation.
+/// Two panels for each level, with a row for every change: from the value of the unchanged study to
+/// that with the change.
 pub(crate) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
     let mut panels = Vec::new();
     let mut most_rows = 0;
@@ -39,16 +40,16 @@ pub(crate) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
         Entry { sign: Sign::Curve(style), words: "with the value at the left".into() },
         Entry {
             sign: Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 4") },
-            words: "the study as it is".into(),
+            words: "the unchanged study".into(),
         },
     ];
     Page {
         name: FigureKind::Vary.name(),
-        title: "What the result owes to each assumption".into(),
-        caption: "One value of the study is changed at a time, the rest stays. The largest median shock is the largest over \
-                  the objects of the median over the motions, where that is a number; where it falls an object may have \
-                  begun to overturn, so read both panels together. A row without a dot has no number there; vary.csv \
-                  says why."
+        title: "How the result depends on each assumption".into(),
+        caption: "One value of the study is changed at a time. The largest median shock is the largest median over \
+                  the motions of any object that less than half of them overturn. Where it decreases, an object may \
+                  have begun to overturn, so read both panels together. A row without a dot has no value; vary.csv \
+                  states why."
             .into(),
         row_heights_px: vec![TITLE_PX + LABELS_PX + ROW_PX * most_rows as f64; levels.len()],
         panels,

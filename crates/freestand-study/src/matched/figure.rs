@@ -14,7 +14,7 @@ use freestand_output::figure::{Figure, FigureError};
 
 /// Height of the panel \[px\].
 const PANEL_PX: f64 = 380.0;
-/// So many motions are drawn one by one; the mean is that of all.
+/// Largest number of motions with a curve of their own; the mean is that of all.
 const MAX_DRAWN: usize = 100;
 
 /// What is compared.
@@ -94,7 +94,7 @@ pub(crate) fn matched(picture: &MatchedPicture<'_>) -> Page {
 /// Draws the spectra of motions against their target.
 ///
 /// # Errors
-/// What the plot library says when it cannot draw.
+/// The error of the plot library.
 pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureError> {
     draw(matched(picture))
 }

@@ -10,13 +10,13 @@ use crate::target::Target;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
 
-/// How the spectrum of a record is brought to the target.
+/// How the spectrum of a record is matched to the target.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum MatchMethod {
-    /// Scales wavelets; keeps more of the record.
+    /// Scales wavelets, which preserves more of the record.
     #[default]
     Wavelet,
-    /// Scales Fourier amplitudes at the period itself.
+    /// Scales Fourier amplitudes, each at its own period.
     Fft,
 }
 
@@ -32,7 +32,7 @@ impl MatchMethod {
         }
     }
 
-    /// The method of a name, whatever its capitals.
+    /// The method with this name, in capitals or not.
     pub fn parse(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|method| method.name().eq_ignore_ascii_case(name.trim()))
     }
@@ -45,9 +45,9 @@ pub struct Matched {
     pub method: MatchMethod,
     /// The target.
     pub target: Target,
-    /// How well the motion meets it.
+    /// How well the motion fits it.
     pub misfit: Misfit,
-    /// What is left of the record.
+    /// How similar the motion is to the record.
     pub resemblance: Resemblance,
 }
 
@@ -69,7 +69,7 @@ impl Matched {
     }
 }
 
-/// The record matched to the target in thirty passes; its phases stay.
+/// The record matched to the target in thirty passes; its phases are kept.
 ///
 /// # Errors
 /// A record that is too short or has no content at some of the periods.

@@ -174,8 +174,8 @@ mod tests {
     fn text_that_is_not_toml_is_one_message_with_its_line() {
         let got = problems("[ground]\ncount = = 3\n");
         assert!(got[0].starts_with("s.toml:2: not TOML: "), "{got:?}");
-        // One fault is one message: no key without a value, no table cut short, is reported beside
-        // it.
+        // One mistake gives one message: a key without a value or an incomplete table is not
+        // reported in addition.
         for text in [
             "[ground]\nseed=\n",
             "[ground]\nseed = \n[objects]\nmass = 3\n",

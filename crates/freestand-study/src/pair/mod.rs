@@ -1,4 +1,4 @@
-//! Two horizontal components from record files: read, and turned.
+//! Two horizontal components from record files: reads and turns them.
 
 use std::path::PathBuf;
 
@@ -12,9 +12,10 @@ use freestand_records::processing::{Processed, pair_of_one, turned, with_azimuth
 /// Record files with two horizontal components.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairFiles {
-    /// One file with both, or two files with one each; with two, `component` is the one to take of each.
+    /// One file with both, or two files with one each; with two, `component` is the one to use of
+    /// each.
     pub files: MotionFiles,
-    /// The two of one file, by name or number; `None`: the only two that can be meant.
+    /// The two of one file, by name or number; `None` if only two are possible.
     pub components: Option<(String, String)>,
 }
 
@@ -30,8 +31,8 @@ pub struct ReadPair {
 /// Reads the files of a pair.
 ///
 /// # Errors
-/// Not one file or two, one file twice, a choice of components that does not go with them, an azimuth (the direction to
-/// turn to is that of a [`RotateRequest`]); everything that is wrong with either file.
+/// Not one file or two, one file twice, a choice of components that contradicts them, an azimuth
+/// (the direction to turn to is that of a [`RotateRequest`]), and the problems of both files.
 pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Vec<Problem>> {
     let wrong = misfit(request);
     if !wrong.is_empty() {
@@ -48,47 +49,47 @@ pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Vec<Problem>> {
     if problems.is_empty() { Ok(ReadPair { request: request.clone(), files }) } else { Err(problems) }
 }
 
-/// What does not go together in a request.
+/// Contradictions of a request.
 fn misfit(request: &PairFiles) -> Vec<Problem> {
     let is_one = request.files.paths.len() == 1;
     let wrong = [
         (
             !matches!(request.files.paths.len(), 1 | 2),
-            "one or two files are expected",
-            "one with both components, or two with one each",
+            "give one or two files",
+            "one file with both components, or two files with one each",
         ),
         (
             request.files.processing.azimuth_deg.is_some(),
-            "an azimuth turns the components of one file, and a pair is read as it is",
-            "turn it with freestand motion rotate (--to)",
+            "`azimuth` cannot be combined with a pair, which is read without turning it",
+            "turn the pair with the command motion rotate",
         ),
         (
             request.components.is_some() && !is_one,
-            "two components are chosen from one file (--components)",
-            "choose the same one of each of two files (--component)",
+            "`components` chooses two components of one file, but two files are given",
+            "choose one of each file with `component`",
         ),
         (
             request.files.component.is_some() && is_one,
-            "one component is chosen from each of two files (--component)",
-            "choose two components of one file (--components)",
+            "`component` chooses one component of each of two files, but one file is given",
+            "choose two of the file with `components`",
         ),
     ];
     let found = wrong.into_iter().filter(|(is_wrong, ..)| *is_wrong);
     found.map(|(_, message, hint)| Problem::new(ProblemKind::Value, message).hint(hint)).collect()
 }
 
-/// One file given twice would be one component taken for two: of each file the same is chosen.
+/// Of one file given twice, the same component would be used for both.
 fn refuse_same_file(paths: &[PathBuf]) -> Result<(), Vec<Problem>> {
     let [first, second] = paths else { return Ok(()) };
     let real = |path: &PathBuf| std::fs::canonicalize(path).ok();
     match (real(first), real(second)) {
         // A device or a pipe may give other bytes each time.
         (Some(one), Some(two)) if one == two && one.is_file() => {
-            let message = "is given twice: two components are two files, or two of one file";
+            let message = "is given twice: a pair is two files, or two components of one file";
             Err(vec![
                 Problem::new(ProblemKind::Value, message)
                     .in_file(second)
-                    .hint("give it once, and name two components with --components where it has more"),
+                    .hint("give it once; if it has more than two components, choose them with `components`"),
             ])
         }
         _ => Ok(()),
@@ -99,7 +100,7 @@ impl ReadPair {
     /// The two components.
     ///
     /// # Errors
-    /// No such two (see [`MotionFile::select`] and [`pair_of_one`]), or one of them vertical.
+    /// The errors of [`MotionFile::select`] and [`pair_of_one`], or a vertical component.
     pub fn components(&self) -> Result<(&Component, &Component), Problem> {
         let pair = match self.files.as_slice() {
             [one, two] => {
@@ -110,19 +111,17 @@ impl ReadPair {
                 let called = self.request.components.as_ref();
                 pair_of_one(one, called.map(|(first, second)| (first.as_str(), second.as_str())))
             }
-            _ => {
-                Err(Problem::new(ProblemKind::Value, "one or two files are expected").hint("read them with read_pair"))
-            }
+            _ => Err(Problem::new(ProblemKind::Value, "give one or two files").hint("read them with read_pair")),
         }?;
         match [pair.0, pair.1].into_iter().find(|one| one.direction == Some(Direction::Up)) {
             Some(up) => Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))
-                .hint("name the two horizontal components: --components, or --component with two files")),
+                .hint("choose the two horizontal ones with `components`, or with `component` of two files")),
             None => Ok(pair),
         }
     }
 
-    /// What the two components are called in words: by their names where those differ, else with the names of their files
-    /// too, else with their paths.
+    /// The names of the two components for texts: if they are equal, with the names of their files,
+    /// and if those are equal too, with their paths.
     pub fn names(&self, components: (&Component, &Component)) -> (String, String) {
         let (one, two) = (components.0.name.clone(), components.1.name.clone());
         match self.files.as_slice() {
@@ -140,7 +139,7 @@ impl ReadPair {
         }
     }
 
-    /// What the readers concluded or left out, file by file.
+    /// Conclusions and omissions of the readers, file by file.
     pub fn warnings(&self) -> Vec<String> {
         let of = |file: &MotionFile| {
             let path = file.path.display().to_string();
@@ -170,14 +169,15 @@ pub struct Rotated {
     pub azimuth_deg: f64,
     /// The motion, and what was done.
     pub processed: Processed,
-    /// What was concluded or left out.
+    /// Conclusions and omissions.
     pub warnings: Vec<String>,
 }
 
 /// Turns a pair to an azimuth and processes it.
 ///
 /// # Errors
-/// An azimuth that neither the file nor the request states; otherwise as [`ReadPair::components`] and [`turned`].
+/// An azimuth that neither the file nor the request states; otherwise as [`ReadPair::components`]
+/// and [`turned`].
 pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Problem> {
     let components = read.components()?;
     let (first, second) = with_azimuths(components, request.azimuths_deg)?;

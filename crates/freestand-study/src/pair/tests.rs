@@ -51,9 +51,9 @@ fn what_does_not_go_together_is_refused_before_a_file_is_read() {
         read_pair(&changed).unwrap_err().into_iter().map(|problem| problem.message).collect::<Vec<_>>()
     };
     let three = |request: &mut PairFiles| request.files.paths = vec!["missing.csv".into(); 3];
-    assert_eq!(messages(&three), ["one or two files are expected"]);
+    assert_eq!(messages(&three), ["give one or two files"]);
     let none = |request: &mut PairFiles| request.files.paths.clear();
-    assert_eq!(messages(&none), ["one or two files are expected"]);
+    assert_eq!(messages(&none), ["give one or two files"]);
     let azimuth = |request: &mut PairFiles| request.files.processing.azimuth_deg = Some(0.0);
     assert!(messages(&azimuth)[0].starts_with("an azimuth turns"));
     let component = |request: &mut PairFiles| request.files.component = Some("N".to_owned());

@@ -1,4 +1,4 @@
-//! What went in, with units.
+//! The inputs, with units.
 
 use freestand::G0_M_S2;
 use freestand::building::Model;
@@ -26,10 +26,10 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
                 let facts: Vec<_> = target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
                 html.push_str(&properties("", &facts));
             }
-            html.push_str(&recorded_motions("Recorded motions, as they are used", &records.iter().collect::<Vec<_>>()));
+            html.push_str(&recorded_motions("Recorded motions as used", &records.iter().collect::<Vec<_>>()));
             html.push_str(&study.ground.target().map_or_else(String::new, |target| misfits(target, result)));
         }
-        Ground::OnFloors => html.push_str(&paragraph("None: the motions of the floors are given.")),
+        Ground::OnFloors => html.push_str(&paragraph("None: the study gives the motions of the floors.")),
     }
     if let Some(input) = &study.building {
         html.push_str(&heading("Building"));
@@ -37,7 +37,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     } else {
         html.push_str(&heading("Floor motions"));
         for level in &study.levels {
-            let caption = format!("Given motions of the level {}, as they are used", level.name);
+            let caption = format!("Given motions of the level {} as used", level.name);
             html.push_str(&recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>()));
         }
     }
@@ -55,7 +55,7 @@ fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String
     properties("", &facts) + &misfits(target, result)
 }
 
-/// How well the motions meet their target.
+/// How well the motions fit their target.
 fn misfits(target: &Target, result: &StudyResult) -> String {
     let headings = vec![vec![
         words("Motion"),
@@ -87,10 +87,10 @@ fn misfits(target: &Target, result: &StudyResult) -> String {
         })
         .collect();
     let why = paragraph(&format!(
-        "Misfit is the spectrum of the motion over the target, less one, at {} periods from {} s to {} s. Why the PGA \
-         exceeds the target’s value at zero period (ZPA): the plateau of {} is {} times its ZPA. A motion whose \
-         spectrum has such a plateau cannot have so small a peak; the motions are matched from {} s up and their PGA is \
-         what comes with it. It is not scaled away, because that would take the plateau down too.",
+        "The misfit is the spectrum of the motion divided by the target, minus one, at {} periods from {} s to {} s. \
+         Why the PGA exceeds the target’s value at zero period (ZPA): the plateau of {} is {} times its ZPA. A \
+         motion whose spectrum has such a plateau cannot have such a small peak; the motions are matched from {} s \
+         on, and their PGA follows from that. It is not scaled down, because that would lower the plateau too.",
         synthesis::MATCHED_PERIODS,
         synthesis::SHORTEST_PERIOD_S,
         synthesis::LONGEST_PERIOD_S,
@@ -98,7 +98,7 @@ fn misfits(target: &Target, result: &StudyResult) -> String {
         fixed(target.spectrum.plateau_g() / target.spectrum.sa_g(0.0), 2),
         synthesis::SHORTEST_PERIOD_S,
     ));
-    table("How well the motions meet their target", &headings, &rows) + &why
+    table("How well the motions fit their target", &headings, &rows) + &why
 }
 
 fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String {
@@ -109,13 +109,13 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
     ];
     if let Some(code) = &simulated.hazard {
         let meets = format!(
-            "the rock spectrum (Be) of {} for kpZ = {} g, T = 0.5 to 1 s, in the mean of {} motions",
+            "the rock spectrum (Be) of {} for kpZ = {} g from T = 0.5 to 1 s, as the mean of {} motions",
             code.spectrum.name(),
             number(code.kpz_g().unwrap_or(0.0), 4),
             request.count
         );
         facts.push(("Hazard", code.one_line()));
-        facts.push(("Distances meet", meets));
+        facts.push(("Distances fit", meets));
     }
     let site = format!("{}: {}", request.site.name(), request.site.description());
     let (dt_s, low_cut_hz) = (number(request.options.dt_s, 4), number(request.options.low_cut_hz, 4));
@@ -156,8 +156,8 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
     properties("", &facts)
         + &table("Simulated motions", &headings, &rows)
         + &paragraph(
-            "M: moment magnitude; R: distance; corner: of the source spectrum, two where it has two; T_d: duration of the \
-             window.",
+            "M: moment magnitude; R: distance; corner: corner frequency or frequencies of the source spectrum; T_d: \
+             duration of the window.",
         )
 }
 
@@ -190,12 +190,12 @@ fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
     let mut html = table(caption, &headings, &rows);
     html.push_str(&processing(records));
     if records.len() < 7 {
-        html.push_str(&paragraph("The fractiles of so few motions are coarse."));
+        html.push_str(&paragraph("Fractiles of so few motions are coarse."));
     }
     html
 }
 
-/// What was done to each motion, where anything was.
+/// The processing of each motion, if any.
 fn processing(records: &[&RecordedMotion]) -> String {
     let rows: Vec<_> = records
         .iter()
@@ -205,7 +205,7 @@ fn processing(records: &[&RecordedMotion]) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    table("What was done to them, in this order", &[vec![words("Motion"), words("Processing")]], &rows)
+    table("Processing, in this order", &[vec![words("Motion"), words("Processing")]], &rows)
 }
 
 fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> String {
@@ -271,7 +271,7 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
     let title = match beam.model() {
         Model::Table { .. } => "Modes (shapes as in the table)",
         Model::Beam { .. } => "Modes (shapes are 1 at the roof)",
-        Model::Shear { .. } => "Modes (shapes are 1 at the roof, or at their largest where the roof hardly moves)",
+        Model::Shear { .. } => "Modes (shapes are 1 at the roof, or at their maximum if the roof hardly moves)",
     };
     html.push_str(&table(title, &headings, &rows));
     html
@@ -281,7 +281,7 @@ fn objects(study: &Study) -> String {
     let objects = &study.objects;
     let tolerance = objects.tolerance_m_s2.map(|a| format!("{} g", number(a / G0_M_S2, 4))).unwrap_or_default();
     let friction = objects.friction.map_or_else(
-        || format!("not given; {} is assumed for the warnings", freestand::impact::ASSUMED_FRICTION),
+        || format!("not given; the warnings assume {}", freestand::impact::ASSUMED_FRICTION),
         |mu| number(mu, 3),
     );
     properties(
@@ -291,15 +291,15 @@ fn objects(study: &Study) -> String {
             ("Thicknesses t", grid_words(&objects.thicknesses_m, 1e3, "mm")),
             ("Mass m", format!("{} kg", number(objects.mass_kg, 6))),
             ("Cushion under one edge", edge_words(&objects.cushion)),
-            ("Restitution r of the motion", restitution_words(objects.restitution)),
+            ("Restitution r", restitution_words(objects.restitution)),
             ("Accuracy of the solver", accuracy_words(objects.accuracy)),
-            ("Shock that the objects stand", tolerance),
+            ("Shock tolerance of the objects", tolerance),
             ("Coefficient of friction", friction),
         ],
     )
 }
 
-/// A short list whole, a long one by its ends.
+/// All values of a short list, the ends of a long one.
 fn grid_words(values: &[f64], factor: f64, unit: &str) -> String {
     const WHOLE: usize = 8;
     let text = |v: &f64| number(v * factor, 5);
@@ -314,7 +314,7 @@ fn grid_words(values: &[f64], factor: f64, unit: &str) -> String {
 fn edge_words(edge: &EdgeCushion) -> String {
     let words = format!("{}, all the cushion under that edge", cushion_words(&edge.cushion));
     if edge.notes.is_empty() {
-        return format!("{words} (two pads of 2190 N/mm make 4380)");
+        return format!("{words} (two pads of 2190 N/mm each)");
     }
     format!("{words} ({})", edge.notes.join("; "))
 }

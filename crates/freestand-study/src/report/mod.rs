@@ -1,4 +1,4 @@
-//! `report.html`: one file that loads nothing, for the screen and for paper.
+//! `report.html`: one file that loads no other, for the screen and for paper.
 
 mod inputs;
 mod overview;
@@ -17,14 +17,14 @@ use freestand_output::html::escape;
 
 pub use provenance::{Provenance, provenance};
 
-/// The report of a run, as an HTML document that is well-formed XML too.
+/// The report of a run: HTML that is also well-formed XML.
 ///
-/// All texts of the study and of its files are escaped; the figures stand in it as SVG.
+/// All texts of the study and of its files are escaped; the figures are inline SVG.
 pub fn report(study: &Study, result: &StudyResult, figures: &[Figure], provenance: &Provenance) -> String {
     let sections = [
         ("results", "Results", results::results(study, result, figures)),
-        ("sensitivity", "What the result owes to its assumptions", sensitivity::sensitivity(result)),
-        ("paper", "Beside the paper", reading::beside_the_paper(study, result)),
+        ("sensitivity", "How the result depends on its assumptions", sensitivity::sensitivity(result)),
+        ("paper", "Comparison with the paper", reading::beside_the_paper(study, result)),
         ("inputs", "Inputs", inputs::inputs(study, result)),
         ("assumptions", "Assumptions", reading::assumptions(study)),
         ("definitions", "Definitions", reading::definitions()),

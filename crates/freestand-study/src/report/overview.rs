@@ -1,4 +1,4 @@
-//! The top of the report: the result in words, the first table, the warnings.
+//! The top of the report: title, summary, first table and warnings.
 
 use crate::cushion::cushion_words;
 use crate::result::{ObjectResponse, StudyResult};
@@ -23,8 +23,8 @@ pub(super) fn title(study: &Study) -> String {
             format!("Free-standing objects under {} recorded motions{matched}", records.len())
         }
         Ground::OnFloors => match &study.levels[..] {
-            [level] => format!("Free-standing objects on a floor whose motion is given: {}", level.name),
-            levels => format!("Free-standing objects on {} floors whose motions are given", levels.len()),
+            [level] => format!("Free-standing objects on a floor with a given motion: {}", level.name),
+            levels => format!("Free-standing objects on {} floors with given motions", levels.len()),
         },
     }
 }
@@ -80,12 +80,12 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         (Ground::OnFloors, n) => format!("{n} given floor motions each"),
     };
     let failed = match failed {
-        0 => "all of them could be followed to their end".to_owned(),
-        n => format!("{n} of them failed and are left out of the statistics"),
+        0 => "all of them were completed".to_owned(),
+        n => format!("{n} of them failed and are not part of the statistics"),
     };
     format!(
-        "{} objects ({} heights × {} thicknesses, {} kg, {} under an edge) stood on {}{} under {kind}{}: {histories} \
-         rocking histories, {failed}.",
+        "{} objects ({} heights × {} thicknesses, {} kg, {} under an edge) on {}{} were computed for {kind}{}: \
+         {histories} rocking histories, {failed}.",
         objects.blocks.len(),
         objects.heights_m.len(),
         objects.thicknesses_m.len(),
@@ -95,7 +95,7 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         study.building.as_ref().map_or_else(String::new, |b| format!(" of a {}-storey building", b.storeys)),
         match study.directions_deg.len() {
             1 => String::new(),
-            n => format!(", each in {n} directions of which the worst counts"),
+            n => format!(", each in {n} directions, of which the worst counts"),
         },
     )
 }
@@ -103,19 +103,20 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
 fn level_words(level: &LevelSummary) -> String {
     let shock = match (level.edge_acceleration_g_median, level.edge_acceleration_g_max) {
         (Some(median), Some(most)) if most > 0.0 => format!(
-            "the median edge shock of an object reaches {} g, the largest of any survivor under any motion {} g",
+            "the largest median edge shock of an object is {} g, the largest of any history without overturning {} g",
             number(median, 3),
             number(most, 3)
         ),
         (_, Some(most)) if most > 0.0 => format!(
-            "no object has a median shock that is a number; the largest of any survivor is {} g",
+            "half or more of the motions overturn every object; the largest edge shock of any history without \
+             overturning is {} g",
             number(most, 3)
         ),
-        (_, Some(_)) => "no object that stays up uplifts".to_owned(),
-        (_, None) => "no object stays up".to_owned(),
+        (_, Some(_)) => "no object uplifts without overturning".to_owned(),
+        (_, None) => "every history overturns".to_owned(),
     };
     format!(
-        "the floor peaks at {} g (median); {} of the histories uplift and {} overturn; {shock}.",
+        "the median PFA is {} g; objects uplift in {} of the histories and overturn in {}; {shock}.",
         number(level.pfa_g_median, 3),
         percent(level.uplift_share, 0),
         percent(level.overturned_share, 0)
@@ -164,12 +165,12 @@ fn first_table(levels: &[LevelSummary]) -> String {
             ]
         })
         .collect();
-    let mut html = classed_table("glance", "Each level at a glance", &headings, &rows);
+    let mut html = classed_table("glance", "Summary of each level", &headings, &rows);
     html.push_str(&paragraph(
-        "Shares are of all histories, object × motion; failed ones are left out. Median overturned: objects that half of the \
-         motions or more overturn. Largest median: of all objects, the largest median over the motions that is a number. \
-         Largest: of every object that stays up, under any motion. Uplift and velocity are the two sources of the energy at \
-         impact; the paper’s is the uplift.",
+        "Shares refer to all histories (object × motion) except those that failed. Median overturned: objects that \
+         half or more of the motions overturn. Largest median: the largest median over the motions of any other \
+         object. Largest: the largest value of any history without overturning. Uplift and velocity are the two \
+         sources of the energy at impact; the paper uses the uplift.",
     ));
     html
 }
@@ -183,14 +184,14 @@ fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> String {
         .filter_map(|level| Some(format!("{}: {} of {objects}", level.level, level.exceeded_objects?)))
         .collect();
     paragraph(&format!(
-        "Objects whose median shock (the larger of the two sources) exceeds the tolerance of {} g, or whose median is \
-         overturned: {}. They carry the sign ▲ in the tables.",
+        "Objects whose median shock (the larger of the two sources) exceeds the tolerance of {} g, or that half or \
+         more of the motions overturn: {}. The tables mark them with ▲.",
         number(tolerance_g, 3),
         counts.join("; ")
     ))
 }
 
-/// Reasons of failed histories, with their counts.
+/// Reasons for failed histories, with their counts.
 fn failures(result: &StudyResult) -> String {
     let mut reasons: Vec<(&str, usize)> = Vec::new();
     for response in result.levels.iter().flat_map(|level| level.responses.iter().flatten()) {
@@ -211,9 +212,9 @@ fn failures(result: &StudyResult) -> String {
         .take(MAX_REASONS)
         .map(|(reason, count)| vec![words(reason), figure(count.to_string())])
         .collect();
-    let mut html = table("Histories that could not be followed", &[vec![words("Reason"), figure("Histories")]], &rows);
+    let mut html = table("Histories that failed", &[vec![words("Reason"), figure("Histories")]], &rows);
     if more > 0 {
-        html.push_str(&paragraph(&format!("And {more} other reasons; srs.csv has every one.")));
+        html.push_str(&paragraph(&format!("And {more} other reasons; srs.csv lists all.")));
     }
     html
 }

@@ -6,7 +6,7 @@ use freestand_output::html::escape;
 
 use freestand_output::html::{figure, markup, paragraph, properties, table, words};
 
-/// What it takes to get the same numbers again.
+/// What is needed to get the same numbers again.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Provenance {
     /// Version of freestand.
@@ -15,9 +15,9 @@ pub struct Provenance {
     pub study_sha256: String,
     /// Every other file that was read: name and SHA-256.
     pub inputs: Vec<(String, String)>,
-    /// Seed of the random numbers, where there are any.
+    /// Seed of the random numbers, if there are any.
     pub seed: Option<u64>,
-    /// What makes the random numbers.
+    /// The generator of the random numbers.
     pub generator: Option<String>,
 }
 
@@ -74,8 +74,8 @@ pub(super) fn provenance_section(study: &Study, provenance: &Provenance) -> Stri
         html.push_str(&table("Files that were read", &[vec![words("File"), figure("SHA-256")]], &rows));
     }
     html.push_str(&paragraph(
-        "The same version with the same study and files gives the same numbers on any number of threads. Every motion of \
-         every object stands in urs.csv and srs.csv; summary.json holds the key figures and all inputs.",
+        "The same version with the same study and files gives the same numbers on any number of threads. urs.csv \
+         and srs.csv list every object and motion; summary.json contains the key figures and all inputs.",
     ));
     html.push_str(&format!(
         "<details>\n<summary>The study as TOML, ready to run again</summary>\n<pre>{}</pre>\n</details>\n",

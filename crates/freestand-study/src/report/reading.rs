@@ -1,4 +1,4 @@
-//! What the reader must know: the paper beside the results, assumptions, definitions, corrections.
+//! Explanations: comparison with the paper, assumptions, definitions, corrections.
 
 use freestand::building::Model;
 use freestand::code_spectrum::{CodeSpectrum, SiteClass};
@@ -10,12 +10,12 @@ use freestand_input::words::{number, percent};
 
 use freestand_output::html::{Cell, heading, list, markup, paragraph, table, words};
 
-/// The paper's numbers beside this study's.
+/// The paper's numbers next to those of this study.
 pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
     let mut html = paragraph(
-        "The paper: H. Al Abadi, J. Petrolito, N. Lam and E. Gad, “Shock Induced Damage onto Free-Standing Objects in an \
-         Earthquake”, Section V and Fig. 7: objects of 150 kg on 4380 N/mm in a generic 30-storey building, in a synthetic \
-         500-year Melbourne earthquake on site class D.",
+        "The paper: H. Al Abadi, J. Petrolito, N. Lam and E. Gad, “Shock Induced Damage onto Free-Standing Objects \
+         in an Earthquake”, Section V and Fig. 7: objects of 150 kg on 4380 N/mm in a generic 30-storey building, in \
+         a synthetic 500-year Melbourne earthquake on site class D.",
     );
     let at = |wanted: f64| {
         result.levels.iter().find(|level| level.level.level_ratio.is_some_and(|ratio| (ratio - wanted).abs() < 0.02))
@@ -31,13 +31,14 @@ pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
     html.push_str(&table("", &[vec![words(""), words("Paper"), words("This study")]], &rows));
     if !is_the_papers_case(study) {
         html.push_str(&paragraph(
-            "This study’s ground, objects or cushion are not the paper’s: the two columns show the order of size only.",
+            "The ground, objects or cushion of this study differ from the paper’s: compare the two columns only by \
+             their order of magnitude.",
         ));
     }
     html.push_str(&paragraph(
-        "The paper shows one motion and gives neither it nor the building’s period, damping and modes: its curves cannot be \
-         reproduced digit for digit. From motion to motion the shock of one object differs by a factor of two and more; \
-         compare bands, not lines.",
+        "The paper shows the result of one motion, but states neither the motion nor the period, damping and modes \
+         of the building, so that its curves cannot be reproduced exactly. The shock of one object differs between \
+         motions by a factor of two and more: compare bands, not lines.",
     ));
     html
 }
@@ -66,7 +67,7 @@ fn shock_words(level: Option<&LevelResult>) -> String {
             format!("medians up to {} g; single motions up to {} g", number(median, 3), number(most, 3))
         }
         (None, Some(most)) => format!("single motions up to {} g", number(most, 3)),
-        _ => "no survivor".to_owned(),
+        _ => "every motion overturns them".to_owned(),
     }
 }
 
@@ -80,59 +81,61 @@ fn overturned_words(level: Option<&LevelResult>) -> String {
         .map(|s| s.overturned_share)
         .collect();
     match (shares.iter().copied().reduce(f64::min), shares.iter().copied().reduce(f64::max)) {
-        (Some(least), Some(most)) if least == most => format!("overturn under {} of the motions", percent(most, 0)),
+        (Some(least), Some(most)) if least == most => format!("{} of the motions overturn them", percent(most, 0)),
         (Some(least), Some(most)) => {
-            format!("overturn under {} to {} of the motions", percent(least, 0), percent(most, 0))
+            format!("{} to {} of the motions overturn them", percent(least, 0), percent(most, 0))
         }
         _ => "not in this study’s grid".to_owned(),
     }
 }
 
-/// What was assumed.
+/// The assumptions.
 pub(super) fn assumptions(study: &Study) -> String {
     let mut items = vec![
         if study.directions_deg.len() > 1 {
-            "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis. The motion \
-             is turned through half a circle and the direction that is worst for the object counts, as if it stood that way; \
-             look at an item about both of its axes."
+            "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis. \
+             The motion is turned through half a circle, and the direction that is worst for the object counts. \
+             Check an item about both of its axes."
         } else {
-            "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis, in the plane \
-             of the motion; look at an item about both of its axes."
+            "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis, \
+             in the plane of the motion. Check an item about both of its axes."
         },
-        "It does not slide, bounce or twist, and meets no wall or neighbour. Warnings say where the friction would not do.",
-        "The floor is rigid for the motion; the cushion enters the shock only, as a linear spring without damping.",
-        "Only the horizontal motion acts; there is no vertical component.",
+        "It does not slide, bounce or twist, and it hits no wall or neighbour. Warnings state where friction is not \
+         sufficient for this.",
+        "The rocking is computed on a rigid floor; the cushion only determines the shock, as a linear spring \
+         without damping.",
+        "Only the horizontal motion is considered, not the vertical one.",
         match study.building.as_ref().map(|building| building.along.model()) {
             Some(Model::Beam { .. }) => {
-                "The building is linear and elastic, uniform over its height, and does not feel the objects."
+                "The building is linear and elastic and uniform over its height; the objects do not affect it."
             }
             Some(Model::Shear { .. }) => {
-                "The building is linear and elastic, its floors are rigid and the whole does not bend; it does not feel the \
-                 objects."
+                "The building is linear and elastic; its floors are rigid and it deforms only in shear. The objects \
+                 do not affect it."
             }
             Some(Model::Table { .. }) => {
-                "The building is linear and elastic, with the modes of its table and no others; what these leave out follows \
-                 the ground. It does not feel the objects."
+                "The building is linear and elastic, with only the modes of its table; the rest of its mass follows \
+                 the ground. The objects do not affect it."
             }
-            None => "The motions of the floors are taken as given.",
+            None => "The motions of the floors are used as given.",
         },
-        "An impact takes no time; the share of the angular velocity that is left is the restitution r of the inputs, and the \
-         landing ratio of the impact model is always that of Eq. (6).",
-        "After the motion zeros follow until every object rests or has fallen.",
+        "An impact takes no time. The restitution r of the inputs is the angular velocity after it divided by that \
+         before; the landing ratio of the impact model is always that of Eq. (6).",
+        "After the motion, zeros are appended until every object has come to rest or overturned.",
     ];
     match &study.ground {
         Ground::Synthetic(_) => items.push(
-            "The ground motions are made, not recorded: noise under a smooth window, matched to the target spectrum. Their \
-             spread is that of the phases alone and is smaller than that of real earthquakes.",
+            "The ground motions are synthetic: noise under a smooth window, matched to the target spectrum. They \
+             differ only in their phases, so their scatter is smaller than that of real earthquakes.",
         ),
         Ground::Simulated(_) => items.push(
-            "The ground motions are simulated, not recorded: noise under a smooth window with the mean Fourier amplitudes of \
-             a point source; no fault of some length, no pulses, no surface waves. Their spread is that of the phases alone \
-             and is smaller than that of real earthquakes.",
+            "The ground motions are simulated: noise under a smooth window with the mean Fourier amplitudes of a \
+             point source, without the extent of a fault, pulses or surface waves. They differ only in their phases, \
+             so their scatter is smaller than that of real earthquakes.",
         ),
         Ground::Recorded(records) if records.iter().any(|record| record.matched.is_some()) => items.push(
-            "The records were matched to the target spectrum: phases stay, amplitudes do not. Their spread is smaller than \
-             that of real earthquakes.",
+            "The records were matched to the target spectrum: their phases are kept, their amplitudes are not. \
+             Their scatter is smaller than that of real earthquakes.",
         ),
         Ground::Recorded(_) | Ground::OnFloors => {}
     }
@@ -146,23 +149,24 @@ pub(super) fn assumptions(study: &Study) -> String {
 pub(super) fn definitions() -> String {
     let mut html = heading("Motion");
     html.push_str(&paragraph(
-        "t, h: thickness (width in the plane of the motion) and height; R = ½√(h² + t²): from a pivot edge to the centre of \
-         gravity; α = atan(t/h): the slenderness angle, at which the block balances on its edge; p = √(3g/4R); \
-         s = sign of θ; ü: acceleration of the floor.",
+        "t, h: thickness (width in the plane of the motion) and height; R = ½√(h² + t²): from a pivot edge to the \
+         centre of gravity; α = atan(t/h): the slenderness angle, at which the block balances on its edge; p = \
+         √(3g/4R); s = sign of θ; ü: acceleration of the floor.",
     ));
     html.push_str(&equation(
         "θ̈ = −p² [ sin(sα − θ) + (ü/g) cos(sα − θ) ], uplift where |ü| &gt; g t/h<br />\
-         ω<sup>+</sup> = r ω<sup>−</sup> at θ = 0; Housner: r = 1 − (3/2) sin²α, where the inputs name no other",
+         ω<sup>+</sup> = r ω<sup>−</sup> at θ = 0; Housner: r = 1 − (3/2) sin²α, unless the inputs give another",
     ));
     html.push_str(&paragraph(
-        "Overturned: |θ| reaches π/2. Passing α is not yet overturning; the shaking can bring an object back.",
+        "Overturned: |θ| reaches π/2. An object that has passed α has not overturned yet: the motion can bring it \
+         back.",
     ));
     html.push_str(&equation("uplift δ = t sin|θ|; rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]"));
     html.push_str(&heading("Shock"));
     html.push_str(&paragraph(
-        "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of impact, t for \
-         rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The edge shock is the peak acceleration \
-         at the impacting edge.",
+        "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of \
+         impact, t for rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The edge shock is \
+         the peak acceleration at the impacting edge.",
     ));
     html.push_str(&equation(
         "a = √(2 k g Δh / m) (7)<br />R<sub>D</sub> = 1 − ⅜ (d/R)² (6)<br />\
@@ -173,17 +177,18 @@ pub(super) fn definitions() -> String {
     ));
     html.push_str(&equation("a<sub>edge</sub> = ¾ (d/R)² a (8)"));
     html.push_str(&paragraph(
-        "Source “uplift” (the paper’s): Δh is the largest rise over the history. Source “velocity”: Δh = I₀ω²/(2mg) from the \
-         largest angular velocity ω just before an impact, I₀ = (4/3) m R². Uplift ceiling: the shock at \
-         Δh = R (1 − cos α), the balance point; the uplift source cannot exceed it, the velocity source can, by up to about \
-         half.",
+        "Source “uplift” (the paper’s): Δh is the largest rise over the history. Source “velocity”: Δh = I₀ω²/(2mg) \
+         from the largest angular velocity ω just before an impact, I₀ = (4/3) m R². Uplift ceiling: the shock at Δh \
+         = R (1 − cos α), the balance point; the uplift source cannot exceed it, the velocity source can, by up to \
+         about half.",
     ));
     html.push_str(&heading("Statistics"));
     html.push_str(&paragraph(
-        "For each object all motions are ranked by the quantity: no uplift = 0, overturned = above all numbers. Fractiles at \
-         16, 50 and 84 % are read from that ranking (between ranks (n − 1)q, linearly); one that reaches into the overturned \
-         is “overturned”. A mean over the survivors alone would fall where objects begin to overturn, and is not used. PFA: \
-         peak floor acceleration; PGA: peak ground acceleration; ZPA: value of the target spectrum at zero period.",
+        "For each object all motions are ranked by the quantity: no uplift counts as 0, overturned as larger than \
+         any number. Fractiles at 16, 50 and 84 % are read from that ranking (linearly between ranks (n − 1)q); one \
+         that falls among the overturned is “overturned”. A mean without the overturned histories is not used: it \
+         would decrease where objects begin to overturn. PFA: peak floor acceleration; PGA: peak ground \
+         acceleration; ZPA: value of the target spectrum at zero period.",
     ));
     html
 }
@@ -198,12 +203,12 @@ pub(super) fn errata() -> String {
         ("Eq. (2)", "I₀ = ¾ m R²", "I₀ = (4/3) m R², which Eqs. (5) and (8) already use"),
         ("R<sub>D</sub>", "before over after the impact", "after over before: θ̇₂/θ̇₁"),
         ("below Eq. (4)", "1 − R<sub>D</sub>² is the energy retained", "it is the share lost in the impact"),
-        ("Sections IV and V", "2190 N/m, 4380 N/m", "N/mm: only so do Table I and Fig. 7 fit"),
+        ("Sections IV and V", "2190 N/m, 4380 N/m", "N/mm: only then do Table I and Fig. 7 agree"),
         ("before Eq. (8)", "cases (a) and (c)", "(a) and (b), the halted impacts"),
         (
             "Eq. (5)",
             "the text leads to √(1 − R<sub>D</sub>²) in the numerator",
-            "taken as printed, in the denominator: 4.5 g for the first test of Table I, measured 4.0–4.1 g",
+            "used as printed, in the denominator: 4.5 g for the first test of Table I, where 4.0–4.1 g were measured",
         ),
         ("Fig. 7 (b)", "SRS at roof level", "SRS at mid-height"),
     ]

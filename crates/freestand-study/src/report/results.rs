@@ -9,7 +9,7 @@ use freestand_output::html::escape;
 
 use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
 
-/// More thicknesses than this do not fit side by side on A4.
+/// Largest number of thicknesses that fit side by side on A4.
 const MAX_COLUMNS: usize = 5;
 
 /// Figures first, then the numbers.
@@ -31,11 +31,12 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
     html
 }
 
-/// Which of the recorded motions were drawn, where not all of them were.
+/// Which of the recorded motions were drawn, if not all.
 fn records_words(study: &Study) -> String {
     match &study.ground {
         Ground::Recorded(records) if records.len() > MAX_RECORDS => paragraph(&format!(
-            "Of the {} recorded ground motions the first {MAX_RECORDS} are drawn; freestand motion info --plot draws any.",
+            "Figures show the first {MAX_RECORDS} of the {} recorded ground motions; the command motion info can \
+             plot the others.",
             records.len()
         )),
         _ => String::new(),
@@ -45,8 +46,8 @@ fn records_words(study: &Study) -> String {
 fn framed(number: usize, figure: &Figure) -> String {
     let label = format!("<svg role=\"img\" aria-label=\"{}\" ", escape(&figure.title));
     format!(
-        "<figure id=\"figure-{name}\">\n<div class=\"scroll\" tabindex=\"0\">{svg}</div>\n<figcaption><strong>Figure {number}. \
-         {title}.</strong> {caption}</figcaption>\n</figure>\n",
+        "<figure id=\"figure-{name}\">\n<div class=\"scroll\" tabindex=\"0\">{svg}</div>\n<figcaption><strong>Figure \
+         {number}. {title}.</strong> {caption}</figcaption>\n</figure>\n",
         name = figure.name,
         svg = figure.svg.replacen("<svg ", &label, 1),
         title = escape(&figure.title),
@@ -56,12 +57,12 @@ fn framed(number: usize, figure: &Figure) -> String {
 
 fn how_to_read(study: &Study) -> String {
     let mut text = String::from(
-        "How to read the tables. Each cell is the median over all motions ranked: an object that does not uplift counts \
-         as 0, an overturned one as more than any number; nothing is extrapolated and no motion is left out. “–”: no \
-         uplift in the median. “overturned”: half of the motions or more overturn it. Two sources of the energy at \
-         impact stand side by side in g: “uplift”, the largest rise of the centre of gravity (the paper’s), and \
-         “velocity”, the largest angular velocity just before an impact. The larger, in bold, governs a verdict. “ov.”: \
-         share of the motions that overturn the object.",
+        "How to read the tables. Each cell is the median over all motions: an object that does not uplift counts as \
+         0, an overturned one as larger than any number; nothing is extrapolated and no motion is left out. “–”: \
+         half or more of the motions do not uplift the object. “overturned”: half or more of the motions overturn \
+         it. The two sources of the energy at impact are side by side, in g: “uplift”, the largest rise of the \
+         centre of gravity (as in the paper), and “velocity”, the largest angular velocity just before an impact. \
+         The larger, in bold, governs. “ov.”: share of the motions that overturn the object.",
     );
     if let Some(tolerance) = study.objects.tolerance_m_s2 {
         text.push_str(&format!(
@@ -99,7 +100,7 @@ fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> Strin
     classed_table("objects", "", &[top, below], &rows)
 }
 
-/// Digits behind the point.
+/// Number of decimals.
 fn decimals(number: &str) -> usize {
     number.split_once('.').map_or(0, |(_, digits)| digits.len())
 }

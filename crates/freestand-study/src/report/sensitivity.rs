@@ -1,4 +1,4 @@
-//! What one changed value does to the result, where that was asked for.
+//! How the result depends on single values, if that was requested.
 
 use crate::result::StudyResult;
 use crate::result::VariedLevel;
@@ -10,9 +10,9 @@ use freestand_output::html::{Cell, classed_table, figure, list, paragraph, words
 pub(super) fn sensitivity(result: &StudyResult) -> String {
     let Some(sensitivity) = &result.sensitivity else { return String::new() };
     let mut html = paragraph(
-        "One value of the study is changed at a time, the rest stays. Ratio: the median shocks of the objects added up, over \
-         the same sum of the study as it is, of the objects whose median overturns in neither. The largest median is of one \
-         object, and it falls when that object begins to overturn.",
+        "One value of the study is changed at a time. Ratio: the sum of the median shocks of the objects, divided \
+         by the same sum for the unchanged study; objects that half or more of the motions overturn in either are \
+         left out. The largest median belongs to one object and decreases when that object begins to overturn.",
     );
     let headings = vec![vec![
         words("Changed"),
@@ -43,7 +43,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
     html
 }
 
-/// Why there is no result, or what this variation is warned of besides.
+/// Why there is no result, or the additional warnings of this change.
 fn remark(row: &VariedLevel) -> Option<String> {
     let why = row.reason.as_ref().map(ToString::to_string).or_else(|| row.warnings.clone())?;
     Some(format!("{}: {why}", row.words()))
@@ -52,7 +52,7 @@ fn remark(row: &VariedLevel) -> Option<String> {
 fn row(row: &VariedLevel) -> Vec<Cell> {
     let dash = || "–".to_owned();
     let value = |value: Option<f64>, digits| figure(value.map_or_else(dash, |v| fixed(v, digits)));
-    let changed = if row.value.is_empty() { "as it is".to_owned() } else { row.words() };
+    let changed = if row.value.is_empty() { "unchanged".to_owned() } else { row.words() };
     vec![
         words(&changed),
         value(row.pfa_g_median, 3),

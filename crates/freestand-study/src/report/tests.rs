@@ -36,7 +36,7 @@ fn texts(document: &roxmltree::Document) -> String {
         .join("\n")
 }
 
-/// What holds for every report, whatever the study: well-formed, loads nothing, no NaN, no id twice.
+/// Every report is well-formed, loads nothing, and has no NaN and no id twice.
 fn check(html: &str) {
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document = roxmltree::Document::parse_with_options(html, options).unwrap();
@@ -113,12 +113,12 @@ fn report_holds_figures_tables_and_definitions() {
     assert_eq!(count("figcaption"), figures.len());
     let texts = texts(&document);
     for words in [
-        "Each level at a glance",
+        "Summary of each level",
         "failed",
-        "Histories that could not be followed",
+        "Histories that failed",
         "g + ü_v ≤ 0",
         "Validity warnings",
-        "How well the motions meet their target",
+        "How well the motions fit their target",
         "3.35 times its ZPA",
         "Fundamental period T₁",
         "about 3.5 g",
@@ -133,7 +133,8 @@ fn report_holds_figures_tables_and_definitions() {
     ] {
         assert!(texts.contains(words), "{words}");
     }
-    // Every object of every level stands in the tables once: 26 heights, and 5 overturned shares or blanks each.
+    // Every object of every level is in the tables once: 26 heights, and 5 overturned shares or
+    // blanks each.
     let rows = document.descendants().filter(|n| n.tag_name().name() == "tr");
     assert_eq!(
         rows.filter(|row| row.children().filter(|c| c.attribute("class") == Some("n share")).count() == 5).count(),
@@ -159,7 +160,8 @@ fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
     assert!(html.contains("Of the 10 recorded ground motions the first 6 are drawn"));
 }
 
-/// Everything of a motion that may be drawn: nothing but zeros, two samples, a drift, a million samples.
+/// Everything of a motion that may be drawn: nothing but zeros, two samples, a drift, a million
+/// samples.
 #[test]
 fn records_of_every_kind_are_drawn_small() {
     let million: Vec<f64> = (0..1_000_000).map(|i| (i as f64 * 0.7).sin() * 1e-6).collect();
@@ -173,7 +175,8 @@ fn records_of_every_kind_are_drawn_small() {
             assert!(texts.contains(label), "{label}");
         }
         assert!(!figure.svg.contains("NaN") && !figure.svg.contains("inf\""));
-        // Four points a pixel column of 20 characters in three panels of 694 columns, and the Husid curve: 250 kB.
+        // Four points a pixel column of 20 characters in three panels of 694 columns, and the Husid
+        // curve: 250 kB.
         assert!(figure.svg.len() < 300_000, "{}", figure.svg.len());
     }
 }
@@ -206,7 +209,8 @@ fn the_smallest_study_has_a_report_too() {
     check(&report(&study, &result, &figures, &provenance(&study)));
 }
 
-/// Four levels on two rows with ten thicknesses: no bands, two tables a level; a history that ends on the floor.
+/// Four levels on two rows with ten thicknesses: no bands, two tables a level; a history that ends
+/// on the floor.
 #[test]
 fn many_levels_and_thicknesses_and_a_fall_are_drawn() {
     let mut study = fixture::study();

@@ -34,13 +34,12 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
 fn every_value_is_checked_and_every_problem_reported() {
     let got = problems(
         "[ground]\ncode = \"as1170.4\"\nedition = 1993\ncity = \"Melborne\"\nsite = \"X\"\ncount = 0\n\
-         [building]\nstoreys = 0\nstorey_height = \"-3 m\"\nframe = \"wood\"\nperiod = \"0 s\"\ndamping = \
-         1
+         [building]\nstoreys = 0\nstorey_height = \"-3 m\"\nframe = \"wood\"\nperiod = \"0 s\"\ndamping = 1
 shear_flexure = -1\nmodes = 51\n\
          levels = [{ name = \"a/b\", level_ratio = 0.5 }, { name = \"roof\", level_ratio = 1.5 }, { name = \
-         \"Roof\", level_ratio = 1 }, { name = \"x\" }]\n\
+                              \"Roof\", level_ratio = 1 }, { name = \"x\" }]\n\
          [objects]\nheights = \"-1 m, 1 m\"\nthicknesses = []\nmass = \"0 kg\"\nstiffness = \"-1 \
-         N/mm\"\nrestitution = 1.2\naccuracy = \"loose\"\ntolerance = \"0 g\"\nfriction = 0\n\
+                                N/mm\"\nrestitution = 1.2\naccuracy = \"loose\"\ntolerance = \"0 g\"\nfriction = 0\n\
          [outputs]\nhistory = { level = \"attic\", height = \"1.5 m\", thickness = \"300 mm\" }\n",
     );
     let expected = [
@@ -233,8 +232,8 @@ fn the_motion_of_the_history_is_one_of_the_study() {
     }
 }
 
-/// The file of the target is beside the study, whatever the working folder, and stands in the
-/// summary with its fingerprint.
+/// The file of the target is next to the study, whatever the working folder; the summary states its
+/// fingerprint.
 #[test]
 fn a_study_scales_to_a_spectrum_beside_it() {
     let folder = tempfile::tempdir().unwrap();
@@ -273,8 +272,8 @@ fn a_study_has_the_station_xml_among_its_inputs() {
     }
 }
 
-/// The record has no step and no unit: only what was wrong in the study is said, not what follows
-/// from it.
+/// The record has no step and no unit: only the mistakes in the study are reported, not their
+/// consequences.
 #[test]
 fn files_are_not_read_without_what_was_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -374,8 +373,8 @@ fn records_are_processed_as_the_study_says() {
     // A fault of this record under this processing is one of the file.
     let nyquist = found("component = 1\nprocessing = { high_cut = \"60 Hz\" }\n");
     assert!(nyquist.len() == 1 && nyquist[0].contains("two.csv: filter: a corner frequency"), "{nyquist:?}");
-    // So is one of a target; the path is relative to the study, and the study's line is that of a
-    // file that is not there.
+    // So is one of a target; the path is relative to the study, and a missing file is reported at
+    // the study's line.
     std::fs::write(folder.path().join("bad.csv"), "T [s],Sa [g]\n1,0\n").unwrap();
     let bad = found("component = 1\nprocessing = { scale_to_spectrum = \"bad.csv\" }\n");
     assert!(
@@ -413,8 +412,7 @@ fn in_folder(building: &str) -> Result<Study, Problems> {
     resolve(building, Some(Path::new("s.toml")), folder.path())
 }
 
-/// Damping that no mode would have is refused where it is written, and not where it is only
-/// inherited.
+/// Damping without effect is refused where it is written, but not where it is inherited.
 #[test]
 fn damping_beside_a_table_that_has_its_own_is_refused() {
     let folder = tempfile::tempdir().unwrap();

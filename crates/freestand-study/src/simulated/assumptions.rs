@@ -1,4 +1,4 @@
-//! What a simulation assumes, said of the parameters as they are after all changes.
+//! The assumptions of a simulation, after all changes of parameters.
 
 use freestand::code_spectrum::SiteClass;
 use freestand::synthesis::{
@@ -9,31 +9,40 @@ use freestand::synthesis::{
 use super::{Earthquakes, SimulatedRequest};
 use freestand_input::words::number;
 
-/// In sentences; `source` is any of the request's, with its changes.
+/// One sentence each; `source` is any source of the request, with its changes.
 pub(super) fn assumptions(request: &SimulatedRequest, source: &PointSource) -> Vec<String> {
     let mut said = of_the_preset(request, source);
     if source.spectrum == SourceSpectrum::TwoCorner {
         if source.path_duration == PathDuration::Boore {
-            said.push("the source spectrum of Atkinson and Boore (1995) goes with 0.05 s/km along the path, not with their own duration".to_owned());
+            said.push(
+                "the source spectrum of Atkinson and Boore (1995) is combined with 0.05 s/km along the path, \
+                 not with their own duration"
+                    .to_owned(),
+            );
         }
         said.push(
-            "the source has two corners, but its duration is 1/f0, f0 that of a single corner of the same stress drop"
+            "the source has two corners, but its duration is 1/f0 with the single corner f0 of the same stress drop"
                 .to_owned(),
         );
     }
     if let Quality::LogCubic { lowest_hz, highest_hz, .. } = source.quality {
-        said.push(format!("Q was fitted from {lowest_hz} to {highest_hz} Hz; outside its ends are held"));
+        said.push(format!(
+            "Q was fitted from {lowest_hz} to {highest_hz} Hz; outside, the values at the ends are used"
+        ));
     }
     if request.site != SiteClass::Be {
         said.push(format!(
-            "site {}: Fourier amplitudes of rock times the ratio of the code's spectra {}/Be at T = 1/f; no soil column was followed",
+            "site {}: Fourier amplitudes of rock times the ratio of the code's spectra {}/Be at T = 1/f; no soil \
+             column was computed",
             request.site.name(),
             request.site.name()
         ));
     }
     if matches!(request.earthquakes, Earthquakes::Pairs { .. }) {
         said.push(format!(
-            "distances are those at which the geometric mean of {PAIR_MOTIONS} motions on rock, with the time step and the low cut of those written, meets the code's rock spectrum over T = 0.5 to 1 s; the hazard was not deaggregated"
+            "distances are those at which the geometric mean of {PAIR_MOTIONS} motions on rock, with the same time \
+             step and low cut as the written ones, fits the code's rock spectrum from T = 0.5 to 1 s; the hazard was \
+             not deaggregated"
         ));
     }
     said
@@ -84,13 +93,14 @@ fn of_the_preset(request: &SimulatedRequest, source: &PointSource) -> Vec<String
     said
 }
 
-/// Where an earthquake lies outside of what its model was made for.
+/// A warning if an earthquake lies outside the range of its model.
 pub(super) fn outside_limits(preset: Preset, source: &PointSource) -> Option<String> {
     let inside = SOUTH_EAST_AUSTRALIA_MAGNITUDES.contains(&source.magnitude)
         && source.distance_m < SOUTH_EAST_AUSTRALIA_FARTHEST_M;
     (preset == Preset::SouthEastAustralia && !inside).then(|| {
         format!(
-            "se-australia was made for magnitudes from {} to {} and distances below {} km, not for magnitude {} at {} km",
+            "se-australia was made for magnitudes from {} to {} and distances below {} km, not for magnitude {} at \
+             {} km",
             number(*SOUTH_EAST_AUSTRALIA_MAGNITUDES.start(), 3),
             number(*SOUTH_EAST_AUSTRALIA_MAGNITUDES.end(), 3),
             number(SOUTH_EAST_AUSTRALIA_FARTHEST_M / 1e3, 3),

@@ -1,4 +1,4 @@
-//! Motions of stochastic point sources: request → report.
+//! Motions of stochastic point sources: from a request to a report.
 
 mod assumptions;
 mod words;
@@ -24,24 +24,24 @@ use freestand_output::rows::columns_csv;
 
 pub use words::{SOURCE_KEYS, SourceInput, read_source};
 
-/// What is changed in a preset; `None` leaves it.
+/// Changes to a preset; `None` keeps its value.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct SourceChanges {
     /// Stress drop \[Pa\].
     pub stress_drop_pa: Option<f64>,
-    /// κ₀ \[s\], in place of another loss near the surface.
+    /// κ₀ \[s\], which replaces any other loss near the surface.
     pub kappa_s: Option<f64>,
     /// Shape of the source spectrum.
     pub spectrum: Option<SourceSpectrum>,
     /// Duration along the path.
     pub path_duration: Option<PathDuration>,
-    /// How shaking rises and falls.
+    /// The envelope of the motion.
     pub window: Option<freestand::synthesis::Window>,
     /// No amplification by the crust.
     pub hard_rock: bool,
 }
 
-/// The ground at the site, where nobody says it: the rock that the presets are for.
+/// Default ground at the site: the rock that the presets are for.
 pub const DEFAULT_SITE: SiteClass = SiteClass::Be;
 
 /// Which earthquakes.
@@ -54,7 +54,7 @@ pub enum Earthquakes {
         /// Distance \[m\].
         distance_m: f64,
     },
-    /// Those whose mean spectrum meets the rock spectrum of AS 1170.4 over T = 0.5 to 1 s.
+    /// Earthquakes whose mean spectrum fits the rock spectrum of AS 1170.4 from T = 0.5 to 1 s.
     Pairs {
         /// kp·Z of the code, with its minimum \[g\].
         kpz_g: f64,
@@ -68,7 +68,7 @@ pub enum Earthquakes {
 pub struct SimulatedRequest {
     /// Parameters that belong together.
     pub preset: Preset,
-    /// What is changed in them.
+    /// Changes to them.
     pub changes: SourceChanges,
     /// Which earthquakes.
     pub earthquakes: Earthquakes,
@@ -94,9 +94,9 @@ pub struct SimulatedReport {
     generator: &'static str,
     dt_s: f64,
     low_cut_hz: f64,
-    /// What is assumed, in sentences.
+    /// The assumptions, one sentence each.
     pub assumptions: Vec<String>,
-    /// What the reader must know, besides.
+    /// Warnings for the reader.
     #[serde(skip)]
     pub warnings: Vec<String>,
     /// The earthquakes and their motions.
@@ -132,11 +132,14 @@ pub struct Earthquake {
     pub magnitude: f64,
     /// Distance \[m\].
     pub distance_m: f64,
-    /// Geometric mean of PSA over the code's on rock, T = 0.5 to 1 s, where it was searched for.
+    /// Geometric mean of the PSA divided by the code's on rock, T = 0.5 to 1 s, if the distance was
+    /// searched for.
     pub mean_ratio_to_rock_spectrum: Option<f64>,
-    /// So many motions the distance was searched with, however many are written.
+    /// Number of motions that the distance was searched with; it does not depend on the number that
+    /// is written.
     pub searched_motions: Option<u32>,
-    /// Of the written motions over the code's spectrum for the site, as far as there is one.
+    /// The same ratio for the written motions and the code's spectrum for the site, if there is
+    /// one.
     pub written_mean_ratio_to_site_spectrum: Option<f64>,
     moment_n_m: f64,
     /// f₀, or f_a and f_b.
@@ -156,7 +159,7 @@ pub struct Earthquake {
 pub struct SimulatedMotion {
     /// Name for files.
     pub name: String,
-    /// Where it was written.
+    /// The file that it was written to.
     pub path: Option<String>,
     /// Number of samples.
     pub npts: usize,
@@ -181,11 +184,12 @@ const FOURIER_POINTS: usize = 151;
 /// An earthquake of a request, with its distance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FoundEarthquake {
-    /// Its place among those of the request: each has random numbers of its own.
+    /// Its number in the request: each earthquake has its own random numbers.
     pub number: u32,
     /// Source and path.
     pub source: PointSource,
-    /// Geometric mean of PSA over the code's on rock, T = 0.5 to 1 s, where the distance was searched for.
+    /// Geometric mean of the PSA divided by the code's on rock, T = 0.5 to 1 s, if the distance was
+    /// searched for.
     pub mean_ratio_to_rock_spectrum: Option<f64>,
 }
 
@@ -209,11 +213,12 @@ impl FoundEarthquake {
     }
 }
 
-/// The earthquakes of a request; the distances that meet a code's spectrum are looked for, which takes
-/// [`PAIR_MOTIONS`] motions, some times over.
+/// The earthquakes of a request. Distances that fit a code's spectrum are searched for, which takes
+/// several rounds of [`PAIR_MOTIONS`] motions.
 ///
 /// # Errors
-/// Parameters out of range, a magnitude that meets the spectrum at no distance from 2 to 300 km.
+/// Parameters out of range, or a magnitude that does not fit the spectrum at any distance from 2 to
+/// 300 km.
 pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquake>, Problem> {
     let source = |magnitude, distance_m| changed(request.preset.source(magnitude, distance_m), &request.changes);
     let found = match &request.earthquakes {
@@ -237,12 +242,12 @@ pub fn find_earthquakes(request: &SimulatedRequest) -> Result<Vec<FoundEarthquak
             found
         }
     };
-    // What is out of its range is said before anything is run.
+    // Parameters out of their range are reported before anything is computed.
     found.iter().try_for_each(|one| simulator(request, one).map(|_| ())).map_err(source_problem)?;
     Ok(found)
 }
 
-/// Makes the motions of one of the earthquakes, those of the request's site.
+/// The generator of the motions of one earthquake at the request's site.
 ///
 /// # Errors
 /// Parameters out of range.
@@ -282,7 +287,7 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
     })
 }
 
-/// A parameter out of its range is the fault of the word that gave it.
+/// A problem with the key of a parameter that is out of its range.
 fn source_problem(error: SynthesisError) -> Problem {
     let key = match &error {
         SynthesisError::Option { name, .. } => {
@@ -333,7 +338,8 @@ fn no_distance(magnitude: f64, kpz_g: f64) -> Problem {
     Problem::value(message, hint).of(&["magnitude"])
 }
 
-/// The motions of an earthquake, each with random numbers of its own; kpZ where its distance was looked for.
+/// The motions of an earthquake, each with its own random numbers; kpZ if its distance was searched
+/// for.
 fn earthquake(
     request: &SimulatedRequest,
     found: &FoundEarthquake,
@@ -399,7 +405,8 @@ fn parameters(source: &PointSource) -> SourceParameters {
         quality: match source.quality {
             Quality::Power { at_1_hz_ratio, exponent_ratio } => format!("{at_1_hz_ratio} f^{exponent_ratio}"),
             Quality::LogCubic { coefficients_ratio: [a, b, c, d], lowest_hz, highest_hz } => format!(
-                "log10 Q = {a} + {b} x + {c} x^2 + {d} x^3, x = log10 f, held below {lowest_hz} and above {highest_hz} Hz"
+                "log10 Q = {a} + {b} x + {c} x^2 + {d} x^3, x = log10 f, held below {lowest_hz} and above \
+                 {highest_hz} Hz"
             ),
         },
         kappa_s,
@@ -414,7 +421,7 @@ fn parameters(source: &PointSource) -> SourceParameters {
 }
 
 impl SourceParameters {
-    /// What a report says of them.
+    /// In words for a report.
     pub(crate) fn one_line(&self) -> String {
         let near_the_surface = match (self.kappa_s, self.maximum_frequency_hz) {
             (Some(kappa_s), _) => format!("κ0 = {} s", number(kappa_s, 4)),
@@ -432,7 +439,8 @@ impl SourceParameters {
             .map(|piece| format!("R^{} from {} km", 0.0 - piece.exponent_ratio, number(piece.from_distance_m / 1e3, 3)))
             .collect();
         format!(
-            "{} spectrum, {} MPa, {} kg/m³, {} m/s; {}; Q = {}; {near_the_surface}; {crust}; path duration {}; window {}",
+            "{} spectrum, {} MPa, {} kg/m³, {} m/s; {}; Q = {}; {near_the_surface}; {crust}; path duration {}; \
+             window {}",
             self.source_spectrum,
             number(self.stress_drop_pa / 1e6, 4),
             number(self.density_kg_m3, 4),
@@ -452,12 +460,12 @@ impl SimulatedRequest {
         parameters(&changed(self.preset.source(6.0, 30e3), &self.changes))
     }
 
-    /// What is assumed, in sentences.
+    /// The assumptions, one sentence each.
     pub fn assumptions(&self) -> Vec<String> {
         assumptions(self, &changed(self.preset.source(6.0, 30e3), &self.changes))
     }
 
-    /// Earthquakes that the preset was not made for, a sentence each.
+    /// Warnings about earthquakes that the preset was not made for.
     pub fn limits(&self, found: &[FoundEarthquake]) -> Vec<String> {
         found.iter().filter_map(|one| outside_limits(self.preset, &one.source)).collect()
     }
@@ -469,16 +477,17 @@ impl SimulatedReport {
         self.earthquakes.iter().flat_map(|one| &one.motions)
     }
 
-    /// The code's spectrum for the site (period \[s\] to g), where distances were looked for by one.
+    /// The code's spectrum for the site (period \[s\] to g), if distances were searched for with
+    /// one.
     pub fn code_spectrum(&self) -> Option<impl Fn(f64) -> f64 + use<>> {
         let site = SiteClass::parse(self.site).ok()?;
         self.kpz_g.map(|kpz_g| move |period_s| kpz_g * site.shape_factor_ratio(period_s))
     }
 
-    /// The target amplitudes of every earthquake against frequency, low cut and site included.
+    /// The target amplitudes of every earthquake against frequency, with low cut and site.
     ///
     /// # Errors
-    /// What the CSV library says.
+    /// The error of the CSV library.
     pub fn fourier_csv(&self) -> Result<Vec<u8>, Problem> {
         let names: Vec<String> = self
             .earthquakes

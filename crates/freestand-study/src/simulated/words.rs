@@ -1,4 +1,5 @@
-//! A point source from words: the same in the flags of `motion simulate` and in `point_source` of a study.
+//! Reads a point source: the same keys in the flags of `motion simulate` and in `point_source` of a
+//! study.
 
 use freestand::synthesis::{PathDuration, Preset, SimulationOptions, SourceSpectrum, Window};
 
@@ -31,12 +32,12 @@ const PATHS: [(&str, PathDuration); 2] =
 const WINDOWS: [(&str, Window); 2] = [("lam", Window::Lam), ("saragoni-hart", Window::SaragoniHart)];
 const SWITCH: [(&str, bool); 2] = [("true", true), ("false", false)];
 
-/// A source as meant, but for what goes with a place of a code.
+/// A resolved source, without what belongs to a place of a code.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SourceInput {
     /// Parameters that belong together.
     pub preset: Preset,
-    /// What is changed in them.
+    /// Changes to them.
     pub changes: SourceChanges,
     /// Moment magnitude.
     pub magnitude: Option<f64>,
@@ -46,8 +47,8 @@ pub struct SourceInput {
     pub options: SimulationOptions,
 }
 
-/// The source that words with [`SOURCE_KEYS`] describe; what is not said comes from the preset, and the preset is
-/// `victoria`.
+/// The source that words with [`SOURCE_KEYS`] describe; other values come from the preset, by
+/// default `victoria`.
 ///
 /// # Errors
 /// Everything that is wrong with the words. Ranges are checked where the source is used.

@@ -1,4 +1,4 @@
-//! The spectrum of each code from its words.
+//! Reads the spectrum of each code.
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{
@@ -13,7 +13,7 @@ use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::{nearest, number};
 
-/// Return period where none is given \[years\].
+/// Default return period \[years\].
 pub const DEFAULT_YEARS: u32 = 500;
 
 /// A fact of a report.
@@ -21,7 +21,7 @@ fn fact(name: &str, value: impl Into<String>) -> (String, String) {
     (name.to_owned(), value.into())
 }
 
-/// A target that no file is part of.
+/// A target without a file.
 fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
     let mut all = vec![fact("Target", format!("{}, elastic, 5 % damping", spectrum.name()))];
     all.extend(facts);
@@ -59,7 +59,7 @@ pub(super) fn as1170_4(reader: &mut WordReader) -> Option<Target> {
     let mut target = Target { city, ..target(code.into(), facts) };
     if let Some(least) = minimum_kpz(code.return_period_years()).filter(|_| code.minimum_governs()) {
         target.warnings.push(format!(
-            "the code's minimum kpZ of {least} for {} years governs: Z = {} alone would give less",
+            "the code's minimum kpZ of {least} for {} years governs: Z = {} would give less",
             code.return_period_years(),
             code.hazard_factor()
         ));
@@ -67,7 +67,7 @@ pub(super) fn as1170_4(reader: &mut WordReader) -> Option<Target> {
     Some(target)
 }
 
-/// Z as given, or of a city of the code's table; Melbourne where nothing is said.
+/// Z as given, or of a city of the code's table; by default Melbourne.
 fn hazard_of_a_place(reader: &mut WordReader) -> (Option<f64>, Option<String>) {
     let words = reader.words;
     let given = reader.positive("hazard_factor", Dimension::Ratio);
@@ -95,7 +95,7 @@ fn hazard_of_a_place(reader: &mut WordReader) -> (Option<f64>, Option<String>) {
     }
 }
 
-/// An edition by its year, which may have its first two digits left out.
+/// An edition by its year, with two or four digits.
 fn edition<T: Copy>(reader: &mut WordReader, known: &[(&str, T)], expected: &str) -> Option<T> {
     let Some(text) = reader.words.get("edition") else { return known.first().map(|(_, edition)| *edition) };
     let year = text.trim();
@@ -145,7 +145,7 @@ fn return_period(
     }
 }
 
-/// What the core refuses although each word was fine.
+/// Notes what the core refuses although each value alone is correct.
 fn made<T>(reader: &mut WordReader, keys: &[&'static str], result: Result<T, CodeSpectrumError>) -> Option<T> {
     result
         .map_err(|error| {
@@ -205,7 +205,9 @@ pub(super) fn eurocode8(reader: &mut WordReader) -> Option<Target> {
     let mut target = target(code.into(), facts);
     if !code.is_recommended() {
         target.warnings.push(
-            "the soil factor or the corner periods are not those that EN 1998-1 recommends: as a national annex has them?".to_owned(),
+            "the soil factor or the corner periods differ from those that EN 1998-1 recommends: check them against \
+             the national annex"
+                .to_owned(),
         );
     }
     Some(target)
@@ -223,7 +225,7 @@ fn eurocode8_corners(reader: &mut WordReader) -> Option<[f64; 3]> {
     }
 }
 
-/// The recommended shape with what was given in its place.
+/// The recommended shape with the values that were given.
 fn eurocode8_shape(
     recommended: Option<SpectrumShape>,
     soil_factor_ratio: Option<f64>,
@@ -307,7 +309,7 @@ pub(super) fn nzs1170_5(reader: &mut WordReader) -> Option<Target> {
     let mut target = target(code.into(), facts);
     if code.maximum_governs() {
         target.warnings.push(format!(
-            "Z R = {} is above the largest of NZS 1170.5, which governs: 0.7",
+            "Z R = {} is above the maximum of NZS 1170.5, so 0.7 governs",
             number(code.hazard_factor() * code.return_factor_ratio(), 4)
         ));
     }

@@ -1,4 +1,4 @@
-//! The spectrum of a code, and what it gives parts up the height of a building.
+//! The spectrum of a code, and the accelerations of parts over the height of a building.
 
 use kuva::plot::scatter::MarkerShape;
 
@@ -11,7 +11,7 @@ use freestand_output::figure::{Figure, FigureError};
 
 const PANEL_PX: f64 = 330.0;
 
-/// A spectrum as it is drawn.
+/// A spectrum to draw.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CodePicture<'a> {
     /// The code with its parameters, on one line.
@@ -20,15 +20,16 @@ pub struct CodePicture<'a> {
     pub periods_s: &'a [f64],
     /// Spectral accelerations at them \[g\].
     pub sa_g: &'a [f64],
-    /// Vertical ones, where the code has them \[g\].
+    /// Vertical spectral accelerations, if the code has them \[g\].
     pub vertical_sa_g: Option<&'a [f64]>,
-    /// Periods where branches meet, with their accelerations \[s, g\].
+    /// Periods between the branches, with their accelerations \[s, g\].
     pub corners: &'a [(f64, f64)],
     /// The clause for parts, and the floor acceleration of each level ratio \[–, g\].
     pub parts: Option<(&'a str, &'a [(f64, f64)])>,
 }
 
-/// Acceleration against period; beside it, where there is a clause, floor accelerations up the height.
+/// Acceleration against period; in a second panel, if there is a clause, floor accelerations over
+/// the height.
 pub(crate) fn code_spectrum(picture: &CodePicture<'_>) -> Page {
     let mut panels = vec![spectrum_panel(picture)];
     let mut legend = vec![line_entry(0, "horizontal")];
@@ -43,7 +44,7 @@ pub(crate) fn code_spectrum(picture: &CodePicture<'_>) -> Page {
     let mut caption = format!("Elastic acceleration spectrum, 5 % damping: {}.{zero}", picture.title);
     if let Some((clause, levels)) = picture.parts {
         panels.push(parts_panel(levels));
-        caption.push_str(&format!(" The right panel has the acceleration of a rigid part by {clause}."));
+        caption.push_str(&format!(" The right panel shows the acceleration of a rigid part by {clause}."));
     }
     let columns = panels.len();
     Page {
@@ -103,10 +104,10 @@ fn parts_panel(levels: &[(f64, f64)]) -> Panel {
     Panel { plots, layout }
 }
 
-/// Draws the spectrum of a code, and what it gives parts up the height of a building.
+/// Draws the spectrum of a code, and the accelerations of parts over the height of a building.
 ///
 /// # Errors
-/// What the plot library says when it cannot draw.
+/// The error of the plot library.
 pub fn code_spectrum_figure(picture: &CodePicture<'_>) -> Result<Figure, FigureError> {
     draw(code_spectrum(picture))
 }

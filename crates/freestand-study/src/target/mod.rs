@@ -20,25 +20,26 @@ use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
 
-/// A spectrum, with everything that outputs say about it.
+/// A spectrum, with everything that outputs state about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Target {
     /// The spectrum, 5 % damping.
     pub spectrum: CodeSpectrum,
-    /// The city whose hazard factor was taken.
+    /// The city whose hazard factor was used.
     pub city: Option<String>,
-    /// What it is and where its numbers come from, for reports: name and value.
+    /// Its description and the sources of its numbers, for reports: name and value.
     pub facts: Vec<(String, String)>,
     /// The file of a table.
     pub file: Option<InputFile>,
-    /// A table as text, for outputs that must stand alone: reading it gives the same bits.
+    /// A table as text, for outputs that need no other file: reading it gives the same bits.
     pub table_csv: Option<String>,
     /// What the reader must know.
     pub warnings: Vec<String>,
 }
 
 impl Target {
-    /// The spectrum that words with [`TARGET_KEYS`] describe, with its facts; paths are relative to `base_dir`.
+    /// The spectrum that words with [`TARGET_KEYS`] describe, with its facts; paths are relative to
+    /// `base_dir`.
     ///
     /// # Errors
     /// Everything that is wrong with the words.
@@ -60,7 +61,7 @@ impl Target {
         words::resolve(words, base_dir)
     }
 
-    /// The code as it is called in flags and studies.
+    /// The name of the code in flags and studies.
     pub fn code(&self) -> &'static str {
         match self.spectrum {
             CodeSpectrum::As1170_4(_) => "as1170.4",
@@ -71,7 +72,7 @@ impl Target {
         }
     }
 
-    /// Hazard factor Z, where the code has one \[g\].
+    /// Hazard factor Z, if the code has one \[g\].
     pub fn hazard_factor(&self) -> Option<f64> {
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => Some(code.hazard_factor()),
@@ -88,7 +89,7 @@ impl Target {
         }
     }
 
-    /// Whether the least kp·Z of AS 1170.4 took the place of the product.
+    /// Whether the minimum of kp·Z of AS 1170.4 governs.
     pub fn minimum_kpz_governs(&self) -> Option<bool> {
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => Some(code.minimum_governs()),
@@ -96,7 +97,8 @@ impl Target {
         }
     }
 
-    /// On one line: `AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g`.
+    /// On one line: `AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ =
+    /// 0.08 g`.
     pub fn one_line(&self) -> String {
         format!("{}, {}", self.spectrum.name(), self.parameters())
     }
@@ -147,7 +149,7 @@ impl Target {
         }
     }
 
-    /// What the motions are of, for a title: `a 500-year earthquake: Melbourne, site class De`.
+    /// The earthquake, for a title: `a 500-year earthquake: Melbourne, site class De`.
     pub fn title_words(&self) -> String {
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => {
@@ -164,7 +166,7 @@ impl Target {
         }
     }
 
-    /// Whose plateau it is: `site class De`.
+    /// The site that the plateau of the spectrum belongs to: `site class De`.
     pub fn site_words(&self) -> String {
         match (&self.spectrum, self.spectrum.site_name()) {
             (CodeSpectrum::Eurocode8(_), Some(ground)) => format!("ground type {ground}"),
@@ -177,7 +179,7 @@ impl Target {
     /// Refuses a spectrum that does not cover all the periods that motions are matched at.
     ///
     /// # Errors
-    /// A table that is shorter and is not held beyond its ends.
+    /// A table that is shorter and that does not extend beyond its ends.
     pub fn check_matched_band(&self) -> Result<(), Problem> {
         let (from_s, to_s) = (self.spectrum.shortest_period_s(), self.spectrum.longest_period_s());
         if from_s <= 0.0 && to_s.is_none_or(|to_s| to_s >= synthesis::LONGEST_PERIOD_S) {
@@ -193,8 +195,8 @@ impl Target {
             synthesis::SHORTEST_PERIOD_S,
             synthesis::LONGEST_PERIOD_S
         );
-        let hint = "add the missing periods (0 s is the peak acceleration), or give `beyond = \"hold\"` for constant Sa \
-                    below the first period and constant displacement beyond the last";
+        let hint = "add the missing periods (0 s is the peak acceleration), or give `beyond = \"hold\"` for constant \
+                    Sa below the first period and constant displacement beyond the last";
         Err(Problem::value(message, hint))
     }
 

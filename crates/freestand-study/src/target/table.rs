@@ -85,11 +85,11 @@ fn facts(table: &SpectrumTable, name: &str) -> Vec<(String, String)> {
         number(table.last_period_s(), 4)
     );
     [
-        ("Target", "a table of the user, taken as elastic with 5 % damping".to_owned()),
+        ("Target", "a table of the user, used as elastic with 5 % damping".to_owned()),
         ("File", name.to_owned()),
         ("Periods", periods),
         ("Between the periods", between.to_owned()),
-        ("Outside of them", outside.to_owned()),
+        ("Outside them", outside.to_owned()),
     ]
     .map(|(name, value)| (name.to_owned(), value))
     .to_vec()

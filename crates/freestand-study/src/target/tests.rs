@@ -35,7 +35,8 @@ fn nothing_said_is_melbourne_on_deep_soil() {
     assert_eq!((target.kpz_g(), target.minimum_kpz_governs(), target.warnings.len()), (Some(0.08), Some(false), 0));
 }
 
-/// One hand value of each code: Ce 2.5 · 0.11 · 1.8 at 0.5 s; 2.5 · 1.2 · 0.15 g · 1.4 (E); ⅔ · 1.5 · 1.2 g; 0.4 · 1.3 · 2.93.
+/// One hand value of each code: Ce 2.5 · 0.11 · 1.8 at 0.5 s; 2.5 · 1.2 · 0.15 g · 1.4 (E); ⅔ · 1.5
+/// · 1.2 g; 0.4 · 1.3 · 2.93.
 #[test]
 fn every_code_by_its_words() {
     let cases: [(Pairs, f64, f64, &str); 6] = [
@@ -132,15 +133,15 @@ fn all_problems_are_told_at_once() {
             "`city` is not part of Eurocode 8 | leave it out, or name a code that has it: `code = \"as1170.4\"`",
             "`ground_acceleration`: \"0.1\" needs a unit | write \"0.1 g\" or \"0.1 m/s2\"",
             "Eurocode 8 needs `spectrum_type` | give `spectrum_type = \"1\"`",
-            "`site` \"Q\" is not a ground type of Eurocode 8 | A rock, B very dense or very stiff, C dense or stiff, D loose or \
-             soft, E a layer of C or D over rock",
+            "`site` \"Q\" is not a ground type of Eurocode 8 | A rock, B very dense or very stiff, C dense or stiff, \
+             D loose or soft, E a layer of C or D over rock",
         ]
     );
     assert_eq!(
         problems(&[("code", "asce7"), ("sds", "-1 g"), ("return_period_years", "500")]),
         [
-            "`return_period_years` is not part of ASCE 7 | leave it out, or name a code that has it: `code = \"as1170.4\"` or \
-             `code = \"nzs1170.5\"`",
+            "`return_period_years` is not part of ASCE 7 | leave it out, or name a code that has it: `code = \
+             \"as1170.4\"` or `code = \"nzs1170.5\"`",
             "ASCE 7 needs `long_period` | give `long_period = \"8 s\"`",
             "`sds` must be positive, not \"-1 g\" | give an acceleration above 0",
             "ASCE 7 needs `sd1` | give `sd1 = \"0.6 g\"`",
@@ -202,7 +203,8 @@ fn a_short_table_is_refused_for_motions_or_held() {
     let problem = short.check_matched_band().unwrap_err();
     assert_eq!(
         problem.message,
-        "the spectrum short.csv covers 0.1 s to 2 s; motions are matched from 0.05 s to 5 s, and their PGA to the value at 0 s"
+        "the spectrum short.csv covers 0.1 s to 2 s; motions are matched from 0.05 s to 5 s, and their PGA to the \
+         value at 0 s"
     );
     assert!(problem.hint.unwrap().contains("`beyond = \"hold\"`"));
     let held = in_file("short.csv", text, &[("beyond", "hold")]).unwrap();

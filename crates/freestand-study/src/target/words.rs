@@ -35,7 +35,8 @@ pub const TARGET_KEYS: [&str; 22] = [
     "beyond",
 ];
 
-/// The codes by the names that people give them, in lower case and without spaces, `-` and `_`; the first is ours.
+/// The codes by the names that people give them, in lower case and without spaces, `-` and `_`.
+/// Outputs use the first.
 pub(super) const CODES: [(&[&str], Code); 5] = [
     (&["as1170.4", "as1170"], Code::As1170_4),
     (&["eurocode8", "ec8", "en1998", "en19981"], Code::Eurocode8),
@@ -68,7 +69,7 @@ impl Code {
         }
     }
 
-    /// The words that it takes, beside `code`.
+    /// The keys that it takes, in addition to `code`.
     pub(super) fn keys(self) -> &'static [&'static str] {
         match self {
             Self::As1170_4 => &["edition", "site", "city", "hazard_factor", "return_period_years"],
@@ -103,7 +104,7 @@ pub(super) fn resolve(words: &Words, base_dir: &Path) -> Result<Target, Problems
     reader.problems.finish(target)
 }
 
-/// The code: as named, a table where a file is named, else AS 1170.4.
+/// The code: as named; otherwise a table if a file is named, or else AS 1170.4.
 fn code(reader: &mut WordReader) -> Option<Code> {
     let Some(text) = reader.words.get("code") else {
         return Some(if reader.has("spectrum") { Code::Table } else { Code::As1170_4 });
@@ -133,7 +134,7 @@ fn check_keys(reader: &mut WordReader, code: Code) {
     }
 }
 
-/// A value above zero that the code cannot do without.
+/// A positive value that the code requires.
 pub(super) fn needed(
     reader: &mut WordReader,
     key: &'static str,

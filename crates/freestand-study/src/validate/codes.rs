@@ -1,4 +1,4 @@
-//! Corners of code spectra by hand, printed values, and the floors of parts.
+//! Corners of code spectra by hand, printed values, and accelerations of parts on floors.
 
 use std::f64::consts::TAU;
 
@@ -12,7 +12,7 @@ use freestand::code_spectrum::{
 use super::{Check, check, defect};
 use freestand_input::problem::Problem;
 
-/// A few products of numbers of order one.
+/// Rounding of a few products of numbers of order one.
 const ROUNDING: f64 = 1e-12;
 
 pub(super) fn checks() -> Result<Vec<Check>, Problem> {

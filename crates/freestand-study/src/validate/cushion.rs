@@ -1,4 +1,5 @@
-//! Closed forms of a mass that lands on a cushion. The expected numbers are those of `validation/cushion/closed_forms.py`.
+//! Closed forms of a mass that lands on a cushion. The expected numbers are those of
+//! `validation/cushion/closed_forms.py`.
 
 use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion, StressEnergy};

@@ -1,4 +1,4 @@
-//! The paper's Table I and every closed form that the models can be held against.
+//! The paper's Table I and all closed forms that the models are checked against.
 
 mod codes;
 mod cushion;
@@ -22,7 +22,8 @@ use crate::compliant::damped;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::name_of;
 
-/// g of the paper's Table I, as gravity and as unit \[m/s²\]: its published a follow from 9.81, not from 9.80665.
+/// g of the paper's Table I, as gravity and as unit \[m/s²\]: its published values of a follow from
+/// 9.81, not from 9.80665.
 pub const TABLE_ONE_GRAVITY_M_S2: f64 = 9.81;
 
 /// One row of Table I of Al Abadi et al.: a cabinet of 2.3 m × 0.6 m and 140 kg on 4380 N/mm.
@@ -42,13 +43,14 @@ pub struct TableOneRow {
     pub measured_g: f64,
     /// Measured over computed.
     pub measured_over_computed_ratio: f64,
-    /// Peak of the first landing of the cabinet followed in time on its pads, undamped and without slip, k_t = k.
+    /// Peak of the first landing of the cabinet on its pads, computed in time, undamped and without
+    /// slip, k_t = k.
     pub compliant_g: f64,
-    /// The same with 5 % damping of the landing edge: an ordinary rubber, not fitted.
+    /// The same with 5 % damping of the edge that lands: an ordinary rubber, not fitted.
     pub compliant_damped_g: f64,
 }
 
-/// A number that should be another.
+/// A computed number and its expected value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
     /// What is compared.
@@ -57,7 +59,7 @@ pub struct Check {
     pub computed: f64,
     /// What it should be.
     pub expected: f64,
-    /// Largest difference that is allowed.
+    /// Largest allowed difference.
     pub tolerance: f64,
     /// Whether it holds.
     pub ok: bool,
@@ -83,13 +85,13 @@ impl Validation {
     }
 }
 
-/// Holds the difference of two numbers against a tolerance; a NaN never holds.
+/// Compares the difference of two numbers with a tolerance; a NaN never passes.
 pub fn check(name: impl Into<String>, computed: f64, expected: f64, tolerance: f64, reference: &'static str) -> Check {
     let ok = (computed - expected).abs() <= tolerance;
     Check { name: name.into(), computed, expected, tolerance, ok, reference }
 }
 
-/// Runs every check. A group that cannot even be computed is a failure of the program, not of a check.
+/// Runs every check. A group that cannot be computed is an error, not a failed check.
 ///
 /// # Errors
 /// A model that refuses one of the standard inputs: a defect.
@@ -123,7 +125,7 @@ pub fn validate() -> Result<Validation, Problem> {
     Ok(Validation { table_one_gravity_m_s2: TABLE_ONE_GRAVITY_M_S2, table_one, checks })
 }
 
-/// A standard case that a model refuses.
+/// The problem of a standard case that a model refuses.
 pub fn defect(error: impl std::fmt::Display) -> Problem {
     Problem::new(ProblemKind::Computation, format!("a standard case cannot be computed: {error}"))
         .hint("this is a defect of freestand; please report it")
@@ -156,7 +158,7 @@ fn table_one() -> Result<Vec<TableOneRow>, Problem> {
     TABLE_ONE.into_iter().map(row).collect()
 }
 
-/// The first landing of the cabinet that is let go on its pads, in units of 9.81 m/s².
+/// The first landing of the cabinet after its release on its pads, in units of 9.81 m/s².
 fn simulated_g(cg_rise_m: f64, damping_ratio: f64) -> Result<f64, Problem> {
     let block = Block::uniform(2.3, 0.6).map_err(defect)?;
     let rotation_rad = block.right_pivot().rotation_at_rise_rad(cg_rise_m).ok_or_else(|| defect("no such rise"))?;
@@ -173,8 +175,9 @@ fn simulated_g(cg_rise_m: f64, damping_ratio: f64) -> Result<f64, Problem> {
     Ok(first.peak_acceleration_m_s2 / TABLE_ONE_GRAVITY_M_S2)
 }
 
-/// The published a_edge are up to 0.1 g above what Eq. (5) gives for the stated inputs; they are reported in the table
-/// and not checked. What is checked is Eq. (5) by hand, to half a unit of the last digit.
+/// The published a_edge are up to 0.1 g above what Eq. (5) gives for the stated inputs; the table
+/// reports them without a check. The check compares with Eq. (5) by hand, to half a unit of the
+/// last digit.
 fn table_one_checks(rows: &[TableOneRow]) -> Vec<Check> {
     const HAND: &str = "Al Abadi et al., Eqs. (5)-(7) with the inputs of Table I and g = 9.81 m/s², by hand";
     const PRINTED: &str = "Al Abadi et al., Table I, a from Eq. (7), as printed";

@@ -69,7 +69,8 @@ fn decay() -> Result<Vec<Check>, Problem> {
         until: Until::Time(4.0),
         ..RockingOptions::default()
     };
-    // The peak after each impact: where the velocity turns, by bisection on the piece's own polynomial.
+    // The peak after each impact: where the velocity turns, by bisection on the piece's own
+    // polynomial.
     let mut peaks = Vec::new();
     let history = rock_observed(&block, Base::default(), &options, |segment| {
         let outward = |ratio: f64| {
@@ -98,7 +99,8 @@ fn decay() -> Result<Vec<Check>, Problem> {
     Ok(checks)
 }
 
-/// Whether `motion`, as a function of the amplitude, overturns; the amplitude at which the answer changes.
+/// Whether `motion`, as a function of the amplitude, overturns; the amplitude at which the answer
+/// changes.
 fn boundary(overturns: impl Fn(f64) -> Result<bool, Problem>, low: f64, high: f64) -> Result<f64, Problem> {
     let (mut low, mut high) = (low, high);
     let at_low = overturns(low)?;
@@ -138,7 +140,8 @@ fn velocity_impulse() -> Result<Vec<Check>, Problem> {
     )])
 }
 
-/// Whether a sine pulse of `half_cycles` and amplitude `a` (in g tan α, or g α linearised) overturns.
+/// Whether a sine pulse of `half_cycles` and amplitude `a` (in g tan α, or g α linearised)
+/// overturns.
 fn pulse_overturns(
     model: RockingModel,
     restitution: Restitution,
@@ -183,7 +186,8 @@ fn half_sine() -> Result<Vec<Check>, Problem> {
         for (w, expected) in [1.0, 2.0, 4.0].into_iter().zip(values) {
             let overturns = |a| pulse_overturns(model, Restitution::Housner, w, 1.0, a);
             let computed = boundary(overturns, 1.0, 4.0)?;
-            // Half a unit of the sixth decimal, and 2e-7 for the straight lines between 4000 samples of the pulse.
+            // Half a unit of the sixth decimal, and 2e-7 for the straight lines between 4000
+            // samples of the pulse.
             checks.push(check(
                 format!("half-sine that overturns, w = {w}, {name} [A/(g tan α)]"),
                 computed,

@@ -16,7 +16,8 @@ pub(super) fn checks() -> Result<Vec<Check>, Problem> {
     for (frequency_hz, expected) in [(0.1, 0.645_29), (1.0, 9.8230), (10.0, 5.2356)] {
         let computed = 100.0 * source.fourier_amplitude_m_s(frequency_hz);
         let name = format!("Fourier amplitude of a point source at {frequency_hz} Hz [cm/s]");
-        // Half a unit of the fifth digit, and constants that the reference may hold to four (0.7071 for 1/√2: 1e-5).
+        // Half a unit of the fifth digit, and constants that the reference may hold to four (0.7071
+        // for 1/√2: 1e-5).
         checks.push(check(name, computed, expected, 2e-5 * expected, SOURCE));
     }
     let crust = ShearWaveProfile::melbourne();

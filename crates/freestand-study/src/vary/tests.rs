@@ -31,8 +31,7 @@ fn sensitivity(texts: &[&str]) -> Sensitivity {
     vary(&study, &base, &parsed(texts), &Overrides::default(), &|_, _, _| {}, &no_progress).unwrap()
 }
 
-/// A variation is the study that says so from the start, to the bit: nothing else is changed with
-/// it.
+/// A change gives the same bits as a study with the changed value: nothing else changes.
 #[test]
 fn a_variation_changes_one_value() {
     let result = sensitivity(&["damping = 2 %", "seed = 2"]);
@@ -80,7 +79,7 @@ const EUROCODE: &str = "count = 1\ncode = \"ec8\"\nspectrum_type = 1\nsite = \"C
 const STOREYS: (&str, &str) = ("x.csv", "height [m],mass [t],stiffness [kN/mm]\n3,100,90\n3,80,90\n3,60,90\n");
 const PULSE: (&str, &str) = ("pulse.csv", "time [s],a [g]\n0,0\n0.1,0.4\n0.2,-0.4\n0.3,0\n0.4,0\n");
 
-/// A value that does not reach the model is said, not run: zero sensitivity would be a lie.
+/// A change that does not reach the model is reported, not run: zero sensitivity would mislead.
 #[test]
 fn what_does_not_reach_the_model_is_said() {
     let own = sensitivity(&["damping = 5 %", "seed = 1", "mass = 150 kg"]);
@@ -99,7 +98,7 @@ fn what_does_not_reach_the_model_is_said() {
     assert!(reason(&least.rows[1]).contains("nothing changes: the same spectrum"));
     assert!(least.rows[2].reason.is_none() && least.rows[2].pfa_g_median > least.rows[0].pfa_g_median);
 
-    // Of values that nobody named none remains, and that is said once.
+    // Default values without effect are left out, and that is reported once.
     let defaults = varied(&annexed, &["site"], &Overrides::default());
     assert_eq!(defaults.rows.len(), 1);
     assert_eq!(defaults.left_out, ["site is not varied: none of its default values changes the model"]);
@@ -147,7 +146,7 @@ fn a_table_of_storeys_is_varied_in_its_damping_and_modes() {
     assert!(reason(all).contains("modes of the building"));
 }
 
-/// The damping of no mode but two is the one that is written; that value is the base again.
+/// Only two modes have the damping that is written; that value is the base again.
 #[test]
 fn rayleigh_damping_is_varied_without_its_own_value() {
     let building = "storey_table = \"x.csv\"\ndamping = \"5 %\"\nrayleigh_modes = [1, 2]";
@@ -164,7 +163,7 @@ fn ground_types_of_eurocode_8_are_varied() {
     let result = varied(&study, &["site", "importance_factor = 1, 1.4"], &Overrides::default());
     let values: Vec<&str> = result.rows.iter().map(|row| row.value.as_str()).collect();
     assert_eq!(values, ["", "A", "B", "D", "E", "1", "1.4"]);
-    // Rock against the base on soft ground; 1 is the importance that stands where none is written.
+    // Rock against the base on soft ground; 1 is the default importance.
     assert!(result.rows[1].pfa_g_median < result.rows[0].pfa_g_median);
     assert!(result.rows[5].reason.is_some() && result.rows[6].pfa_g_median > result.rows[0].pfa_g_median);
 }
@@ -183,7 +182,7 @@ fn records_are_scaled_and_the_rest_of_the_ground_left() {
     assert!((ratio - 2.0).abs() < 1e-12, "{ratio}");
 }
 
-/// What a variation warns of stands in its row, and not what the base warns of as well.
+/// A row has the warnings of its change, without those of the base.
 #[test]
 fn warnings_of_variations_are_kept() {
     let (_folder, study) = in_folder(&quick(EUROCODE, ""), &[], &Overrides::default());
@@ -197,7 +196,7 @@ fn warnings_of_variations_are_kept() {
     assert_eq!(rows("key", "1", &study, &more, &base)[0].warnings.as_deref(), Some("two"));
 }
 
-/// A ratio to next to nothing is none: the made-up result with its shocks a hundred times smaller.
+/// There is no ratio to a tiny shock: the fixture with its shocks a hundred times smaller.
 #[test]
 fn a_ratio_needs_a_base() {
     let study = crate::fixture::study();
