@@ -541,7 +541,7 @@ fn motions_do_not_overwrite_each_other() {
     // A level whose folder would have the name of a motion's file.
     std::fs::write(folder.path().join("clash.toml"), SMALL.replace("\"roof\"", "\"rec.csv\"")).unwrap();
     let shown = expect(&folder, &["run", "clash.toml", "--motion", "rec.csv", "--out", "out"], 2);
-    assert!(shown.contains("cannot name a level"), "{shown}");
+    assert!(shown.contains("cannot be the name of a level"), "{shown}");
 }
 
 /// `--out` is never ignored.

@@ -76,7 +76,7 @@ fn pairs_of_a_city_are_those_of_motion_simulate() {
     assert_eq!(summary["inputs"]["ground"]["kpz_g"], flags["kpz_g"]);
     assert_eq!(summary["inputs"]["motions"][1]["pga_g"], other["motions"][1]["pga_g"]);
     for words in
-        ["simulated earthquakes that stand for a 500-year earthquake: Adelaide", "Distances meet", ">code spectrum<"]
+        ["simulated earthquakes equivalent to a 500-year earthquake: Adelaide", "Distances fit", ">code spectrum<"]
     {
         assert!(report.contains(words), "{words}");
     }
@@ -107,7 +107,7 @@ fn matched_records_are_those_of_motion_match() {
         assert_eq!(one["matched"]["method"], method);
         assert!(summary["inputs"]["motions"][0]["misfit"]["rms_ratio"].as_f64().unwrap() < 0.05);
         assert_eq!(summary["seeds"], Value::Null);
-        for words in ["How well the motions meet their target", "matched to AS 1170.4", "The records were matched"] {
+        for words in ["How well the motions fit their target", "matched to AS 1170.4", "The records were matched"] {
             assert!(report.contains(words), "{words}");
         }
     }

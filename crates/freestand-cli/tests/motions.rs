@@ -108,7 +108,7 @@ fn what_cannot_be_simulated_is_said() {
     for (args, words) in [
         (&["--magnitude", "9", "--distance", "30 km"][..], "magnitude must be from 3 to 8.5"),
         (&["--magnitude", "6", "--distance", "30"], "--distance"),
-        (&["--magnitude", "6", "--distance", "30 km", "--preset", "mars"], "no preset"),
+        (&["--magnitude", "6", "--distance", "30 km", "--preset", "mars"], "\"mars\" is not known"),
         (&["--city", "Atlantis"], "is not in AS 1170.4"),
         (&["--city", "Melbourne", "--return-period", "7"], "--return-period"),
         (&["--magnitude", "6"], "--distance"),

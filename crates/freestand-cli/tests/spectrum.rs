@@ -215,11 +215,11 @@ fn a_large_table_is_not_printed() {
         String::from_utf8(output.stdout).unwrap()
     };
     let shown = text(&[]);
-    assert!(shown.contains("… and 1630 more rows: --csv FILE or --json gives them all\n"), "{shown}");
+    assert!(shown.contains("… and 1630 more rows: --csv FILE or --json writes all rows\n"), "{shown}");
     assert!(shown.lines().count() < 20 && shown.contains("overturned"), "{shown}");
     let csv = std::fs::read_to_string(folder.path().join("rows.csv"));
-    assert!(csv.is_err() && text(&["--csv", "rows.csv"]).contains("all of them are in rows.csv\n"));
-    assert!(text(&["--out", "out"]).contains("all of them are in out/rows.csv\n"));
+    assert!(csv.is_err() && text(&["--csv", "rows.csv"]).contains("all rows are in rows.csv\n"));
+    assert!(text(&["--out", "out"]).contains("all rows are in out/rows.csv\n"));
     let small = String::from_utf8(spectrum(folder.path(), ["1 m:2 m:10", "0.2 m:0.5 m:20"], &[]).stdout).unwrap();
     assert!(small.lines().count() > 200 && !small.contains("more rows"), "{small}");
 }

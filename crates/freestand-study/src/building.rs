@@ -297,7 +297,10 @@ mod tests {
         let (_folder, path) = file("period [s],participation,effective mass [%],3 m\n1,1300,78,1\n");
         let axis = axis(&request(AxisModel::ModeTable(path))).unwrap();
         let [mass, roof] = axis.warnings.as_slice() else { panic!("{:?}", axis.warnings) };
-        assert!(mass.contains("tower.csv: the modes carry 78.0 % of the mass") && roof.contains("adds up to 1300 at"));
+        assert!(
+            mass.contains("tower.csv: the effective masses of the modes add up to 78.0 % of the mass")
+                && roof.contains("adds up to 1300 at")
+        );
     }
 
     #[test]

@@ -59,7 +59,7 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
         ),
         (
             "[ground.point_source]\nmagnitude = 6\ndistance_km = 30\npreset = \"mars\"\n",
-            "s.toml:5: preset: there is no preset \"mars\"",
+            "s.toml:5: preset \"mars\" is not known",
         ),
         (
             "[ground.point_source]\nmagnitude = 6\ndistance_km = 30\nkapa = \"1 ms\"\n",
@@ -68,7 +68,7 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
         ("point_source = 6\n", "s.toml:2: point_source must be a table, not 6"),
         (
             "city = \"Perth\"\npoint_source = { magnitude = 6, distance_km = 30 }\n",
-            "s.toml:2: city goes with pairs = true: one magnitude and distance need no code",
+            "s.toml:2: city needs pairs = true: one magnitude and distance need no code",
         ),
         (
             "point_source = { magnitude = 6, distance_km = 30 }\nsite = \"X\"\n",
@@ -83,18 +83,21 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
             "s.toml:2: count, the motions of each of four earthquakes, must be a whole number from 1 to 250, not 251",
         ),
         ("[ground.point_source]\npairs = true\ndistance_km = 3\n", "s.toml:4: distance and pairs exclude each other"),
-        ("code = \"ec8\"\npoint_source = { pairs = true }\n", "s.toml:2: code: pairs are looked for by AS 1170.4 only"),
+        (
+            "code = \"ec8\"\npoint_source = { pairs = true }\n",
+            "s.toml:2: code: pairs are searched for by AS 1170.4 only",
+        ),
         ("city = \"Melborne\"\npoint_source = { pairs = true }\n", "s.toml:2: city \"Melborne\" is not in AS 1170.4"),
         // kpZ = 20 g is met nowhere.
         (
             "hazard_factor = 20\ncount = 1\npoint_source = { pairs = true, magnitude = 5.5 }\n",
-            "s.toml:4: earthquakes of magnitude 5.5 meet the rock spectrum of kpZ = 20 g at no distance from 2 to 300 km",
+            "s.toml:4: no distance from 2 to 300 km gives earthquakes of magnitude 5.5 the rock spectrum of kpZ = 20 g",
         ),
         (
             "point_source = { magnitude = 6, distance_km = 30 }\nmotions = \"record.csv\"\n",
             "s.toml:3: point_source and motions exclude each other",
         ),
-        ("point_source = { magnitude = 6, distance_km = 30 }\nscale = 2\n", "s.toml:3: scale goes with motions"),
+        ("point_source = { magnitude = 6, distance_km = 30 }\nscale = 2\n", "s.toml:3: scale needs motions"),
     ] {
         assert_eq!(problems(folder.path(), keys), [expected], "{keys}");
     }
@@ -104,7 +107,7 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
 fn a_match_that_cannot_be_meant_is_refused_at_its_line() {
     let folder = folder();
     for (keys, expected) in [
-        ("match = \"wavelet\"\n", "s.toml:2: match goes with motions"),
+        ("match = \"wavelet\"\n", "s.toml:2: match needs motions"),
         ("motions = \"record.csv\"\nmatch = \"wavelets\"\n", "s.toml:3: match \"wavelets\" is not known"),
         ("motions = \"record.csv\"\nsite = \"De\"\n", "s.toml:3: site and motions exclude each other"),
         (
@@ -121,7 +124,7 @@ fn a_match_that_cannot_be_meant_is_refused_at_its_line() {
         ),
         (
             "motions = \"record.csv\"\nmatch = \"fft\"\nacross = \"record.csv\"\n",
-            "s.toml:4: across and match exclude each other: a record is matched by one component",
+            "s.toml:4: across and match exclude each other: only one component of a record is matched",
         ),
         (
             "motions = \"record.csv\"\nmatch = \"fft\"\nsite = \"X\"\n",
@@ -134,7 +137,7 @@ fn a_match_that_cannot_be_meant_is_refused_at_its_line() {
     assert!(short.len() == 1 && short[0].contains("short.csv: a motion of 4 s is too short"), "{short:?}");
     let text = "[ground]\nmatch = \"fft\"\n[building]\nlevels = [{ name = \"roof\", motions = [\"record.csv\"] }]\n";
     let error = resolve(text, Some(Path::new("s.toml")), folder.path()).unwrap_err().to_string();
-    assert!(error.contains("s.toml:2: match: the motions of the floors are given"), "{error}");
+    assert!(error.contains("s.toml:2: match has no effect: the study gives the motions of its floors"), "{error}");
 }
 
 #[test]

@@ -128,7 +128,7 @@ fn what_does_not_go_together_is_refused() {
         ("motions = [\"a.csv\"]\nrotation_step = \"5 deg\"", "needs motions with two horizontal components"),
         ("motions = [\"a.csv\"]\nacross = [\"b.csv\"]\nrotation_step = \"0.1 deg\"", "from 1 to 90 degrees"),
         ("motions = [\"a.csv\"]\nacross = [\"short.csv\"]", "time step"),
-        ("across = [\"b.csv\"]", "across goes with motions"),
+        ("across = [\"b.csv\"]", "across needs motions"),
     ] {
         let error = resolve(&study(keys), None, folder.path()).unwrap_err().to_string();
         assert!(error.contains(expected), "{keys}: {error}");
@@ -139,9 +139,9 @@ fn what_does_not_go_together_is_refused() {
         )
     };
     for (second, expected) in [
-        ("level_ratio = 1.0", "the level has no motions, and others do"),
+        ("level_ratio = 1.0", "this level has no motions, but others do"),
         ("motions = [\"a.csv\", \"b.csv\"]", "level \"b\" has 2 motions, and \"a\" 1"),
-        ("motions = [\"a.csv\"], across = [\"b.csv\"]", "some have none"),
+        ("motions = [\"a.csv\"], across = [\"b.csv\"]", "some motions have a second component and others do not"),
     ] {
         let error = resolve(&levels(second), None, folder.path()).unwrap_err().to_string();
         assert!(error.contains(expected), "{second}: {error}");

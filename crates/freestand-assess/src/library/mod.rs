@@ -82,7 +82,7 @@ impl Confidence {
 }
 
 /// The tolerance of one object; `None` for values that are not known. Its parts are those of
-/// [`freestand_study::shock::DemandCapacity`].
+/// `demand_capacity` of `freestand shock`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Tolerance {
     /// Peak acceleration \[m/s²\].

@@ -25,6 +25,8 @@ use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
 use crate::failure::{Failure, problem};
 use crate::files::Files;
+use freestand_output::facts::Facts;
+
 use crate::printer::{Column, Printer, facts_table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::target::TargetArgs;
@@ -366,7 +368,8 @@ fn frame_kind(name: &str) -> Result<FrameKind, String> {
     FrameKind::parse(name).ok_or_else(|| format!("known: {}", FrameKind::ALL.map(FrameKind::name).join(", ")))
 }
 
-const MODES: [Column; 4] = [
+const MODES: [Column; 5] = [
+    ("mode", "mode", 0),
     ("period_s", "period [s]", 4),
     ("damping_ratio", "damping [%]", 3),
     ("participation_ratio", "participation", 4),
@@ -386,5 +389,7 @@ fn text(report: &FloorReport) -> String {
     columns.extend(report.code_clause.map(|_| ("code_part_g", "code part [g]", 4)));
     columns.extend((!several).then_some(("path", "file", 0)));
     let levels = report.levels.iter().map(|level| level.facts.clone().key("path", level.path.clone()));
-    facts_table(&report.modes, &MODES) + "\n" + &facts_table(&levels.collect::<Vec<_>>(), &columns)
+    let numbered = |(i, mode): (usize, &Facts<'static>)| Facts::default().key("mode", i + 1).and(mode.clone());
+    let modes: Vec<Facts> = report.modes.iter().enumerate().map(numbered).collect();
+    facts_table(&modes, &MODES) + "\n" + &facts_table(&levels.collect::<Vec<_>>(), &columns)
 }

@@ -171,7 +171,7 @@ fn factors_are_found_and_large_ones_are_noted() {
     let mut still = file.components[0].clone();
     still.motion = Motion::new(0.01, vec![0.0; 10]).unwrap();
     let refused = process(&still, &Processing { scale: sa, ..Processing::default() }).unwrap_err();
-    assert!(refused.message.contains("no factor takes it to a target"), "{refused}");
+    assert!(refused.message.contains("no factor scales it to a target"), "{refused}");
 }
 
 fn target(periods_s: &[f64], psa_m_s2: &[f64], damping_ratio: f64) -> TargetSpectrum {
@@ -217,7 +217,7 @@ fn a_motion_is_scaled_to_a_spectrum() {
     assert_eq!(done.notes, ["said"]);
     let scale = Scale::Spectrum(target(&[1.0], &[1.0], 0.05));
     let refused = process(&still, &Processing { scale, ..Processing::default() }).unwrap_err();
-    assert!(refused.message.contains("no factor takes it to a target"), "{refused}");
+    assert!(refused.message.contains("no factor scales it to a target"), "{refused}");
 }
 
 #[test]
@@ -288,7 +288,10 @@ fn what_this_record_does_not_allow_is_refused_with_a_hint() {
         (Processing { low_cut_hz: Some(60.0), ..default() }, "filter: a corner frequency"),
         (Processing { low_cut_hz: Some(1e-9), ..default() }, "filter: with pads of"),
         (Processing { resample_dt_s: Some(9.0), ..default() }, "resample: the new time step"),
-        (Processing { resample_dt_s: Some(0.0123456789), ..default() }, "resample: the steps 0.01 s and"),
+        (
+            Processing { resample_dt_s: Some(0.0123456789), ..default() },
+            "resample: the ratio of the time steps 0.01 s and",
+        ),
         (Processing { baseline: Some(Baseline::PreEvent { until_s: 9.0 }), ..default() }, "baseline: the quiet time"),
     ] {
         let problem = process(&file.components[0], &processing).unwrap_err();

@@ -264,5 +264,8 @@ fn what_no_spectrum_over_directions_has_is_refused() {
     assert_eq!(refused(&[0.0, -0.0], Processing::default()), "percentile -0 is requested twice");
     assert!(refused(&[101.0], Processing::default()).contains("from 0 to 100"));
     let scale = Scale::Peak { target_m_s2: 1.0 };
-    assert!(refused(&[50.0], Processing { scale, ..Processing::default() }).contains("no one factor"));
+    assert!(
+        refused(&[50.0], Processing { scale, ..Processing::default() })
+            .contains("two components cannot share one factor to a target")
+    );
 }

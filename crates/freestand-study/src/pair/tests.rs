@@ -55,14 +55,14 @@ fn what_does_not_go_together_is_refused_before_a_file_is_read() {
     let none = |request: &mut PairFiles| request.files.paths.clear();
     assert_eq!(messages(&none), ["give one or two files"]);
     let azimuth = |request: &mut PairFiles| request.files.processing.azimuth_deg = Some(0.0);
-    assert!(messages(&azimuth)[0].starts_with("an azimuth turns"));
+    assert!(messages(&azimuth)[0].starts_with("`azimuth` cannot be combined with a pair"));
     let component = |request: &mut PairFiles| request.files.component = Some("N".to_owned());
-    assert!(messages(&component)[0].starts_with("one component is chosen from each of two files"));
+    assert!(messages(&component)[0].starts_with("`component` chooses one component of each of two files"));
     let components = |request: &mut PairFiles| {
         request.files.paths = vec!["missing.csv".into(); 2];
         request.components = Some(("1".to_owned(), "2".to_owned()));
     };
-    assert!(messages(&components)[0].starts_with("two components are chosen from one file"));
+    assert!(messages(&components)[0].starts_with("`components` chooses two components of one file"));
 }
 
 #[test]

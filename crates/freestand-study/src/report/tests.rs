@@ -124,7 +124,7 @@ fn report_holds_figures_tables_and_definitions() {
         "about 3.5 g",
         "up to 5 g",
         "overturned",
-        "N/mm: only so",
+        "N/mm: only then",
         "ChaCha12Rng",
         "AS 1170.4",
         "150 kg",
@@ -156,8 +156,8 @@ fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
     // Ten recorded motions: the first six are drawn, each with its steps, and it is said so.
     let records: Vec<_> = figures.iter().filter(|figure| figure.name.starts_with("record_")).collect();
     assert_eq!((records.len(), records[5].name.as_str()), (6, "record_06"));
-    assert!(records.iter().all(|figure| figure.caption.contains("what was done to it: multiplied by 1.25")));
-    assert!(html.contains("Of the 10 recorded ground motions the first 6 are drawn"));
+    assert!(records.iter().all(|figure| figure.caption.contains("processing: multiplied by 1.25")));
+    assert!(html.contains("Figures show the first 6 of the 10 recorded ground motions"));
 }
 
 /// Everything of a motion that may be drawn: nothing but zeros, two samples, a drift, a million

@@ -55,9 +55,9 @@ shear_flexure = -1\nmodes = 51\n\
         "s.toml:12: damping must be a ratio from 0 to below 1, not 1",
         "s.toml:13: shear_flexure must be 0 or more, not -1",
         "s.toml:14: modes must be a whole number from 1 to 50, not 51",
-        "s.toml:15: \"a/b\" cannot name a level: a folder of the outputs has its name",
+        "s.toml:15: \"a/b\" cannot be the name of a level, because an output folder has the same name",
         "s.toml:15: level_ratio must be from 0 (ground) to 1 (roof), not 1.5",
-        "s.toml:15: two levels are called \"Roof\"",
+        "s.toml:15: two levels have the name \"Roof\"",
         "s.toml:15: the level has no level_ratio",
         "s.toml:17: heights must be positive, not -1 m",
         "s.toml:18: thicknesses is empty",
@@ -66,7 +66,7 @@ shear_flexure = -1\nmodes = 51\n\
         "s.toml:22: accuracy \"loose\" is not known",
         "s.toml:23: tolerance must be positive, not 0 g",
         "s.toml:24: friction must be positive, not 0",
-        "s.toml:26: history: no level is called \"attic\"",
+        "s.toml:26: history: no level has the name \"attic\"",
     ];
     for line in expected {
         assert!(got.iter().any(|problem| problem == line), "{line}\n{got:#?}");
@@ -79,7 +79,7 @@ fn contradictions_and_products_are_refused() {
         problems("[ground]\ncity = \"Perth\"\nhazard_factor = 0.09\n"),
         ["s.toml:3: city and hazard_factor exclude each other"]
     );
-    assert_eq!(problems("[ground]\nscale = 2\n"), ["s.toml:2: scale goes with motions"]);
+    assert_eq!(problems("[ground]\nscale = 2\n"), ["s.toml:2: scale needs motions"]);
     assert_eq!(
         problems("[objects]\nrestitution = \"housner\"\nrestitution_factor = 0.9\n"),
         ["s.toml:3: restitution and restitution_factor exclude each other"]
@@ -127,7 +127,7 @@ fn every_code_and_a_table_by_the_keys_of_ground() {
     assert!((ground(annex).spectrum.sa_g(0.3) - 0.75).abs() < 1e-14);
     assert_eq!(
         problems("[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = 0.4\nsds = \"1 g\"\n"),
-        ["s.toml:5: sds is no part of NZS 1170.5"]
+        ["s.toml:5: sds is not part of NZS 1170.5"]
     );
     // What is missing is the fault of the code's line; what could not be read is told once.
     assert_eq!(
@@ -148,7 +148,7 @@ fn a_table_lies_beside_the_study() {
     };
     let problem = with("").unwrap_err().problems.remove(0);
     assert_eq!(problem.line, Some(2));
-    assert!(problem.message.contains("goes from 0.1 s to 2 s") && problem.hint.unwrap().contains("beyond = \"hold\""));
+    assert!(problem.message.contains("covers 0.1 s to 2 s") && problem.hint.unwrap().contains("beyond = \"hold\""));
     let study = with("beyond = \"hold\"\n").unwrap();
     assert_eq!(motion_paths(&study), [folder.path().join("uhs.csv")]);
     std::fs::write(folder.path().join("uhs.csv"), "T [s],PSA [g]\n0.1,0.3\n2,-1\n").unwrap();
@@ -215,7 +215,7 @@ fn a_raw_record_has_its_station_and_its_mean_in_the_study() {
     }
     let message = study("station_xml = \"s.xml\"\n").unwrap_err().to_string();
     assert!(message.contains("s.xml: cannot open"), "{message}");
-    assert_eq!(problems("[ground]\nstation_xml = \"a\"\n"), ["s.toml:2: station_xml goes with motions"]);
+    assert_eq!(problems("[ground]\nstation_xml = \"a\"\n"), ["s.toml:2: station_xml needs motions"]);
 }
 
 #[test]
@@ -228,7 +228,7 @@ fn the_motion_of_the_history_is_one_of_the_study() {
     };
     assert_eq!(study("synthetic-03"), [] as [String; 0]);
     for name in ["nope", "synthetic-04", "synthetic-3"] {
-        assert_eq!(study(name), [format!("s.toml:4: history: no motion is called \"{name}\"")]);
+        assert_eq!(study(name), [format!("s.toml:4: history: no motion has the name \"{name}\"")]);
     }
 }
 
@@ -383,7 +383,10 @@ fn records_are_processed_as_the_study_says() {
     );
     for (keys, says) in [
         ("processing = { scale_to_spectrum = \"none.csv\" }\n", "s.toml:3: scale_to_spectrum: "),
-        ("processing = { scale_to_spectrum = \"bad.csv, 5 s\" }\n", "s.toml:3: scale_to_spectrum: \"5 s\" is no range"),
+        (
+            "processing = { scale_to_spectrum = \"bad.csv, 5 s\" }\n",
+            "s.toml:3: scale_to_spectrum: \"5 s\" is neither a range of periods nor a damping",
+        ),
     ] {
         let problems = found(keys);
         assert!(problems.len() == 1 && problems[0].starts_with(says), "{problems:?}");
@@ -398,7 +401,7 @@ fn records_are_processed_as_the_study_says() {
         );
     }
     let synthetic = problems("[ground]\nprocessing = { low_cut = \"1 Hz\" }\n");
-    assert_eq!(synthetic, ["s.toml:2: processing goes with motions"]);
+    assert_eq!(synthetic, ["s.toml:2: processing needs motions"]);
 }
 
 const TOWER: &str = "storey,height [m],mass [t],stiffness [kN/mm]\n1,4,100,300\n2,3,100,200\n3,3,60,200\n";
@@ -485,17 +488,17 @@ fn wrong_tables_of_buildings_are_refused_where_they_are_wrong() {
         "mode_table = \"modes.csv\"\nstorey_table = \"tower.csv\"",
         "s.toml:3: storey_table and mode_table exclude each other",
     );
-    ends(
-        "storey_table = \"tower.csv\"\nmodes = 4",
-        "s.toml:2: \"tower.csv\": the number of modes must be 1 to 3, not 4",
-    );
+    ends("storey_table = \"tower.csv\"\nmodes = 4", "/tower.csv: the number of modes must be 1 to 3, not 4");
+    assert!(said("storey_table = \"tower.csv\"\nmodes = 4")[0].starts_with("s.toml:2: storey_table: "));
     ends("rayleigh_modes = [1]", "s.toml:2: rayleigh_modes must be two numbers of modes, not a list");
     ends("rayleigh_modes = [1, 11]", "among the first 10, not 1 and 11");
     ends(
         "storeys = 2\nacross = { storey_table = \"tower.csv\" }",
-        "s.toml:3: the building is 10 m high across and 6.4 m along",
+        "s.toml:3: the building is 10 m high across, but 6.4 m along",
     );
-    assert!(said("storey_table = \"none.csv\"")[0].starts_with("s.toml:2: \"none.csv\": cannot open the file"));
+    let none = said("storey_table = \"none.csv\"");
+    assert!(none[0].starts_with("s.toml:2: storey_table: "), "{none:?}");
+    assert!(none[0].contains("/none.csv: cannot open the file"), "{none:?}");
     let both = said("period = \"0 s\"\nacross = { damping = 2 }");
     assert_eq!(both.len(), 2, "{both:?}");
 }

@@ -59,18 +59,21 @@ const FLOOR: f64 = 1e-3;
 ///
 /// # Example
 /// A half-sine of 349.8 g and 1.2826 ms: m(π/t_c)² = 2190 N/mm.
+/// ```
 /// use freestand::identify::{DropSetup, ImpactVelocity, drop_test};
 /// let (mass_kg, speed_m_s, omega) = (0.365, 1.400475, (2.19e6_f64 / 0.365).sqrt());
 /// let pulse = |i: i32| {
 ///     let t = f64::from(i - 40) * 20e-6;
 ///     let is_contact = t > 0.0 && omega * t < std::f64::consts::PI;
 ///     if is_contact { speed_m_s * omega * (omega * t).sin() } else { 0.0 }
-/// }; let samples: Vec<f64> = (0..200).map(pulse).collect(); let impact_velocity =
-/// ImpactVelocity::Known { speed_m_s, error_ratio: 0.01 }; let setup = DropSetup { mass_kg,
-/// impact_velocity, gravity_m_s2: 9.80665, filter_corner_hz: None, law: None }; let test =
-/// drop_test(&samples, 20e-6, &setup)?; let stiffness_n_m = test.identified.map(|found|
-/// found.stiffness.fit_n_m).unwrap_or_default(); assert!((stiffness_n_m / 2.19e6 - 1.0).abs() <
-/// 0.005 && test.flags.is_empty());
+/// };
+/// let samples: Vec<f64> = (0..200).map(pulse).collect();
+/// let impact_velocity = ImpactVelocity::Known { speed_m_s, error_ratio: 0.01 };
+/// let gravity_m_s2 = 9.80665;
+/// let setup = DropSetup { mass_kg, impact_velocity, gravity_m_s2, filter_corner_hz: None, law: None };
+/// let test = drop_test(&samples, 20e-6, &setup)?;
+/// let stiffness_n_m = test.identified.map(|found| found.stiffness.fit_n_m).unwrap_or_default();
+/// assert!((stiffness_n_m / 2.19e6 - 1.0).abs() < 0.005 && test.flags.is_empty());
 /// # Ok::<(), freestand::identify::DropError>(())
 /// ```
 pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<DropTest, DropError> {

@@ -32,10 +32,7 @@ fn cells_that_are_not_numbers() {
 fn formulas_give_their_saved_values() {
     let reading = read(with_height("<><f>900*2</f><v>1800</v></c>")).unwrap();
     assert_eq!(reading.inventory.items[0].height_m, Some(1.8));
-    assert_eq!(
-        reading.inventory.warnings,
-        ["1 cell holds a formula, the first D2: the values that were saved with them are read"]
-    );
+    assert_eq!(reading.inventory.warnings, ["1 cell contains a formula, the first in D2: the saved values are read"]);
     let carried = row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600", "<t=\"e\"><v>#N/A</v></c>"]);
     let reading = read(workbook(&carried, "")).unwrap();
     assert_eq!(reading.inventory.items[0].carried, ["#N/A"]);

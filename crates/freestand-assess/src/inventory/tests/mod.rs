@@ -188,7 +188,7 @@ fn all_problems_of_a_file_at_once() {
         "objects.csv:3: row 3, column I (quantity): must be a whole number, at least 1, not \"1.5\"",
         "objects.csv:3: row 3, column J (LS): \"severe\" is not a rating | write H, M or L",
         "objects.csv:3: row 3, column K (friction): \"0.5-0.3\" is not a positive value or a rising range",
-        "objects.csv:3: row 3, column L (restitution): is 1.2 | write a value above 0, up to 1",
+        "objects.csv:3: row 3, column L (restitution): restitution must be above 0 and at most 1, not 1.2",
         "objects.csv:3: row 3, column M (accepted): must be above 0 and below 1, not 1 | write a ratio",
         "objects.csv:4: row 4, column C (height): \"2.3 kg\" is a mass, not a length",
         "objects.csv:4: row 4, column D (depth [mm]): \"n/a\" is not a value | leave the cell empty",
