@@ -24,7 +24,7 @@ use crate::printer::{Printer, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
 use crate::values::{Given, Reads, Values};
 
-/// One object under one motion: rotation, uplift, impacts, overturning and shock
+/// Follow one object under one motion: rotation, uplift, impacts, overturning and shock
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
