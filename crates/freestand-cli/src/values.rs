@@ -147,8 +147,9 @@ fn with_negative_values(arg: Arg) -> Arg {
 
 /// The units of the values that a command takes, a line for each dimension.
 fn units(command: &Command) -> String {
+    let values = command.get_arguments().filter(|arg| arg.get_action().takes_values());
     let names: Vec<&str> =
-        command.get_arguments().flat_map(|arg| arg.get_value_names().unwrap_or_default()).map(|name| &**name).collect();
+        values.flat_map(|arg| arg.get_value_names().unwrap_or_default()).map(|name| &**name).collect();
     let taken = Dimension::ALL.into_iter().filter(|dimension| names.contains(&&*value_name(*dimension)));
     let line = |dimension: Dimension| {
         let units: Vec<&str> = dimension.units().map(|unit| unit.symbol).collect();

@@ -419,27 +419,27 @@ fn validation_holds() {
     assert!(shown.contains("exit status 0") && !shown.contains("FAILED"), "{shown}");
 }
 
+/// Every command, found by walking the help.
+fn commands(of: &[String]) -> Vec<Vec<String>> {
+    let help = freestand(&[of.iter().map(String::as_str).collect::<Vec<_>>(), vec!["--help"]].concat());
+    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = listed.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next());
+    let below = names.filter(|name| *name != "help").flat_map(|name| commands(&[of, &[name.to_owned()]].concat()));
+    std::iter::once(of.to_vec()).chain(below).collect()
+}
+
 #[test]
 fn help_of_every_command_has_examples() {
-    for command in [
-        &["run"][..],
-        &["check"],
-        &["shock"],
-        &["rock"],
-        &["spectrum"],
-        &["motion"],
-        &["floor"],
-        &["validate"],
-        &["motion", "info"],
-        &["motion", "spectrum"],
-        &["motion", "convert"],
-        &["motion", "synth"],
-        &["motion", "match"],
-        &["motion", "simulate"],
-        &["motion", "code-spectrum"],
-    ] {
-        let shown = freestand(&[command, &["--help"]].concat());
-        assert!(shown.contains("exit status 0") && shown.contains("Example"), "{shown}");
+    let commands = commands(&[]);
+    assert_eq!(commands.len(), 37);
+    for command in commands {
+        let words: Vec<&str> = command.iter().map(String::as_str).chain(["--help"]).collect();
+        let shown = freestand(&words);
+        let (_, examples) = shown.split_once("\nExamples:\n").unwrap_or_default();
+        let count = examples.lines().filter(|line| line.starts_with("  ") && line.contains("freestand ")).count();
+        assert!(shown.contains("exit status 0") && count >= 2, "{shown}");
+        // Lines that clap had to wrap cannot be copied.
+        assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");
     }
 }
 

@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use crate::printer::{Printer, table};
 use crate::stop::Stop;
 
-/// Which objects of an inventory to restrain, which to put on a softer pad, which to leave
+/// Decide which objects of an inventory to restrain, to put on softer pads or to leave
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -31,7 +31,8 @@ Examples:
   Also a Parquet table, for pandas:
     freestand assess --inventory objects.csv --format csv,parquet
 
-Accepted probabilities and uncertainties are keys of [assessment] in a study; see docs/assessment.md.")]
+Accepted probabilities and uncertainties are keys of [assessment] in a study; see
+docs/assessment.md.")]
 pub(crate) struct AssessArgs {
     /// Study file (TOML) with hazard, building and settings [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]

@@ -32,19 +32,23 @@ use crate::reading::{ReadArgs, SecondArgs};
 use crate::target::TargetArgs;
 use crate::values::{Given, Reads, Values};
 
-/// Floor motions of a building under ground motions
+/// Calculate the motions of the floors of a building
 #[derive(Debug, Args)]
 #[command(
     after_help = "\
-The building is a shear-flexure beam (Miranda and Taghavi 2005), or a table of storeys (height, mass,
-stiffness) or of modes (period, participation, shape); see docs/buildings.md.
+The building is a shear-flexure beam (Miranda and Taghavi 2005), or a table of storeys (height,
+mass, stiffness) or of modes (period, participation, shape); see docs/buildings.md.
 
 Examples:
-  freestand floor --motion record.AT2 --storeys 30 --storey-height \"3.2 m\" --levels \"0.5, 1.0\" --out floors
+  freestand floor --motion record.AT2 --storeys 30 --storey-height \"3.2 m\" --levels \"0.5, 1.0\" \\
+    --out floors
   freestand floor --motion record.AT2 --storeys 12 --storey-height \"3 m\" --period \"1.2 s\" --json
-  freestand floor --motion a.AT2 b.AT2 c.AT2 --storey-table tower.csv --levels all --spectra --out floors
-  freestand floor --motion a.AT2 --levels all --code as1170.4 --city Melbourne --site De --out floors
-  freestand floor --motion record.v2 --components both --mode-table x.csv --across-mode-table y.csv --levels all",
+  freestand floor --motion a.AT2 b.AT2 c.AT2 --storey-table tower.csv --levels all --spectra \\
+    --out floors
+  freestand floor --motion a.AT2 --levels all --code as1170.4 --city Melbourne --site De \\
+    --out floors
+  freestand floor --motion record.v2 --components both --mode-table x.csv \\
+    --across-mode-table y.csv --levels all",
     mut_arg("rotation_step", |arg| arg.hide(true))
 )]
 pub(crate) struct FloorArgs {

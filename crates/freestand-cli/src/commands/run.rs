@@ -26,7 +26,7 @@ use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
 use crate::values::Values;
 
-/// A whole study: motions, building, spectra of a grid of objects, figures and report
+/// Run a whole study: motions, building, spectra of a grid of objects, figures and report
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -19,7 +19,7 @@ use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values, choice, name_of};
 
-/// Shock response spectrum of records or of a classical pulse (ISO 18431-4)
+/// Calculate the shock response spectrum of records or of a classical pulse (ISO 18431-4)
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -31,18 +31,19 @@ use crate::values::{Given, Reads, Values};
 
 const SCHEMA: &str = "freestand.spectrum/1";
 
-/// Uplift and shock spectra: a grid of objects under one or more records
+/// Calculate uplift and shock spectra: a grid of objects under one or more records
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   Uplift of 64 × 64 objects:
-    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:64\" --thicknesses \"0.1 m:1 m:64\" --json
+    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:64\" --thicknesses \"0.1 m:1 m:64\" \\
+      --json
   Shock of four cabinets on their pads under two records:
-    freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" --thicknesses \"300 mm, 400 mm\" \\
-      --mass 150kg --stiffness \"4380 N/mm\"
+    freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" \\
+      --thicknesses \"300 mm, 400 mm\" --mass 150kg --stiffness \"4380 N/mm\"
   A million objects in a file, each with its sensitivity to an error of the motion:
-    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" --thicknesses \"0.1 m:1 m:1000\" \\
-      --accuracy fast --sensitivity --csv rows.csv
+    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
+      --thicknesses \"0.1 m:1 m:1000\" --accuracy fast --sensitivity --csv rows.csv
 
 Rows are written as they are computed: a large grid needs time and disk space, not memory.")]
 pub(crate) struct SpectrumArgs {

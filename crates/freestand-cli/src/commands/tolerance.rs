@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 
-/// Shows the tolerance library: what objects withstand, each number with its source
+/// Show the tolerance library: what objects withstand, each number with its source
 ///
 /// A recalled entry (without a source that has a page or a clause) may be shown but never decides a
 /// verdict. A fragility is the median of the floor motion at which such objects fail, and never a
@@ -29,9 +29,10 @@ Examples:
   freestand tolerance list --library ours.csv --json
 
 Columns of a library, with units in brackets such as \"peak [g]\":
-  id, class, kind (vendor-limit, test-severity, class, fragility), state (operating, non-operating, packaged, any),
-  axis, peak, peak_high, duration, shape, velocity_change, edge_lift, pfa_median, pfv_median, beta, n_shocks, source,
-  edition, clause, page, licence, notice, confidence (stated, primary, secondary, assumption, recalled), note")]
+  id, class, kind (vendor-limit, test-severity, class, fragility), state (operating,
+  non-operating, packaged, any), axis, peak, peak_high, duration, shape, velocity_change,
+  edge_lift, pfa_median, pfv_median, beta, n_shocks, source, edition, clause, page, licence,
+  notice, confidence (stated, primary, secondary, assumption, recalled), note")]
 pub(crate) struct ToleranceArgs {
     #[command(subcommand)]
     command: ToleranceCommand,
@@ -39,7 +40,7 @@ pub(crate) struct ToleranceArgs {
 
 #[derive(Debug, Subcommand)]
 enum ToleranceCommand {
-    /// Lists all entries
+    /// List all entries
     #[command(
         after_help = "Examples:\n  freestand tolerance list\n  freestand tolerance list --library ours.csv --json"
     )]
@@ -47,8 +48,11 @@ enum ToleranceCommand {
         #[command(flatten)]
         library: LibraryArgs,
     },
-    /// Shows one entry with all its fields and its notice
-    #[command(after_help = "Examples:\n  freestand tolerance show p58-bookcase-5-shelves")]
+    /// Show one entry with all its fields and its notice
+    #[command(after_help = "\
+Examples:
+  freestand tolerance show p58-bookcase-5-shelves
+  freestand tolerance show expansion-card-operating --json")]
     Show {
         /// Id of the entry
         #[arg(value_name = "ID")]
@@ -56,9 +60,12 @@ enum ToleranceCommand {
         #[command(flatten)]
         library: LibraryArgs,
     },
-    /// Lists entries that contain all of these words in id, class, kind, state, source, clause or
+    /// List entries that contain all of these words in id, class, kind, state, source, clause or
     /// note
-    #[command(after_help = "Examples:\n  freestand tolerance search disk operating")]
+    #[command(after_help = "\
+Examples:
+  freestand tolerance search bookcase
+  freestand tolerance search disk operating")]
     Search {
         /// Words
         #[arg(value_name = "WORD", required = true)]

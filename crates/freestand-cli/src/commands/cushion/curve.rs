@@ -14,7 +14,7 @@ use crate::files::Files;
 use crate::printer::{Printer, lines};
 use crate::values::{Given, Reads, Values};
 
-/// Cushion curve (ASTM D1596): stress–energy fit, best load, and thickness for a limit
+/// Fit a cushion curve (ASTM D1596): stress–energy fit, best load, and thickness for a limit
 ///
 /// The file has a row for each drop: static stress mg/A, drop height, thickness and peak
 /// acceleration, with units in the header. The dynamic stress is fitted as a exp(b E), where E is

@@ -25,7 +25,7 @@ use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_fa
 use crate::reading::{time_step, unit};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
-/// Drop tests of a pad: stiffness with its 95 % interval, exponent and damping
+/// Evaluate drop tests of a pad: stiffness with its 95 % interval, exponent and damping
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -34,12 +34,12 @@ Examples:
   freestand cushion drop column.txt --unit g --dt 20us --mass 0.365kg
   freestand shock … --cushion pad/cushion.toml --pads-per-edge 2
 
-A file has columns of time and acceleration with their units (time [ms],acceleration [g]), positive
-upward, and a few milliseconds of free fall before the contact, whose mean is the zero line. Lines
-such as \"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary: glued\" before
-the columns are used unless a flag replaces them.
-A record that cannot give a stiffness is shown with the reasons. Drops are pooled as repeats of one
-test; they must have the same impactor, boundary and mass. Otherwise the exit status is 1.")]
+A file has columns of time and acceleration with their units (time [ms],acceleration [g]),
+positive upward, and a few milliseconds of free fall before the contact, whose mean is the zero
+line. Lines such as \"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary:
+glued\" before the columns are used unless a flag replaces them. A record that cannot give a
+stiffness is shown with the reasons. Drops are pooled as repeats of one test; they must have the
+same impactor, boundary and mass. Otherwise the exit status is 1.")]
 pub(crate) struct DropArgs {
     /// Files with drops on one pad
     #[arg(value_name = "FILE", required = true)]

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 
-/// Lists the cushion library: likely stiffnesses of pads, feet and floors, as ranges
+/// List the cushion library: likely stiffnesses of pads, feet and floors, as ranges
 ///
 /// These are estimates for use without a test, never measurements: the range for one pad or foot,
 /// and its geometric mean. An inventory names an entry in its column cushion, or layers in series
@@ -25,18 +25,19 @@ Examples:
   freestand cushion list --library ours.csv --json
 
 Columns of a library:
-  id, item, stiffness_low [N/mm], stiffness_high [N/mm], thickness [mm], pads_per_edge, source, edition, clause, page,
-  confidence (stated, primary, secondary, assumption, recalled), note")]
+  id, item, stiffness_low [N/mm], stiffness_high [N/mm], thickness [mm], pads_per_edge, source,
+  edition, clause, page, confidence (stated, primary, secondary, assumption, recalled), note")]
 pub(crate) struct ListArgs {
     #[command(flatten)]
     library: LibraryArgs,
 }
 
-/// Shows one entry of the cushion library with all its fields
+/// Show one entry of the cushion library with all its fields
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  freestand cushion show rubber-foot")]
+  freestand cushion show rubber-foot
+  freestand cushion show rubber-foot --json")]
 pub(crate) struct ShowArgs {
     /// Id of the entry
     #[arg(value_name = "ID")]
@@ -45,11 +46,12 @@ pub(crate) struct ShowArgs {
     library: LibraryArgs,
 }
 
-/// Lists entries of the cushion library that contain all of these words
+/// List entries of the cushion library that contain all of these words
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  freestand cushion search rubber")]
+  freestand cushion search rubber
+  freestand cushion search rubber foot")]
 pub(crate) struct SearchArgs {
     /// Words in id, item, source or note
     #[arg(value_name = "WORD", required = true)]

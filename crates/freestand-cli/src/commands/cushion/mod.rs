@@ -14,13 +14,14 @@ use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
 
-/// Cushions: drop tests, static tests, virtual tests and a library of typical values
+/// Evaluate and simulate tests of cushions, and show a library of typical cushions
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion drop drop-*.csv --mass 0.365kg --height \"100 mm\" --out pad
   freestand cushion static press.csv --load \"350 N\" --machine-compliance \"50 kN/mm\"
-  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --count 5 --out drops
+  freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm --count 5 \\
+    --out drops
   freestand cushion list")]
 pub(crate) struct CushionArgs {
     #[command(subcommand)]

@@ -13,18 +13,19 @@ use crate::failure::Failure;
 use crate::printer::{Column, Printer, facts_table};
 use crate::values::{Given, Reads, Values};
 
-/// How well drop tests recover stiffness, exponent and damping, by sampling rate, noise, bias,
+/// Test how well drop tests recover stiffness, exponent and damping, by sampling rate, noise, bias,
 /// zero shift and law
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion recovery
-  freestand cushion recovery --drops 200 --samples-per-contact \"25, 50, 100, 200\" --noise \"0, 0.5 %, 2 %\"
+  freestand cushion recovery --drops 200 --samples-per-contact \"25, 50, 100, 200\" \\
+    --noise \"0, 0.5 %, 2 %\"
 
 The pads, under 0.365 kg from 100 mm: 2190 N/mm; 2e7 N/m^1.5; 2190 N/mm with a damping of 10 %;
-2e7 N/m^1.5 with 0.3 s/m. Every drop is a test of its own, with its own interval; the impact velocity
-that the test is told has a random error of 1 %. A bias of the whole record is removed with the zero
-line and must not change the result; a shift at the peak does.")]
+2e7 N/m^1.5 with 0.3 s/m. Every drop is a test of its own, with its own interval; the impact
+velocity that the test is told has a random error of 1 %. A bias of the whole record is removed
+with the zero line and must not change the result; a shift at the peak does.")]
 pub(crate) struct RecoveryArgs {
     /// Number of drops for each combination [default: 100]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]

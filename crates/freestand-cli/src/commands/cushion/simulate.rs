@@ -18,19 +18,21 @@ use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, print_text};
 use crate::values::{Given, Reads, Values};
 
-/// Virtual drop tests and static tests of a cushion, with the imperfections of real ones
+/// Simulate drop tests and static tests of a cushion, with the imperfections of real ones
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   freestand cushion simulate --stiffness \"2190 N/mm\" --mass 0.365kg --height 100mm \\
     --noise 0.5% --bias 1g --count 5 --out drops
-  freestand cushion simulate --law hertz --stiffness \"2e7 N/m^1.5\" --mass 0.365kg --height 100mm > drop.csv
+  freestand cushion simulate --law hertz --stiffness \"2e7 N/m^1.5\" --mass 0.365kg --height 100mm \\
+    > drop.csv
   freestand cushion simulate --law kelvin-voigt --stiffness \"2190 N/mm\" --damping 5% \\
     --mass 0.365kg --height 100mm --bounces 1
-  freestand cushion simulate --static --stiffness \"1100 N/mm\" --load \"1 kN\" --hysteresis 15% > press.csv
+  freestand cushion simulate --static --stiffness \"1100 N/mm\" --load \"1 kN\" --hysteresis 15% \\
+    > press.csv
 
-Without --out, the file is printed. The first touch lies between two samples. Its place and the noise
-depend on --seed and on the number of the test.")]
+Without --out, the file is printed. The first touch lies between two samples. Its place and the
+noise depend on --seed and on the number of the test.")]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
     cushion: CushionArgs,

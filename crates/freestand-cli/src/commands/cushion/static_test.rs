@@ -15,7 +15,7 @@ use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, failed_lines, print_failure};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
-/// Static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
+/// Evaluate static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -25,8 +25,9 @@ Examples:
 
 A file has columns of displacement and force with their units (displacement [mm],force [N]), both
 positive in compression, in the order of the test. Of several cycles, the last complete one is
-evaluated. The toe of the curve is cut off along the tangent at the working load, except for a sphere,
-whose curve begins with a toe by nature. The ratio of dynamic to static stiffness is shown only.")]
+evaluated. The toe of the curve is cut off along the tangent at the working load, except for a
+sphere, whose curve begins with a toe by nature. The ratio of dynamic to static stiffness is shown
+only.")]
 pub(crate) struct StaticArgs {
     /// Files with tests of one pad
     #[arg(value_name = "FILE", required = true)]

@@ -18,8 +18,8 @@ use crate::reading::path_text;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Writes OUTFILE, or a file into the folder of --out; without either, CSV is printed. Text that a
-spreadsheet would read as a formula (= + - @) gets a leading ' in CSV, which is removed when the file
-is read again.
+spreadsheet would read as a formula (= + - @) gets a leading ' in CSV, which is removed when the
+file is read again.
 
 Examples:
   freestand inventory convert objects.xlsx --to csv > objects.csv

@@ -17,7 +17,7 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::path_text;
 
-/// Inventories of objects: a template to fill in, a check, and conversion between CSV and XLSX
+/// Create, check and convert inventories of objects
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

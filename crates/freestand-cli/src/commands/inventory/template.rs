@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
 
-/// An inventory to fill in, with its units and three examples; printed as CSV without a file
+/// Write an inventory to fill in, with its units and three examples; printed as CSV without a file
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

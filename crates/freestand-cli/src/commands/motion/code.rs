@@ -19,7 +19,7 @@ use crate::printer::{Printer, significant, table};
 use crate::target::{TargetArgs, TargetReport};
 use crate::values::{Given, Reads, Values};
 
-/// Elastic response spectrum of a design code, for 5 % damping
+/// Show the elastic response spectrum of a design code, for 5 % damping
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -19,7 +19,7 @@ use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_fa
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
 
-/// The content of records: peaks, intensities, durations and periods of every component
+/// Show the content of records: peaks, intensities, durations and periods of every component
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -28,9 +28,9 @@ Examples:
   freestand motion info *.AT2 --height \"2 m\" --thickness \"500 mm\" --json
   freestand motion info *.AT2 --plot --out records
 
-Measures are those of the processed motion. In JSON, the first and last values, mean and sum are those
-of the file; processed_first_values_m_s2 and processed_last_values_m_s2 are those after processing.
-A file that cannot be read is listed after the others, and the exit status is 1.")]
+Measures are those of the processed motion. In JSON, the first and last values, mean and sum are
+those of the file; processed_first_values_m_s2 and processed_last_values_m_s2 are those after
+processing. A file that cannot be read is listed after the others, and the exit status is 1.")]
 // Every component is measured as it is: the flag is known but refused.
 #[command(mut_arg("azimuth", |arg| arg.hide(true)))]
 pub(crate) struct InfoArgs {

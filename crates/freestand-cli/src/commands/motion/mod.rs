@@ -21,7 +21,7 @@ use crate::failure::Failure;
 use crate::printer::Printer;
 use crate::values::{Given, Values};
 
-/// Ground and floor motions: read, measure, convert, rotate, synthesise, match and simulate
+/// Read, measure, convert, rotate, synthesise, match and simulate motions
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

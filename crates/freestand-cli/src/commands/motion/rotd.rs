@@ -15,7 +15,7 @@ use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::values::{Given, Reads, Values};
 
-/// Response spectra over all horizontal directions (RotDnn)
+/// Calculate response spectra over all horizontal directions (RotDnn)
 ///
 /// Also gives the larger and the geometric mean of the two components.
 #[derive(Debug, Args)]

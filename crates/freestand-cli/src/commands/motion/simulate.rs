@@ -25,7 +25,7 @@ use crate::files::Files;
 use crate::keys::{Key, KeySet, Keys, key, switch};
 use crate::printer::{Printer, significant, table};
 
-/// Ground motions simulated with a stochastic point source
+/// Simulate ground motions with a stochastic point source
 ///
 /// For a magnitude at a distance, or for earthquakes that agree with the code spectrum of a city.
 #[derive(Debug, Args)]
@@ -34,7 +34,8 @@ Examples:
   freestand motion simulate --magnitude 6 --distance \"30 km\" --count 10 --seed 1 --out motions
   freestand motion simulate --magnitude 6.5 --distance \"45 km\" \\
     --preset se-australia --stress-drop \"50 MPa\" --json
-  freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 --out motions")]
+  freestand motion simulate --city Melbourne --return-period 500 --site De --count 20 \\
+    --out motions")]
 pub(crate) struct SimulateArgs {
     /// Moment magnitude [default with --city: 5.5, 6, 6.5 and 7]
     #[arg(long, value_name = "M", required_unless_present = "city")]

@@ -19,7 +19,7 @@ use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
 
-/// Response spectrum of a record, exact for a motion that is linear between samples
+/// Calculate the response spectrum of a record, exact for a motion that is linear between samples
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -31,7 +31,7 @@ use crate::reading::ReadArgs;
 use crate::target::{TargetArgs, TargetReport};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
-/// Synthetic motions that fit a target: the elastic spectrum of a design code, or a table
+/// Make synthetic motions that fit a target: the elastic spectrum of a design code, or a table
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

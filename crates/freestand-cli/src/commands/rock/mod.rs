@@ -24,7 +24,7 @@ use crate::printer::{Printer, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
 use crate::values::{Given, Reads, Values};
 
-/// One object under one motion: rotation, uplift, impacts, overturning and shock
+/// Follow one object under one motion: rotation, uplift, impacts, overturning and shock
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -168,7 +168,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
     let friction = values.read(&args.friction);
     if friction == Some(0.0) {
-        values.push(problem("--friction: the value must be positive, not 0", "0 is of a compliant base alone"));
+        values.push(problem("--friction: the value must be positive, not 0", "only a compliant base accepts 0"));
     }
     let rotation = values.read(&args.initial_rotation);
     let omega = values.read(&args.initial_velocity);
