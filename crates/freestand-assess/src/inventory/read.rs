@@ -49,7 +49,8 @@ pub struct Reading {
 ///
 /// # Example
 /// ```
-/// use freestand_assess::inventory::{Lookup, read_inventory};
+/// use freestand_assess::inventory::read_inventory;
+/// use freestand_assess::library::Lookup;
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("objects.csv");
 /// std::fs::write(&path, "id,item,level_ratio,height [mm],depth [cm],mass\nA1,cabinet,0.5,2300,60,0.14 t\n")?;
