@@ -5,6 +5,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
 
+mod cases;
+
 use std::path::Path;
 use std::process::Command;
 
@@ -103,7 +105,7 @@ fn shock_refuses_what_contradicts_itself() {
         cabinet(&["--scenario", "overturn-obstacle", "--contact-stiffness", "2000 N/mm", "--gap", "100 mm"]),
         cabinet(&["--drop-acceleration", "10 g", "--tolerance", "5 g", "--tolerance-duration", "11 ms"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("shock_refuses_what_contradicts_itself", &all);
 }
 
 /// V_c between 0.4 and 0.45 m/s, A_c between 3.5 and 4.5 g, and a landing with 0.451 m/s and 4.17
@@ -134,7 +136,7 @@ fn shock_beside_its_test_points() {
         with(&["contradictory.csv"]),
         with(&["tests.csv", "--tolerance", "5 g"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("shock_beside_its_test_points", &all);
     let manifest = std::fs::read_to_string(folder.path().join("out/manifest.json")).unwrap();
     assert!(manifest.contains("damage-boundary.svg") && manifest.contains("damage-boundary.png"), "{manifest}");
 }
@@ -154,7 +156,7 @@ fn usage_errors_have_an_error_and_a_hint() {
         freestand(&["motion", "synth", "--count", "-1"]),
         freestand(&["validate", "-1"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("usage_errors_have_an_error_and_a_hint", &all);
 }
 
 #[test]
@@ -185,7 +187,7 @@ fn check_reports_every_problem_with_its_line() {
         freestand_in(folder.path(), &["check", "gone.toml"]),
         freestand_in(folder.path(), &["check", "."]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("check_reports_every_problem_with_its_line", &all);
 }
 
 #[test]
@@ -197,7 +199,7 @@ fn motion_info_and_spectrum() {
         freestand_in(folder.path(), &["motion", "spectrum", "pulse.csv", "--periods", "0 s, 1 s", "--upsample", "10"]),
         freestand_in(folder.path(), &["motion", "convert", "pulse.csv", "--to", "csv"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("motion_info_and_spectrum", &all);
 }
 
 /// The block of 2 m × 0.5 m uplifts at 0.25 g.
@@ -219,7 +221,7 @@ fn motion_info_of_several_and_for_a_block() {
             &["motion", "spectrum", "pulse.csv", "--damping", "2 %, 5 %", "--periods", "1 s, 2 s"],
         ),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("motion_info_of_several_and_for_a_block", &all);
 }
 
 #[test]
@@ -235,7 +237,7 @@ fn pictures_of_motions_go_where_they_are_sent() {
         motion(&["info", "record.svg", "--plot", "record.svg"]),
         motion(&["spectrum", "record.svg", "--plot", "record.svg"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("pictures_of_motions_go_where_they_are_sent", &all);
     // Nothing was written by what was refused.
     assert_eq!(names(folder.path()), ["pulse.csv", "record.svg", "two.csv"]);
     assert_eq!(std::fs::read_to_string(folder.path().join("record.svg")).unwrap(), RECORD);
@@ -276,7 +278,7 @@ fn broken_records_are_refused() {
         ),
         freestand_in(folder.path(), &["motion", "spectrum", "two.csv"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("broken_records_are_refused", &all);
 }
 
 #[test]
@@ -294,7 +296,7 @@ fn reading_flags_need_a_record() {
         freestand(&["run", "--dump-study", "--dt", "0.01 s"]),
         freestand(&[&free[..], &["--component", "1"]].concat()),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("reading_flags_need_a_record", &all);
 }
 
 /// A factor of zero makes a motion of nothing, from a flag as from a study; wrong flags are said
@@ -311,7 +313,7 @@ fn wrong_reading_flags_are_refused() {
             &["motion", "info", "pulse.csv", "pulse.csv", "--unit", "furlong", "--dt", "1000 s"],
         ),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("wrong_reading_flags_are_refused", &all);
 }
 
 #[test]
@@ -342,7 +344,7 @@ fn floors_are_written_into_a_folder_that_is_ours_only() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
     // The folder of the test has another name each time.
     let refused: String = refused.replace(&*folder.path().canonicalize().unwrap().to_string_lossy(), "…");
-    insta::assert_snapshot!([first, again, refused].join("\n\n"));
+    cases::each("floors_are_written_into_a_folder_that_is_ours_only", &[first, again, refused]);
 }
 
 #[test]
@@ -352,7 +354,7 @@ fn code_spectrum() {
         freestand(&["motion", "code-spectrum", "--site", "X"]),
         freestand(&["motion", "code-spectrum", "--return-period", "475"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("code_spectrum", &all);
 }
 
 #[test]
@@ -376,7 +378,7 @@ fn spectra_of_other_codes_and_what_is_wrong_with_them() {
         freestand_in(folder.path(), &["motion", "synth", "--spectrum", "short.csv"]),
         freestand_in(folder.path(), &["motion", "synth", "--spectrum", "gone.csv"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("spectra_of_other_codes_and_what_is_wrong_with_them", &all);
 }
 
 /// Every flag of a code has its place in `--out`: the spectrum with its corners, as numbers and as
@@ -651,7 +653,7 @@ fn records_are_processed_step_by_step() {
         processed(&["--azimuth", "30 deg", "--baseline", "poly:2", "--scale-to", "0.3 g"]),
         processed(&["--azimuth", "-60 deg", "--resample", "0.04 s", "--scale-to-sa", "9 g at 1.2 s, 2 %"]),
     ];
-    insta::assert_snapshot!(all.join("\n"));
+    cases::each("records_are_processed_step_by_step", &all);
 }
 
 #[test]
@@ -686,7 +688,7 @@ fn wrong_processing_is_refused() {
         freestand_in(folder.path(), &["motion", "info", "two.csv", "--azimuth", "30 deg"]),
         freestand(&["run", "--low-cut", "1 Hz", "--azimuth", "3 deg"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("wrong_processing_is_refused", &all);
 }
 
 #[test]
@@ -731,7 +733,7 @@ fn records_are_scaled_to_a_spectrum() {
         run(&[&rock[..], &["--vertical", "two.csv", "--vertical-component", "2", "--scale-to-spectrum", "target.csv"]]
             .concat()),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("records_are_scaled_to_a_spectrum", &all);
 }
 
 /// The spectrum that the program writes is a target that it reads: a motion has the factor 1 to its
@@ -810,7 +812,7 @@ fn components_are_turned() {
         rotate(&["two.csv", "--azimuth", "0 deg", "--to", "45 deg"]),
         rotate(&["one.csv", "other.csv", "two.csv", "--to", "45 deg"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("components_are_turned", &all);
 }
 
 #[test]
@@ -830,7 +832,7 @@ fn spectra_over_all_directions() {
         rotd(&["two.csv", "--component", "N"]),
         rotd(&["two.csv", "--percentiles", "50, 50"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("spectra_over_all_directions", &all);
     rotd(&["two.csv", "--periods", "0.5 s, 1 s", "--out", "out"]);
     let csv = std::fs::read_to_string(folder.path().join("out/rotd.csv")).unwrap();
     assert!(csv.starts_with("period_s,rotd50_g,rotd100_g,larger_g,geometric_mean_g,first_g,second_g\n0.5,"), "{csv}");
@@ -886,7 +888,7 @@ fn motion_info_goes_on_behind_broken_files() {
         info(&["nan.csv", "gone.csv"]),
         info(&["nan.csv"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("motion_info_goes_on_behind_broken_files", &all);
     let shown = info(&["nan.csv", "pulse.csv", "two.csv", "--out", "out", "--json"]);
     assert!(shown.contains("exit status 1\n"), "{shown}");
     let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
@@ -910,7 +912,7 @@ fn a_start_that_is_not_kept_is_said() {
         motion(&["rotate", "late.csv", "--to", "0 deg"]),
         motion(&["convert", "pulse.csv", "--to", "csv"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("a_start_that_is_not_kept_is_said", &all);
     // Nothing is written by others, and so nothing is lost.
     let spectrum = motion(&["spectrum", "late.csv", "--component", "N", "--periods", "5 s"]);
     assert!(!spectrum.contains("not kept"), "{spectrum}");
@@ -935,5 +937,5 @@ fn pairs_of_two_files() {
         rotd(&["north.csv", "./north.csv"]),
         rotd(&["north.csv", "east.csv", "--json"]),
     ];
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("pairs_of_two_files", &all);
 }

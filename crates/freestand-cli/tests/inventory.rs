@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
 
+mod cases;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -63,6 +65,6 @@ fn what_is_wrong_is_said_at_once() {
         &["inventory", "convert", "objects.csv", "objects.csv", "--to", "csv"],
     ];
     let all: Vec<String> = cases.iter().map(|args| shown(here, args)).collect();
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("what_is_wrong_is_said_at_once", &all);
     assert_eq!(std::fs::read_to_string(here.join("objects.csv")).unwrap(), text);
 }

@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
 
+mod cases;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -112,5 +114,5 @@ fn bad_input_is_refused() {
     for one in &all {
         assert!(one.contains("exit status 2\n--- stdout\n\n--- stderr\nerror: ") && one.contains("hint: "), "{one}");
     }
-    insta::assert_snapshot!(all.join("\n\n"));
+    cases::each("bad_input_is_refused", &all);
 }
