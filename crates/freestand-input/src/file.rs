@@ -61,7 +61,7 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
     if file.metadata().is_ok_and(|data| data.is_dir()) {
         return Err(Problem::new(ProblemKind::Io, "is a folder, not a file")
             .in_file(path)
-            .hint("name the record files themselves"));
+            .hint("name the file itself"));
     }
     let mut bytes = Vec::new();
     file.take(most + 1).read_to_end(&mut bytes).map_err(|error| io("cannot read the file", &error))?;

@@ -55,7 +55,7 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
         ),
         (
             "[ground.point_source]\nmagnitude = 6\ndistance_km = 3000\n",
-            "s.toml:4: distance_m must be from 1 km to 1000 km, not 3000000",
+            "s.toml:4: distance must be from 1 km to 1000 km, not 3000000 m",
         ),
         (
             "[ground.point_source]\nmagnitude = 6\ndistance_km = 30\npreset = \"mars\"\n",

@@ -212,9 +212,12 @@ impl Reader<'_> {
 
     fn tabulated(&mut self) -> Option<Cushion> {
         if !(self.words.has("compressions") && self.words.has("forces")) {
-            let hint =
-                "write `compressions = [\"0 mm\", \"1 mm\"]` and `forces = [\"0 N\", \"900 N\"]` in a cushion file";
-            self.words.note(&["compressions"], "a tabulated law needs `compressions` and `forces`", hint);
+            let hint = "in a cushion file write compressions = [\"0 mm\", \"1 mm\"] and forces = [\"0 N\", \"900 N\"], and give `cushion = \"pad.toml\"`";
+            self.words.note(
+                &["compressions"],
+                "a tabulated law needs the table of a cushion file: compressions and forces",
+                hint,
+            );
             return None;
         }
         let compressions_m = self.words.grid("compressions", Dimension::Length);

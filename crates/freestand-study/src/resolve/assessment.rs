@@ -66,7 +66,7 @@ impl Resolver<'_> {
 
     /// Above 1 a value is practically unknown, and its draws leave the range of the models.
     fn spread(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(written, |value| (0.0..=1.0).contains(&value), key, "from 0 (certain) to 1");
+        self.require(written, |value| (0.0..=1.0).contains(&value), key, "from 0 to 1");
         or(written, default)
     }
 

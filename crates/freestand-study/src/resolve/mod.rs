@@ -201,7 +201,7 @@ impl Resolver<'_> {
             self.note(
                 Some(*line),
                 format!("{key} must be {expected}, not {value}"),
-                format!("give {key} as {expected}"),
+                format!("give a value of {key} that is {expected}"),
             );
         }
     }

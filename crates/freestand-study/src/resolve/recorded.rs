@@ -175,16 +175,16 @@ impl Resolver<'_> {
             return if two { half_turn(ROTATION_STEP_DEG) } else { vec![0.0] };
         };
         if !(FINEST_STEP_DEG..=90.0).contains(&step_deg) {
-            let message = format!("rotation_step must be from {FINEST_STEP_DEG} to 90 degrees, not {step_deg}");
+            let message = format!("`rotation_step` must be from {FINEST_STEP_DEG} to 90 degrees, not {step_deg}");
             self.note(line, message, "a step of 15 deg gives twelve directions");
             return vec![0.0];
         }
         if !two {
-            let message = "rotation_step needs motions with two horizontal components";
+            let message = "`rotation_step` needs motions with two horizontal components";
             self.note(
                 line,
                 message,
-                "write components = \"both\", or name the files with the second components in across",
+                "give `components = \"both\"`, or name the files with the second components in `across`",
             );
             return vec![0.0];
         }

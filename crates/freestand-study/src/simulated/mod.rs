@@ -19,6 +19,7 @@ use serde::Serialize;
 use self::assumptions::{assumptions, outside_limits};
 use crate::target::Target;
 use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 use freestand_output::rows::columns_csv;
 
@@ -287,23 +288,23 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> 
     })
 }
 
-/// A problem with the key of a parameter that is out of its range.
+/// A parameter that is out of its range, by its key and in the unit that it has as text.
 fn source_problem(error: SynthesisError) -> Problem {
-    let key = match &error {
-        SynthesisError::Option { name, .. } => {
-            let fields = [
-                ("magnitude", "magnitude"),
-                ("distance_m", "distance"),
-                ("stress_drop_pa", "stress_drop"),
-                ("kappa_s", "kappa"),
-                ("dt_s", "time_step"),
-                ("low_cut_hz", "low_cut"),
-            ];
-            fields.iter().find(|(field, _)| field == name).map(|(_, key)| *key)
-        }
-        _ => None,
-    };
-    Problem::value(error.to_string(), "give another value").of(key.as_slice())
+    let fields = [
+        ("magnitude", "magnitude", Dimension::Ratio),
+        ("distance_m", "distance", Dimension::Length),
+        ("stress_drop_pa", "stress_drop", Dimension::Pressure),
+        ("kappa_s", "kappa", Dimension::Time),
+        ("dt_s", "time_step", Dimension::Time),
+        ("low_cut_hz", "low_cut", Dimension::Frequency),
+    ];
+    if let SynthesisError::Option { name, requirement, value } = &error
+        && let Some((_, key, dimension)) = fields.iter().find(|(field, ..)| field == name)
+    {
+        let message = format!("`{key}` must be {requirement}, not {}", format_si(*value, *dimension));
+        return Problem::value(message, "give a value within these limits").of(&[*key]);
+    }
+    Problem::value(error.to_string(), "give other values for the source or the motion")
 }
 
 fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
