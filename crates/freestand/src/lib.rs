@@ -19,6 +19,7 @@
 //! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
 //! | the shocks that cause damage, ASTM D3332 | [`damage_boundary`] |
 //! | fragilities, probabilities over motions, reproducible random draws | [`fragility`] |
+//! | when a count of worlds answers a question | [`decision`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
 //!
@@ -67,6 +68,7 @@ pub mod code_spectrum;
 pub mod compliant;
 pub mod cushion;
 pub mod damage_boundary;
+pub mod decision;
 pub mod fragility;
 pub mod identify;
 pub mod impact;

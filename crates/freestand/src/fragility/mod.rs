@@ -12,7 +12,7 @@ use thiserror::Error;
 use crate::block::Block;
 
 pub use draws::{draw_stream, lognormal_draw};
-pub use interval::probability_interval;
+pub use interval::{clopper_pearson, probability_interval};
 
 /// Φ, the standard normal distribution.
 fn normal_ratio(z: f64) -> f64 {
