@@ -19,6 +19,7 @@
 //! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
 //! | the shocks that cause damage, ASTM D3332 | [`damage_boundary`] |
 //! | fragilities, probabilities over motions, reproducible random draws | [`fragility`] |
+//! | worlds: complete draws of everything that is not known | [`worlds`] |
 //! | when a count of worlds answers a question | [`decision`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
@@ -80,5 +81,6 @@ pub mod shock_response;
 pub mod signal;
 pub mod spectra;
 pub mod synthesis;
+pub mod worlds;
 
 pub use freestand_rocking::{G0_M_S2, block, motion, rocking};
