@@ -113,7 +113,7 @@ pub fn resolve_with(
     let (options, problems) = options::parse(text, source);
     let is_complete = problems.is_empty();
     let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete };
-    let Options { ground, building, objects, outputs, assessment } = options;
+    let Options { ground, building, objects, outputs, assessment, worlds, restraint } = options;
     let levels = resolver.levels(&building, &ground);
     let (ground_input, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
@@ -129,7 +129,7 @@ pub fn resolve_with(
     }
     let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
     let objects = resolver.objects(&objects);
-    let assessment = resolver.assessment(&assessment);
+    let assessment = resolver.assessment(&assessment, &worlds, &restraint);
     let names = ground_input.as_ref().map(|input| input.names(&levels));
     let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
     match (ground_input, building_input, objects) {
