@@ -6,7 +6,7 @@ use freestand::code_spectrum::part_forces::{
     As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Governing, Nzs1170_5Part, PartForce, as1170_4_force,
     asce7_16_force, asce7_22_force, eurocode8_force, nzs1170_5_force,
 };
-use freestand::code_spectrum::parts::{PartsQuestion, asce7_height_ratio, floor_acceleration_g};
+use freestand::code_spectrum::parts::{PartsQuestion, as1170_4_height_ratio, asce7_height_ratio, floor_acceleration_g};
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 
 use crate::result::{Axis, RestraintForce};
@@ -94,11 +94,11 @@ pub struct RestraintQuestion {
 /// Height of a building that every code counts as tall \[m\].
 const TALL_M: f64 = 30.0;
 
-const RECALLED: &str = "This clause is recalled, not read: check it in your edition.";
+const RECALLED: &str = "This clause is quoted from memory: check it in your edition of the code.";
 
 /// The forces for the design of a restraint, one for each source: AS 1170.4 section 8, ASCE 7-16
-/// and 7-22 chapter 13, Eurocode 8 or NZS 1170.5 where the hazard is theirs, and the computed floor
-/// acceleration times the mass.
+/// and 7-22 chapter 13, Eurocode 8 or NZS 1170.5 if the hazard is by that code, and the computed
+/// floor acceleration times the mass.
 ///
 /// The force acts at the centre of gravity. All anchors along one edge together hold T = max(0, (F
 /// h − W (1 − v) e)/b), with h the height of the centre of gravity, e the lever of the weight, b
@@ -171,7 +171,7 @@ fn governs(force: &PartForce) -> String {
 fn place(question: &RestraintQuestion) -> (PartsQuestion, &'static str) {
     let (building_height_m, said) = match question.building_height_m {
         Some(height_m) => (height_m, ""),
-        None => (TALL_M, " The height of the building is not known and is taken as 12 m or more."),
+        None => (TALL_M, " The height of the building was not given; 12 m or more is assumed."),
     };
     let level_ratio = question.level_ratio;
     (PartsQuestion { level_ratio, building_height_m, building_period_s: question.building_period_s }, said)
@@ -187,8 +187,11 @@ fn australia(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<Re
     let (place, tall) = place(question);
     let own = matches!(spectrum, CodeSpectrum::As1170_4(_));
     // a_x depends on the place alone: floor over ground acceleration of any spectrum of this code.
-    let floor_g =
-        if own { floor_acceleration_g(spectrum, &place)? } else { ground_g(spectrum) * as_height_ratio(&place) };
+    let floor_g = if own {
+        floor_acceleration_g(spectrum, &place)?
+    } else {
+        ground_g(spectrum) * as1170_4_height_ratio(place.level_ratio, place.building_height_m)
+    };
     let borrowed = if own { "" } else { " kpZ Ch(0) is taken as Sa(0) of the study's spectrum." };
     let found = as1170_4_force(floor_g, &part);
     let formula = format!(
@@ -205,15 +208,6 @@ fn australia(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<Re
         number(part.ductility_ratio, 3)
     );
     Some(force(question, "AS 1170.4-2007, section 8", found.force_ratio, 0.0, &formula))
-}
-
-/// a_x = 1 + kc hx.
-fn as_height_ratio(place: &PartsQuestion) -> f64 {
-    if place.building_height_m >= 12.0 {
-        1.0 + 2.0 * place.level_ratio
-    } else {
-        1.0 + 0.17 * place.level_ratio * place.building_height_m
-    }
 }
 
 fn america(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Vec<RestraintForce> {
@@ -247,8 +241,8 @@ fn america(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Vec<Restrai
     let found = asce7_22_force(sds_g, new_height, &new);
     let formula = format!(
         "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: \
-         0.4 × {} × {} × {}/{} × {}/{} = {} W{}. Assumed: R_μ = {} (that of the building is not known), C_AR = {}, \
-         R_po = {}, I_p = {}.{borrowed} {vertical} {RECALLED}",
+         0.4 × {} × {} × {}/{} × {}/{} = {} W{}. Assumed: R_μ = {} (the ductility of the building is not known), \
+         C_AR = {}, R_po = {}, I_p = {}.{borrowed} {vertical} {RECALLED}",
         number(sds_g, 4),
         number(new.importance_ratio, 3),
         number(new_height, 4),
@@ -306,8 +300,8 @@ fn new_zealand(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<
     Some(force(question, "NZS 1170.5:2004, section 8", found.force_ratio, 0.0, &formula))
 }
 
-/// Clearance that an object needs beside it while it rocks \[m\]: its highest corner moves h sin θ
-/// beyond its side. Past the balance point, tan θ > t/h, it overturns and needs its height.
+/// Clearance that an object needs on each side while it rocks \[m\]: its highest corner moves
+/// h sin θ beyond its side. Past the balance point, tan θ > t/h, it overturns and needs its height.
 ///
 /// With the pivot at the origin the corners are (0, 0), (−t, 0), (−t, h) and (0, h). After a
 /// rotation θ towards the pivot, a corner (x, z) is at x cos θ + z sin θ: the corner above the

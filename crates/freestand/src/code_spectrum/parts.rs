@@ -54,8 +54,7 @@ pub fn floor_acceleration_g(code: &CodeSpectrum, question: &PartsQuestion) -> Op
     }
     let height_m = level_ratio * building_height_m;
     let factor = match code {
-        CodeSpectrum::As1170_4(_) if building_height_m >= AS_TALL_M => 1.0 + 2.0 * level_ratio,
-        CodeSpectrum::As1170_4(_) => 1.0 + 0.17 * height_m,
+        CodeSpectrum::As1170_4(_) => as1170_4_height_ratio(level_ratio, building_height_m),
         CodeSpectrum::Eurocode8(_) => eurocode8_factor_ratio(level_ratio, 0.0),
         CodeSpectrum::Asce7(code) => asce7_height_factor_ratio(code, level_ratio, building_period_s),
         CodeSpectrum::Nzs1170_5(_) => (1.0 + height_m / 6.0).min(1.0 + 10.0 * level_ratio).min(3.0),
@@ -93,6 +92,22 @@ pub fn clause(code: &CodeSpectrum) -> Option<&'static str> {
 /// ```
 pub fn eurocode8_factor_ratio(level_ratio: f64, period_ratio: f64) -> f64 {
     (3.0 * (1.0 + level_ratio) / (1.0 + (1.0 - period_ratio).powi(2)) - 0.5).max(1.0)
+}
+
+/// Height factor of AS 1170.4, section 8: 1 + kc hx, with kc = 2/hn from 12 m, 0.17 below.
+///
+/// # Example
+/// ```
+/// use freestand::code_spectrum::parts::as1170_4_height_ratio;
+/// assert_eq!(as1170_4_height_ratio(1.0, 96.0), 3.0);
+/// assert_eq!(as1170_4_height_ratio(1.0, 10.0), 2.7);
+/// ```
+pub fn as1170_4_height_ratio(level_ratio: f64, building_height_m: f64) -> f64 {
+    if building_height_m >= AS_TALL_M {
+        1.0 + 2.0 * level_ratio
+    } else {
+        1.0 + 0.17 * (level_ratio * building_height_m)
+    }
 }
 
 /// Height factor of ASCE 7: 1 + 2 z/h in edition 16; Hf in edition 22, with `a1 = min(1/Ta, 2.5)`
