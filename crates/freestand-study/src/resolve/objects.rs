@@ -1,14 +1,15 @@
 //! Resolves `[objects]`.
 
 use freestand::block::Block;
-use freestand::impact::{ValidityWarning, stiffness_warnings};
+use freestand::impact::stiffness_warnings;
 use freestand::rocking::{Accuracy, Restitution};
 
 use super::{MAX_OBJECTS, Resolver, or};
 use crate::options::{ObjectsOptions, RestitutionOption};
 use crate::restitution::checked;
+use crate::shape::squat_warning;
 use crate::study::Objects;
-use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::toml_reader::Written;
 
 impl Resolver<'_> {
@@ -34,7 +35,11 @@ impl Resolver<'_> {
             let line = written.heights_m.as_ref().or(written.thicknesses_m.as_ref()).map(|w| w.line);
             self.note(
                 line,
-                format!("the grid has more than {MAX_OBJECTS} objects"),
+                format!(
+                    "the grid of {} heights × {} thicknesses has more than {MAX_OBJECTS} objects",
+                    heights_m.len(),
+                    thicknesses_m.len()
+                ),
                 "give fewer heights or thicknesses",
             );
             return None;
@@ -51,7 +56,7 @@ impl Resolver<'_> {
         let (cushion, cushion_file) = cushion?;
         let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
         self.warnings.extend(soft.iter().map(ToString::to_string));
-        self.warnings.extend(squat_warning(&blocks));
+        self.warnings.extend(squat_warning(blocks.len(), blocks.iter().copied()));
         Some(Objects {
             heights_m,
             thicknesses_m,
@@ -76,7 +81,7 @@ impl Resolver<'_> {
                 self.note(
                     Some(*line),
                     format!("accuracy \"{}\" is not known", shorten(value)),
-                    "fast, standard or tight",
+                    "use fast, standard or tight",
                 );
                 None
             }
@@ -95,22 +100,8 @@ impl Resolver<'_> {
     }
 }
 
-/// From `from` to `to`, both included, with the same rounding as
-/// [`freestand_input::quantity::parse_grid`].
+/// `count` lengths from `from` to `to`, both included, with the same rounding as
+/// [`freestand_input::quantity::parse_grid`] \[m\].
 fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
     freestand_input::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
-}
-
-fn squat_warning(blocks: &[Block]) -> Option<String> {
-    let squat: Vec<&Block> = blocks.iter().filter(|block| block.landing_ratio() < 0.0).collect();
-    let first = squat.first()?;
-    let size = |length_m| format_si(length_m, Dimension::Length);
-    Some(format!(
-        "{} of {} objects are squat, the first {} high and {} thick: {}",
-        squat.len(),
-        blocks.len(),
-        size(first.height_m()),
-        size(first.thickness_m()),
-        ValidityWarning::Squat { landing_ratio: first.landing_ratio() }
-    ))
 }
