@@ -16,7 +16,7 @@ pub use columns::COLUMNS;
 /// One object of the inventory, assessed or not yet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line<'a> {
-    /// As written.
+    /// Its row of the inventory.
     pub item: &'a Item,
     /// Its rank and its assessment; `None`: the run was interrupted before it.
     pub found: Option<(usize, &'a Assessment)>,
@@ -34,11 +34,13 @@ impl<'a> Line<'a> {
     }
 }
 
-/// What a column holds.
+/// The type of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Text.
     Text,
+    /// The name of a decision.
+    Decision,
     /// A number.
     Number,
     /// A share or a probability, which people read in percent.
@@ -110,14 +112,12 @@ pub struct Column {
     pub unit: &'static str,
     /// What it means, for the sheet of columns.
     pub meaning: &'static str,
-    /// The cell of an object.
+    /// Makes the cell of an object.
     pub cell: for<'a> fn(&Line<'a>) -> Cell<'a>,
 }
 
-/// The headers of the columns that are carried through, each made different from ours and from
-/// those before it.
-///
-/// An inventory may be the `objects.csv` of an earlier run, whose columns have our names.
+/// The headers of the columns that are carried through. One that equals a column of freestand or an
+/// earlier header is renamed, because an inventory may be the `objects.csv` of an earlier run.
 ///
 /// # Example
 /// ```

@@ -61,7 +61,7 @@ fn the_columns_of_the_contract_are_there() {
             "N/m" => ends("_n_m"),
             "m/s" => ends("_m_s"),
             "1" => ends("_ratio") || ends("_share") || column.name.starts_with("p_") || ends("restitution"),
-            _ => matches!(column.kind, Kind::Text | Kind::Count | Kind::Flag),
+            _ => matches!(column.kind, Kind::Text | Kind::Decision | Kind::Count | Kind::Flag),
         };
         assert!(expected && !column.meaning.is_empty(), "{} in {}", column.name, column.unit);
     }
