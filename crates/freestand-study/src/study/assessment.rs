@@ -32,10 +32,10 @@ pub struct Settings {
     pub pad_damping_ratio: f64,
     /// Whether objects with a close verdict are also computed on a compliant base.
     pub compliant: bool,
-    /// Whether objects that the spectra of their floor decide clearly get no histories of their
+    /// Whether objects with a clear verdict by the spectra of their floor get no histories of their
     /// own.
     pub screen: bool,
-    /// Pages of the report: the most urgent objects.
+    /// Largest number of objects with a page in the report: the most urgent ones.
     pub pages: usize,
 }
 
@@ -52,7 +52,7 @@ pub struct Accepted {
     pub function_ratio: f64,
 }
 
-/// Standard deviations of the logarithms of uncertain values (about their coefficients of
+/// Standard deviations of the logarithms of uncertain values (roughly their coefficients of
 /// variation), each drawn lognormally about the value of the inventory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -77,7 +77,7 @@ impl Default for Settings {
             library: None,
             cushion_library: None,
             accepted: Accepted { other_ratio: 0.1, life_safety_ratio: 0.1, property_ratio: 0.1, function_ratio: 0.1 },
-            seed: 1,
+            seed: super::DEFAULT_SEED,
             draws: 8,
             most_draws: 64,
             spread: Spread { restitution: 0.1, stiffness: 0.15, mass: 0.1, geometry: 0.02, model: 0.085 },
