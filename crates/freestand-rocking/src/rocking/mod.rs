@@ -283,7 +283,7 @@ pub struct Rocking {
     /// Why the history stopped.
     pub stop: StopReason,
     /// Time at which it stopped \[s\].
-    pub end_s: f64,
+    pub end_time_s: f64,
     /// Largest |θ| \[rad\]; π/2 when overturned.
     pub peak_rotation_rad: f64,
     /// Extremes on the right edge and on the left one. Their consequences differ only where the

@@ -181,7 +181,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             result: Rocking {
                 outcome: if given { Outcome::Rocked } else { Outcome::NoUplift },
                 stop: StopReason::EndOfMotion,
-                end_s: 0.0,
+                end_time_s: 0.0,
                 peak_rotation_rad: theta.abs(),
                 sides,
                 peak_rotation_time_s: given.then_some(0.0),
@@ -224,7 +224,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 // it.
                 if self.edges.iter().all(|e| e.margin(ground.u, ground.v) >= 0.0 && e.margin(at_end.u, at_end.v) >= 0.0)
                 {
-                    self.result.end_s = start_s + length_s;
+                    self.result.end_time_s = start_s + length_s;
                     index += 1;
                     continue;
                 }
@@ -236,7 +236,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             }
             if self.settle && index >= self.intervals.samples && matches!(self.phase, Phase::Rest) {
                 self.result.stop = StopReason::Settled;
-                self.result.end_s = self.result.rest_time_s.unwrap_or(start_s);
+                self.result.end_time_s = self.result.rest_time_s.unwrap_or(start_s);
                 break;
             }
             index += 1;
@@ -282,7 +282,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 }
             }
         }
-        self.result.end_s = self.result.overturn_time_s.unwrap_or(start_s + tau);
+        self.result.end_time_s = self.result.overturn_time_s.unwrap_or(start_s + tau);
         Ok(())
     }
 

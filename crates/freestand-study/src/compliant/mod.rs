@@ -230,8 +230,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
     let facts = Facts::default()
         .key("base", "compliant")
         .fact("outcome", "outcome", rocking.outcome.name())
-        .fact("end_time_s", "end", rocking.end_s)
-        .fact("peak_rotation_rad", "largest rotation", rocking.peak_rotation_rad)
+        .and(facts!(rocking; end_time_s "end", peak_rotation_rad "largest rotation"))
         .fact("peak_rotation_ratio", "  divided by α", share)
         .fact("peak_rotation_time_s", "  at", rocking.peak_rotation_time_s)
         .and(facts!(rocking; uplift_m "uplift", cg_rise_m "rise of the centre of gravity",
@@ -279,9 +278,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
 fn touch(touch: &Touch) -> Facts<'static> {
     facts!(touch; time_s)
         .key("edge", touch.edge.name())
-        .and(facts!(touch; speed_m_s, omega_before_rad_s, omega_after_rad_s))
-        .key("end_time_s", touch.end_s)
-        .key("rebound_m_s", touch.rebound_m_s)
+        .and(facts!(touch; speed_m_s, omega_before_rad_s, omega_after_rad_s, end_time_s, rebound_m_s))
         .key("edge_acceleration_g", touch.peak_acceleration_m_s2 / G0_M_S2)
         .key("force_n", touch.peak_force_n)
 }

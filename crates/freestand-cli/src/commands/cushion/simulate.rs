@@ -6,7 +6,7 @@ use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
-use freestand_study::laboratory::virtual_test::{assume_damping, drop_file, static_file};
+use freestand_study::laboratory::virtual_laboratory::{assume_damping, drop_file, static_file};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;

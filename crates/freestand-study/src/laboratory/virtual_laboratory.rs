@@ -16,7 +16,7 @@ use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
 
 /// Default standard deviation of the stated impact velocity, divided by the velocity.
-pub const VELOCITY_ERROR_RATIO: f64 = 0.01;
+pub const DEFAULT_VELOCITY_ERROR_RATIO: f64 = 0.01;
 
 /// A virtual drop as a laboratory file: its setup in comments, then time and acceleration.
 ///
@@ -184,7 +184,7 @@ fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio:
         zero_shift_ratio: zero.shift_ratio,
         filter_corner_hz: None,
         bounces: 0,
-        speed_error_ratio: VELOCITY_ERROR_RATIO,
+        speed_error_ratio: DEFAULT_VELOCITY_ERROR_RATIO,
         seed: request.seed,
         index: 0,
     };
@@ -222,7 +222,7 @@ fn trial(cushion: &Cushion, options: &VirtualDropOptions, truth_n_m: f64) -> Tri
         let speed_m_s = drop.stated_speed_m_s;
         let setup = DropSetup {
             mass_kg: options.mass_kg,
-            impact_velocity: ImpactVelocity::Known { speed_m_s, error_ratio: VELOCITY_ERROR_RATIO },
+            impact_velocity: ImpactVelocity::Known { speed_m_s, error_ratio: DEFAULT_VELOCITY_ERROR_RATIO },
             gravity_m_s2: G0_M_S2,
             filter_corner_hz: None,
             law: None,
