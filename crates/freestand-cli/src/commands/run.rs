@@ -22,7 +22,7 @@ use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, significant, table};
+use crate::printer::{Printer, optional, table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
 use crate::values::Values;

@@ -87,11 +87,7 @@ impl Resolver<'_> {
             }
             (None, None) => Second::None,
         };
-        let files = MotionFiles {
-            paths: motions.value.iter().map(path).collect(),
-            second,
-            ..reading
-        };
+        let files = MotionFiles { paths: motions.value.iter().map(path).collect(), second, ..reading };
         let lines: Vec<usize> = motions.value.iter().map(|file| file.line).collect();
         self.read(&files, Some(&lines))
     }

@@ -10,10 +10,10 @@ use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_output::facts::Facts;
 use freestand_records::formats::{ReadOptions, parse_unit};
 use freestand_records::processing::parse_step;
+use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
     DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_csv,
 };
-use freestand_study::laboratory::drop_figures;
 
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 
