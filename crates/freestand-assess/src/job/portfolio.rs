@@ -167,7 +167,7 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
                 members.push(Member { item, subject: subject.clone(), accepted_ratio, accepted_for });
                 places.push(*place);
             } else {
-                let why = "Nothing was assessed, because the study has no motion for the floor of the object.".to_owned();
+                let why = "Nothing was assessed, because the study has no motion for this floor.".to_owned();
                 found[*place] = Some(Assessment { why, ..blank(item, limit, None) });
             }
         }

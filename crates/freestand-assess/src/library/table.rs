@@ -19,7 +19,7 @@ const MAX_NAME_CHARS: usize = 60;
 
 /// A column: its name and, for numbers, their dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Column {
+pub(super) struct Column {
     /// Its name in headers.
     pub name: &'static str,
     /// The dimension of its numbers.

@@ -15,7 +15,7 @@ use super::table::{Column, Row, Table};
 use super::{Confidence, Tolerance};
 
 /// The columns of a tolerance library; numbers have their unit in brackets, such as `peak [g]`.
-pub const TOLERANCE_COLUMNS: [Column; 23] = [
+const TOLERANCE_COLUMNS: [Column; 23] = [
     Column::needed("id"),
     Column::needed("class"),
     Column::needed("kind"),

@@ -54,7 +54,8 @@ impl Resolver<'_> {
         };
         if settings.most_draws < settings.draws {
             let line = written.most_draws.as_ref().or(written.draws.as_ref()).map(|one| one.line);
-            self.note(line, "most_draws is less than draws", "draws are doubled until they reach most_draws");
+            let message = format!("most_draws = {} is less than draws = {}", settings.most_draws, settings.draws);
+            self.note(line, message, "give both: draws are doubled until they reach most_draws");
         }
         settings
     }
@@ -64,32 +65,35 @@ impl Resolver<'_> {
         or(written, default)
     }
 
-    /// Above 1 a value is practically unknown, and its draws leave the range of the models.
+    /// With a spread above 1 a value is practically unknown, and its draws leave the range of the
+    /// models.
     fn spread(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(written, |value| (0.0..=1.0).contains(&value), key, "from 0 to 1");
+        self.require(written, |value| (0.0..=1.0).contains(&value), key, "a number from 0 to 1");
         or(written, default)
     }
 
     fn draws(&mut self, key: &str, written: &Option<Written<u64>>, default: u32) -> u32 {
-        self.require(written, |count| (1..=MAX_DRAWS).contains(&count), key, &format!("from 1 to {MAX_DRAWS}"));
+        let expected = format!("a whole number from 1 to {MAX_DRAWS}");
+        self.require(written, |count| (1..=MAX_DRAWS).contains(&count), key, &expected);
         u32::try_from(or(written, u64::from(default))).unwrap_or(default)
     }
 
     fn friction(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
         for (key, one) in [("friction_low", &written.friction_low), ("friction_high", &written.friction_high)] {
-            self.require(one, |value| (0.0..=10.0).contains(&value), key, "a coefficient of friction");
+            self.require(one, |value| (0.0..=10.0).contains(&value), key, "a coefficient from 0 to 10");
         }
         let range = (or(&written.friction_low, default.0), or(&written.friction_high, default.1));
         if range.0 > range.1 {
             let line = written.friction_low.as_ref().or(written.friction_high.as_ref()).map(|one| one.line);
             let message = format!("friction_low = {} is above friction_high = {}", range.0, range.1);
-            self.note(line, message, "give both, the lower one first");
+            self.note(line, message, "give both: one that is left out has its default value");
         }
         range
     }
 
     fn pad_strain(&mut self, written: &Option<Written<f64>>, default: f64) -> f64 {
-        self.require(written, |value| value > 0.0 && value < 1.0, "pad_strain", "a share of the thickness below 1");
+        let expected = "a share of the pad's thickness, above 0 and below 1";
+        self.require(written, |value| value > 0.0 && value < 1.0, "pad_strain", expected);
         or(written, default)
     }
 }

@@ -26,7 +26,7 @@ use super::overview::Overview;
 use super::table::{COLUMNS, Cell, Kind, Line, carried_cells, carried_names, overturned_name};
 
 /// The file's name.
-pub const PARQUET_NAME: &str = "objects.parquet";
+pub(super) const PARQUET_NAME: &str = "objects.parquet";
 
 /// Rows of a group; with eighty columns about 15 MB before compression.
 const GROUP_ROWS: usize = 20_000;

@@ -10,7 +10,7 @@ use freestand_study::cushion::cushion_words;
 use super::{Cell, Column, Kind, Line};
 
 /// Every column of freestand, in order; other columns of the inventory follow.
-pub const COLUMNS: &[Column] = &[
+pub(crate) const COLUMNS: &[Column] = &[
     // The object.
     count("rank", "place in the order of urgency: 1 is the most urgent", |l| {
         Cell::count(l.found.map(|(rank, _)| rank))

@@ -152,3 +152,9 @@ fn carried_names_are_unlike() {
     let overturned = carried_names(&["uplift_m_median_overturned".to_owned()]);
     assert_eq!(overturned, ["uplift_m_median_overturned (inventory)"]);
 }
+
+#[test]
+fn carried_headers_get_names_of_their_own() {
+    let names = carried_names(&["Asset", "rank", "Asset", ""].map(str::to_owned));
+    assert_eq!(names, ["Asset", "rank (inventory)", "Asset (inventory)", "column 4"]);
+}
