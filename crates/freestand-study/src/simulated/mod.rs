@@ -231,8 +231,9 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport<'_>, Probl
 
 /// The problem of a parameter that is out of its range: its key, and its value with a unit.
 pub(crate) fn source_problem(error: SynthesisError) -> Problem {
+    const HINT: &str = "give other values for the motion or its source";
     let SynthesisError::Option { parameter, requirement, value } = error else {
-        return Problem::value(error.to_string(), "give other values for the motion or its source");
+        return Problem::value(error.to_string(), HINT);
     };
     let (key, dimension) = match parameter {
         Parameter::TimeStep => ("time_step", Dimension::Time),
@@ -243,9 +244,8 @@ pub(crate) fn source_problem(error: SynthesisError) -> Problem {
         Parameter::Distance => ("distance", Dimension::Length),
         Parameter::StressDrop => ("stress_drop", Dimension::Pressure),
         Parameter::Kappa => ("kappa", Dimension::Time),
-        Parameter::Other(_) => {
-            return Problem::value(error.to_string(), "give other values for the motion or its source");
-        }
+        Parameter::Samples => return Problem::value(error.to_string(), "give a longer `time_step`").of(&["time_step"]),
+        Parameter::Other(_) => return Problem::value(error.to_string(), HINT),
     };
     let message = format!("`{key}` must be {requirement}, not {}", format_si(value, dimension));
     Problem::value(message, "give a value within these limits").of(&[key])

@@ -119,6 +119,8 @@ pub enum Parameter {
     StressDrop,
     /// κ₀ of [`HighCut::Kappa`].
     Kappa,
+    /// The number of samples that follows from them.
+    Samples,
     /// Any other, with its name.
     Other(&'static str),
 }
@@ -135,6 +137,7 @@ impl Parameter {
             Self::Distance => "distance_m",
             Self::StressDrop => "stress_drop_pa",
             Self::Kappa => "kappa_s",
+            Self::Samples => "the number of samples",
             Self::Other(name) => name,
         }
     }
@@ -472,7 +475,7 @@ fn check_options(options: &SynthesisOptions) -> Result<(), SynthesisError> {
 }
 
 fn check_samples(samples: f64) -> Result<(), SynthesisError> {
-    Parameter::Other("the number of samples").check(samples <= MAX_SAMPLES, "at most 1048576", samples)
+    Parameter::Samples.check(samples <= MAX_SAMPLES, "at most 1048576", samples)
 }
 
 #[cfg(test)]
