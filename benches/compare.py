@@ -1,12 +1,12 @@
-"""Times freestand beside eqsig and obspy on the same files, in one run.
+"""Times freestand, eqsig and obspy on the same files, in one run.
 
     python -m venv .venv && .venv/bin/pip install eqsig obspy
     cargo build --release
     .venv/bin/python benches/compare.py [target/release/freestand]
 
-freestand is timed as a process, with its start, its reading of the files and its JSON; reading alone by the example
-read_files, within the process on one thread. The others are timed within Python, without the start of Python or of their
-imports. What is not installed is left out.
+freestand is timed as a process, including its start, the reading of the files and its JSON; only reading is timed by the
+example read_files, within the process on one thread. The others are timed within Python, without the start of Python or
+their imports. Those that are not installed are left out.
 """
 
 import json

@@ -1,13 +1,13 @@
-"""Sets `freestand spectrum` on one thread beside a loop in C and Python peers on the same blocks and motion.
+"""Compares `freestand spectrum` on one thread with a loop in C and Python peers, on the same blocks and motion.
 
     cargo build --release
     python3 -m venv ../peers && ../peers/bin/pip install numpy scipy numba "jax[cpu]"
     ../peers/bin/python benches/kernel.py [target/release/freestand]
 
-Needs numpy and a C compiler; peers whose library does not import are left out. freestand is timed by what it says of
-itself (`timing.solve_s`: all blocks, without reading and printing), the others by the same part of theirs. freestand and
-the C loop take turns and the best of REPEATS counts, so that other work on the machine weighs on neither;
-of the other peers the best of REPEATS_OF_PEERS.
+Needs numpy and a C compiler; peers whose library cannot be imported are left out. The time of freestand is the one that
+it reports (`timing.solve_s`: all blocks, without reading and printing); the others are timed over the same part.
+freestand and the C loop take turns, and the best of REPEATS counts, so that other work on the machine affects both equally. For
+the other peers, the best of REPEATS_OF_PEERS counts.
 """
 
 import json
@@ -26,7 +26,7 @@ RECORD, SCALE = HERE.parent / "validation/rocking/records/bench4000.csv", 0.5
 REPEATS, REPEATS_OF_PEERS = 7, 3
 GRIDS = [("0.3 m:4 m:64", "0.1 m:1 m:64"), ("4 m:20 m:64", "0.4 m:0.8 m:64")]
 LEVELS = ["fast", "standard", "tight"]
-# Peers in Python, and the number of blocks that is enough of each: all, or a sample of the slow one.
+# Peers in Python, and the number of blocks that each solves: all, or a sample for the slow one.
 PEERS = [("rk4_numba", None), ("rk4_jax", None), ("events_scipy", 64)]
 OVERTURNED = np.pi / 2
 
@@ -45,7 +45,7 @@ def peaks(report):
 
 
 def peer(command, scale_up=1):
-    """Seconds and peak rotations, and the share of the block-steps that moved where the peer counts it."""
+    """Seconds and peak rotations, and the share of the block-steps that moved, if the peer counts it."""
     done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
     if done.returncode:
         return None
@@ -59,7 +59,7 @@ def outcomes(found):
 
 
 def line(name, ns, own_ns, found, exact, insensitive):
-    """One row: errors of the blocks that rocked in both and are not sensitive, against freestand's `tight`."""
+    """One row: errors relative to freestand's `tight`, for blocks that rocked in both and are not sensitive."""
     apart = outcomes(found) != outcomes(exact)
     rocked = insensitive & ~apart & (outcomes(exact) == 1)
     error = np.abs(found[rocked] / exact[rocked] - 1)

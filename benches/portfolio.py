@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""An inventory of N made-up objects through `freestand assess`: time, peak memory, rocking histories.
+"""Runs `freestand assess` on an inventory of N made-up objects: time, peak memory, rocking histories.
 
     cargo build --release && python3 benches/portfolio.py [N] [--motions 20] [--threads 2] [-- more flags of assess]
 
-The objects are furniture-like, drawn once and for all from a fixed seed: two sides, a mass, a pad, a tolerance for four out of
+The objects are furniture-like, drawn from a fixed seed: two sides, a mass, a pad, a tolerance for four out of
 five, on 31 floors of the built-in building.
 """
 

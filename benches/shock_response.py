@@ -1,13 +1,13 @@
-"""Sets the shock response spectrum of a record of 1 s at 100 kHz over 160 frequencies beside pyyeti and endaq, one thread each.
+"""Compares freestand with pyyeti and endaq on one thread: the shock response spectrum of 1 s at 100 kHz, 160 frequencies.
 
     cargo build --release
     python3 -m venv ../peers && ../peers/bin/pip install pyyeti endaq
     taskset -c 0 ../peers/bin/python benches/shock_response.py [target/release/freestand]
 
-freestand is timed by what it says of itself (`timing.solve_s`: the spectrum, without reading and printing), the others by
-the same call. All take turns and the best of REPEATS counts. pyyeti puts 12 samples into a period of the highest
-frequency where fewer are there (its default), endaq leaves the samples as they are; freestand is shown with 128 samples
-in every period and as sampled.
+The time of freestand is the one that it reports (`timing.solve_s`: the spectrum, without reading and printing); the
+others are timed over the same call. All take turns, and the best of REPEATS counts. pyyeti upsamples to 12 samples in a
+period of the highest frequency if there are fewer (its default), endaq uses the samples unchanged; freestand is shown with 128
+samples in every period and as sampled.
 """
 
 import json

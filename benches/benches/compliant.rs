@@ -1,4 +1,5 @@
-//! The cabinet on its pads under a record of 40 s, beside the same block on a rigid base, in one run on one thread.
+//! The cabinet on its pads under a motion of 40 s, compared with the same block on a rigid base, in
+//! one run on one thread.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop and prints its effort")]
 
@@ -9,7 +10,7 @@ use freestand::cushion::{ContactLaw, Cushion};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, RockingOptions, rock};
 
-/// 4000 samples every 5 ms, peak 0.45 g, one after the other twice: 40 s.
+/// 4000 samples every 5 ms, peak 0.45 g, twice in succession: 40 s.
 fn record() -> Motion {
     let text = include_str!("../../validation/rocking/records/bench4000.csv");
     let samples = || text.lines().filter(|line| !line.starts_with('#')).map(|line| line.parse().unwrap());

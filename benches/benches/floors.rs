@@ -19,7 +19,7 @@ fn record() -> Motion {
     Motion::new(0.005, (0..8000).map(wave).collect()).unwrap()
 }
 
-/// Every floor for itself: oscillators and sum again each time.
+/// Calculates each floor alone, with its own oscillators and its own sum.
 fn floor_by_floor(ground: &Motion, building: &Building, levels_ratio: &[f64]) -> Vec<Vec<f64>> {
     let floor = |&level: &f64| {
         let residual = 1.0 - building.modes().iter().map(|mode| mode.share_ratio(level)).sum::<f64>();

@@ -1,5 +1,6 @@
-//! The kernel for many blocks beside the scalar solver over a grid of blocks at each accuracy, in one run on one thread:
-//! time per block-step, and evaluations of the equation of motion per record.
+//! The kernel for many blocks compared with the scalar solver, over a grid of blocks at each
+//! accuracy level, in one run on one thread: time per block-step, and evaluations of the equation
+//! of motion.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop and prints its effort")]
 
@@ -62,7 +63,7 @@ fn compare(criterion: &mut Criterion, name: &str, record: &Motion, blocks: &[Blo
     group.finish();
 }
 
-/// Those that this processor has beside the widest one, which is taken by itself.
+/// The vector units of this processor other than the widest one, which is the default.
 #[cfg(target_arch = "x86_64")]
 fn vector_units() -> Vec<(&'static str, Arch)> {
     let avx2 = pulp::x86::V3::try_new().map(|v3| ("AVX2", Arch::V3(v3)));
@@ -74,13 +75,13 @@ fn vector_units() -> Vec<(&'static str, Arch)> {
     vec![("no vector units", Arch::Scalar)]
 }
 
-/// Most of these blocks rest most of the time.
+/// Grids whose blocks rest most of the time.
 fn resting(criterion: &mut Criterion) {
     compare(criterion, "0.3-4 m by 0.1-1 m, as recorded", &record(1.0), &grid([0.3, 4.0], [0.1, 1.0]));
     compare(criterion, "0.3-4 m by 0.1-1 m, x 0.5", &record(0.5), &grid([0.3, 4.0], [0.1, 1.0]));
 }
 
-/// These rock nearly all the time, and none falls.
+/// A grid whose blocks rock nearly all the time; none of them overturns.
 fn rocking(criterion: &mut Criterion) {
     compare(criterion, "4-20 m by 0.4-0.8 m, x 0.5", &record(0.5), &grid([4.0, 20.0], [0.4, 0.8]));
 }

@@ -1,4 +1,4 @@
-//! A response spectrum of 200 periods of a record of 8000 samples, on one thread; `compare.py` sets it beside others.
+//! A response spectrum of 200 periods of a record of 8000 samples, on one thread; `compare.py` compares it with others.
 
 #![expect(clippy::unwrap_used, reason = "a benchmark may stop")]
 

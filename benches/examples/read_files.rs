@@ -1,4 +1,5 @@
-//! Seconds that reading record files takes, the median of five, on one thread: `compare.py` sets it beside other readers.
+//! Times the reading of record files on one thread [s], the median of five; `compare.py` compares
+//! it with other readers.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop, and says what it measured")]
 

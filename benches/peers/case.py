@@ -4,16 +4,16 @@ import sys
 
 import numpy as np
 
-REST = 1e-6  # rad/s: at or below it a landing ends in rest, as in rk4.c
+REST = 1e-6  # rad/s: at or below it, a landing ends in rest, as in rk4.c
 
 
 def chosen(count, sample):
-    """Which blocks stand for all: the same ones in every run, drawn by chance, so that their mean time is that of all."""
+    """A random sample of the blocks, the same in every run, whose mean time represents that of all blocks."""
     return np.random.default_rng(1).choice(count, sample, replace=False)
 
 
 def read():
-    """Step, samples in g, and p², α, tan α and restitution of each block; of `sys.argv[2]` of them, or all."""
+    """Step, samples in g, and p², α, tan α and restitution of each block (of a sample of `sys.argv[2]`, or all)."""
     numbers = np.array(open(sys.argv[1]).read().split(), float)
     dt, g, n, count = numbers[0], numbers[1], int(numbers[2]), int(numbers[3])
     samples, sizes = numbers[4 : 4 + n] / g, numbers[4 + n :].reshape(count, 2)

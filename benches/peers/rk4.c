@@ -1,5 +1,5 @@
-/* The loop that a competent engineer writes: RK4 with one step a sample, libm, landings by Newton on the length of the
- * step, rest skipped while the threshold is not passed.
+/* The loop that a competent engineer writes: RK4 with one step per sample, libm, landings by Newton's method on the
+ * length of the step; rest is skipped while the uplift threshold is not passed.
  *
  * Reads: dt g samples blocks, then the samples [m/s2], then height and thickness of each block [m]. Writes the seconds
  * that it took, the share of the block-steps in which a block moved, and a line with the peak rotation and the number of

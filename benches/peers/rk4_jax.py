@@ -1,5 +1,5 @@
-"""RK4 with one step a sample in JAX, scan over the samples and vmap over the blocks, with one landing a step at most: a
-graph has no loop that ends when it likes. Timed without its compilation, on whatever device JAX finds."""
+"""RK4 with one step per sample in JAX, scan over the samples and vmap over the blocks, with at most one landing per step:
+a graph cannot contain a loop of unknown length. Timed without its compilation, on any device that JAX finds."""
 
 import os
 import time

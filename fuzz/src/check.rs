@@ -1,5 +1,5 @@
 //! What must hold for all bytes: the check of the fuzz targets and of the mutation test of
-//! freestand-assess.
+//! freestand-records.
 
 use freestand_records::formats::{ReadOptions, parse_motions};
 use std::path::Path;

@@ -3,7 +3,7 @@
     python3 mdof.py elCentro.AT2
 
 The matrices M, C, K are integrated in time (fourth-order Runge-Kutta, 20 steps in each sample interval, the record linear
-between its samples); no modal superposition takes part, except where modes are left out on purpose. Plain Python, a minute.
+between its samples); modal superposition is not used, except where modes are deliberately left out. Plain Python; takes a minute.
 """
 
 import math
@@ -20,7 +20,7 @@ def record(path):
     return dt, values + [0.0] * round(TAIL_S / dt)
 
 
-# Equal storeys of unit mass; the closed form gives the stiffness for the period, the modes and their participation.
+# Equal storeys of unit mass; closed forms give the stiffness for the period, the modes and their participation.
 ANGLES = [(2 * i + 1) * math.pi / (2 * N + 1) for i in range(N)]
 STIFFNESS = (math.pi / PERIOD_S / math.sin(ANGLES[0] / 2)) ** 2
 OMEGA = [2 * math.sqrt(STIFFNESS) * math.sin(angle / 2) for angle in ANGLES]

@@ -1,4 +1,4 @@
-"""Spectra of the program beside those of pyyeti and endaq; exit 1 where they differ by more than the tolerance.
+"""Compares spectra of the program with those of pyyeti and endaq; exits with 1 if they differ by more than the tolerance.
 
     python validation/shock_response/compare.py target/release/freestand
 """

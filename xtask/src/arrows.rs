@@ -13,7 +13,7 @@ use crate::source::{self, Files, Module};
 const MAY_USE: &[(&str, &[&str])] = &[
     ("freestand-rocking", &[]),
     ("freestand", &["freestand-rocking"]),
-    ("freestand-input", &["freestand"]),
+    ("freestand-input", &[]),
     ("freestand-output", &["freestand-input"]),
     ("freestand-records", &["freestand", "freestand-input"]),
     ("freestand-study", &["freestand", "freestand-input", "freestand-output", "freestand-records"]),

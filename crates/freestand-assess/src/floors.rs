@@ -12,11 +12,11 @@ use crate::result::FloorFacts;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::result::GroundMotion;
-use freestand_study::run::{Progress, Step, floors_under, ground_motions};
+use freestand_study::run::{Progress, Stage, Step, floors_under, ground_motions};
 use freestand_study::statistics::ranked_quantile;
 use freestand_study::study::{Level, Study};
 
-/// The problem of a run that the caller stopped.
+/// The error of a run that the caller stopped.
 pub(crate) fn stopped() -> Problems {
     Problem::new(ProblemKind::Stopped, "the run was stopped before its end").into()
 }
@@ -54,7 +54,7 @@ pub(crate) struct Floor {
 impl<'a> Hazard<'a> {
     /// Generates the ground motions, or takes those that the study gives.
     pub(crate) fn new(study: &'a Study, progress: Progress) -> Result<Self, Problems> {
-        let go_on = || match progress(Step { stage: "ground motions", done: 0, total: 0 }) {
+        let go_on = || match progress(Step { stage: Some(Stage::GroundMotions), done: 0, total: 0 }) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(stopped()),
         };

@@ -1,14 +1,15 @@
 //! Which objects of an inventory must be restrained: the inventory, the libraries of tolerances and
 //! cushions, and the assessment.
 //!
-//! The way of an assessment: [`job::inventory_of`] reads the inventory, [`job::assess_into`] makes
-//! the motions of its floors, gives every object its verdict and writes the tables and the report.
+//! An assessment takes two calls: [`job::inventory_of`] reads the inventory; [`job::assess_into`]
+//! makes the motions of its floors, gives every object its verdict and writes the tables and the
+//! report.
 
 pub mod inventory;
 pub mod job;
 pub mod library;
 pub mod output;
-pub mod restraint;
+mod restraint;
 pub mod result;
 pub mod validate;
 

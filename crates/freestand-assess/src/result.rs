@@ -19,7 +19,7 @@ pub enum Decision {
 }
 
 impl Decision {
-    /// All, the most urgent first.
+    /// All decisions, the most urgent first.
     pub const ALL: [Self; 4] = [Self::Restrain, Self::Soften, Self::NoVerdict, Self::Leave];
 
     /// The name in outputs.
@@ -140,7 +140,7 @@ pub struct Assessment {
     /// The tier that decided: 0 thresholds, 1 spectra, 2 the object's own histories, 3 the
     /// compliant base.
     pub tier: u8,
-    /// Probability that the owner accepts.
+    /// The probability of overturning or damage that the owner accepts.
     pub accepted_ratio: f64,
     /// What sets that probability.
     pub accepted_for: AcceptedFor,
@@ -174,7 +174,7 @@ pub struct Assessment {
     /// Comparisons with published numbers, one sentence each with its source: code accelerations,
     /// fragilities.
     pub context: Vec<String>,
-    /// Eqs. (5)–(7) at the motion that decides, for a reader to follow.
+    /// Eqs. (5)–(8) at the motion that decides, step by step.
     pub chain: Option<Chain>,
     /// Assumptions and warnings, and how the row was read.
     pub notes: Vec<String>,
@@ -200,7 +200,7 @@ pub struct Response {
     pub motions: usize,
     /// Motions for which a history failed.
     pub failed: usize,
-    /// Why the first of them failed.
+    /// The reason of the first failure.
     pub failure: Option<String>,
     /// Share of the motions that cause uplift about either axis.
     pub uplift_share: f64,
@@ -221,9 +221,9 @@ pub struct Response {
 pub struct AxisResponse {
     /// The side that lies in the plane of motion.
     pub axis: Axis,
-    /// α \[rad\].
+    /// Slenderness angle α \[rad\].
     pub slenderness_angle_rad: f64,
-    /// R \[m\].
+    /// Half diagonal R \[m\].
     pub half_diagonal_m: f64,
     /// Floor acceleration that causes uplift, tan α \[g\].
     pub uplift_threshold_g: f64,
@@ -231,40 +231,42 @@ pub struct AxisResponse {
     pub uplift_share: f64,
     /// Share of the motions that overturn it.
     pub overturn_share: f64,
-    /// Shock, the larger source, at 16, 50 and 84 % \[g\]; `None` without mass or cushion.
+    /// Shock from the larger of the two sources of energy, at 16, 50 and 84 % \[g\]; `None` without
+    /// mass or cushion.
     pub edge_acceleration_g: Option<[Ranked; 3]>,
-    /// The largest `uplift` shock of any motion \[g\].
+    /// Ceiling: the largest shock from an uplift under any motion \[g\].
     pub ceiling_g: Option<f64>,
 }
 
 /// The shock of the landings, for each motion about the worse axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Shock {
-    /// The larger source, at 16, 50 and 84 % \[g\].
+    /// The shock from the larger of the two sources of energy, at 16, 50 and 84 % \[g\].
     pub edge_acceleration_g: [Ranked; 3],
-    /// From the rise of the centre of gravity (the paper's source), at 16, 50 and 84 % \[g\].
+    /// The shock from the rise of the centre of gravity (the source of energy in the paper), at 16,
+    /// 50 and 84 % \[g\].
     pub edge_acceleration_uplift_g: [Ranked; 3],
-    /// Largest of the motions that do not overturn it \[g\].
+    /// Largest shock under the motions that do not overturn it \[g\].
     pub edge_acceleration_max_g: Option<f64>,
     /// Duration of the pulse about the governing axis, π√(m_eff/k) on a spring \[s\].
     pub pulse_duration_s: f64,
     /// Velocity change at the median shock \[m/s\].
     pub velocity_change_m_s: Ranked,
-    /// The largest `uplift` shock of any motion about either axis \[g\].
+    /// Ceiling: the largest shock from an uplift about either axis, under any motion \[g\].
     pub ceiling_g: f64,
     /// Stiffness under one edge \[N/m\]; `None` for a contact law that has none.
     pub stiffness_n_m: Option<f64>,
-    /// Impacts above the peak of its tolerance under the hardest motion that does not overturn it;
-    /// `None` without a peak.
+    /// Impacts above the peak of its tolerance under the most severe motion that does not overturn
+    /// it; `None` without a peak.
     pub impacts_above_tolerance: Option<usize>,
 }
 
-/// Demand over capacity.
+/// Demand divided by capacity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CapacityCheck {
-    /// Of the median motion; overturned ranks above every number.
+    /// Demand/capacity of the median motion; overturned ranks above every number.
     pub demand_capacity: Ranked,
-    /// At 84 % of the motions.
+    /// Demand/capacity that 84 % of the motions do not exceed.
     pub demand_capacity_p84: Ranked,
     /// The criterion that governs at the motion that decides.
     pub governing: Criterion,
@@ -272,20 +274,20 @@ pub struct CapacityCheck {
     pub tolerance: String,
     /// Its source, ready to print.
     pub source: String,
-    /// Whether a verdict may rest on this source; `false` for a recalled one.
+    /// Whether a verdict may depend on this source; `false` for a recalled one.
     pub decides: bool,
     /// Median floor acceleration over the peak of the tolerance.
     pub floor_ratio: Option<f64>,
 }
 
-/// Sliding of an object, judged by the friction that its motions need.
+/// Sliding of an object: its friction compared with the friction that its motions require.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sliding {
     /// Whether it slides.
     pub verdict: SlidingVerdict,
-    /// The friction that was stated or assumed, lowest and highest.
+    /// The coefficient of friction that was stated or assumed, lowest and highest.
     pub friction_ratio: (f64, f64),
-    /// Whether the inventory states it.
+    /// Whether the inventory states the friction.
     pub is_stated: bool,
 }
 
@@ -293,11 +295,11 @@ pub struct Sliding {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SlidingVerdict {
-    /// Not even with the lowest friction.
+    /// It does not slide, even with the lowest friction.
     No,
-    /// With the lowest friction, but not with the highest.
+    /// It slides with the lowest friction, but not with the highest.
     Possible,
-    /// Even with the highest friction.
+    /// It slides even with the highest friction.
     Yes,
 }
 
@@ -402,7 +404,7 @@ pub struct RestraintForce {
     pub source: String,
     /// Horizontal force at the centre of gravity \[N\].
     pub force_n: f64,
-    /// Force over weight.
+    /// Force divided by weight.
     pub force_ratio: f64,
     /// Tension of all anchors along one edge together, about the axis that needs more \[N\]; 0: the
     /// weight suffices.
@@ -411,7 +413,7 @@ pub struct RestraintForce {
     pub note: String,
 }
 
-/// Eqs. (5)–(7) at one motion about one axis, with the numbers that a reader needs to repeat them.
+/// Eqs. (5)–(8) at one motion about one axis, with the numbers that a reader needs to repeat them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Chain {
     /// The motion.
@@ -422,12 +424,12 @@ pub struct Chain {
     pub height_m: f64,
     /// Side in the plane of motion \[m\].
     pub thickness_m: f64,
-    /// Whether Eqs. (5)–(7) hold as printed: a uniform block that rests on its full width, on a
+    /// Whether Eqs. (5)–(7) apply as printed: a uniform block that rests on its full width, on a
     /// spring.
     pub is_uniform: bool,
     /// Distance between the edges \[m\].
     pub base_m: f64,
-    /// R, from an edge to the centre of gravity \[m\].
+    /// Half diagonal R, from an edge to the centre of gravity \[m\].
     pub half_diagonal_m: f64,
     /// Mass \[kg\].
     pub mass_kg: f64,
@@ -435,21 +437,21 @@ pub struct Chain {
     pub stiffness_n_m: Option<f64>,
     /// Rise of the centre of gravity \[m\].
     pub cg_rise_m: f64,
-    /// R_D, Eq. (6).
+    /// Landing ratio R_D, Eq. (6).
     pub landing_ratio: f64,
     /// Whether the landing is halted (R_D = 0, Eq. (8)).
     pub is_halted: bool,
-    /// a, Eq. (7) \[g\].
+    /// Drop acceleration a, Eq. (7) \[g\].
     pub drop_acceleration_g: f64,
-    /// m_eff \[kg\].
+    /// Effective mass m_eff \[kg\].
     pub effective_mass_kg: f64,
-    /// a_edge, Eq. (5) \[g\].
+    /// Shock a_edge from the rise of the centre of gravity, Eq. (5) or (8) \[g\].
     pub edge_acceleration_g: f64,
-    /// a_edge from the velocity before the impact \[g\].
+    /// Shock a_edge from the velocity before the impact \[g\].
     pub edge_acceleration_impact_velocity_g: f64,
-    /// Δv \[m/s\].
+    /// Velocity change Δv \[m/s\].
     pub velocity_change_m_s: f64,
-    /// T \[s\].
+    /// Duration of the pulse T \[s\].
     pub pulse_duration_s: f64,
     /// Uplift \[m\].
     pub uplift_m: f64,

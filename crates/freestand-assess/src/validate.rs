@@ -1,5 +1,5 @@
-//! Probabilities of FEMA P-58 by hand, and its medians for what topples beside an empirical
-//! formula.
+//! Checks of the built-in library: probabilities of FEMA P-58 calculated by hand, and its medians
+//! for objects that overturn compared with an empirical formula.
 
 use freestand::block::Block;
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
@@ -46,7 +46,7 @@ fn checks() -> Result<Vec<Check>, Problem> {
     ] {
         let entry = entry(id)?;
         let median = entry.pfv_median_m_s.or(entry.pfa_median_g).zip(entry.beta);
-        let (median, beta) = median.ok_or_else(|| defect(format!("{id} is no fragility")))?;
+        let (median, beta) = median.ok_or_else(|| defect(format!("{id} is not a fragility")))?;
         let p = lognormal_probability(demand, median, beta);
         // Half a unit of the last digit.
         checks.push(check(format!("P-58 P(failure), {name}"), p, expected, 5.1e-6, P_58));

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use freestand_assess::job::{Job, JobReport, assess_into, inventory_of};
 use freestand_study::resolve::resolve;
-use freestand_study::run::{Progress, Step, no_progress};
+use freestand_study::run::{Progress, Stage, Step, no_progress};
 use freestand_study::study::Study;
 
 /// A low building under four motions, so that a test does not take long.
@@ -102,7 +102,8 @@ fn a_run_that_was_stopped_goes_on() {
         let calls = AtomicUsize::new(0);
         let stops = |step: Step| {
             // Counted from the first call of the part on.
-            let is_there = calls.load(Ordering::Relaxed) > 0 || (step.stage == "objects" && step.done >= place);
+            let is_there =
+                calls.load(Ordering::Relaxed) > 0 || (step.stage == Some(Stage::Objects) && step.done >= place);
             let stop = (is_there || place == 0) && calls.fetch_add(1, Ordering::Relaxed) >= 3;
             if stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
@@ -134,7 +135,7 @@ fn a_run_that_was_killed_goes_on() {
     let seen = AtomicUsize::new(0);
     let killed = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
         let dies = |step: Step| {
-            if step.stage == "objects" && step.done >= 512 {
+            if step.stage == Some(Stage::Objects) && step.done >= 512 {
                 seen.fetch_add(1, Ordering::Relaxed);
                 panic!("killed");
             }

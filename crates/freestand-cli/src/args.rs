@@ -8,7 +8,7 @@ use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use freestand_study::study::DEFAULT_SEED;
 
-/// Flags of every command.
+/// Flags that every command has.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Options of every command")]
 pub(crate) struct GlobalArgs {
@@ -36,7 +36,7 @@ pub(crate) struct GlobalArgs {
 }
 
 impl GlobalArgs {
-    /// The seed, where nothing else states one.
+    /// The seed of `--seed`, or the default.
     pub(crate) fn seed(&self) -> u64 {
         self.seed.unwrap_or(DEFAULT_SEED)
     }
@@ -87,12 +87,12 @@ impl<A: Args> Args for Named<A> {
     }
 }
 
-/// A count, from 1.
+/// A count of at least 1.
 pub(crate) fn at_least_one(text: &str) -> Result<NonZeroUsize, String> {
     text.parse().map_err(|_| "a whole number is expected, at least 1".to_owned())
 }
 
-/// A seed; a study, where it is kept, holds no larger number than 2⁶³ − 1.
+/// A seed, at most 2⁶³ − 1: the largest whole number that a study can store.
 fn zero_or_more(text: &str) -> Result<u64, String> {
     let seed = text.parse::<u64>().ok().filter(|&seed| i64::try_from(seed).is_ok());
     seed.ok_or_else(|| format!("a whole number is expected, 0 to {}", i64::MAX))

@@ -1,4 +1,4 @@
-//! Flags that describe what stands under one edge.
+//! Flags that describe the cushion under one edge.
 
 use std::path::{Path, PathBuf};
 
@@ -26,7 +26,7 @@ impl KeySet for CushionKeys {
             key(
                 "stiffness",
                 "STIFFNESS",
-                "Stiffness of the whole cushion under one edge; of a power law, such as \"2e7 N/m^1.5\"",
+                "Stiffness of the whole cushion under one edge; for a power law, such as \"2e7 N/m^1.5\"",
             ),
             key("pad_stiffness", "STIFFNESS", "Stiffness (and law) of one pad; needs --pads-per-edge"),
             key(
@@ -50,16 +50,16 @@ impl KeySet for CushionKeys {
             key(
                 "damping",
                 "DAMPING",
-                "Damping of kelvin-voigt: a ratio for the mass on the edge's stiffness, or such as \"300 N s/m\"",
+                "Damping of kelvin-voigt: a damping ratio for this mass on the cushion, or a value such as \"300 N s/m\"",
             ),
             key("dissipation", "DISSIPATION", "Dissipation of hunt-crossley, such as \"0.3 s/m\""),
-            key("bottoming", "LENGTH", "Compression at which a tangent law ends"),
+            key("bottoming", "LENGTH", "Compression at which a tangent law bottoms"),
         ],
     )];
 }
 
 impl CushionArgs {
-    /// The words of the flags, with those of the file that they name.
+    /// The texts of the flags, with those of the file that `--cushion` names.
     pub(crate) fn words(&self, values: &mut Values) -> Result<Words, Failure> {
         let words = self.keys.words.clone();
         let Some(path) = words.get("cushion").map(Path::new) else { return Ok(words) };
@@ -67,20 +67,21 @@ impl CushionArgs {
         Ok(values.take(with_file(&words, file)).unwrap_or(words))
     }
 
-    /// The cushion under one edge of an object of `mass_kg`; `None` where no flag describes it, or a flag is wrong.
+    /// The cushion under one edge of an object of `mass_kg`; `None` if no flag describes it, or one
+    /// is wrong.
     pub(crate) fn edge(&self, mass_kg: Option<f64>, values: &mut Values) -> Result<Option<EdgeCushion>, Failure> {
         let words = self.words(values)?;
         Ok(self.resolved(&words, mass_kg, values))
     }
 
-    /// The cushion that these words describe; `None` where there are none, or one is wrong.
+    /// The cushion that these texts describe; `None` if there are none, or one is wrong.
     pub(crate) fn resolved(&self, words: &Words, mass_kg: Option<f64>, values: &mut Values) -> Option<EdgeCushion> {
         if words.is_empty() {
             return None;
         }
         let resolved = cushion::resolve(words, mass_kg).map_err(|problems| {
             for problem in problems {
-                // What the file says is wrong in the file.
+                // A wrong value from the file is reported with the name of the file.
                 values.push(self.inputs().iter().fold(problem, |problem, path| problem.in_file(path)));
             }
         });
@@ -92,7 +93,7 @@ impl CushionArgs {
         !self.keys.words.is_empty()
     }
 
-    /// The file that these flags name.
+    /// The file that `--cushion` names.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
         self.keys.words.get("cushion").map(PathBuf::from).into_iter().collect()
     }

@@ -1,16 +1,17 @@
-//! Why a command could not run: problems, each with what to do about it.
+//! Why a command could not run: its problems, each with a remedy.
 
 use clap::error::ErrorKind;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_output::figure::FigureError;
 
-/// Ends a command with status 2 (130 when it was stopped), or quietly where nobody reads on.
+/// Ends a command with status 2 (130 if it was stopped), or silently if the output was closed.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// What is wrong, never empty.
+    /// The problems; never empty.
     Problems(Vec<Problem>),
-    /// The user stopped it; whether part of the result was printed before.
+    /// The user stopped it; `printed` tells whether part of the result was already printed.
     Stopped { printed: bool },
-    /// The user stopped it, and what was finished has been written.
+    /// The user stopped it after the finished part was written.
     StoppedAfterWriting,
     /// Standard output was closed by its reader.
     BrokenPipe,
@@ -22,7 +23,7 @@ impl Failure {
         problem(message, hint).into()
     }
 
-    /// The models could not finish.
+    /// A calculation that failed.
     pub(crate) fn computation(message: impl Into<String>) -> Self {
         Problem::new(ProblemKind::Computation, message).into()
     }
@@ -33,12 +34,12 @@ impl Failure {
             return Self::BrokenPipe;
         }
         Problem::new(ProblemKind::Io, format!("cannot write the output: {error}"))
-            .hint("is the disk full, or the output closed?")
+            .hint("check that the disk is not full and that the output is still open")
             .into()
     }
 }
 
-/// What is wrong with an argument, and what to do about it.
+/// A problem with an argument, and a remedy.
 pub(crate) fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
     Problem::new(ProblemKind::Value, message).hint(hint)
 }
@@ -49,16 +50,22 @@ impl From<Problem> for Failure {
     }
 }
 
+impl From<FigureError> for Failure {
+    fn from(error: FigureError) -> Self {
+        Problem::from(error).into()
+    }
+}
+
 impl From<Problems> for Failure {
     fn from(error: Problems) -> Self {
         Self::Problems(error.problems)
     }
 }
 
-/// What clap found wrong with the arguments, as one message and one hint.
+/// Converts an error of clap to one message and one hint.
 ///
-/// clap prints the message, then `tip:` lines, a usage line and a pointer to `--help`, apart by
-/// blank lines.
+/// clap prints the message, then `tip:` lines, a usage line and a reference to `--help`, separated
+/// by blank lines.
 pub(crate) fn usage(error: &clap::Error) -> Failure {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         return Failure::usage("a command is missing", "--help lists the commands");
@@ -70,14 +77,14 @@ pub(crate) fn usage(error: &clap::Error) -> Failure {
     let message = paragraphs.next().unwrap_or_default();
     let message = message.strip_prefix("error: ").unwrap_or(&message).to_owned();
     let rest: Vec<String> = paragraphs.collect();
-    // "to pass '-1' as a value, use '-- -1'" is true of no flag of ours.
+    // The tip "to pass '-1' as a value, use '-- -1'" is wrong for all our flags.
     let tip =
         rest.iter().find_map(|paragraph| paragraph.strip_prefix("tip: ")).filter(|tip| !tip.starts_with("to pass "));
     let usage = rest.iter().find_map(|paragraph| paragraph.strip_prefix("Usage: "));
     let hint = match (tip, usage) {
         (Some(tip), _) => tip.replace(" tip: ", "; "),
-        (None, Some(usage)) => format!("usage: {usage}; --help says more"),
-        (None, None) => "--help says more".to_owned(),
+        (None, Some(usage)) => format!("usage: {usage}; see --help"),
+        (None, None) => "see --help".to_owned(),
     };
     Failure::usage(message, hint)
 }

@@ -13,14 +13,14 @@ use crate::failure::Failure;
 use crate::printer::Printer;
 use crate::reading::path_text;
 
-/// Files for `--out`, or nowhere without it.
+/// The files of `--out`; without it, nothing is written.
 #[derive(Debug)]
 pub(crate) struct Files {
     folder: Option<(PathBuf, OutputFolder)>,
 }
 
 impl Files {
-    /// Begins the folder of `--out`, before any work is done; `inputs` are the files that the
+    /// Prepares the folder of `--out` before any work is done; `inputs` are the files that the
     /// command reads.
     pub(crate) fn begin(global: &GlobalArgs, inputs: &[PathBuf]) -> Result<Self, Failure> {
         let folder = match &global.out {
@@ -35,7 +35,7 @@ impl Files {
         self.folder.is_some()
     }
 
-    /// Writes a file and returns where it will be; nothing without `--out`.
+    /// Writes a file and returns its final path; does nothing without `--out`.
     pub(crate) fn write<B: AsRef<[u8]>>(
         &self,
         name: &str,
@@ -46,28 +46,33 @@ impl Files {
         Ok(Some(path_text(&target.join(name))))
     }
 
-    /// Draws a figure and writes it as SVG and PNG; nothing without `--out`.
+    /// Draws a figure and writes it as SVG and PNG; does nothing without `--out`.
     pub(crate) fn figure(&self, name: &str, draw: impl FnOnce() -> Result<Figure, FigureError>) -> Result<(), Failure> {
         if self.wanted() {
-            let figure = draw().map_err(|error| Failure::computation(error.to_string()))?;
-            self.write(&format!("{name}.svg"), || figure.svg)?;
-            self.write(&format!("{name}.png"), || figure.png)?;
+            self.drawn(name, &draw()?)?;
         }
         Ok(())
     }
 
-    /// Begins a file that is written in pieces; nothing without `--out`.
+    /// Writes a figure as SVG and PNG and returns their final paths; does nothing without `--out`.
+    pub(crate) fn drawn(&self, name: &str, figure: &Figure) -> Result<Vec<String>, Failure> {
+        let svg = self.write(&format!("{name}.svg"), || &figure.svg)?;
+        let png = self.write(&format!("{name}.png"), || &figure.png)?;
+        Ok(svg.into_iter().chain(png).collect())
+    }
+
+    /// Begins a file that is written in pieces; `None` without `--out`.
     pub(crate) fn begin_file(&self, name: &str) -> Result<Option<StreamedFile>, Failure> {
         Ok(self.folder.as_ref().map(|(_, folder)| folder.begin(name)).transpose()?)
     }
 
-    /// Where a file will be; nothing without `--out`.
+    /// The final path of a file; `None` without `--out`.
     pub(crate) fn path(&self, name: &str) -> Option<String> {
         self.folder.as_ref().map(|(target, _)| path_text(&target.join(name)))
     }
 
-    /// Ends a command whose result is its document: adds that as `result.json`, with a short
-    /// manifest, and prints it.
+    /// Ends a command: writes its document as `result.json`, with a short manifest, and prints the
+    /// result.
     pub(crate) fn print<T: Serialize>(
         self,
         printer: &Printer,
@@ -83,14 +88,14 @@ impl Files {
         printer.result(schema, body, warnings, text)
     }
 
-    /// Adds the short manifest of a command whose document is in [`RESULT`] already, and puts the
-    /// folder in its place.
+    /// Adds the short manifest of a command whose document has been written as [`RESULT`], and
+    /// moves the folder into place.
     pub(crate) fn finish_result(self, schema: &str, warnings: &[String]) -> Result<(), Failure> {
         self.finish("freestand.manifest/1", &serde_json::json!({"result": schema}), warnings)
     }
 
-    /// Adds `manifest.json`, the document that is also printed with the names of all files, and
-    /// puts the folder in its place.
+    /// Adds `manifest.json`, which is the printed document with the names of all files, and moves
+    /// the folder into place.
     pub(crate) fn finish<T: Serialize>(self, schema: &str, body: &T, warnings: &[String]) -> Result<(), Failure> {
         let Some((_, folder)) = self.folder else { return Ok(()) };
         let mut names = folder.names()?;
@@ -103,11 +108,11 @@ impl Files {
     }
 }
 
-/// The document that is printed with `--json`, in the output folder.
+/// The file in the output folder with the document that `--json` prints.
 pub(crate) const RESULT: &str = "result.json";
 
-/// A document with the files that were written: by this list the next run knows what it may
-/// replace.
+/// A document with the files that were written. From this list, the next run knows which files it
+/// may replace.
 #[derive(Debug, Serialize)]
 struct Listed<'a, T> {
     #[serde(flatten)]

@@ -1,4 +1,4 @@
-//! Flags that are keys of a study: the library reads their texts, as it reads them in a file.
+//! Flags that are keys of a study: the library reads their texts as it reads those of a file.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -7,7 +7,7 @@ use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
 use freestand_input::keys::{KeyStyle, Words};
 
-/// A flag by its key: what its value is called, how often it may be given, and its help.
+/// A flag, described by its key, the name of its value, how often it may be given, and its help.
 pub(crate) struct Key(&'static str, Option<&'static str>, ArgAction, &'static str);
 
 /// A key with a value.
@@ -25,9 +25,11 @@ pub(crate) const fn switch(key: &'static str, help: &'static str) -> Key {
     Key(key, None, ArgAction::SetTrue, help)
 }
 
-/// Keys that belong together, under the headings that the help gives them.
+/// Related keys, under the headings that the help shows.
 pub(crate) trait KeySet: Debug + Clone {
     const KEYS: &'static [(&'static str, &'static [Key])];
+    /// More of them, which only the long help shows.
+    const DETAILS: &'static [(&'static str, &'static [Key])] = &[];
 }
 
 /// The keys that were given, with their texts.
@@ -41,14 +43,19 @@ impl<S: KeySet> Args for Keys<S> {
     fn augment_args(command: Command) -> Command {
         let arg = |heading, Key(key, value, action, help): &Key| {
             let flag = KeyStyle::Flag.name(key);
+            let (short, rest) = help.split_once("\n\n").map_or((*help, None), |(short, rest)| (short, Some(rest)));
             let arg = Arg::new(*key)
                 .long(flag.trim_start_matches('-').to_owned())
                 .action(action.clone())
-                .help(*help)
+                .help(short)
+                .long_help(rest.map(|_| *help))
                 .help_heading(heading);
             value.map_or(arg.clone(), |value| arg.value_name(value))
         };
-        command.args(S::KEYS.iter().flat_map(|(heading, keys)| keys.iter().map(|key| arg(*heading, key))))
+        let args = |groups: &'static [(&'static str, &'static [Key])]| {
+            groups.iter().flat_map(move |(heading, keys)| keys.iter().map(move |key| arg(*heading, key)))
+        };
+        command.args(args(S::KEYS)).args(args(S::DETAILS).map(|arg| arg.hide_short_help(true)))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -58,7 +65,7 @@ impl<S: KeySet> Args for Keys<S> {
 
 impl<S: KeySet> FromArgMatches for Keys<S> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let keys = S::KEYS.iter().flat_map(|(_, keys)| keys.iter().map(|key| key.0));
+        let keys = S::KEYS.iter().chain(S::DETAILS).flat_map(|(_, keys)| keys.iter().map(|key| key.0));
         let given = keys.filter(|key| matches.value_source(key) == Some(ValueSource::CommandLine));
         let texts = given.flat_map(|key| {
             let texts = matches.get_raw(key).into_iter().flatten();

@@ -1,4 +1,4 @@
-//! The command `freestand`: arguments in, results out; no physics.
+//! The command `freestand`: it reads arguments and prints results, and contains no physics.
 
 mod args;
 mod commands;
@@ -17,6 +17,7 @@ mod values;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
+use freestand_input::words::counted;
 
 use args::GlobalArgs;
 use commands::Command;
@@ -45,24 +46,24 @@ struct Cli {
     command: Command,
 }
 
-/// More than any machine has cores.
+/// The largest number of threads accepted: more than any machine has cores.
 const MAX_THREADS: usize = 1024;
 
 fn main() -> ExitCode {
     match try_main() {
         Ok(code) => code,
-        // The reader of our output has gone (`freestand … | head`): nobody is left to be told.
+        // The reader of our output has closed it (`freestand … | head`): there is no one to tell.
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
         Err(Failure::Stopped { printed }) => {
             let hint = match printed {
-                false => "nothing was written; the results of an earlier run stay",
-                true => "what was printed ends in its middle; no file was written, the results of an earlier run stay",
+                false => "nothing was written; the results of an earlier run are unchanged",
+                true => "the printed output is incomplete; no file was written, and earlier results are unchanged",
             };
             printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
         }
         Err(Failure::StoppedAfterWriting) => {
-            let hint = "what was finished has been written; go on with --resume";
+            let hint = "the finished part was written; continue with --resume";
             printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
         }
@@ -88,15 +89,18 @@ fn try_main() -> Result<ExitCode, Failure> {
         if threads.get() > MAX_THREADS {
             return Err(Failure::usage(
                 format!("--threads {threads} is more than {MAX_THREADS}"),
-                "results do not depend on it: leave it out",
+                "leave --threads out: the results do not depend on it",
             ));
         }
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.get())
-            .build_global()
-            .map_err(|error| Failure::computation(format!("cannot start {threads} threads: {error}")))?;
+        rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global().map_err(|error| {
+            Failure::computation(format!("cannot start {}: {error}", counted(threads.get(), "thread")))
+        })?;
     }
-    printer.detail(&format!("freestand {}, {} threads", env!("CARGO_PKG_VERSION"), rayon::current_num_threads()));
+    printer.detail(&format!(
+        "freestand {}, {}",
+        env!("CARGO_PKG_VERSION"),
+        counted(rayon::current_num_threads(), "thread")
+    ));
     let done = cli.command.run(&cli.global, &printer)?;
     Ok(if done.criterion_met { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

@@ -5,10 +5,12 @@ use std::io::{self, IsTerminal, Write};
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use freestand_input::keys::KeyStyle;
-use freestand_input::problem::ProblemKind;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::toml_reader::one_line;
 pub(crate) use freestand_input::words::significant;
 use freestand_output::facts::Facts;
 use freestand_output::json::document;
+use freestand_study::recorded::Failed;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 
@@ -28,7 +30,7 @@ impl Printer {
         Self { json: global.json, quiet: global.quiet, verbose: global.verbose }
     }
 
-    /// The result: `body` as JSON with `schema` and `warnings`, or the text for people; then the
+    /// Prints the result, as JSON (`body` with `schema` and `warnings`) or as text, and then the
     /// warnings.
     pub(crate) fn result<T: Serialize>(
         &self,
@@ -46,12 +48,12 @@ impl Printer {
         Ok(())
     }
 
-    /// Whether the result is one JSON document.
+    /// Whether the result is printed as one JSON document.
     pub(crate) fn json(&self) -> bool {
         self.json
     }
 
-    /// The warnings, a line each.
+    /// Prints the warnings, one line for each.
     pub(crate) fn warn(&self, warnings: &[String]) {
         if !self.quiet {
             for warning in warnings {
@@ -60,15 +62,15 @@ impl Printer {
         }
     }
 
-    /// Something worth knowing with `-v`.
+    /// Prints a detail if `-v` is given.
     pub(crate) fn detail(&self, text: &str) {
         if self.verbose {
             error_line(text);
         }
     }
 
-    /// A progress bar on standard error, hidden where nobody sees it, or where what is `printed`
-    /// meanwhile would run through it.
+    /// A progress bar on standard error. It is hidden if no terminal shows it, or if rows that are
+    /// `printed` to the same terminal would break it up.
     pub(crate) fn progress_bar(&self, printed: bool) -> ProgressBar {
         if self.quiet || !io::stderr().is_terminal() || (printed && io::stdout().is_terminal()) {
             return ProgressBar::hidden();
@@ -78,40 +80,43 @@ impl Printer {
     }
 }
 
-/// Writes to standard output, at once and to its end.
+/// Writes a text to standard output and flushes it.
 pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
     print_bytes(text.as_bytes())
 }
 
-/// Writes UTF-8 to standard output, at once and to its end.
+/// Writes UTF-8 to standard output and flushes it.
 pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
 }
 
-/// Writes a line to standard error; where that is closed there is nowhere to complain.
+/// Writes a line to standard error. If that is closed, the failure cannot be reported anywhere.
 fn error_line(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
-/// Each problem as an `error:` line and a `hint:` line.
+/// Prints each problem as an `error:` line and a `hint:` line.
 pub(crate) fn print_failure(failure: &Failure) {
     let Failure::Problems(problems) = failure else { return };
-    for problem in problems {
-        error_line(&format!("error: {}", one_line(&KeyStyle::Flag.shown(&problem.to_string()))));
-        let hint = problem.hint.as_deref().unwrap_or(match problem.kind {
-            ProblemKind::Io => "check the path and its permissions",
-            ProblemKind::Format => "check that the file is complete and of a supported format",
-            ProblemKind::Value | ProblemKind::Missing => "--help shows what is accepted",
-            ProblemKind::Computation => "check that the input is physically possible",
-            ProblemKind::Stopped => "run it again",
-        });
-        error_line(&format!("hint: {}", one_line(&KeyStyle::Flag.shown(hint))));
-    }
+    problems.iter().for_each(print_problem);
 }
 
-fn one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+/// Prints the problems of the files that failed.
+pub(crate) fn print_failed(failed: &[Failed]) {
+    failed.iter().for_each(|one| print_problem(&one.problem));
+}
+
+fn print_problem(problem: &Problem) {
+    error_line(&format!("error: {}", one_line(&KeyStyle::Flag.shown(&problem.to_string()))));
+    let hint = problem.hint.as_deref().unwrap_or(match problem.kind {
+        ProblemKind::Io => "check the path and its permissions",
+        ProblemKind::Format => "check that the file is complete and of a supported format",
+        ProblemKind::Value | ProblemKind::Missing => "--help shows what is accepted",
+        ProblemKind::Computation => "check that the input is physically possible",
+        ProblemKind::Stopped => "run it again",
+    });
+    error_line(&format!("hint: {}", one_line(&KeyStyle::Flag.shown(hint))));
 }
 
 /// A table for people: a line of headings, then rows; columns of numbers are aligned to the right.
@@ -130,7 +135,7 @@ pub(crate) fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
     for row in rows {
         table.add_row(row.iter().enumerate().map(|(column, text)| cell(column, text)));
     }
-    // Cells are padded with a blank on both sides; the first is not wanted.
+    // Cells are padded with a blank on both sides; remove the first one.
     table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(&line).trim_end())).collect()
 }
 
@@ -164,13 +169,12 @@ pub(crate) fn cells(row: &Facts, columns: &[Column]) -> Vec<String> {
     columns.iter().map(|(name, heading, digits)| row.cell(name, in_brackets(heading), *digits)).collect()
 }
 
-/// Files that failed, a line each.
-pub(crate) fn failed_lines<'a>(failed: impl Iterator<Item = Facts<'a>>) -> String {
-    let words = |one: &Facts, name: &str| one.text(name).unwrap_or_default().to_owned();
-    failed.map(|one| format!("failed: {}: {}\n", words(&one, "path"), words(&one, "reason"))).collect()
+/// The files that failed, one line for each.
+pub(crate) fn failed_lines(failed: &[Failed]) -> String {
+    failed.iter().map(|one| format!("failed: {}: {}\n", one.path, one.reason)).collect()
 }
 
-/// `N/mm` of `stiffness [N/mm]`.
+/// The unit in a heading: `N/mm` in `stiffness [N/mm]`.
 fn in_brackets(heading: &str) -> &str {
     heading.split_once('[').and_then(|(_, rest)| rest.split_once(']')).map_or("", |(unit, _)| unit)
 }

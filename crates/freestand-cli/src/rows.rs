@@ -1,5 +1,5 @@
-//! Where the rows of a long table go while they are computed: CSV files, JSON documents, standard
-//! output.
+//! Writes the rows of a long table while they are calculated: to CSV files, JSON documents and
+//! standard output.
 
 use std::path::{Path, PathBuf};
 
@@ -15,19 +15,19 @@ use crate::printer::{Printer, print_bytes};
 /// Name of the table in the output folder.
 pub(crate) const ROWS: &str = "rows.csv";
 
-/// Takes rows as they come.
+/// The outputs that receive the rows.
 #[derive(Debug)]
 pub(crate) struct Rows {
     schema: &'static str,
     tables: Vec<StreamedFile>,
     documents: Vec<StreamedFile>,
     print: bool,
-    /// Nothing was written yet.
+    /// Whether nothing has been written yet.
     first: bool,
 }
 
 impl Rows {
-    /// Begins every output that is wanted, before any work is done.
+    /// Begins every requested output, before any work is done.
     pub(crate) fn begin(
         schema: &'static str,
         printer: &Printer,
@@ -41,7 +41,7 @@ impl Rows {
         Ok(Self { schema, tables, documents, print: printer.json(), first: true })
     }
 
-    /// Appends the rows of a chunk everywhere.
+    /// Appends the rows of a chunk to every output.
     pub(crate) fn write(&mut self, chunk: &SpectrumChunk) -> Result<(), Failure> {
         if !self.tables.is_empty() {
             if self.first && chunk.objects() > 0 {
@@ -65,8 +65,8 @@ impl Rows {
         Ok(())
     }
 
-    /// Ends every output: what follows the rows in the document, the names of the files; then the
-    /// text for people in place of a printed document, and the warnings.
+    /// Ends every output: writes the keys that follow the rows in the document and the manifest,
+    /// then prints the rest of the document, or the text, and the warnings.
     pub(crate) fn finish<T: Serialize>(
         mut self,
         files: Files,

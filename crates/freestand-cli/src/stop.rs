@@ -1,5 +1,5 @@
-//! Ctrl-C and SIGTERM: the first asks the work to stop and tidy up, the second ends the program at
-//! once.
+//! Ctrl-C and SIGTERM: the first signal asks the work to stop and clean up, the second ends the
+//! program at once.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -15,12 +15,13 @@ pub(crate) const EXIT_STATUS: u8 = 130;
 pub(crate) struct Stop(Arc<AtomicBool>);
 
 impl Stop {
-    /// Listens from now on. SIGHUP keeps its meaning, so that `nohup` does.
+    /// Starts listening. SIGHUP is not caught, so that `nohup` works.
     pub(crate) fn listen() -> Self {
         let wanted = Arc::new(AtomicBool::new(false));
         for signal in [SIGINT, SIGTERM] {
-            // In this order: the second signal finds the flag of the first. Where the system
-            // refuses, the signal ends the program at once, and the next run clears what it left.
+            // The order matters: the second signal finds the flag set by the first. If the system
+            // refuses, the first signal ends the program at once, and the next run removes the
+            // files that it left.
             let _ = flag::register_conditional_shutdown(signal, EXIT_STATUS.into(), Arc::clone(&wanted))
                 .and_then(|_| flag::register(signal, Arc::clone(&wanted)));
         }

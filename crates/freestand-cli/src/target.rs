@@ -1,15 +1,14 @@
-//! Flags that describe a spectrum: that of a code, or a table of the user's.
+//! Flags that describe a target: the spectrum of a code, or a table of the user.
 
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use freestand_study::target::Target;
-use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::keys::{Key, KeySet, Keys, key};
 
-/// A spectrum: that of a code, or a table of the user's.
+/// Flags that describe a target: the spectrum of a code, or a table of the user.
 #[derive(Debug, Args)]
 pub(crate) struct TargetArgs {
     #[command(flatten)]
@@ -108,12 +107,12 @@ impl KeySet for TargetKeys {
 }
 
 impl TargetArgs {
-    /// The spectrum.
+    /// The target.
     pub(crate) fn target(&self) -> Result<Target, Failure> {
         Ok(Target::resolve(&self.keys.words, Path::new(""))?)
     }
 
-    /// The spectrum, which must have all the periods that motions are matched at.
+    /// The target, which must cover all periods at which motions are matched.
     pub(crate) fn matched_target(&self) -> Result<Target, Failure> {
         let target = self.target()?;
         target.check_matched_band()?;
@@ -125,34 +124,8 @@ impl TargetArgs {
         !self.keys.words.is_empty()
     }
 
-    /// The file that these flags name.
+    /// The file that `--spectrum` names.
     pub(crate) fn inputs(&self) -> Vec<PathBuf> {
         self.keys.words.get("spectrum").map(PathBuf::from).into_iter().collect()
-    }
-}
-
-/// What a report says of a spectrum. What a code does not have is null.
-#[derive(Debug, Serialize)]
-pub(crate) struct TargetReport {
-    code: &'static str,
-    site: Option<&'static str>,
-    hazard_factor: Option<f64>,
-    return_period_years: Option<u32>,
-    kpz_g: Option<f64>,
-    minimum_kpz_governs: Option<bool>,
-    facts: serde_json::Value,
-}
-
-impl From<&Target> for TargetReport {
-    fn from(target: &Target) -> Self {
-        Self {
-            code: target.spectrum.name(),
-            site: target.spectrum.site_name(),
-            hazard_factor: target.hazard_factor(),
-            return_period_years: target.spectrum.return_period_years(),
-            kpz_g: target.kpz_g(),
-            minimum_kpz_governs: target.minimum_kpz_governs(),
-            facts: freestand_study::summary::fact_list(target),
-        }
     }
 }

@@ -1,6 +1,5 @@
-//! Flags that hold values with units. clap reads each of them once and keeps what is wrong with it
-//! in place of the value, under the name by which it knows the flag: so a command reports all
-//! problems at once.
+//! Flags whose values have units. clap reads each of them once and stores the value or, under the
+//! name of the flag, the problem with it: so a command reports all problems at once.
 
 use std::any::TypeId;
 use std::ffi::OsStr;
@@ -14,11 +13,12 @@ pub(crate) use freestand_input::words::{Choices, name_of};
 
 use crate::failure::{Failure, problem};
 
-/// The value of a flag, or what is wrong with it. Its definition says how it is read, see [`Reads`].
+/// The value of a flag, or the problem with it. The definition of the flag says how it is read, see
+/// [`Reads`].
 #[derive(Debug, Clone)]
 pub(crate) struct Given<T = f64>(pub(crate) Result<T, Problem>);
 
-/// A flag that is read by a function.
+/// Reads a flag with a function.
 #[derive(Debug, Clone)]
 pub(crate) struct Reader<F>(F);
 
@@ -40,7 +40,7 @@ impl<T: Clone + Send + Sync + 'static> ValueParserFactory for Given<T> {
     type Parser = Reader<fn(&str) -> Result<T, Problem>>;
 
     fn value_parser() -> Self::Parser {
-        Reader(|_| Err(problem("nothing reads this flag", "please report it")))
+        Reader(|_| Err(problem("this flag cannot be read", "this is a defect of freestand; please report it")))
     }
 }
 
@@ -50,10 +50,10 @@ fn named(flag: &str, mut problem: Problem) -> Problem {
     problem
 }
 
-/// How the value of a flag is read: `#[arg(long, positive = Dimension::Length)]`. The help calls
-/// the value by its dimension.
+/// How the value of a flag is read: `#[arg(long, positive = Dimension::Length)]`. The help names
+/// the value after its dimension.
 pub(crate) trait Reads: Into<Arg> {
-    /// By a function; the definition also states the name of the value.
+    /// A value read by a function; the definition also states its name.
     fn read<T, F>(self, read: F) -> Arg
     where
         T: Clone + Send + Sync + 'static,
@@ -100,7 +100,7 @@ pub(crate) fn point(text: &str) -> Result<(f64, f64), Problem> {
         [x, z] => Ok((x, z)),
         _ => Err(problem(
             "two lengths are expected, x and z",
-            "write \"0.3 m, 1.2 m\": from the old pivot, and above the base",
+            "write the horizontal distance and the height above the base, such as \"0.3 m, 1.2 m\"",
         )),
     }
 }
@@ -109,11 +109,14 @@ pub(crate) fn point(text: &str) -> Result<(f64, f64), Problem> {
 pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
     match text.split(',').map(str::trim).collect::<Vec<_>>()[..] {
         [first, second] if !first.is_empty() && !second.is_empty() => Ok((first.to_owned(), second.to_owned())),
-        _ => Err(problem(format!("two are expected, not \"{text}\""), "write \"1, 2\", or \"N-S, E-W\"")),
+        _ => {
+            let message = format!("two names or numbers are expected, not \"{text}\"");
+            Err(problem(message, "write \"1, 2\", or \"N-S, E-W\""))
+        }
     }
 }
 
-/// One of these values, by its name.
+/// One of these values, chosen by its name.
 pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedValueParser<Value = T> {
     let names = choices.iter().map(|(_, name, meaning)| PossibleValue::new(*name).help(*meaning));
     PossibleValuesParser::new(names).try_map(|text| {
@@ -122,8 +125,8 @@ pub(crate) fn choice<T: Copy + Send + Sync>(choices: Choices<T>) -> impl TypedVa
     })
 }
 
-/// A command and those below it, whose flags take negative values and whose help ends with the
-/// units of values.
+/// A command and its subcommands, with flags that accept negative values and with help that ends
+/// with the units.
 pub(crate) fn finished(command: Command) -> Command {
     let units = units(&command);
     let command = match command.get_after_help() {
@@ -136,16 +139,17 @@ pub(crate) fn finished(command: Command) -> Command {
     command.mut_args(with_negative_values).mut_subcommands(finished)
 }
 
-/// Lets a value begin with a minus sign, as in `--x "-1 rad"`. Not the name of a file, and not one
-/// of several values: they would take the next flag for one of them.
+/// Lets a value begin with a minus sign, as in `--x "-1 rad"`. Names of files and lists of values
+/// are excluded: they would take the next flag for a value.
 fn with_negative_values(arg: Arg) -> Arg {
     let is_single = arg.get_action().takes_values() && arg.get_num_args().is_none_or(|count| count == 1.into());
-    let is_path = arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+    let is_named = arg.get_value_names().is_some_and(|names| names == ["FILE"]);
+    let is_path = is_named || arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
     let allowed = !arg.is_positional() && is_single && !is_path;
     arg.allow_hyphen_values(allowed)
 }
 
-/// The units of the values that a command takes, a line for each dimension.
+/// The units of the values that a command takes, one line for each dimension.
 fn units(command: &Command) -> String {
     let values = command.get_arguments().filter(|arg| arg.get_action().takes_values());
     let names: Vec<&str> =
@@ -159,35 +163,41 @@ fn units(command: &Command) -> String {
     taken.map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Collects what is wrong with the values of flags.
+/// Collects the problems with the values of flags.
 #[derive(Debug, Default)]
 pub(crate) struct Values {
     problems: Problems,
 }
 
 impl Values {
-    /// The value of a flag; `None` where it is not given or wrong.
+    /// The value of a flag; `None` if it is not given or wrong.
     pub(crate) fn read<'a, T: Clone + 'a>(&mut self, given: impl Into<Option<&'a Given<T>>>) -> Option<T> {
         self.take(given.into()?.0.clone())
     }
 
-    /// A value, or what is wrong with it.
+    /// The value of a result; a problem is collected.
     pub(crate) fn take<T>(&mut self, result: Result<T, impl Into<Problems>>) -> Option<T> {
         self.problems.keep(result)
     }
 
-    /// A value found elsewhere; what is wrong with it is named by its flag.
+    /// The value of a result; a problem is collected under the name of the flag.
     pub(crate) fn keep<T>(&mut self, flag: &str, result: Result<T, Problem>) -> Option<T> {
         self.take(result.map_err(|problem| named(flag, problem)))
     }
 
-    /// Notes a problem found elsewhere.
+    /// Adds a problem.
     pub(crate) fn push(&mut self, problem: Problem) {
         self.problems.push(problem);
     }
 
-    /// Fails if anything was wrong.
+    /// Fails if there was any problem.
     pub(crate) fn finish(self) -> Result<(), Failure> {
-        Ok(self.problems.finish(Some(()))?)
+        self.finish_with(Some(()))
+    }
+
+    /// The value, if there was no problem. If the value is `None`, its problem must have been
+    /// collected.
+    pub(crate) fn finish_with<T>(self, value: Option<T>) -> Result<T, Failure> {
+        Ok(self.problems.finish(value)?)
     }
 }

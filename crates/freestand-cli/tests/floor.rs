@@ -82,14 +82,14 @@ fn what_cannot_be_meant_is_refused() {
     };
     let one = ["--component", "1"];
     refused(&[&one[..], &["--across-period", "1 s"]].concat(), "needs a second component");
-    refused(&[&one[..], &["--rayleigh-modes", "1"]].concat(), "two modes are expected");
+    refused(&[&one[..], &["--rayleigh-modes", "1"]].concat(), "--rayleigh-modes must be two mode numbers, not \"1\"");
     refused(&[&one[..], &["--rayleigh-modes", "1, 99"]].concat(), "among the first 10, not 1 and 99");
     refused(&[&one[..], &["--levels", "1.2"]].concat(), "is not a share of the height");
     refused(&[&one[..], &["--storey-table", "modes.csv"]].concat(), "modes.csv:1: no column holds");
     refused(&[&one[..], &["--components", "both"]].concat(), "cannot be used with");
-    refused(&["--components", "both", "--rotation-step", "5 deg"], "turns objects, not floors");
+    refused(&["--components", "both", "--rotation-step", "5 deg"], "applies to objects, not to floors");
     let tall = TOWER.replace("3,3,60", "3,5,60");
     std::fs::write(folder.path().join("tall.csv"), tall).unwrap();
     let tables = ["--storey-table", "tower.csv", "--across-storey-table", "tall.csv", "--components", "both"];
-    refused(&tables, "12 m high across and 10 m along");
+    refused(&tables, "12 m high across, but 10 m high along its first axis");
 }

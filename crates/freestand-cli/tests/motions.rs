@@ -128,7 +128,10 @@ fn changes_of_a_preset_are_in_what_is_assumed() {
     };
     let said = |more: &[&str]| at("30 km", more);
     let intraplate = said(&["--preset", "intraplate"]);
-    assert!(intraplate.contains("f_max = 50 Hz is from memory") && intraplate.contains("0.05 s/km"), "{intraplate}");
+    assert!(
+        intraplate.contains("f_max = 50 Hz is quoted from memory") && intraplate.contains("0.05 s/km"),
+        "{intraplate}"
+    );
     let kappa = said(&["--preset", "intraplate", "--kappa", "0.01 s"]);
     assert!(!kappa.contains("f_max") && kappa.contains("κ0 = 0.01 s, not the preset's"), "{kappa}");
     let hard = said(&["--preset", "se-australia", "--hard-rock", "--stress-drop", "50 MPa"]);

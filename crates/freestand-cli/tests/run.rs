@@ -130,7 +130,7 @@ fn a_processed_record_runs_again_to_the_same_bytes() {
         (found.len(), found.iter().map(|one| one["processing"].as_array().unwrap().len()).sum::<usize>())
     };
     let report = String::from_utf8(read("first/report.html")).unwrap();
-    assert!(report.contains("turned to 30 deg; mean of"), "the report says what was done");
+    assert!(report.contains("rotated to 30 deg; mean of"), "the report says what was done");
     assert_eq!((steps("first"), steps("second")), ((1, 6), (1, 0)));
 }
 

@@ -12,14 +12,14 @@ use crate::problem::{Problem, ProblemKind};
 /// A file that was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct InputFile {
-    /// The file.
+    /// The path of the file.
     pub path: PathBuf,
     /// Its SHA-256, in hexadecimal.
     pub sha256: String,
 }
 
 impl InputFile {
-    /// The file with these bytes.
+    /// Describes a file that has these bytes.
     pub fn new(path: &Path, bytes: &[u8]) -> Self {
         Self { path: path.to_path_buf(), sha256: sha256_hex(bytes) }
     }
@@ -40,11 +40,11 @@ pub fn sha256_hex(bytes: &[u8]) -> String {
     })
 }
 
-/// Longest file that is read into memory: about a hundred million samples, more than any record
-/// has.
+/// The largest file that is read into memory \[bytes\]: about a hundred million samples, more than
+/// any record has.
 const MAX_BYTES: u64 = 2 << 30;
 
-/// The bytes of a file. They are read once, because a pipe can be read only once.
+/// Reads the bytes of a file. They are read once, because a pipe can be read only once.
 pub fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     load_up_to(path, MAX_BYTES, "is longer than 2 GiB", "split the record")
 }

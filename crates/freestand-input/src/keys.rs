@@ -1,8 +1,9 @@
 //! The keys under which a person writes values, and how messages name them.
 //!
-//! A key has one spelling in files, in Python and in this program: `pad_stiffness`. A message puts a key in backticks,
-//! alone or with a value as in TOML: `` `pad_stiffness` ``, `` `beyond = "hold"` ``. Whoever shows the message to a
-//! person writes the keys as that person does, with [`KeyStyle::shown`]. Backticks in messages are for keys only.
+//! A key has one spelling in files, in Python and in this program: `pad_stiffness`. A message puts
+//! a key in backticks, alone or with a value as in TOML: `` `pad_stiffness` ``,
+//! `` `beyond = "hold"` ``. The shell that shows the message writes the keys as its user does, with
+//! [`KeyStyle::shown`]. Backticks in messages are for keys only.
 
 /// How a person writes a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,7 +16,8 @@ pub enum KeyStyle {
 }
 
 impl KeyStyle {
-    /// A key in this style. A flag does not state a unit: `return_period_years` is `--return-period`.
+    /// A key in this style. A flag does not state a unit: `return_period_years` is
+    /// `--return-period`.
     pub fn name(self, key: &str) -> String {
         match self {
             Self::File => key.to_owned(),
@@ -36,7 +38,7 @@ impl KeyStyle {
         let (mut shown, mut rest) = (String::with_capacity(message.len()), message);
         while let Some((before, tail)) = rest.split_once('`') {
             shown.push_str(before);
-            // A backtick that marks no key stays as it is.
+            // A backtick that does not mark a key stays unchanged.
             match tail.split_once('`').and_then(|(marked, after)| Some((self.entry(marked)?, after))) {
                 Some((entry, after)) => {
                     shown.push_str(&entry);
@@ -73,7 +75,8 @@ impl KeyStyle {
     }
 }
 
-/// Values as a person wrote them, with their units, in the order of writing; those from a file with their lines.
+/// Values as a person wrote them, with their units, in the order of writing. Values from a file
+/// have their line numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Words {
     entries: Vec<Word>,
@@ -87,23 +90,23 @@ struct Word {
 }
 
 impl Words {
-    /// Adds a value, or puts it in place of the one written under this key before.
+    /// Sets the value of a key and removes its earlier values.
     pub fn set(&mut self, key: &'static str, text: impl Into<String>) {
         self.remove(key);
         self.add(key, text, None);
     }
 
-    /// Adds a value, with its line in a file, to those written under this key before.
+    /// Adds a value to those of a key, with its line if it is from a file.
     pub fn add(&mut self, key: &'static str, text: impl Into<String>, line: Option<usize>) {
         self.entries.push(Word { key, text: text.into(), line });
     }
 
-    /// Takes the values of a key back.
+    /// Removes the values of a key.
     pub fn remove(&mut self, key: &str) {
         self.entries.retain(|word| word.key != key);
     }
 
-    /// Whether nothing was written.
+    /// Whether there are no values.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }

@@ -1,5 +1,5 @@
-//! What a person wrote, to SI values: quantities with units, located TOML, files with their
-//! fingerprints, and everything that is wrong with an input, each problem with its place and its
+//! Converts what a person wrote to SI values: quantities with units, TOML with line numbers, input
+//! files with their fingerprints. All problems of an input are collected, each with its place and a
 //! remedy.
 
 pub mod file;

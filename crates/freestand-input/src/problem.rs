@@ -1,4 +1,4 @@
-//! What is wrong with an input: which file, which line, what, and what to do about it.
+//! Problems with an input: the file, the line, what is wrong, and a remedy.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -10,32 +10,33 @@ use crate::keys::KeyStyle;
 pub enum ProblemKind {
     /// A file could not be read or written.
     Io,
-    /// A file's format is not known or is broken.
+    /// The format of a file is unknown, or the file is damaged.
     Format,
-    /// A value is missing, has no unit or the wrong one, or lies outside what the models accept.
+    /// A value is malformed, has no unit or a wrong one, or is outside the range of the models.
     Value,
-    /// A value that is needed was not given.
+    /// A required value was not given.
     Missing,
-    /// The models could not finish.
+    /// The calculation failed.
     Computation,
     /// The caller stopped the calculation before its end.
     Stopped,
 }
 
-/// One thing that is wrong, with the place where it was found and a remedy.
+/// One problem, with the place where it was found and a remedy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
-    /// What kind of problem.
+    /// The kind of problem.
     pub kind: ProblemKind,
-    /// The file, where there is one.
+    /// The file, if there is one.
     pub path: Option<PathBuf>,
     /// Line in that file, counted from 1.
     pub line: Option<usize>,
-    /// The keys that it is about. Of several, the one that comes last in a file is to blame.
+    /// The keys that it is about. If there are several, the line is that of the last one in the
+    /// file.
     pub keys: Vec<&'static str>,
     /// What is wrong; [`keys`](crate::keys) are in backticks.
     pub message: String,
-    /// What to do about it; keys as in the message.
+    /// The remedy; keys are written as in the message.
     pub hint: Option<String>,
 }
 
@@ -45,7 +46,7 @@ impl Problem {
         Self { kind, path: None, line: None, keys: Vec::new(), message: message.into(), hint: None }
     }
 
-    /// A value that is wrong, and what to do about it.
+    /// A problem with a value, and its remedy.
     pub fn value(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self::new(ProblemKind::Value, message).hint(hint)
     }
@@ -55,7 +56,7 @@ impl Problem {
         Self::new(ProblemKind::Stopped, "the calculation was stopped before its end").hint("run it again")
     }
 
-    /// Says which keys it is about, unless that was said already.
+    /// Sets the keys that it is about, unless they are already set.
     #[must_use]
     pub fn of(mut self, keys: &[&'static str]) -> Self {
         if self.keys.is_empty() {
@@ -64,14 +65,16 @@ impl Problem {
         self
     }
 
-    /// The same of the value of one key, with which the message begins: `` `damping`: … ``.
+    /// Makes the problem one with the value of this key: the message then begins with the key,
+    /// `` `damping`: … ``.
     #[must_use]
     pub fn named(mut self, key: &'static str) -> Self {
         self.message = format!("`{key}`: {}", self.message);
         self.of(&[key])
     }
 
-    /// The same with its keys in a style, once and for all: those of a file are shown as the file has them.
+    /// Writes the keys in a style, for good: a problem in a file then always shows the keys of that
+    /// file.
     #[must_use]
     pub fn shown(mut self, style: KeyStyle) -> Self {
         self.message = style.shown(&self.message);
@@ -93,7 +96,7 @@ impl Problem {
         self
     }
 
-    /// Says what to do about it.
+    /// Sets the hint.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
@@ -117,7 +120,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Everything that is wrong, collected while an input is read and reported at once.
+/// All problems of an input, collected while it is read and reported together.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Problems {
     /// The problems, in the order in which they were found; as an error, never empty.
@@ -125,7 +128,7 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// Whether nothing is wrong so far.
+    /// Whether there are no problems so far.
     pub fn is_empty(&self) -> bool {
         self.problems.is_empty()
     }
@@ -135,7 +138,7 @@ impl Problems {
         self.problems.iter().any(|problem| problem.kind == ProblemKind::Stopped)
     }
 
-    /// How many there are.
+    /// The number of problems.
     pub fn len(&self) -> usize {
         self.problems.len()
     }
@@ -145,20 +148,21 @@ impl Problems {
         self.problems.push(problem);
     }
 
-    /// The value; what is wrong with it is kept.
+    /// The value of a result; its problems are collected.
     pub fn keep<T, E: Into<Problems>>(&mut self, result: Result<T, E>) -> Option<T> {
         result.map_err(|error| self.problems.extend(error.into().problems)).ok()
     }
 
-    /// The value of a key; what is wrong with it is kept under that key.
+    /// The value of a result; its problem is collected under this key.
     pub fn keep_named<T>(&mut self, key: &'static str, result: Result<T, Problem>) -> Option<T> {
         self.keep(result.map_err(|problem| problem.named(key)))
     }
 
-    /// The value, where nothing was wrong; a value that is missing has its problem here.
+    /// The value, if there are no problems. If the value is `None`, its problem must have been
+    /// collected.
     ///
     /// # Errors
-    /// All that is wrong.
+    /// All collected problems.
     pub fn finish<T>(self, value: Option<T>) -> Result<T, Self> {
         match value {
             Some(value) if self.is_empty() => Ok(value),
@@ -173,6 +177,12 @@ impl IntoIterator for Problems {
 
     fn into_iter(self) -> Self::IntoIter {
         self.problems.into_iter()
+    }
+}
+
+impl FromIterator<Problem> for Problems {
+    fn from_iter<I: IntoIterator<Item = Problem>>(problems: I) -> Self {
+        Self { problems: problems.into_iter().collect() }
     }
 }
 

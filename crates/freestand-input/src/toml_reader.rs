@@ -31,12 +31,12 @@ pub fn value_problem(message: String) -> Problem {
     Problem::new(ProblemKind::Value, message)
 }
 
-/// A text with each run of white space replaced by one blank.
+/// A text with each run of white space replaced by one space.
 pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A value as a message shows it.
+/// How a message shows a value.
 pub fn describe(value: &DeValue) -> String {
     match value {
         DeValue::String(text) => format!("\"{}\"", quantity::shorten(text)),
@@ -58,13 +58,13 @@ pub fn bare_number(value: &DeValue) -> Option<String> {
     }
 }
 
-/// Reads the values of a text and collects what is wrong with it.
+/// Reads the values of a TOML text and collects its problems.
 pub struct Reader<'s> {
-    /// The file, where there is one.
+    /// The file, if there is one.
     pub source: Option<&'s Path>,
     /// Byte at which each line starts.
     pub line_starts: Vec<usize>,
-    /// What is wrong so far.
+    /// The problems so far.
     pub problems: Problems,
 }
 
@@ -76,12 +76,12 @@ impl<'s> Reader<'s> {
         reader
     }
 
-    /// Counts the lines of a text.
+    /// Finds the lines of a text.
     pub fn set_text(&mut self, text: &str) {
         self.line_starts = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
     }
 
-    /// The keys and values of the text, unless it is not TOML.
+    /// The keys and values of the text; `None` if it is not TOML.
     pub fn document<'t>(&mut self, text: &'t str) -> Option<Spanned<DeTable<'t>>> {
         // A byte-order mark does not belong to the first key.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -90,14 +90,16 @@ impl<'s> Reader<'s> {
         for error in errors {
             let line = error.span().map(|span| self.line_of(span.start));
             // Further errors on the same line follow from the first.
-            if self.problems.problems.last().is_some_and(|last| last.line == line) {
+            if self.problems.problems.iter().any(|earlier| earlier.line == line) {
                 continue;
             }
-            let problem = Problem::new(ProblemKind::Format, format!("not TOML: {}", one_line(error.message())));
+            // The parser uses backticks as quotation marks; in our messages they mark keys.
+            let message = one_line(&error.message().replace('`', "\""));
+            let problem = Problem::new(ProblemKind::Format, format!("not TOML: {message}"));
             let hint = if text.replace("\r\n", "").contains('\r') {
                 "save it with line ends LF or CR LF"
             } else {
-                "write a table as [ground], a key as name = value, and text in \"quotes\""
+                "write a heading as [name], a key as name = value, and text in \"quotes\""
             };
             self.note(line, problem.hint(hint));
         }
@@ -105,25 +107,25 @@ impl<'s> Reader<'s> {
         self.problems.is_empty().then_some(document)
     }
 
-    /// The line of a byte, from 1.
+    /// The line of a byte, counted from 1.
     pub fn line_of(&self, byte: usize) -> usize {
         self.line_starts.partition_point(|&start| start <= byte)
     }
 
-    /// Adds a problem of the file, at a line where that is known; it names the keys as the file
-    /// does.
+    /// Adds a problem of the file, at its line if that is known. The problem names the keys as the
+    /// file does.
     pub fn note(&mut self, line: Option<usize>, problem: Problem) {
         let problem = line.into_iter().fold(problem.shown(KeyStyle::File), Problem::at_line);
         self.problems.push(self.source.into_iter().fold(problem, Problem::in_file));
     }
 
-    /// Notes a value of the wrong type.
+    /// Adds the problem of a value that has the wrong type.
     pub fn wrong_type(&mut self, line: usize, key: &str, expected: &str, value: &DeValue, hint: &str) {
         let problem = value_problem(format!("{key} must be {expected}, not {}", describe(value)));
         self.note(Some(line), problem.hint(hint));
     }
 
-    /// The value with its line; a problem is noted under its key.
+    /// The value with its line; a problem is added under its key.
     pub fn keep<T>(&mut self, key: &str, line: usize, result: Result<T, Problem>) -> Option<Written<T>> {
         match result {
             Ok(value) => Some(Written { value, line }),
@@ -180,10 +182,21 @@ pub fn key_suffix(unit: &Unit) -> String {
     unit.symbol.to_lowercase().replace(['/', '·'], "_")
 }
 
+/// The place of keys in a TOML document.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// In a document of tables.
+    Document,
+    /// In a document without tables.
+    PlainDocument,
+    /// In the table of this name.
+    Table(&'static str),
+}
+
 /// A table being read, and the keys that are known.
 pub struct Section<'t, 'i> {
-    /// Name of the table; empty for the document.
-    pub name: &'static str,
+    /// Where its keys are.
+    pub place: Place,
     /// Its keys and values.
     pub entries: &'t DeTable<'i>,
     /// Line of its heading.
@@ -196,8 +209,8 @@ pub struct Section<'t, 'i> {
 
 impl<'t, 'i> Section<'t, 'i> {
     /// A table before reading.
-    pub fn new(name: &'static str, entries: &'t DeTable<'i>, line: usize) -> Self {
-        Self { name, entries, line, known: Vec::new(), taken: Vec::new() }
+    pub fn new(place: Place, entries: &'t DeTable<'i>, line: usize) -> Self {
+        Self { place, entries, line, known: Vec::new(), taken: Vec::new() }
     }
 
     /// A key and its value.
@@ -213,13 +226,13 @@ impl<'t, 'i> Section<'t, 'i> {
         Some((value, reader.line_of(name.span().start)))
     }
 
-    /// A table in the table.
+    /// A table within this table.
     pub fn table(&mut self, reader: &mut Reader, key: &'static str) -> Option<Section<'t, 'i>> {
         let (value, line) = self.take(reader, key)?;
         if let DeValue::Table(entries) = value {
-            return Some(Section::new(key, entries, line));
+            return Some(Section::new(Place::Table(key), entries, line));
         }
-        let hint = if self.name.is_empty() {
+        let hint = if self.place == Place::Document {
             format!("write [{key}] on a line of its own")
         } else {
             format!("write {key} = {{ … }}")
@@ -303,7 +316,7 @@ impl<'t, 'i> Section<'t, 'i> {
         reader.ratio_value(key, value, line)
     }
 
-    /// The value of the key, or of the key with a unit at its end; both together are refused.
+    /// The value of the key, or of the key with a unit appended; both together are refused.
     pub fn take_with_unit(
         &mut self,
         reader: &mut Reader,
@@ -371,13 +384,15 @@ impl<'t, 'i> Section<'t, 'i> {
             if self.taken.iter().any(|taken| taken == key) {
                 continue;
             }
-            let what = match (self.name, value.get_ref()) {
-                ("", DeValue::Table(_)) => format!("unknown table [{}]", quantity::shorten(key)),
-                ("", _) => format!("{} is outside every table", quantity::shorten(key)),
-                (table, _) => format!("unknown key {} in [{table}]", quantity::shorten(key)),
+            let shown = quantity::shorten(key);
+            let what = match (self.place, value.get_ref()) {
+                (Place::Document | Place::PlainDocument, DeValue::Table(_)) => format!("unknown table [{shown}]"),
+                (Place::Document, _) => format!("{shown} is outside every table"),
+                (Place::PlainDocument, _) => format!("unknown key {shown}"),
+                (Place::Table(table), _) => format!("unknown key {shown} in [{table}]"),
             };
             let hint = match nearest(key, &self.known) {
-                Some(near) if self.name.is_empty() => format!("did you mean [{near}]?"),
+                Some(near) if self.place == Place::Document => format!("did you mean [{near}]?"),
                 Some(near) => format!("did you mean {near}?"),
                 None => format!("known: {}", self.known.join(", ")),
             };

@@ -1,23 +1,23 @@
-//! [`Words`] read key by key: each value, and a problem under its key where it is not what the key
-//! takes.
+//! Reads [`Words`] key by key: returns each value, or adds a problem under its key if the value is
+//! wrong.
 
 use crate::keys::Words;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{Dimension, parse, parse_grid, shorten};
 use crate::words::nearest;
 
-/// Words, and what is wrong with them so far. Where a method returns nothing, the key is missing or
-/// its value is wrong.
+/// Words, and their problems so far. A method returns `None` if the key is missing or its value is
+/// wrong.
 #[derive(Debug)]
 pub struct WordReader<'w> {
-    /// What was written.
+    /// The values as written.
     pub words: &'w Words,
-    /// What is wrong with it.
+    /// The problems so far.
     pub problems: Problems,
 }
 
 impl<'w> WordReader<'w> {
-    /// Words of which nothing has been read.
+    /// A reader that has not read any of these words.
     pub fn new(words: &'w Words) -> Self {
         Self { words, problems: Problems::default() }
     }
@@ -32,28 +32,43 @@ impl<'w> WordReader<'w> {
         self.problems.push(Problem::value(message, hint).of(keys));
     }
 
-    /// Adds a problem with keys of which the first is missing.
+    /// Adds a problem with keys, the first of which is missing.
     pub fn missing(&mut self, keys: &[&'static str], message: impl Into<String>, hint: impl Into<String>) {
         self.problems.push(Problem::new(ProblemKind::Missing, message).hint(hint).of(keys));
     }
 
-    /// A value read elsewhere.
+    /// The value of a result; a problem is added under the key.
     pub fn keep<T>(&mut self, key: &'static str, result: Result<T, Problem>) -> Option<T> {
         self.problems.keep_named(key, result)
     }
 
-    fn accepted(
+    /// A text read by a function.
+    pub fn read<T>(&mut self, key: &'static str, read: impl FnOnce(&str) -> Result<T, Problem>) -> Option<T> {
+        self.keep(key, read(self.words.get(key)?))
+    }
+
+    /// Adds a problem if both keys were written.
+    pub fn exclusive(&mut self, first: &'static str, second: &'static str) {
+        if self.has(first) && self.has(second) {
+            let message = format!("`{first}` and `{second}` exclude each other");
+            self.note(&[first, second], message, "keep one of them");
+        }
+    }
+
+    /// A quantity that `accept` accepts. `expected` says what it must be: for the message, and for
+    /// the hint, after words such as "give a length".
+    pub fn accepted(
         &mut self,
         key: &'static str,
         dimension: Dimension,
         accept: impl Fn(f64) -> bool,
         expected: [&str; 2],
     ) -> Option<f64> {
-        let text = self.words.get(key)?;
-        let value = self.keep(key, parse(text, dimension))?;
+        let value = self.read(key, |text| parse(text, dimension))?;
         if accept(value) {
             return Some(value);
         }
+        let text = self.words.get(key).unwrap_or_default();
         let message = format!("`{key}` must be {}, not \"{}\"", expected[0], shorten(text.trim()));
         self.note(&[key], message, format!("give {} {}", dimension.with_article(), expected[1]));
         None
@@ -71,10 +86,10 @@ impl<'w> WordReader<'w> {
 
     /// A grid or a list of quantities.
     pub fn grid(&mut self, key: &'static str, dimension: Dimension) -> Option<Vec<f64>> {
-        self.keep(key, parse_grid(self.words.get(key)?, dimension))
+        self.read(key, |text| parse_grid(text, dimension))
     }
 
-    /// A whole number; one that is too large for its type is larger than any that is known.
+    /// A whole number; one that is too large for `u32` becomes its largest value.
     pub fn whole(&mut self, key: &'static str) -> Option<u32> {
         let text = self.words.get(key)?.trim();
         if text.is_empty() || !text.chars().all(|c| c.is_ascii_digit()) {
@@ -85,7 +100,7 @@ impl<'w> WordReader<'w> {
         Some(text.parse().unwrap_or(u32::MAX))
     }
 
-    /// One of some words, in capitals or not.
+    /// One of the known words; capitals are ignored.
     pub fn one_of<T: Copy>(&mut self, key: &'static str, known: &[(&str, T)]) -> Option<T> {
         let text = self.words.get(key)?;
         let plain = text.trim().to_lowercase().replace(['_', ' '], "-");
@@ -94,7 +109,7 @@ impl<'w> WordReader<'w> {
             let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
             let hint = match nearest(text, &names) {
                 Some(near) => format!("did you mean {near}?"),
-                None => format!("one of {}", names.join(", ")),
+                None => format!("give one of {}", names.join(", ")),
             };
             self.note(&[key], format!("`{key}` \"{}\" is not known", shorten(text)), hint);
         }

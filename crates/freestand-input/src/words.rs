@@ -11,7 +11,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    // The exponent after rounding: 9.9996 with four digits is 10.00.
+    // The exponent is taken after rounding: 9.9996 with four digits is 10.00.
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
     let exponent = scientific.split_once('e').and_then(|(_, power)| power.parse::<i32>().ok()).unwrap_or(0);
     if (-4..9).contains(&exponent) {
@@ -22,7 +22,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// The same without trailing zeros: `300`, `1.5`, `0.196`.
+/// A number as [`significant`], without trailing zeros: `300`, `1.5`, `0.196`.
 pub fn number(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
     let (mantissa, power) = text.split_once('e').map_or((text.as_str(), None), |(m, p)| (m, Some(p)));
@@ -54,21 +54,21 @@ pub fn counted(count: usize, noun: &str) -> String {
     }
 }
 
-/// A number of a CSV: the shortest text that reads back as `value`.
+/// A number for CSV: the shortest text that reads back as `value`.
 pub fn shortest(value: f64) -> String {
     let mut text = String::new();
     push_shortest(&mut text, value);
     text
 }
 
-/// The shortest text that reads back as `value`; without an exponent if that is short. (Writing to
-/// a `String` cannot fail.)
+/// Appends the shortest text that reads back as `value`, without an exponent if that is short.
+/// (Writing to a `String` cannot fail.)
 pub fn push_shortest(out: &mut String, value: f64) {
     let size = value.abs();
     let _ = if size == 0.0 || (1e-5..1e16).contains(&size) { write!(out, "{value}") } else { write!(out, "{value:e}") };
 }
 
-/// Values with their names in inputs and outputs, and what they mean.
+/// Values with their names in inputs and outputs, and their meanings.
 pub type Choices<T> = &'static [(T, &'static str, &'static str)];
 
 /// The name of one of these values.
@@ -76,7 +76,8 @@ pub fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
     choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
 }
 
-/// The candidate that a mistyped word most likely meant: at most a third of its letters differ.
+/// The candidate that the user most likely meant by a mistyped word: at most a third of the letters
+/// differ.
 pub fn nearest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
     let (distance, best) = candidates

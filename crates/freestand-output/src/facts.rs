@@ -1,4 +1,4 @@
-//! What a result says, as one list: each fact once, with its name, its label for people and its
+//! A result as one list of facts: each appears once, with its name, its label for people and its
 //! value. The JSON document, the rows of a CSV and the text of a command are all made from it.
 //!
 //! A name ends in its unit (`uplift_m`, `edge_acceleration_g`), so no other list states the unit.
@@ -12,16 +12,16 @@ use serde::{Serialize, Serializer};
 
 use crate::rows::{broken, csv, csv_writer};
 
-/// Facts in the order in which they are written.
+/// A list of facts, in the order in which they are written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Facts<'a>(Vec<Fact<'a>>);
 
-/// One of them.
+/// One fact.
 #[derive(Debug, Clone, PartialEq)]
 struct Fact<'a> {
-    /// Empty: only people read it.
+    /// The name; empty if the fact is only for people.
     name: &'static str,
-    /// Empty: only programs read it.
+    /// The label; empty if the fact is only for programs.
     label: &'static str,
     value: Value<'a>,
 }
@@ -45,8 +45,8 @@ pub enum Value<'a> {
     Facts(Facts<'a>),
 }
 
-/// Endings of names, longest first, with the unit that each stands for and the digits that people
-/// are shown.
+/// Endings of names, longest first, each with its unit and the number of digits that people are
+/// shown.
 const UNITS: [(&str, &str, usize); 20] = [
     ("_m_s2", "m/s2", 4),
     ("_rad_s", "rad/s", 6),
@@ -70,12 +70,12 @@ const UNITS: [(&str, &str, usize); 20] = [
     ("_s", "s", 6),
 ];
 
-/// The unit in which the value called `name` is, and the digits that people are shown.
+/// The unit of the value called `name`, and the number of digits that people are shown.
 fn unit_of(name: &str) -> Option<(&'static str, usize)> {
     UNITS.iter().find(|(ending, ..)| name.ends_with(ending)).map(|&(_, unit, digits)| (unit, digits))
 }
 
-/// A number for people, in the unit that its name states.
+/// A number as text for people, in the unit that its name states.
 fn number_words(value: f64, unit: Option<(&str, usize)>) -> String {
     let (unit, digits) = unit.unwrap_or(("", 4));
     match lookup(unit).map(|unit| unit.dimension) {
@@ -111,7 +111,7 @@ impl<'a> Facts<'a> {
         self
     }
 
-    /// The value called `name`, also within other facts; the first in their order.
+    /// The first value called `name`, also within nested facts.
     pub fn get(&self, name: &str) -> Option<&Value<'a>> {
         self.0.iter().find_map(|fact| match &fact.value {
             value if fact.name == name => Some(value),
@@ -120,7 +120,7 @@ impl<'a> Facts<'a> {
         })
     }
 
-    /// The number called `name`; `None` where it is missing or no number.
+    /// The number called `name`; `None` if it is missing or not a number.
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.get(name)? {
             Value::Number(value) => Some(*value),
@@ -129,19 +129,20 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// The text called `name`; `None` where it is missing or no text.
+    /// The text called `name`; `None` if it is missing or not a text.
     pub fn text(&self, name: &str) -> Option<&str> {
         if let Value::Text(text) = self.get(name)? { Some(text) } else { None }
     }
 
-    /// Labels and values for people: of the facts that have both.
+    /// Labels and values for people, of the facts that have both.
     pub fn lines(&self) -> Vec<(&'static str, String)> {
         let mut lines = Vec::new();
         self.push_lines(None, &mut lines);
         lines
     }
 
-    /// A name without a unit is in that of the fact around it: `stiffness_n_m: {fit, …}`.
+    /// A fact whose name has no unit takes the unit of the enclosing fact:
+    /// `stiffness_n_m: {fit, …}`.
     fn push_lines(&self, around: Option<(&str, usize)>, lines: &mut Vec<(&'static str, String)>) {
         for Fact { name, label, value } in &self.0 {
             let unit = unit_of(name).or(around);
@@ -149,7 +150,8 @@ impl<'a> Facts<'a> {
                 Value::Facts(facts) => facts.push_lines(unit, lines),
                 Value::Missing => {}
                 _ if label.is_empty() => {}
-                // Sentences have a line each; the numbers of a list are the two ends of a range.
+                // Each sentence of a list has its own line; numbers of a list are the two ends of a
+                // range.
                 Value::List(values) if !matches!(values.first(), Some(Value::Number(_))) => {
                     lines.extend(values.iter().map(|value| (*label, value.words(unit))));
                 }
@@ -158,8 +160,8 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// A cell of a table for people: the value called `name` in `unit`, or `-`; with all its digits
-    /// where `digits` is 0.
+    /// A cell of a table for people: the value called `name` in `unit`, or `-`. If `digits` is 0,
+    /// it has all its digits.
     pub fn cell(&self, name: &str, unit: &str, digits: usize) -> String {
         match self.get(name) {
             Some(Value::Number(value)) => {
@@ -173,7 +175,7 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// The fields of a row: names with what is neither a list nor other facts.
+    /// The fields of a row: names and values, without lists and nested facts.
     fn fields(&self) -> impl Iterator<Item = (&'static str, &Value<'a>)> {
         let is_field = |fact: &&Fact| !(fact.name.is_empty() || matches!(fact.value, Value::List(_) | Value::Facts(_)));
         self.0.iter().filter(is_field).map(|fact| (fact.name, &fact.value))
@@ -222,7 +224,7 @@ impl Serialize for Value<'_> {
 /// The names of a row as the first line of a CSV.
 ///
 /// # Errors
-/// None in practice: memory does not fail.
+/// None in practice: writing to memory does not fail.
 pub fn csv_header(row: &Facts) -> Result<Vec<u8>, Problem> {
     csv(&row.fields().map(|(name, _)| name).collect::<Vec<_>>(), std::iter::empty())
 }
@@ -230,7 +232,7 @@ pub fn csv_header(row: &Facts) -> Result<Vec<u8>, Problem> {
 /// Rows as CSV without a header; lists are left out.
 ///
 /// # Errors
-/// None in practice: rows are of one length and memory does not fail.
+/// None in practice: all rows have the same length, and writing to memory does not fail.
 pub fn csv_rows<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<u8>, Problem> {
     let mut writer = csv_writer();
     let mut text = String::new();
@@ -251,7 +253,7 @@ pub fn csv_rows<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<u8>, Pr
     writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
-/// Rows as CSV with a header; nothing without rows.
+/// Rows as CSV with a header; empty if there are no rows.
 ///
 /// # Errors
 /// None in practice: see [`csv_rows`].
@@ -274,7 +276,7 @@ pub fn table_csv<'a>(rows: impl IntoIterator<Item = Facts<'a>>) -> Result<Vec<u8
 /// [`document`](crate::json::document), with a comma before each of them.
 ///
 /// # Errors
-/// None in practice: memory does not fail.
+/// None in practice: writing to memory does not fail.
 pub fn json_rows<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<u8>, Problem> {
     let broken = |error: serde_json::Error| Problem::new(ProblemKind::Io, format!("a row cannot be written: {error}"));
     let mut out = Vec::new();
@@ -300,6 +302,12 @@ impl From<f64> for Value<'_> {
 impl From<usize> for Value<'_> {
     fn from(count: usize) -> Self {
         Self::Count(count as u64)
+    }
+}
+
+impl From<u64> for Value<'_> {
+    fn from(count: u64) -> Self {
+        Self::Count(count)
     }
 }
 
@@ -358,4 +366,90 @@ macro_rules! facts {
     ($from:expr; $($name:ident $($label:literal)?),+ $(,)?) => {
         $crate::facts::Facts::default()$(.fact(stringify!($name), concat!($($label)?), $from.$name))+
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shock() -> Facts<'static> {
+        let stiffness = Facts::default().fact("fit", "stiffness", 4.38e6).key("ci95", [4e6, 5e6]);
+        Facts::default()
+            .fact("name", "object", "rack")
+            .line("cushion", Some("linear, 4380 N/mm".to_owned()))
+            .fact("uplift_m", "uplift", 0.0123)
+            .fact("peak_accel_m_s2", "peak", None::<f64>)
+            .fact("stiffness_n_m", "", stiffness)
+            .fact("period_range_s", "range", [0.1, 2.5])
+            .fact("steps", "steps", 12_usize)
+            .fact("overturned", "overturned", false)
+            .fact("notes", "note", vec!["one", "two"])
+    }
+
+    #[test]
+    fn people_read_labels_units_and_no_missing_value() {
+        let lines = [
+            ("object", "rack"),
+            ("cushion", "linear, 4380 N/mm"),
+            ("uplift", "12.3 mm"),
+            // The name `fit` states no unit: that of the fact around it is used.
+            ("stiffness", "4380 N/mm"),
+            ("range", "0.1 s to 2.5 s"),
+            ("steps", "12"),
+            ("overturned", "no"),
+            ("note", "one"),
+            ("note", "two"),
+        ];
+        assert_eq!(shock().lines(), lines.map(|(label, words)| (label, words.to_owned())));
+    }
+
+    #[test]
+    fn programs_read_names_and_null_for_a_missing_value() {
+        let json = serde_json::to_value(shock()).unwrap();
+        let expected = serde_json::json!({
+            "name": "rack", "uplift_m": 0.0123, "peak_accel_m_s2": null,
+            "stiffness_n_m": {"fit": 4.38e6, "ci95": [4e6, 5e6]},
+            "period_range_s": [0.1, 2.5], "steps": 12, "overturned": false, "notes": ["one", "two"],
+        });
+        assert_eq!(json, expected);
+    }
+
+    #[test]
+    fn a_row_leaves_out_lines_lists_and_facts_within_facts() {
+        let csv = table_csv([shock()]).unwrap();
+        assert_eq!(csv, b"name,uplift_m,peak_accel_m_s2,steps,overturned\nrack,0.0123,,12,false\n");
+        assert_eq!(table_csv([]).unwrap(), b"");
+    }
+
+    #[test]
+    fn rows_in_an_array_are_those_of_the_list() {
+        let row = || Facts::default().key("id", "a\"b").key("uplift_m", 0.5);
+        let rows = String::from_utf8(json_rows([row(), row()].into_iter()).unwrap()).unwrap();
+        let array: serde_json::Value = serde_json::from_str(&format!("[0{rows}]")).unwrap();
+        let row = serde_json::to_value(row()).unwrap();
+        assert_eq!(array, serde_json::json!([0, row, row]));
+    }
+
+    #[test]
+    fn a_cell_is_in_the_unit_of_its_column() {
+        let facts = shock();
+        let cells = [("uplift_m", "mm", 3), ("uplift_m", "m", 0), ("peak_accel_m_s2", "m/s2", 3), ("none", "", 3)];
+        assert_eq!(cells.map(|(name, unit, digits)| facts.cell(name, unit, digits)), ["12.3", "0.0123", "-", "-"]);
+        assert_eq!(facts.cell("fit", "N/mm", 4), "4380");
+    }
+
+    #[test]
+    fn a_value_is_found_also_within_other_facts() {
+        let facts = shock();
+        assert_eq!((facts.number("fit"), facts.number("steps")), (Some(4.38e6), Some(12.0)));
+        assert_eq!((facts.text("name"), facts.text("fit"), facts.number("name")), (Some("rack"), None, None));
+    }
+
+    #[test]
+    fn every_ending_comes_before_the_shorter_one_that_ends_it() {
+        for (i, (ending, ..)) in UNITS.iter().enumerate() {
+            let earlier = UNITS[..i].iter().find(|(shorter, ..)| ending.ends_with(shorter));
+            assert!(earlier.is_none(), "{ending} is never reached: {earlier:?}");
+        }
+    }
 }

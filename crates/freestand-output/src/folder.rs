@@ -1,4 +1,4 @@
-//! Output that is either complete or absent: an incomplete file never has its final name.
+//! Output folders that are either complete or absent: an incomplete file never has its final name.
 
 use crate::paths::{
     STAGING_PREFIX, clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input, staging_prefix,
@@ -12,7 +12,7 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use tempfile::TempDir;
 
-/// A folder with one of these files was written by freestand.
+/// Manifests: a folder with one of these files was written by freestand.
 const MANIFESTS: [&str; 2] = [MANIFEST, "summary.json"];
 
 /// The manifest of most commands.
@@ -21,14 +21,14 @@ pub const MANIFEST: &str = "manifest.json";
 /// Schema of the manifest of an incomplete folder.
 const INCOMPLETE: &str = "freestand.incomplete/1";
 
-/// The longest manifest that is read. Ours are far shorter; other files of that name may be of any
-/// size.
+/// The largest manifest that is read \[bytes\]. Those of freestand are far smaller; another file of
+/// that name may have any size.
 const MANIFEST_BYTES: u64 = 64 << 20;
 
 const ANOTHER_FOLDER: &str = "name another folder with `out`";
 
 /// Writes a file under a temporary name next to `path`, then renames it. An existing file is
-/// replaced; if anything fails, it stays as it was. Files in `inputs` are never replaced.
+/// replaced; if anything fails, it is unchanged. Files in `inputs` are never replaced.
 ///
 /// # Errors
 /// A folder that does not exist or is not writable, a full disk, or a folder with the file's name.
@@ -38,7 +38,7 @@ pub fn write_file(path: &Path, bytes: &[u8], inputs: &[PathBuf]) -> Result<(), P
     file.finish()
 }
 
-/// An output folder before it is complete. Files are written to a staging folder and move to the
+/// An output folder that is not complete yet. Files are written to a staging folder and move to the
 /// target on [`commit`](OutputFolder::commit). Dropped without a commit, it removes the staging
 /// folder and leaves the target unchanged.
 ///
@@ -51,13 +51,13 @@ pub struct OutputFolder {
     force: bool,
     /// The inputs, which must not be replaced.
     inputs: Vec<PathBuf>,
-    /// Held so that no other process takes the staging folder for a leftover.
+    /// Locked so that no other process takes the staging folder for a leftover.
     _lock: Option<fs::File>,
 }
 
 impl OutputFolder {
     /// Begins a folder that will become `target`. `force` allows writing into a folder with other
-    /// files; those stay, except for files with the names of ours. Files in `inputs` are never
+    /// files; those remain, unless an output has the same name. Files in `inputs` are never
     /// replaced.
     ///
     /// # Errors
@@ -74,8 +74,8 @@ impl OutputFolder {
         for name in place.listed() {
             refuse_input(&inputs, &target.join(name), ANOTHER_FOLDER)?;
         }
-        // An existing folder may be a mount point, or its parent may not be writable: we stay
-        // inside it.
+        // An existing folder may be a mount point, or its parent may not be writable: the
+        // staging folder is made inside it.
         let (folder, prefix) = match place {
             Place::Absent => {
                 fs::create_dir_all(parent).map_err(|error| io_problem(parent, "cannot create the folder", &error))?;
@@ -84,10 +84,10 @@ impl OutputFolder {
             Place::Folder { .. } => (target.as_path(), staging_prefix().into()),
         };
         let staging = tempfile::Builder::new().prefix(&prefix).tempdir_in(folder).map_err(|error| {
-            // tempfile's message names the temporary folder, which tells the user nothing.
+            // tempfile's message names the temporary folder, which means nothing to the user.
             io_problem(&target, "cannot write the output folder", &error.kind().into())
         })?;
-        // Where a folder cannot be locked, the process number alone says whose it is.
+        // If a folder cannot be locked, only the process number shows whose it is.
         let lock = fs::File::open(staging.path()).ok().filter(|folder| folder.try_lock().is_ok());
         Ok(Self { target, staging, force, inputs, _lock: lock })
     }
@@ -103,7 +103,7 @@ impl OutputFolder {
             let path = self.target.join(name);
             refuse_input(&self.inputs, &path, ANOTHER_FOLDER)?;
             let in_the_way = |what: &str| {
-                Problem::new(ProblemKind::Io, format!("{what}, but an output is to be written there"))
+                Problem::new(ProblemKind::Io, format!("{what}; an output file cannot be written there"))
                     .in_file(&path)
                     .hint(ANOTHER_FOLDER)
             };
@@ -116,7 +116,7 @@ impl OutputFolder {
             match fs::symlink_metadata(&path) {
                 Ok(data) if data.is_dir() => return Err(in_the_way("is a folder")),
                 Ok(_) if !self.force && !place.lists(Path::new(name)) => {
-                    return Err(in_the_way("is not a result of freestand")
+                    return Err(in_the_way("was not written by freestand")
                         .hint("name another folder with `out`, or replace the file with `force = true`"));
                 }
                 _ => {}
@@ -156,7 +156,7 @@ impl OutputFolder {
         Ok(StreamedFile::of(file, &target))
     }
 
-    /// Where a file of the folder is until the commit, for writers that need a path of their own.
+    /// The path of a file until the commit, for writers that need a path.
     ///
     /// # Errors
     /// A name that leaves the folder.
@@ -167,8 +167,8 @@ impl OutputFolder {
         Ok(self.staging.path().join(name))
     }
 
-    /// Where a file of the folder is until the commit, with its folders created: for a file that is
-    /// linked, not written.
+    /// The path of a file until the commit, with its folders created, for a file that is linked and
+    /// not written.
     ///
     /// # Errors
     /// A name that leaves the folder, or a disk that is full.
@@ -179,7 +179,7 @@ impl OutputFolder {
         Ok(path)
     }
 
-    /// The names of the files that were written so far, sorted, with `/` between folder and file.
+    /// The names of the files written so far, sorted, with `/` between folder and file.
     ///
     /// # Errors
     /// A staging folder that was removed.
@@ -194,9 +194,9 @@ impl OutputFolder {
     /// Moves the files into place and returns the path of the folder.
     ///
     /// # Errors
-    /// As [`stage`](OutputFolder::stage), if the target has changed since; it is then left as it
-    /// was. If a file cannot be moved in spite of these checks, the manifest says that the folder
-    /// is incomplete and lists our files.
+    /// As [`stage`](OutputFolder::stage), if the target has changed since; it is then left
+    /// unchanged. If a file cannot be moved in spite of these checks, the manifest says that the
+    /// folder is incomplete and lists the files of this run.
     pub fn commit(mut self) -> Result<PathBuf, Problem> {
         let names = self.names()?;
         self.check(&names)?;
@@ -242,8 +242,8 @@ impl OutputFolder {
     }
 }
 
-/// Begins a long run in `target` itself. The folder is created, and its manifest lists these
-/// `names` too, so that the files of a killed run are recognised.
+/// Begins a long run that writes into `target` itself. The folder is created, and its manifest also
+/// lists these `names`, so that the files of a killed run are recognised.
 ///
 /// # Errors
 /// As [`OutputFolder::stage`].
@@ -259,11 +259,11 @@ pub fn announce(target: &Path, force: bool, names: &[String]) -> Result<(), Prob
     write_file(&target.join(MANIFEST), text.as_bytes(), &[])
 }
 
-/// What is at the place of the output folder.
+/// What exists at the path of the output folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Place {
     Absent,
-    /// A folder that we may write into, and which of its files freestand wrote.
+    /// A folder that may be written into, with the files in it that freestand wrote.
     Folder {
         listed: BTreeSet<String>,
     },
@@ -317,7 +317,7 @@ fn remove_listed(target: &Path, name: &str) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether `target` may become our output folder, and which of its files freestand wrote.
+/// Checks whether `target` may become the output folder, and finds the files that freestand wrote.
 fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     let data = match fs::symlink_metadata(target) {
         Ok(data) => data,
@@ -325,8 +325,8 @@ fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
         Err(error) => return Err(io_problem(target, "cannot inspect the output folder", &error)),
     };
     if !data.is_dir() {
-        let what = if data.is_symlink() { "is a link to nothing" } else { "is a file" };
-        return Err(Problem::new(ProblemKind::Io, format!("{what}, but the output folder is to be there"))
+        let what = if data.is_symlink() { "is a broken link" } else { "is a file" };
+        return Err(Problem::new(ProblemKind::Io, format!("{what}, so the output folder cannot be created there"))
             .in_file(target)
             .hint(ANOTHER_FOLDER));
     }
@@ -338,13 +338,13 @@ fn check_replaceable(target: &Path, force: bool) -> Result<Place, Problem> {
     if empty || force || !manifests.is_empty() {
         return Ok(Place::Folder { listed: manifests.into_iter().flatten().collect() });
     }
-    Err(Problem::new(ProblemKind::Io, "the folder holds files that are not results of freestand")
+    Err(Problem::new(ProblemKind::Io, "the folder contains files that freestand did not write")
         .in_file(target)
         .hint("name another folder with `out`, or add to this one with `force = true`"))
 }
 
 /// The files that a manifest lists, and the manifest itself; `None` if freestand did not write it.
-/// Anybody can write a manifest: names that leave the folder or pass through a link are ignored.
+/// A manifest may be forged: names that leave the folder or pass through a link are ignored.
 fn listed_files(target: &Path, manifest: &str) -> Option<BTreeSet<String>> {
     let path = target.join(manifest);
     let small = fs::metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= MANIFEST_BYTES);
@@ -642,7 +642,7 @@ mod tests {
         assert_eq!(fs::read(real.join("a")).unwrap(), b"2");
         std::os::unix::fs::symlink(parent.path().join("nothing"), parent.path().join("dangling")).unwrap();
         let problem = OutputFolder::stage(&parent.path().join("dangling"), false, &[]).unwrap_err();
-        assert!(problem.message.contains("link to nothing"));
+        assert!(problem.message.contains("broken link"));
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! The skeleton of a report and pieces of HTML. Arguments called `html` are markup
 //! already; those called `text` are escaped here.
 
-/// How every report looks on a screen.
+/// The style of every report on a screen.
 const SCREEN_CSS: &str = include_str!("style.css");
 
-/// How every report looks on paper. A browser makes the PDF: freestand has no typesetter.
+/// The style of every report on paper. A browser makes the PDF: freestand has no typesetter.
 pub const PRINT_CSS: &str = include_str!("print.css");
 
 /// Everything before the content of a report: the shared styles, the report's own `css`, the title.
@@ -24,7 +24,7 @@ pub fn opening(title: &str, subtitle: &str, css: &str) -> String {
     )
 }
 
-/// What ends a report that [`opening`] began.
+/// The end of a report that [`opening`] began.
 pub const CLOSING: &str = "</main>\n</body>\n</html>\n";
 
 /// A text as a string of CSS. Characters with a meaning in CSS, HTML or XML are written as their
@@ -59,7 +59,7 @@ pub fn markup(html: String, class: &'static str) -> Cell {
 }
 
 impl Cell {
-    /// The same cell across several columns.
+    /// Makes the cell span several columns.
     pub fn over(mut self, columns: usize) -> Self {
         self.columns = columns;
         self
@@ -150,8 +150,8 @@ pub fn heading(text: &str) -> String {
     format!("<h3>{}</h3>\n", escape(text))
 }
 
-/// Text for HTML: between tags and in quoted attributes. Characters that are not allowed in a
-/// document are left out.
+/// Escapes text for HTML: between tags and in quoted attributes. Characters that are not allowed in
+/// a document are left out.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

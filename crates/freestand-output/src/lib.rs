@@ -1,5 +1,5 @@
 //! Outputs that appear complete or not at all: staged folders, streamed files, facts, tables, JSON,
-//! HTML and figures. Nothing here knows an earthquake.
+//! HTML and figures. Nothing in this crate is about earthquakes.
 
 pub mod facts;
 pub mod figure;

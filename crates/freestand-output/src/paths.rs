@@ -1,4 +1,5 @@
-//! Where outputs are written until they are complete, and what a killed process leaves there.
+//! The temporary places of outputs that are not complete yet, and the removal of what a killed
+//! process left there.
 
 use std::ffi::{OsStr, OsString};
 use std::fs;
@@ -7,11 +8,11 @@ use std::path::{Path, PathBuf};
 
 use freestand_input::{Problem, ProblemKind};
 
-/// The name of a staging folder inside a target that exists begins with this.
+/// The beginning of the name of a staging folder inside an existing target.
 pub const STAGING_PREFIX: &str = ".freestand-partial-";
 
-/// `PREFIX` with our process number. tempfile adds random letters, so that no two threads share a
-/// name.
+/// [`STAGING_PREFIX`] with our process number. tempfile adds random letters, so that no two threads
+/// share a name.
 pub fn staging_prefix() -> String {
     format!("{STAGING_PREFIX}{}-", std::process::id())
 }
@@ -43,7 +44,7 @@ pub fn clear_leftovers(target: &Path, files: bool) {
             let process = process_of(&entry.file_name(), &beginning);
             let free = || fs::File::open(entry.path()).is_ok_and(|leftover| leftover.try_lock().is_ok());
             if process.is_some_and(is_gone) && free() {
-                // A leftover that cannot be removed is untidy, not a failure of this run.
+                // A leftover that cannot be removed is not a failure of this run.
                 let _ = match entry.file_type() {
                     Ok(kind) if kind.is_dir() && !files => fs::remove_dir_all(entry.path()),
                     Ok(kind) if kind.is_file() && files => fs::remove_file(entry.path()),
@@ -54,19 +55,19 @@ pub fn clear_leftovers(target: &Path, files: bool) {
     }
 }
 
-/// The process in the name `BEGINNING` + `PID-LETTERS`.
+/// The process number in a name `BEGINNING` + `PID-LETTERS`.
 fn process_of(name: &OsStr, beginning: &OsStr) -> Option<u32> {
     let (process, _) = name.to_str()?.strip_prefix(beginning.to_str()?)?.split_once('-')?;
     process.parse().ok()
 }
 
-/// Whether no such process runs. Where that cannot be known, it may run.
+/// Whether no such process is running. If that cannot be determined, the answer is no.
 fn is_gone(process: u32) -> bool {
     let processes = Path::new("/proc");
     cfg!(target_os = "linux") && processes.join("self").exists() && !processes.join(process.to_string()).exists()
 }
 
-/// The target of a link; any other path as it is.
+/// The target of a link; any other path unchanged.
 pub fn real_path(path: &Path) -> PathBuf {
     let link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
     link.then(|| fs::canonicalize(path).ok()).flatten().unwrap_or_else(|| path.to_path_buf())
@@ -85,12 +86,14 @@ pub fn refuse_input(inputs: &[PathBuf], output: &Path, hint: &str) -> Result<(),
         .hint(hint))
 }
 
-/// A path without a file name.
+/// The problem of a path without a file name.
 pub fn no_name(path: &Path) -> Problem {
-    Problem::new(ProblemKind::Io, "is not a name for an output").in_file(path).hint("name a file or folder to create")
+    Problem::new(ProblemKind::Io, "is not the name of a file or folder")
+        .in_file(path)
+        .hint("name a file or folder to create")
 }
 
-/// A failure of the file system, with a remedy.
+/// A problem reported by the file system, with a remedy.
 pub fn io_problem(path: &Path, what: &str, error: &io::Error) -> Problem {
     let hint = match error.kind() {
         io::ErrorKind::NotFound => "check that the folder exists",

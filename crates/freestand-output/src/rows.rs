@@ -1,5 +1,5 @@
-//! Tables as CSV: comma, LF, shortest numbers that read back the same; a missing value is an empty
-//! field.
+//! Tables as CSV with commas and LF. Numbers are the shortest that read back the same; a missing
+//! value is an empty field.
 
 use freestand_input::words::{push_shortest, shortest};
 use freestand_input::{Problem, ProblemKind};
@@ -8,7 +8,7 @@ use serde_json::Value;
 /// Rows of text as CSV.
 ///
 /// # Errors
-/// None in practice: rows are of one length and memory does not fail.
+/// None in practice: all rows have the same length, and writing to memory does not fail.
 pub fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u8>, Problem> {
     let mut writer = csv_writer();
     writer.write_record(header).map_err(broken)?;
@@ -18,12 +18,12 @@ pub fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<V
     writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
 }
 
-/// A writer of CSV into memory, lines ended by LF.
+/// A writer of CSV to memory; lines end with LF.
 pub fn csv_writer() -> csv::Writer<Vec<u8>> {
     csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new())
 }
 
-/// A table that cannot be written.
+/// The problem of a table that cannot be written.
 pub fn broken(error: csv::Error) -> Problem {
     Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"))
 }
@@ -31,7 +31,7 @@ pub fn broken(error: csv::Error) -> Problem {
 /// Records of a serializable type as CSV: field names as the header, `None` as an empty field.
 ///
 /// # Errors
-/// None in practice: records are of numbers and texts, and memory does not fail.
+/// None in practice: records consist of numbers and texts, and writing to memory does not fail.
 ///
 /// # Example
 /// ```
@@ -48,7 +48,7 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     let mut header = Vec::new();
     let mut rows = Vec::with_capacity(records.len());
     for record in records {
-        // Left to itself, the csv crate writes numbers as `0.0` and `1e16`.
+        // By default, the csv crate writes numbers as `0.0` and `1e16`.
         let Ok(Value::Object(fields)) = serde_json::to_value(record) else {
             return Err(Problem::new(ProblemKind::Io, "a table cannot be written: its records have no fields"));
         };
@@ -64,7 +64,7 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
     csv(&header, rows.into_iter())
 }
 
-/// Rows of numbers as CSV, after a text that ends with the header.
+/// Rows of numbers as CSV, after `head`, which ends with the header.
 pub fn numbers_csv<R: AsRef<[f64]>>(head: &str, rows: impl IntoIterator<Item = R>) -> String {
     let mut text = format!("{head}\n");
     for row in rows {
@@ -79,10 +79,10 @@ pub fn numbers_csv<R: AsRef<[f64]>>(head: &str, rows: impl IntoIterator<Item = R
     text
 }
 
-/// Named columns of numbers, all of one length, as CSV.
+/// Named columns of numbers, all of the same length, as CSV.
 ///
 /// # Errors
-/// None in practice: memory does not fail.
+/// None in practice: writing to memory does not fail.
 pub fn columns_csv(columns: &[(&str, &[f64])]) -> Result<Vec<u8>, Problem> {
     let header: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
     let length = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);

@@ -1,5 +1,5 @@
-//! Output that does not fit in memory: a file that grows under a temporary name, and a document of
-//! rows in pieces.
+//! Output that does not fit in memory: a file that grows under a temporary name, and a document
+//! whose rows are written in pieces.
 
 use std::fs;
 use std::io::{self, Write};
@@ -13,15 +13,15 @@ use crate::json::document;
 use crate::paths::{clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input};
 use freestand_input::problem::{Problem, ProblemKind};
 
-/// A file before it is complete. It gets its name on [`finish`](StreamedFile::finish). Dropped
-/// before that, it is removed, and an existing file of that name stays as it was.
+/// A file that is not complete yet. It gets its name on [`finish`](StreamedFile::finish). If it is
+/// dropped before that, it is removed, and an existing file of that name is unchanged.
 #[derive(Debug)]
 pub struct StreamedFile {
     file: io::BufWriter<fs::File>,
-    /// The name that the user knows.
+    /// The name in messages: the one that the user gave.
     path: PathBuf,
     /// The temporary name, which tempfile removes, and the final one. `None` for a file that is
-    /// written in its place: a device, or one in a staging folder.
+    /// written under its final name: a device, or a file in a staging folder.
     rename: Option<(TempPath, PathBuf)>,
 }
 
@@ -36,32 +36,30 @@ impl StreamedFile {
         refuse_input(&inputs, path, "name another file to write")?;
         let failed = |error: io::Error| io_problem(path, "cannot write the file", &error);
         if path.is_dir() {
-            return Err(Problem::new(ProblemKind::Io, "is a folder, but a file is to be written there")
-                .in_file(path)
-                .hint("name a file"));
+            return Err(Problem::new(ProblemKind::Io, "is a folder, not a file").in_file(path).hint("name a file"));
         }
         // A device such as /dev/null, or a pipe, is written to, not replaced by a file.
         if fs::metadata(path).is_ok_and(|data| !data.is_file()) {
             let device = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
             return Ok(Self::of(device, path));
         }
-        // A link stays a link: its target is replaced.
+        // A link remains a link: its target is replaced.
         let target = std::path::absolute(real_path(path)).map_err(failed)?;
         let (prefix, folder) = prefix_next_to(&target).zip(target.parent()).ok_or_else(|| no_name(path))?;
         clear_leftovers(&target, true);
-        // Created by us, the file has the permissions that the user's umask leaves; tempfile's own
-        // has 0600.
+        // Created here, the file has the permissions that the umask of the user allows; tempfile
+        // would give it 0600.
         let temporary = tempfile::Builder::new().prefix(&prefix).make_in(folder, |path| fs::File::create_new(path));
         let (file, temporary) = temporary.map_err(failed)?.into_parts();
-        // Locked while we write, so that nobody takes it for a leftover. Where files cannot be
-        // locked, the process number says whose it is.
+        // Locked during writing, so that no other process takes it for a leftover. If files cannot
+        // be locked, the process number shows whose it is.
         let _ = file.try_lock();
         let mut file = Self::of(file, path);
         file.rename = Some((temporary, target));
         Ok(file)
     }
 
-    /// A file that is written in its final place; `path` is its name in messages.
+    /// A file that is written under its final name; `path` is its name in messages.
     pub fn of(file: fs::File, path: &Path) -> Self {
         Self { file: io::BufWriter::with_capacity(1 << 16, file), path: path.to_path_buf(), rename: None }
     }
@@ -77,10 +75,12 @@ impl StreamedFile {
     /// Ends the file and gives it its name.
     ///
     /// # Errors
-    /// A disk that is full, or a folder that was taken away.
+    /// A disk that is full, or a folder that was removed.
     pub fn finish(mut self) -> Result<(), Problem> {
         self.file.flush().map_err(|error| self.failed(&error))?;
         if let Some((temporary, target)) = self.rename.take() {
+            // Else the name may reach the disk before the content does.
+            self.file.get_ref().sync_data().map_err(|error| self.failed(&error))?;
             temporary.persist(target).map_err(|error| self.failed(&error.error))?;
         }
         Ok(())
@@ -91,7 +91,7 @@ impl StreamedFile {
     }
 }
 
-/// The [`document`] of a body `{"rows": […], …}`, up to and with the opening of its rows.
+/// The [`document`] of a body `{"rows": […], …}`, up to and including the opening of its rows.
 ///
 /// # Errors
 /// None in practice: a schema is a text.
@@ -100,7 +100,7 @@ pub fn rows_head(schema: &str) -> Result<String, Problem> {
     Ok(format!("{head}  \"rows\": ["))
 }
 
-/// What follows the last row: the other keys of the body, and the warnings.
+/// The text after the last row: the other keys of the body, and the warnings.
 ///
 /// # Errors
 /// A body that is not JSON: a defect.

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use freestand_input::words::push_shortest;
 
-/// Our own CSV: `time_s,accel_m_s2`, LF, shortest numbers that read back to the same bits.
+/// freestand's own CSV: `time_s,accel_m_s2`, LF, shortest numbers that read back to the same bits.
 ///
 /// # Example
 /// ```

@@ -77,25 +77,25 @@ impl Pivot {
     }
 }
 
-/// Why dimensions do not make a [`Block`].
+/// Why dimensions do not define a [`Block`].
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BlockError {
     /// A length that is not positive and finite.
     #[error("the {name} must be positive and finite, not {value_m} m")]
     Length {
-        /// Which length.
+        /// Name of the length.
         name: &'static str,
-        /// What was given.
+        /// The length that was given \[m\].
         value_m: f64,
     },
     /// A base wider than the object, or a centre of gravity above the object or outside its base.
-    #[error("the {name} is {value_m} m, beyond the limit of {limit_m} m that the object sets")]
+    #[error("the {name} is {value_m} m, beyond the limit of {limit_m} m set by the size of the object")]
     OutOfObject {
-        /// Which length.
+        /// Name of the length.
         name: &'static str,
-        /// What was given.
+        /// The length that was given \[m\].
         value_m: f64,
-        /// The limit that it exceeds.
+        /// The limit that it exceeds \[m\].
         limit_m: f64,
     },
     /// An inertia about the edge that is smaller than if all the mass were at the centre of
@@ -105,9 +105,9 @@ pub enum BlockError {
          than {least} m²"
     )]
     Inertia {
-        /// I/m that was given.
+        /// I/m that was given \[m²\].
         given: f64,
-        /// R², the smallest possible.
+        /// R², which I/m must exceed \[m²\].
         least: f64,
     },
 }
@@ -196,7 +196,7 @@ impl Block {
     }
 
     /// The block with a measured inertia: `inertia_per_mass_m2` = I₀/m about the left edge, which
-    /// is the pivot when the object tilts to the left (without an offset both edges are alike).
+    /// is the pivot when the object rotates to the left (without an offset both edges are alike).
     ///
     /// # Errors
     /// A value of R² or less, which no rigid object can have.

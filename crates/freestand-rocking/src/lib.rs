@@ -7,8 +7,8 @@
 //! | equally spaced samples of acceleration | [`motion`] |
 //! | rotation against time: the scalar solver and the vector kernel | [`rocking`] |
 //!
-//! The crate `freestand` holds the rest of the science and re-exports these modules; signs and
-//! units are described there. This crate uses no files, clock, environment or output.
+//! The crate `freestand` contains the other models and re-exports these modules; signs and units
+//! are described there. This crate uses no files, clock, environment or output.
 
 pub mod block;
 pub mod motion;

@@ -16,7 +16,7 @@ pub struct Motion {
 /// tails.
 pub const MAX_SAMPLES: usize = 100_000_000;
 
-/// Why samples do not make a [`Motion`].
+/// Why samples do not define a [`Motion`].
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MotionError {
     /// The time step is not a positive finite number.
@@ -28,13 +28,13 @@ pub enum MotionError {
     /// A single sample has no duration.
     #[error("a motion needs at least 2 samples, not {samples}")]
     TooShort {
-        /// The samples that were given.
+        /// Number of samples that were given.
         samples: usize,
     },
     /// More samples than [`MAX_SAMPLES`].
     #[error("{samples:.0} samples exceed the {MAX_SAMPLES} that a motion may have")]
     TooLong {
-        /// The samples that it would have.
+        /// Number of samples that the motion would have.
         samples: f64,
     },
     /// A sample is NaN or infinite.

@@ -21,8 +21,8 @@ const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
     rows
 };
 
-/// Subdivisions after which two roots closer than 2⁻⁴⁰ of the interval count as one touch, not as
-/// two crossings.
+/// Largest number of subdivisions: two roots closer than 2⁻⁴⁰ of the interval count as a point
+/// where p touches zero, not as two crossings.
 const MAX_DEPTH: usize = 40;
 
 /// p(x) = Σ aₖ xᵏ.

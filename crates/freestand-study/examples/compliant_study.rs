@@ -113,7 +113,7 @@ fn table_one() -> Result<(), Box<dyn Error>> {
                 println!(
                     "{rise_mm},{damping_ratio},{tangential_stiffness_ratio},{first:.3},{largest:.3},{:.3},{:.2}",
                     eq5.edge_acceleration_m_s2 / G0_M_S2,
-                    1e3 * (touch.end_s.unwrap_or(f64::NAN) - touch.time_s)
+                    1e3 * (touch.end_time_s.unwrap_or(f64::NAN) - touch.time_s)
                 );
             }
         }

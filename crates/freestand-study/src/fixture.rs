@@ -17,7 +17,6 @@ use freestand::synthesis::Misfit;
 use freestand::{G0_M_S2, impact::Landing};
 
 use crate::cushion::{self, EdgeCushion};
-use crate::result::CodeParts;
 use crate::result::{
     ExampleHistory, FloorProfile, GroundMotion, LevelResult, ObjectResponse, PseudoSpectrum, StudyResult,
 };
@@ -25,6 +24,7 @@ use crate::statistics::object_statistics;
 use crate::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
 };
+use crate::target::CodeParts;
 use crate::target::Target;
 use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
@@ -62,6 +62,7 @@ pub(crate) fn study() -> Study {
             period_note: "AS 1170.4, concrete moment frame of 90 m".into(),
             across_note: None,
             tables: Vec::new(),
+            warnings: Vec::new(),
         }),
         levels: vec![
             Level { name: "mid-height".into(), level_ratio: Some(0.5), motions: Vec::new() },
@@ -172,7 +173,7 @@ fn ground_motion(index: u32, study: &Study) -> GroundMotion {
         pgv_m_s: 0.17,
     };
     let misfit = matches!(study.ground, Ground::Synthetic(_)).then_some(misfit);
-    GroundMotion { name: crate::study::synthetic_name(index as usize), motion: one(motion), spectrum, misfit }
+    GroundMotion { name: crate::matched::synthetic_name(index as usize), motion: one(motion), spectrum, misfit }
 }
 
 fn one(along: Motion) -> HorizontalMotion {

@@ -4,7 +4,7 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
 use freestand_input::words::number;
 
-/// Exponents in a unit and under their key are the same number, typed twice.
+/// Largest difference between an exponent in a unit and the same exponent under its key.
 const SAME_EXPONENT: f64 = 1e-9;
 
 /// The coefficient K of F = K dⁿ in N/mⁿ, and a note if the unit was completed.

@@ -1,6 +1,7 @@
 //! From a study as written to its results, figures and report, and the requests of single commands.
 
 pub mod building;
+pub mod check;
 pub mod compliant;
 pub mod cushion;
 pub mod figures;

@@ -1,4 +1,4 @@
-//! The files of a run, written all or not at all.
+//! The files of a run: either all of them are written, or none.
 
 use std::path::PathBuf;
 
@@ -14,7 +14,7 @@ use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
 use crate::tables::{profile_csv, srs_csv, statistics_csv, urs_csv};
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::OutputFolder;
 use freestand_output::json::document;
 use freestand_output::rows::records_csv;
@@ -58,7 +58,7 @@ fn floor_name(motion: &str, level: &str) -> String {
     format!("motions/{level}/{motion}.csv")
 }
 
-/// Writes the files of a run into `folder` and puts it in its place.
+/// Writes the files of a run into `folder`, then moves the folder to its final place.
 ///
 /// # Errors
 /// A full disk, or a folder that has changed in the meantime; then nothing is written.
@@ -133,7 +133,7 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
     }
 }
 
-/// The step between the directions: half a turn has one at least.
+/// The step between the directions \[degrees\]; 90 if there is only one direction.
 fn rotation_step_deg(study: &Study) -> f64 {
     study.directions_deg.get(1).copied().unwrap_or(90.0)
 }
@@ -180,7 +180,7 @@ fn pages(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
     if !(study.outputs.figures || study.outputs.report) {
         return Ok(Vec::new());
     }
-    let drawn = figures(study, result).map_err(|error| Problem::new(ProblemKind::Computation, error.to_string()))?;
+    let drawn = figures(study, result).map_err(Problem::from)?;
     let mut files = Vec::new();
     if study.outputs.report {
         let html = report(study, result, &drawn, &provenance(study));
@@ -200,7 +200,7 @@ mod tests {
     use super::*;
     use crate::resolve::resolve;
 
-    /// Both axes from one file: the study that is left behind runs where that file is not.
+    /// Both axes from one file: the written study runs in a folder without that file.
     #[test]
     fn every_key_that_names_a_table_is_written_anew() {
         let folder = tempfile::tempdir().unwrap();

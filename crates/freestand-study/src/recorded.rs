@@ -9,12 +9,14 @@ use freestand::signal::rotate::Pair;
 use crate::study::{RecordedMotion, SecondComponent};
 use freestand_input::file::load;
 use freestand_input::file::{InputFile, sha256_hex};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
+use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
-use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, parse_motions};
+use freestand_output::facts::Facts;
+use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit};
 use freestand_records::processing::{
-    Processed, Processing, Scale, not_perpendicular, pair_of_one, process_file, process_pair,
+    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process_file, process_pair,
 };
 
 /// Files whose motions are used.
@@ -22,7 +24,7 @@ use freestand_records::processing::{
 pub struct MotionFiles {
     /// The files, in order.
     pub paths: Vec<PathBuf>,
-    /// Values that the files may not state.
+    /// Values for files that do not state them.
     pub read: ReadOptions,
     /// Which component of each; `None`: each has only one.
     pub component: Option<String>,
@@ -30,6 +32,24 @@ pub struct MotionFiles {
     pub second: Second,
     /// What is done to the samples.
     pub processing: Processing,
+}
+
+impl MotionFiles {
+    /// How a person wrote that files are read and processed; paths are relative to `base_dir`. What no
+    /// file allows is added to the problems of the reader. The files themselves are not yet named.
+    pub fn read(reader: &mut WordReader<'_>, base_dir: &Path) -> Self {
+        let (unit, dt_s) = (reader.read("unit", parse_unit), reader.read("dt", parse_step));
+        let station_xml = reader.words.get("station_xml").map(|file| base_dir.join(file));
+        let processing = Processing::read(reader, base_dir);
+        let uneven_dt_s = processing.resample_dt_s;
+        Self {
+            paths: Vec::new(),
+            read: ReadOptions { unit, dt_s, uneven_dt_s, station_xml, is_shock: false },
+            component: reader.words.get("component").map(str::to_owned),
+            second: Second::None,
+            processing,
+        }
+    }
 }
 
 /// The place of the second horizontal component of each motion.
@@ -49,7 +69,7 @@ pub enum Second {
 pub struct ReadMotion {
     /// The motion.
     pub motion: RecordedMotion,
-    /// Conclusions and omissions.
+    /// What the reader concluded or ignored.
     pub notes: Vec<String>,
     /// A warning for when the motion is written to a file: see [`start_note`].
     pub start_note: Option<String>,
@@ -58,17 +78,54 @@ pub struct ReadMotion {
 }
 
 /// A warning for when the motion of a file with a time column is written to another file: times are
-/// then counted from the first sample, so that they and the time step keep every bit.
+/// then counted from the first sample, so that they and the time step lose no digit.
 pub fn start_note(file: &MotionFile) -> Option<String> {
-    let has_clock = matches!(file.format, "CSV" | "columns");
-    let start_s = file.components.iter().filter(|_| has_clock).find_map(|one| one.start_s)?;
+    let start_s = file.components.iter().find_map(|one| match one.start {
+        Some(Start::Column(seconds)) => Some(seconds),
+        Some(Start::Date(_)) | None => None,
+    })?;
     (start_s != 0.0).then(|| {
         format!("the time column begins at {} s, but the times of the written motion begin at 0 s", number(start_s, 9))
     })
 }
 
+/// A file, or a component of one, that is not in a report.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failed {
+    /// The file as it was named.
+    pub path: String,
+    /// Why, with the line where there is one.
+    pub reason: String,
+    /// The same, for messages.
+    pub problem: Problem,
+}
+
+impl Failed {
+    pub(crate) fn new(path: &Path, problem: Problem) -> Self {
+        let problem = problem.in_file(path);
+        // The report has the path already, unless another file is wrong.
+        let elsewhere = problem.path.clone().filter(|other| other != path);
+        let reason = Problem { path: elsewhere, ..problem.clone() }.to_string();
+        Self { path: path.to_string_lossy().into_owned(), reason, problem }
+    }
+
+    /// Its part of a document.
+    pub(crate) fn facts(&self) -> Facts<'_> {
+        Facts::default().key("path", self.path.as_str()).key("reason", self.reason.as_str())
+    }
+}
+
+/// Reads all files.
+///
+/// # Errors
+/// The problems of all files.
+pub fn read_all(files: &MotionFiles) -> Result<Vec<ReadMotion>, Problems> {
+    let (motions, failures) = read_recorded(files);
+    failures.into_iter().map(|(_, problem)| problem).collect::<Problems>().finish(Some(motions))
+}
+
 /// Reads all files; each problem is listed with the index of its file.
-pub fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Problem)>) {
+pub(crate) fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Problem)>) {
     let (mut motions, mut failures) = (Vec::new(), Vec::new());
     let mut names = HashSet::new();
     for (index, path) in files.paths.iter().enumerate() {
@@ -83,9 +140,9 @@ pub fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize, Probl
     (motions, failures)
 }
 
-fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion, Vec<Problem>> {
+fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion, Problems> {
     let (file, sha256) = read_file(path, files)?;
-    let in_file = |problem: Problem| vec![if problem.path.is_some() { problem } else { problem.in_file(path) }];
+    let in_file = |problem: Problem| problem.in_file(path);
     let (processed, chosen, across) = match &files.second {
         Second::None => {
             let (processed, chosen) =
@@ -101,12 +158,12 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
         Second::Files(paths) => {
             let Some(second_path) = paths.get(index) else {
                 let problem = Problem::new(ProblemKind::Value, "there is no file with its second component");
-                return Err(in_file(problem.hint("name one for each motion, in the same order")));
+                return Err(in_file(problem.hint("name one for each motion, in the same order")).into());
             };
             let (second_file, second_sha256) = read_file(second_path, files)?;
             let component = files.component.as_deref();
             let first = file.select(component).map_err(in_file)?;
-            let second = second_file.select(component).map_err(|problem| vec![problem.in_file(second_path)])?;
+            let second = second_file.select(component).map_err(|problem| problem.in_file(second_path))?;
             let names = (name_of(path), name_of(second_path));
             let (processed, across) = both(first, second, (&names.0, &names.1), files).map_err(in_file)?;
             let input = InputFile { path: second_path.clone(), sha256: second_sha256 };
@@ -139,11 +196,10 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
     Ok(ReadMotion { motion, notes, start_note, unit })
 }
 
-fn read_file(path: &Path, files: &MotionFiles) -> Result<(MotionFile, String), Vec<Problem>> {
-    let bytes = load(path).map_err(|problem| vec![problem])?;
+fn read_file(path: &Path, files: &MotionFiles) -> Result<(MotionFile, String), Problems> {
+    let bytes = load(path)?;
     let sha256 = sha256_hex(&bytes);
-    let file = parse_motions(bytes, path, &files.read).map_err(|error| error.problems)?;
-    Ok((file, sha256))
+    Ok((parse_motions(bytes, path, &files.read)?, sha256))
 }
 
 /// Both components processed; the steps of the second follow those of the first.

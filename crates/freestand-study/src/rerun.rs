@@ -240,7 +240,7 @@ mod tests {
         assert_eq!(text, expected);
     }
 
-    /// A unit may stand in the key that goes, too.
+    /// The key that is removed may also state a unit.
     #[test]
     fn a_value_takes_the_place_of_others_whatever_their_units() {
         let study = "[objects]\nmass_kg = 1\npad_stiffness_n_mm = 2190\npads_per_edge = 2\n";

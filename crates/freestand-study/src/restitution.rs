@@ -1,11 +1,11 @@
-//! What a restitution may be: one check for studies, inventories and single commands.
+//! The range of a restitution: one check for studies, inventories and single commands.
 
 use freestand::block::Block;
 use freestand::rocking::Restitution;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
-/// A restitution that none of these blocks gains energy with.
+/// Returns a restitution after checking that no block gains energy with it.
 ///
 /// # Errors
 /// A value outside (0, 1], or a factor that is not positive or makes the restitution of a block
@@ -33,7 +33,7 @@ pub fn checked(restitution: Restitution, blocks: &[Block]) -> Result<Restitution
         Restitution::Factor(factor) if !(factor > 0.0 && factor.is_finite()) => (
             "restitution_factor",
             format!("`restitution_factor` must be positive, not {factor}"),
-            "0.95 was measured on concrete, 0.67 on rubber",
+            "give a factor such as 0.95 (measured on concrete) or 0.67 (measured on rubber)",
         ),
         Restitution::Factor(factor) if factor * largest_ratio() > 1.0 => (
             "restitution_factor",
@@ -41,7 +41,7 @@ pub fn checked(restitution: Restitution, blocks: &[Block]) -> Result<Restitution
                 "`restitution_factor` {factor} makes the restitution of an object {}: it would gain energy",
                 number(factor * largest_ratio(), 5)
             ),
-            "the factor times Housner's ratio of the object must be at most 1",
+            "give a smaller factor: times Housner's ratio of the object it must be at most 1",
         ),
         _ => return Ok(restitution),
     };

@@ -8,6 +8,7 @@ use freestand_records::horizontal::HorizontalMotion;
 use serde::Serialize;
 
 use crate::study::Level;
+use crate::target::CodeParts;
 
 /// Everything that the outputs are written from.
 #[derive(Debug, Clone)]
@@ -26,7 +27,7 @@ pub struct StudyResult {
     pub history: Option<ExampleHistory>,
     /// How the result depends on the assumptions, if that was requested.
     pub sensitivity: Option<Sensitivity>,
-    /// Warnings for the reader: assumptions, doubts, validity.
+    /// Warnings for the reader: assumptions and limits of validity.
     pub warnings: Vec<String>,
 }
 
@@ -80,7 +81,7 @@ pub struct LevelResult {
     pub spectra: Vec<PseudoSpectrum>,
     /// `responses[motion][object]`, objects in the order of [`crate::study::Objects::blocks`].
     pub responses: Vec<Vec<ObjectResponse>>,
-    /// One for each object, in the same order; `None` where no motion could be followed.
+    /// One for each object, in the same order; `None` where every history failed.
     pub statistics: Vec<Option<ObjectStatistics>>,
 }
 
@@ -107,13 +108,13 @@ pub enum ObjectResponse {
 pub enum Ranked {
     /// A number.
     Value(f64),
-    /// The quantile falls among the overturned.
+    /// The quantile falls among the motions that overturn the object.
     Overturned,
     /// Every history failed.
     NoData,
 }
 
-/// One object over all motions: no uplift counts as 0, overturned as +∞.
+/// One object over all motions: no uplift counts as 0, overturning as +∞.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ObjectStatistics {
     /// Height \[m\].
@@ -156,7 +157,7 @@ pub struct ExampleHistory {
     pub thickness_m: f64,
     /// α \[rad\].
     pub slenderness_angle_rad: f64,
-    /// What happened.
+    /// How the history ended.
     pub outcome: Outcome,
     /// Times of the samples \[s\].
     pub time_s: Vec<f64>,
@@ -166,15 +167,6 @@ pub struct ExampleHistory {
     pub theta_rad: Vec<f64>,
     /// Each impact: time \[s\] and shock from its velocity \[g\].
     pub impacts: Vec<(f64, f64)>,
-}
-
-/// Accelerations of a rigid part on each level by a code.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CodeParts {
-    /// The clause and its formula.
-    pub clause: &'static str,
-    /// Accelerations, one for each level \[g\].
-    pub accel_g: Vec<f64>,
 }
 
 /// One row of `vary.csv`: a level under one variation, or under the unchanged study.
@@ -194,17 +186,17 @@ pub struct VariedLevel {
     pub uplift_share: Option<f64>,
     /// Share of the histories in which the object overturns.
     pub overturned_share: Option<f64>,
-    /// Objects whose median over the motions is overturned.
+    /// Objects that half or more of the motions overturn.
     pub overturned_objects: Option<usize>,
-    /// Largest median over the motions of any object for which that is a number \[g\].
+    /// Largest median shock over the motions, of all objects whose median is a number \[g\].
     pub edge_acceleration_g_median: Option<f64>,
     /// Largest shock of any history without overturning \[g\].
     pub edge_acceleration_g_max: Option<f64>,
-    /// Sum of the median shocks of the objects, divided by the same sum of the base, without the
-    /// objects whose median is overturned in either. `None` if their mean in the base is below
-    /// [`MIN_MEAN_G`](crate::vary::MIN_MEAN_G).
+    /// Sum of the median shocks of the objects, divided by the same sum of the base. Objects whose
+    /// median is not a number in one of the two are left out. `None` if the mean in the base is
+    /// below [`MIN_MEAN_G`](crate::vary::MIN_MEAN_G).
     pub edge_acceleration_ratio: Option<f64>,
-    /// How many objects these are.
+    /// Number of objects in these sums.
     pub compared_objects: Option<usize>,
     /// Why there is no result.
     pub reason: Option<NoResult>,
@@ -215,7 +207,8 @@ pub struct VariedLevel {
 /// Why a change has no result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NoResult {
-    /// The change does not reach the model, in which this stays the same: an answer, not a failure.
+    /// The change does not affect the model; the text says what stays the same. This is a result,
+    /// not a failure.
     Unchanged(&'static str),
     /// The study does not allow the value, or the run failed.
     Failed(String),
@@ -249,7 +242,7 @@ impl VariedLevel {
     }
 }
 
-/// What a variation did to each level, beside the unchanged study.
+/// What each variation did to each level, compared with the unchanged study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {
     /// The unchanged study first, then change by change; in each the levels in the order of the

@@ -46,21 +46,21 @@ pub struct RockRequest {
     pub friction: Option<f64>,
 }
 
-/// What the object did.
+/// The response of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RockReport {
     /// The document of `freestand rock`.
     pub facts: Facts<'static>,
-    /// Doubts about the validity of the result.
+    /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
     /// Its history, where it was sampled.
     pub history: Vec<HistoryPoint>,
 }
 
-/// Follows the object; the history is sampled only if `record` says so.
+/// Calculates the response of the object; its history is sampled only if `record` is true.
 ///
 /// # Errors
-/// What the solver refuses, with a hint.
+/// An input that the solver refuses, with a hint.
 pub fn rock(request: &RockRequest, record: bool) -> Result<RockReport, Problem> {
     let base = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
     let sampled = base.horizontal.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
@@ -128,7 +128,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     let mut sliding = |needed: f64, when| {
         if needed > limit {
             let assumed =
-                if request.friction.is_some() { "" } else { "; this coefficient is assumed, `friction` sets it" };
+                if request.friction.is_some() { "" } else { "; this coefficient is assumed: `friction` replaces it" };
             let warning = ValidityWarning::Sliding { needed_ratio: needed, friction_ratio: limit, when };
             warnings.push(format!("{warning}{assumed}"));
         }
@@ -161,8 +161,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     let facts = Facts::default()
         .fact("outcome", "outcome", rocking.outcome.name())
         .fact("stopped", "reason for the end", rocking.stop.name())
-        .fact("end_time_s", "end", rocking.end_s)
-        .and(facts!(rocking; peak_rotation_rad "largest rotation"))
+        .and(facts!(rocking; end_time_s "end", peak_rotation_rad "largest rotation"))
         .fact(
             "peak_rotation_ratio",
             "  divided by α",
@@ -199,7 +198,9 @@ pub fn problem(error: RockingError) -> Problem {
         }
         RockingError::StepTooSmall { .. } => "check the unit and the scale of the motion, and the size of the object",
         RockingError::Restitution { .. } => "give a `restitution` in (0, 1]",
-        RockingError::InitialState { .. } => "an object is overturned at 90 deg",
+        RockingError::InitialState { .. } => {
+            "give an `initial_rotation` below 90 deg, at which the object is overturned"
+        }
         RockingError::Duration { .. } => "give `motion`, or `initial_rotation` with `duration`",
         RockingError::Gravity { .. } => "leave `gravity` out for 9.80665 m/s2",
         RockingError::Accuracy { .. } => "use `accuracy` fast, standard or tight",

@@ -7,15 +7,18 @@ use std::time::Instant;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
-use freestand::impact::{Impact, ImpactModel, Landing};
+use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingError, RockingOptions};
-use freestand::spectra::{Sensitivity, ShockCell, UpliftCell, uplift_sensitivity, uplift_spectrum};
+use freestand::spectra::{
+    PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity, uplift_spectrum,
+};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
+use crate::shape::squat_warning;
 use freestand_input::problem::Problem;
 use freestand_output::facts::Facts;
 
@@ -44,7 +47,7 @@ impl Grid {
     pub fn new(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
         if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
             let message = format!("{} × {} objects are too many", heights_m.len(), thicknesses_m.len());
-            return Err(Problem::value(message, format!("at most {MAX_OBJECTS} in one call")));
+            return Err(Problem::value(message, format!("give at most {MAX_OBJECTS} objects in one call")));
         }
         let grid = Self { heights_m, thicknesses_m };
         for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
@@ -61,7 +64,7 @@ impl Grid {
 
     /// Some of its objects, in order.
     pub fn blocks(&self, range: Range<usize>) -> impl Iterator<Item = Block> + '_ {
-        // Every object was made once in `new`.
+        // `new` has made every object once, so none fails here.
         self.sizes(range).filter_map(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok())
     }
 
@@ -71,7 +74,7 @@ impl Grid {
     }
 }
 
-/// What is asked of every object.
+/// What is calculated for every object.
 #[derive(Debug, Clone)]
 pub struct SpectrumRequest {
     /// The objects.
@@ -82,6 +85,36 @@ pub struct SpectrumRequest {
     pub cushion: Option<(f64, EdgeCushion)>,
     /// Whether to report by how much each object amplifies an error of the motion.
     pub sensitivity: bool,
+}
+
+impl SpectrumRequest {
+    /// Warnings about the validity of the results, which `tallies` sum up.
+    pub fn warnings(&self, tallies: &[SpectrumTally]) -> Vec<String> {
+        let objects = self.grid.objects();
+        let mut warnings: Vec<String> = squat_warning(objects, self.grid.blocks(0..objects)).into_iter().collect();
+        if let Some((mass_kg, EdgeCushion { cushion, pad_thickness_m, .. })) = &self.cushion {
+            let soft = stiffness_warnings(*mass_kg, cushion, *pad_thickness_m);
+            warnings.extend(soft.iter().map(ToString::to_string));
+            let deepest_m = tallies.iter().filter_map(|tally| tally.largest_compression_m).reduce(f64::max);
+            let beyond = deepest_m.map(|deepest_m| compression_warnings(deepest_m, cushion, *pad_thickness_m));
+            let beyond = beyond.iter().flatten();
+            warnings.extend(beyond.map(|warning| format!("the landing with the largest compression: {warning}")));
+        }
+        let sum = |count: fn(&SpectrumTally) -> usize| tallies.iter().map(count).sum::<usize>();
+        let (total, failed, sensitive) =
+            (sum(|tally| tally.objects), sum(|tally| tally.failed), sum(|tally| tally.sensitive));
+        if failed > 0 {
+            warnings.push(format!("{failed} of {total} histories could not be calculated: see the column reason"));
+        }
+        if sensitive > 0 {
+            warnings.push(format!(
+                "{sensitive} of {total} histories are sensitive: an error of the motion grows more than \
+                 {SENSITIVE_RATIO} times in the rotation or the impacts, or an error of {PERTURBATION_RATIO:e} of the \
+                 motion may change the outcome"
+            ));
+        }
+        warnings
+    }
 }
 
 /// A motion of the base.
@@ -131,8 +164,8 @@ impl SpectrumChunk<'_> {
         Some(self.cells[index].as_ref().ok()?.shock(mass_kg, cushion, ImpactModel::Paper, G0_M_S2))
     }
 
-    /// One object under the motion. A value is missing without a cushion, of an overturned object
-    /// and of a history that failed.
+    /// One object under the motion. Values are missing if there is no cushion, the object overturns
+    /// or the history failed.
     pub fn row(&self, index: usize) -> Facts<'_> {
         let (block, cell) = (&self.blocks[index], &self.cells[index]);
         let rocking = cell.as_ref().ok().map(|cell| &cell.rocking);
@@ -168,6 +201,7 @@ impl SpectrumChunk<'_> {
     /// Adds its objects to the tally of the motion.
     pub fn add_to(&self, tally: &mut SpectrumTally) {
         let larger = |most: Option<f64>, value: Option<f64>| most.into_iter().chain(value).reduce(f64::max);
+        tally.largest_compression_m = larger(tally.largest_compression_m, self.largest_compression_m());
         for (index, cell) in self.cells.iter().enumerate() {
             let shock = self.shock(index);
             let bottomed = shock.as_ref().is_some_and(ShockCell::is_beyond_numbers);
@@ -185,9 +219,9 @@ impl SpectrumChunk<'_> {
         }
     }
 
-    /// The landing of most energy among the objects that rocked and stayed upright, by their
-    /// largest rise: the one that compresses the cushion most.
-    pub fn deepest_impact(&self) -> Option<Impact> {
+    /// The compression in the landing with the most energy, by the largest rise, of the objects
+    /// that rocked without overturning.
+    fn largest_compression_m(&self) -> Option<f64> {
         let (mass_kg, cushion) = self.cushion?;
         let rocked = self.cells.iter().flatten().filter(|cell| cell.rocking.outcome == Outcome::Rocked);
         let energy_of = |cell: &UpliftCell| {
@@ -196,7 +230,7 @@ impl SpectrumChunk<'_> {
         };
         let cell = rocked.max_by(|a, b| energy_of(a).total_cmp(&energy_of(b)))?;
         let landing = Landing::rocking(&cell.block, ImpactModel::Paper);
-        Some(landing.impact(mass_kg, cushion, cell.rocking.cg_rise_m, G0_M_S2))
+        Some(landing.impact(mass_kg, cushion, cell.rocking.cg_rise_m, G0_M_S2).compression_m)
     }
 
     /// Applies `words` to a few rows at a time, on all threads; the results are in the order of the
@@ -217,8 +251,8 @@ pub fn chunk_objects(intervals: usize) -> usize {
     (CHUNK_STEPS / intervals.max(1)).max(least).min(MAX_CHUNK_OBJECTS)
 }
 
-/// Follows every object of the grid under every motion, in the order motion, height, thickness, and
-/// calls `each` for every chunk. `chunk` gives its size for a number of intervals (see
+/// Calculates every object of the grid under every motion, in the order motion, height, thickness,
+/// and calls `each` for every chunk. `chunk` gives its size for a number of intervals (see
 /// [`chunk_objects`]); the rows depend neither on it nor on the number of threads. The first error
 /// of `each` ends the work.
 ///
@@ -258,17 +292,19 @@ pub fn spectrum<E>(
 
 /// The results of all objects under one motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[expect(missing_docs, reason = "the names are the documentation: SI units as they say")]
+#[expect(missing_docs, reason = "the names say what the fields are, in SI units")]
 pub struct SpectrumTally {
     pub objects: usize,
     pub rocked: usize,
     pub overturned: usize,
     pub failed: usize,
     pub sensitive: usize,
-    /// Of those that stay upright.
+    /// Of the objects that do not overturn.
     pub largest_uplift_m: Option<f64>,
-    /// Of those that stay upright, from the uplift.
+    /// Of the objects that do not overturn, from the uplift.
     pub largest_edge_acceleration_g: Option<f64>,
+    /// Of the cushion, by the objects that do not overturn.
+    pub largest_compression_m: Option<f64>,
 }
 
 #[cfg(test)]

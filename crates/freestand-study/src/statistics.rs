@@ -4,6 +4,7 @@ use freestand::rocking::Outcome;
 use freestand::spectra::UpliftCell;
 
 use crate::result::{ObjectResponse, ObjectStatistics, Ranked};
+use freestand_output::facts::Value;
 
 /// The quantiles that are reported: 16, 50 and 84 %.
 pub const QUANTILES: [f64; 3] = [0.16, 0.50, 0.84];
@@ -11,8 +12,8 @@ pub const QUANTILES: [f64; 3] = [0.16, 0.50, 0.84];
 /// Quantile of `values`, sorted here; an infinite value is an overturned object.
 ///
 /// Linear interpolation between the ranks (n−1)q (Hyndman and Fan 1996, type 7, the default of
-/// NumPy and pandas); a quantile that reaches into the overturned is [`Ranked::Overturned`], so the
-/// median is where half overturn.
+/// NumPy and pandas). A quantile whose interpolation needs an infinite value is
+/// [`Ranked::Overturned`]: the median is, if half or more of the motions overturn the object.
 pub fn ranked_quantile(values: &mut [f64], quantile: f64) -> Ranked {
     values.sort_unstable_by(f64::total_cmp);
     let Some(last) = values.len().checked_sub(1) else { return Ranked::NoData };
@@ -61,8 +62,8 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
 }
 
 impl ObjectStatistics {
-    /// Whether the median shock, by the larger of the two sources, is above a tolerance. An
-    /// overturned median is.
+    /// Whether the median shock, by the larger of the two sources, is above a tolerance. It is if
+    /// half or more of the motions overturn the object.
     pub fn exceeds(&self, tolerance_g: f64) -> bool {
         [self.edge_acceleration_g[1], self.edge_acceleration_impact_velocity_g[1]].into_iter().any(
             |median| match median {
@@ -82,13 +83,15 @@ impl Ranked {
             Self::Overturned | Self::NoData => None,
         }
     }
+}
 
-    /// As a cell of a table: the number, `overturned`, or nothing.
-    pub fn cell(self) -> String {
-        match self {
-            Self::Value(value) => freestand_input::words::shortest(value),
-            Self::Overturned => Outcome::Overturned.name().to_owned(),
-            Self::NoData => String::new(),
+impl From<Ranked> for Value<'_> {
+    /// The number, `overturned`, or nothing.
+    fn from(ranked: Ranked) -> Self {
+        match ranked {
+            Ranked::Value(value) => Self::Number(value),
+            Ranked::Overturned => Outcome::Overturned.name().into(),
+            Ranked::NoData => Self::Missing,
         }
     }
 }

@@ -2,31 +2,35 @@
 
 use freestand::rocking::Outcome;
 use freestand::synthesis;
+use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::building::model_words;
+use crate::building::{mode_facts, model_words};
 use crate::cushion::cushion_words;
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
+use crate::simulated::{FoundEarthquake, source_facts};
 use crate::statistics::ranked_quantile;
-use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study};
-use crate::target::Target;
+use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround};
+use crate::target::hazard_facts;
 use freestand::G0_M_S2;
 use freestand::building::Building;
 use freestand::rocking::{Accuracy, Restitution};
 use freestand_input::file::{InputFile, sha256_hex};
+use freestand_output::facts;
+use freestand_output::facts::Facts;
 
 /// Name and version of the document.
 pub const SCHEMA: &str = "freestand.run/1";
 
 /// The key figures of one level.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LevelSummary {
     /// Name of the level.
     pub level: String,
     /// Height as a share of the building's, if it is known.
     pub level_ratio: Option<f64>,
     /// Median over the motions of the peak floor acceleration \[g\].
-    pub pfa_g_median: f64,
+    pub pfa_g_median: Option<f64>,
     /// Histories on this level: objects × motions.
     pub histories: usize,
     /// Histories that failed.
@@ -38,15 +42,15 @@ pub struct LevelSummary {
     /// Objects that exceed the study's tolerance ([`crate::result::ObjectStatistics::exceeds`]);
     /// `None` without one.
     pub exceeded_objects: Option<usize>,
-    /// Objects whose median over the motions is overturned.
+    /// Objects that half or more of the motions overturn.
     pub overturned_objects: usize,
     /// Largest shock of any history without overturning \[g\].
     pub edge_acceleration_g_max: Option<f64>,
-    /// Largest median over the motions of any object for which that is a number \[g\].
+    /// Largest median shock over the motions, of all objects whose median is a number \[g\].
     pub edge_acceleration_g_median: Option<f64>,
     /// Largest shock from the impact velocity of any history without overturning \[g\].
     pub edge_acceleration_impact_velocity_g_max: Option<f64>,
-    /// Largest median over the objects from the impact velocity \[g\].
+    /// The same median, of the shock from the impact velocity \[g\].
     pub edge_acceleration_impact_velocity_g_median: Option<f64>,
 }
 
@@ -77,7 +81,7 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
     LevelSummary {
         level: level.level.name.clone(),
         level_ratio: level.level.level_ratio,
-        pfa_g_median: ranked_quantile(&mut pfa_g, 0.5).value().unwrap_or(f64::NAN),
+        pfa_g_median: ranked_quantile(&mut pfa_g, 0.5).value(),
         histories,
         failed: histories - done,
         uplift_share: share(count(&|o| o != Outcome::NoUplift)),
@@ -96,26 +100,6 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
 
 /// The whole document.
 pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
-    let levels: Vec<Value> = level_summaries(study, result)
-        .iter()
-        .map(|s| {
-            json!({
-                "level": s.level,
-                "level_ratio": s.level_ratio,
-                "pfa_g_median": s.pfa_g_median,
-                "histories": s.histories,
-                "failed": s.failed,
-                "uplift_share": s.uplift_share,
-                "overturned_share": s.overturned_share,
-                "exceeded_objects": s.exceeded_objects,
-                "overturned_objects": s.overturned_objects,
-                "edge_acceleration_g_max": s.edge_acceleration_g_max,
-                "edge_acceleration_g_median": s.edge_acceleration_g_median,
-                "edge_acceleration_impact_velocity_g_max": s.edge_acceleration_impact_velocity_g_max,
-                "edge_acceleration_impact_velocity_g_median": s.edge_acceleration_impact_velocity_g_median,
-            })
-        })
-        .collect();
     let motions: Vec<Value> = result
         .ground
         .iter()
@@ -126,36 +110,31 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
                 "npts": ground.motion.along.accel_m_s2().len(),
                 "components": if ground.motion.across.is_some() { 2 } else { 1 },
                 "pga_g": ground.motion.peak_m_s2() / G0_M_S2,
-                "misfit": ground.misfit.as_ref().map(|m| json!({
-                    "rms_ratio": m.rms_ratio,
-                    "worst_ratio": m.worst_ratio,
-                    "worst_period_s": m.worst_period_s,
-                    "pga_g": m.pga_g,
-                    "target_zpa_g": m.target_zpa_g,
-                    "d5_95_s": m.d5_95_s,
-                    "pgv_m_s": m.pgv_m_s,
-                })),
+                "misfit": ground.misfit.as_ref().map(|misfit| facts!(
+                    misfit; rms_ratio, worst_ratio, worst_period_s, pga_g, target_zpa_g, d5_95_s, pgv_m_s
+                )),
             })
         })
         .collect();
     let objects = &study.objects;
     json!({
-        "levels": levels,
+        "levels": level_summaries(study, result),
         "vary": result.sensitivity.as_ref().map(|sensitivity| json!({
             "rows": sensitivity.rows,
             "left_out": sensitivity.left_out,
         })),
         "definitions": {
             "pfa_g_median": "median over the motions of the peak floor acceleration, at the samples",
-            "overturned_share": "share of all histories (object × motion) that did not fail",
-            "direction_deg": "for motions with two components: the direction in which the centre of gravity rises \
-                              most, from the first component, or the first direction that overturns the object; the \
-                              shock from the impact velocity is the largest of all directions",
+            "overturned_share": "histories in which the object overturns, as a share of all histories (object × \
+                                 motion) that did not fail",
+            "direction_deg": "for motions with two components: the direction, counted from the first component, in \
+                              which the centre of gravity rises most, or the first direction that overturns the \
+                              object; the shock from the impact velocity is the largest of all directions",
             "exceeded_objects": "objects whose median shock, by the larger of the two sources, is above the \
                                  tolerance, or that half or more of the motions overturn; null without a tolerance",
-            "edge_acceleration_g_max": "largest over all histories without overturning, source uplift",
-            "edge_acceleration_g_median": "largest over the objects of the median over all motions (no uplift \
-                counts as 0, overturned as larger than any number), if that median is a number",
+            "edge_acceleration_g_max": "largest shock of all histories without overturning, calculated from the uplift",
+            "edge_acceleration_g_median": "largest median shock over all motions (no uplift counts as 0, overturned \
+                as larger than any number), of all objects whose median is a number",
         },
         "inputs": {
             "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
@@ -195,12 +174,7 @@ fn building_inputs(building: &BuildingInput) -> Value {
             "period_from": note,
             "damping_ratio": axis.damping_ratio(),
             "shear_flexure_ratio": axis.shear_flexure_ratio(),
-            "modes": axis.modes().iter().map(|mode| json!({
-                "period_s": mode.period_s(),
-                "damping_ratio": mode.damping_ratio(),
-                "participation_ratio": mode.participation_ratio(),
-                "effective_mass_ratio": mode.effective_mass_ratio(),
-            })).collect::<Vec<_>>(),
+            "modes": axis.modes().iter().map(mode_facts).collect::<Vec<_>>(),
         })
     };
     let mut inputs = json!({
@@ -214,63 +188,47 @@ fn building_inputs(building: &BuildingInput) -> Value {
         inputs.extend(along);
         let across = building.across.as_ref().map(|across| axis(across, building.across_note.as_deref()));
         inputs.insert("across".to_owned(), across.unwrap_or_default());
-        inputs.insert("tables".to_owned(), building.tables.iter().map(|(_, table)| input_file(&table.file)).collect());
+        inputs.insert(
+            "tables".to_owned(),
+            building.tables.iter().map(|(_, table)| json!(input_file(&table.file))).collect(),
+        );
     }
     inputs
 }
 
 fn ground_inputs(ground: &Ground) -> Value {
     match ground {
-        Ground::Synthetic(synthetic) => json!({
-            "code": synthetic.target.code(),
-            "edition": synthetic.target.spectrum.name(),
-            "site": synthetic.target.spectrum.site_name(),
-            "city": synthetic.target.city,
-            "hazard_factor": synthetic.target.hazard_factor(),
-            "return_period_years": synthetic.target.spectrum.return_period_years(),
-            "kpz_g": synthetic.target.kpz_g(),
-            "facts": fact_list(&synthetic.target),
-            "spectrum_file": synthetic.target.file.as_ref().map(input_file),
-            "count": synthetic.count,
-            "seed": synthetic.seed,
-        }),
-        Ground::Simulated(simulated) => simulated_inputs(simulated),
+        Ground::Synthetic(SyntheticGround { target, count, seed }) => json!(
+            Facts::default()
+                .key("code", target.code())
+                .key("edition", target.spectrum.name())
+                .key("site", target.spectrum.site_name())
+                .key("city", target.city.clone())
+                .and(hazard_facts(Some(target)))
+                .key("facts", target.named_facts())
+                .key("spectrum_file", target.file.as_ref().map(input_file))
+                .key("count", *count)
+                .key("seed", *seed)
+        ),
+        Ground::Simulated(simulated) => json!(simulated_inputs(simulated)),
         Ground::Recorded(records) => records.iter().map(recorded_input).collect(),
         Ground::OnFloors => Value::Null,
     }
 }
 
-fn simulated_inputs(simulated: &SimulatedGround) -> Value {
+fn simulated_inputs(simulated: &SimulatedGround) -> Facts<'static> {
     let SimulatedGround { request, earthquakes, hazard } = simulated;
-    let earthquakes: Vec<Value> = earthquakes
-        .iter()
-        .map(|found| {
-            json!({
-                "magnitude": found.source.magnitude,
-                "distance_m": found.source.distance_m,
-                "mean_ratio_to_rock_spectrum": found.mean_ratio_to_rock_spectrum,
-                "moment_n_m": found.source.moment_n_m(),
-                "corner_frequencies_hz": found.corner_frequencies_hz(),
-                "duration_s": found.source.duration_s(),
-            })
-        })
-        .collect();
-    json!({
-        "preset": request.preset.name(),
-        "parameters": request.parameters(),
-        "earthquakes": earthquakes,
-        "site": request.site.name(),
-        "city": hazard.as_ref().and_then(|target| target.city.clone()),
-        "hazard_factor": hazard.as_ref().and_then(Target::hazard_factor),
-        "return_period_years": hazard.as_ref().and_then(|target| target.spectrum.return_period_years()),
-        "kpz_g": hazard.as_ref().and_then(Target::kpz_g),
-        "dt_s": request.options.dt_s,
-        "low_cut_hz": request.options.low_cut_hz,
-        "assumptions": request.assumptions(),
-        "count": request.count,
-        "seed": request.seed,
-        "generator": synthesis::GENERATOR,
-    })
+    Facts::default()
+        .key("preset", request.preset.name())
+        .key("parameters", source_facts(&request.any_source()))
+        .key("earthquakes", earthquakes.iter().map(FoundEarthquake::facts).collect::<Vec<_>>())
+        .key("site", request.site.name())
+        .key("city", hazard.as_ref().and_then(|target| target.city.clone()))
+        .and(hazard_facts(hazard.as_ref()))
+        .and(facts!(request.options; dt_s, low_cut_hz))
+        .key("assumptions", request.assumptions())
+        .and(facts!(request; count, seed))
+        .key("generator", synthesis::GENERATOR)
 }
 
 /// The files of each level, if the motions of floors are given.
@@ -297,7 +255,7 @@ fn recorded_input(record: &RecordedMotion) -> Value {
         "matched": record.matched.as_ref().map(|matched| json!({
             "method": matched.method.name(),
             "target": matched.target.one_line(),
-            "facts": fact_list(&matched.target),
+            "facts": matched.target.named_facts(),
             "spectrum_file": matched.target.file.as_ref().map(input_file),
             "correlation_ratio": matched.resemblance.correlation_ratio,
             "husid_difference_ratio": matched.resemblance.husid_difference_ratio,
@@ -305,13 +263,8 @@ fn recorded_input(record: &RecordedMotion) -> Value {
     })
 }
 
-/// The facts of a target: name and value, in order.
-pub fn fact_list(target: &Target) -> Value {
-    target.facts.iter().map(|(name, value)| json!({"name": name, "value": value})).collect()
-}
-
-fn input_file(file: &InputFile) -> Value {
-    json!({"path": file.path.display().to_string(), "sha256": file.sha256})
+fn input_file(file: &InputFile) -> Facts<'static> {
+    Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
 }
 
 /// A restitution in outputs.

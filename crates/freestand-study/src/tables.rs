@@ -1,68 +1,49 @@
-//! The result as tables: CSV with a header, comma, LF, shortest numbers that read back the same; a
-//! missing value is an empty field.
+//! The result as tables: CSV with a header, commas, LF and the shortest numbers that read back the
+//! same. A missing value is an empty field.
 
-use freestand_output::rows::{csv, optional};
+use freestand_output::facts::{Facts, table_csv};
 
 use crate::result::{FloorProfile, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::Study;
+use freestand::spectra::{ShockCell, UpliftCell};
 use freestand_input::problem::Problem;
-use freestand_input::words::shortest;
 
-/// One row for each motion, level and object, in this order; `extra` are the columns after the
-/// common ones.
+/// One row for each motion, level and object, in this order; `extra` are the facts after the common
+/// ones, of a history that did not fail.
 fn by_object(
     study: &Study,
     result: &StudyResult,
-    extra: &[&str],
-    cells: impl Fn(&ObjectResponse) -> Vec<String>,
+    extra: impl Fn(Option<(&UpliftCell, &ShockCell)>) -> Facts<'static>,
 ) -> Result<Vec<u8>, Problem> {
-    let mut header = vec![
-        "motion",
-        "level",
-        "height_m",
-        "thickness_m",
-        "outcome",
-        "uplift_m",
-        "cg_rise_m",
-        "edge_acceleration_g",
-        "ceiling_g",
-    ];
-    header.extend_from_slice(extra);
-    header.extend(["direction_deg", "reason"]);
     let rows = result.motions.iter().enumerate().flat_map(|(motion, name)| {
-        let cells = &cells;
+        let extra = &extra;
         result.levels.iter().flat_map(move |level| {
             study.objects.blocks.iter().zip(&level.responses[motion]).map(move |(block, response)| {
-                let mut row = vec![
-                    name.clone(),
-                    level.level.name.clone(),
-                    shortest(block.height_m()),
-                    shortest(block.thickness_m()),
-                ];
-                match response {
-                    ObjectResponse::Done { uplift, shock, .. } => row.extend([
-                        uplift.rocking.outcome.name().to_owned(),
-                        shortest(uplift.rocking.uplift_m),
-                        shortest(uplift.rocking.cg_rise_m),
-                        optional(shock.edge_acceleration_g),
-                        shortest(shock.ceiling_g),
-                    ]),
-                    ObjectResponse::Failed(_) => {
-                        row.push("failed".to_owned());
-                        row.extend(std::iter::repeat_n(String::new(), 4));
+                let (done, direction_deg, reason) = match response {
+                    ObjectResponse::Done { uplift, shock, direction_deg } => {
+                        (Some((uplift, shock)), *direction_deg, None)
                     }
-                }
-                row.extend(cells(response));
-                row.extend(match response {
-                    ObjectResponse::Done { direction_deg, .. } => [optional(*direction_deg), String::new()],
-                    ObjectResponse::Failed(reason) => [String::new(), reason.clone()],
-                });
-                row
+                    ObjectResponse::Failed(reason) => (None, None, Some(reason.as_str())),
+                };
+                let (rocking, shock) = done.map(|(uplift, shock)| (&uplift.rocking, shock)).unzip();
+                Facts::default()
+                    .key("motion", name.as_str())
+                    .key("level", level.level.name.as_str())
+                    .key("height_m", block.height_m())
+                    .key("thickness_m", block.thickness_m())
+                    .key("outcome", rocking.map_or("failed", |rocking| rocking.outcome.name()))
+                    .key("uplift_m", rocking.map(|rocking| rocking.uplift_m))
+                    .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m))
+                    .key("edge_acceleration_g", shock.and_then(|shock| shock.edge_acceleration_g))
+                    .key("ceiling_g", shock.map(|shock| shock.ceiling_g))
+                    .and(extra(done))
+                    .key("direction_deg", direction_deg)
+                    .key("reason", reason)
             })
         })
     });
-    csv(&header, rows)
+    table_csv(rows)
 }
 
 /// `urs.csv`: the uplift response spectra, one row for each motion, level and object; for motions
@@ -71,13 +52,12 @@ fn by_object(
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
 pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
-    by_object(study, result, &["peak_rotation_rad", "impact_count", "impact_omega_rad_s"], |response| match response {
-        ObjectResponse::Done { uplift, .. } => vec![
-            shortest(uplift.rocking.peak_rotation_rad),
-            uplift.rocking.impact_count.to_string(),
-            shortest(uplift.impact_omega_rad_s()),
-        ],
-        ObjectResponse::Failed(_) => vec![String::new(); 3],
+    by_object(study, result, |done| {
+        let uplift = done.map(|(uplift, _)| uplift);
+        Facts::default()
+            .key("peak_rotation_rad", uplift.map(|uplift| uplift.rocking.peak_rotation_rad))
+            .key("impact_count", uplift.map(|uplift| uplift.rocking.impact_count))
+            .key("impact_omega_rad_s", uplift.map(UpliftCell::impact_omega_rad_s))
     })
 }
 
@@ -86,10 +66,16 @@ pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> 
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
 pub fn srs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
-    by_object(study, result, &["edge_acceleration_impact_velocity_g"], |response| match response {
-        ObjectResponse::Done { shock, .. } => vec![optional(shock.edge_acceleration_impact_velocity_g)],
-        ObjectResponse::Failed(_) => vec![String::new()],
+    by_object(study, result, |done| {
+        let shock_g = done.and_then(|(_, shock)| shock.edge_acceleration_impact_velocity_g);
+        Facts::default().key("edge_acceleration_impact_velocity_g", shock_g)
     })
+}
+
+/// The quantiles of one value, under the names of [`QUANTILES`].
+fn quantiles<'a>(row: Facts<'a>, names: [&'static str; 3], values: Option<[Ranked; 3]>) -> Facts<'a> {
+    let values = values.unwrap_or([Ranked::NoData; 3]);
+    names.into_iter().zip(values).fold(row, |row, (name, value)| row.key(name, value))
 }
 
 /// `statistics.csv`: quantiles over all motions, one row for each level and object.
@@ -97,47 +83,32 @@ pub fn srs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> 
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
 pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
-    let header = [
-        "level",
-        "height_m",
-        "thickness_m",
-        "motions",
-        "uplift_share",
-        "overturned_share",
-        "uplift_m_p16",
-        "uplift_m_median",
-        "uplift_m_p84",
-        "edge_acceleration_g_p16",
-        "edge_acceleration_g_median",
-        "edge_acceleration_g_p84",
-        "edge_acceleration_impact_velocity_g_p16",
-        "edge_acceleration_impact_velocity_g_median",
-        "edge_acceleration_impact_velocity_g_p84",
-        "edge_acceleration_g_median_of_survivors",
-        "edge_acceleration_g_max_of_survivors",
-        "ceiling_g",
-    ];
     let rows = result.levels.iter().flat_map(|level| {
         study.objects.blocks.iter().zip(&level.statistics).map(|(block, statistics)| {
-            let mut row = vec![level.level.name.clone(), shortest(block.height_m()), shortest(block.thickness_m())];
-            let Some(s) = statistics else {
-                row.push("0".to_owned());
-                row.resize(header.len(), String::new());
-                return row;
-            };
-            row.extend([s.motions.to_string(), shortest(s.uplift_share), shortest(s.overturned_share)]);
-            for quantiles in [s.uplift_m, s.edge_acceleration_g, s.edge_acceleration_impact_velocity_g] {
-                row.extend(quantiles.map(Ranked::cell));
-            }
-            row.extend([
-                optional(s.edge_acceleration_survivors_g),
-                optional(s.edge_acceleration_max_g),
-                shortest(s.ceiling_g),
-            ]);
-            row
+            let s = statistics.as_ref();
+            let row = Facts::default()
+                .key("level", level.level.name.as_str())
+                .key("height_m", block.height_m())
+                .key("thickness_m", block.thickness_m())
+                .key("motions", s.map_or(0, |s| s.motions))
+                .key("uplift_share", s.map(|s| s.uplift_share))
+                .key("overturned_share", s.map(|s| s.overturned_share));
+            let names = ["uplift_m_p16", "uplift_m_median", "uplift_m_p84"];
+            let row = quantiles(row, names, s.map(|s| s.uplift_m));
+            let names = ["edge_acceleration_g_p16", "edge_acceleration_g_median", "edge_acceleration_g_p84"];
+            let row = quantiles(row, names, s.map(|s| s.edge_acceleration_g));
+            let names = [
+                "edge_acceleration_impact_velocity_g_p16",
+                "edge_acceleration_impact_velocity_g_median",
+                "edge_acceleration_impact_velocity_g_p84",
+            ];
+            quantiles(row, names, s.map(|s| s.edge_acceleration_impact_velocity_g))
+                .key("edge_acceleration_g_median_of_survivors", s.and_then(|s| s.edge_acceleration_survivors_g))
+                .key("edge_acceleration_g_max_of_survivors", s.and_then(|s| s.edge_acceleration_max_g))
+                .key("ceiling_g", s.map(|s| s.ceiling_g))
         })
     });
-    csv(&header, rows)
+    table_csv(rows)
 }
 
 /// `floor_profile.csv`: peak floor accelerations and velocities over the height, quantiles over the
@@ -146,31 +117,18 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
 pub fn profile_csv(study: &Study, profile: &FloorProfile) -> Result<Vec<u8>, Problem> {
-    let header = [
-        "level_ratio",
-        "height_m",
-        "pfa_g_p16",
-        "pfa_g_median",
-        "pfa_g_p84",
-        "pfv_m_s_p16",
-        "pfv_m_s_median",
-        "pfv_m_s_p84",
-        "code_part_g",
-    ];
     let height_m = study.building.as_ref().map(|building| building.height_m);
     let rows = profile.levels_ratio.iter().enumerate().map(|(level, &ratio)| {
-        let quantiles = |peaks: &[Vec<f64>]| {
+        let of_level = |peaks: &[Vec<f64>]| {
             let mut of_level: Vec<f64> = peaks.iter().filter_map(|motion| motion.get(level)).copied().collect();
-            QUANTILES.map(|quantile| ranked_quantile(&mut of_level, quantile).cell())
+            Some(QUANTILES.map(|quantile| ranked_quantile(&mut of_level, quantile)))
         };
-        let code_g = profile.code.as_ref().and_then(|code| code.accel_g.get(level)).copied();
-        let mut row = vec![shortest(ratio), optional(height_m.map(|height_m| ratio * height_m))];
-        row.extend(quantiles(&profile.pfa_g));
-        row.extend(quantiles(&profile.pfv_m_s));
-        row.push(optional(code_g));
-        row
+        let row = Facts::default().key("level_ratio", ratio).key("height_m", height_m.map(|height_m| ratio * height_m));
+        let row = quantiles(row, ["pfa_g_p16", "pfa_g_median", "pfa_g_p84"], of_level(&profile.pfa_g));
+        let row = quantiles(row, ["pfv_m_s_p16", "pfv_m_s_median", "pfv_m_s_p84"], of_level(&profile.pfv_m_s));
+        row.key("code_part_g", profile.code.as_ref().and_then(|code| code.accel_g.get(level)).copied())
     });
-    csv(&header, rows)
+    table_csv(rows)
 }
 
 #[cfg(test)]
@@ -189,7 +147,7 @@ mod tests {
         let expected = b"x\n0\n1\n-1e-300\n0.1\n1e22\n";
         assert_eq!(records_csv(&values.map(|x| Row { x })).unwrap(), expected);
         assert_eq!(columns_csv(&[("x", &values)]).unwrap(), expected);
-        assert_eq!(Ranked::Value(1e-300).cell(), "1e-300");
+        assert_eq!(table_csv([Facts::default().key("x", Ranked::Value(1e-300))]).unwrap(), b"x\n1e-300\n");
         let study = crate::fixture::study();
         let mut result = crate::fixture::result(&study);
         for response in result.levels.iter_mut().flat_map(|level| level.responses.iter_mut().flatten()) {

@@ -68,7 +68,7 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
         ("point_source = 6\n", "s.toml:2: point_source must be a table, not 6"),
         (
             "city = \"Perth\"\npoint_source = { magnitude = 6, distance_km = 30 }\n",
-            "s.toml:2: city needs pairs = true: one magnitude and distance need no code",
+            "s.toml:2: city needs pairs = true: a given magnitude and distance need no code",
         ),
         (
             "point_source = { magnitude = 6, distance_km = 30 }\nsite = \"X\"\n",
@@ -85,7 +85,7 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
         ("[ground.point_source]\npairs = true\ndistance_km = 3\n", "s.toml:4: distance and pairs exclude each other"),
         (
             "code = \"ec8\"\npoint_source = { pairs = true }\n",
-            "s.toml:2: code: pairs are searched for by AS 1170.4 only",
+            "s.toml:2: code: pairs = true searches for earthquakes that fit AS 1170.4 only",
         ),
         ("city = \"Melborne\"\npoint_source = { pairs = true }\n", "s.toml:2: city \"Melborne\" is not in AS 1170.4"),
         // kpZ = 20 g is met nowhere.
@@ -112,7 +112,7 @@ fn a_match_that_cannot_be_meant_is_refused_at_its_line() {
         ("motions = \"record.csv\"\nsite = \"De\"\n", "s.toml:3: site and motions exclude each other"),
         (
             "motions = \"record.csv\"\nseed = 3\nmatch = \"fft\"\n",
-            "s.toml:4: seed and match exclude each other: there are no random numbers in a record",
+            "s.toml:4: seed and match exclude each other: a record has no random numbers",
         ),
         (
             "motions = \"record.csv\"\nmatch = \"fft\"\nscale = 3\n",

@@ -119,7 +119,7 @@ fn what_does_not_go_together_is_refused() {
     std::fs::write(folder.path().join("short.csv"), write_csv(&Motion::new(0.02, vec![0.0, 1.0, 0.0]).unwrap()))
         .unwrap();
     for (keys, expected) in [
-        ("motions = [\"a.csv\", \"b.csv\"]\nacross = [\"b.csv\"]", "across has 1 files, and motions 2"),
+        ("motions = [\"a.csv\", \"b.csv\"]\nacross = [\"b.csv\"]", "across names 1 file, but motions names 2 files"),
         ("motions = [\"a.csv\"]\ncomponents = \"both\"", "which two components are meant"),
         (
             "motions = [\"a.csv\"]\nacross = [\"b.csv\"]\ncomponents = \"both\"",
@@ -140,7 +140,7 @@ fn what_does_not_go_together_is_refused() {
     };
     for (second, expected) in [
         ("level_ratio = 1.0", "this level has no motions, but others do"),
-        ("motions = [\"a.csv\", \"b.csv\"]", "level \"b\" has 2 motions, and \"a\" 1"),
+        ("motions = [\"a.csv\", \"b.csv\"]", "level \"b\" has 2 motions, but level \"a\" has 1 motion"),
         ("motions = [\"a.csv\"], across = [\"b.csv\"]", "some motions have a second component and others do not"),
     ] {
         let error = resolve(&levels(second), None, folder.path()).unwrap_err().to_string();

@@ -12,7 +12,7 @@ pub struct DamageBoundary {
     velocity_change_m_s: f64,
 }
 
-/// Why numbers do not make a boundary.
+/// Why a [`DamageBoundary`] cannot be created.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum DamageBoundaryError {
     /// One of the two numbers that define it is not positive and finite.
@@ -31,7 +31,7 @@ fn positive(what: &'static str, value: f64) -> Result<f64, DamageBoundaryError> 
 
 /// The velocity change, divided by the critical one, at which a test for the critical acceleration
 /// is run: π/2, the 1.57 of ASTM D3332. There the exact boundary of a component under a rectangular
-/// pulse meets its floor.
+/// pulse reaches its horizontal part, the critical acceleration.
 pub const KNEE_RATIO: f64 = FRAC_PI_2;
 
 impl DamageBoundary {
@@ -75,8 +75,8 @@ impl DamageBoundary {
 
     /// The peak above which a shock with this velocity change causes damage \[m/s²\], with the
     /// rounded knee of an undamped component under rectangular pulses: 2A sin(ωV/(2A)) = a_c, where
-    /// a_c = 2 A_c and ω = a_c/V_c. `None` at or below V_c, where no peak causes damage. From (π/2)
-    /// V_c on it is A_c.
+    /// a_c = 2 A_c and ω = a_c/V_c. `None` at or below V_c, where no peak causes damage. At (π/2)
+    /// V_c and above it is A_c.
     ///
     /// # Accuracy
     /// Rounding.
@@ -114,8 +114,8 @@ impl DamageBoundary {
     /// most: A_c = a_c/2, V_c = a_c/ω.
     ///
     /// # Reference
-    /// From the undamped oscillator under a rectangular pulse: residual 2A|sin πfT|, maximax 2A
-    /// from fT = ½ on. It explains the 1.57 of ASTM D3332.
+    /// From the undamped oscillator under a rectangular pulse: residual 2A|sin πfT|, maximax 2A for
+    /// fT ≥ ½. It explains the 1.57 of ASTM D3332.
     ///
     /// # Errors
     /// A number that is not positive and finite.

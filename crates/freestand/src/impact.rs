@@ -1,5 +1,5 @@
-//! The shock of one landing: from the rise of the centre of gravity to the acceleration at the
-//! impacting edge.
+//! The shock of one landing: from the rise of the centre of gravity to the acceleration of the
+//! landing edge.
 //!
 //! Every scenario follows one rule: an effective mass m_eff lands on the cushion k at the velocity
 //! v = ω₁d of the contact point, and a_edge = F/m_eff = v√(k/m_eff). Eqs. (5) and (8) of Al Abadi
@@ -35,7 +35,7 @@ pub struct Landing {
     pub pivot: Pivot,
     /// d: distance from the pivot edge to the point of contact \[m\].
     pub contact_distance_m: f64,
-    /// m_eff/m.
+    /// Effective mass divided by the mass of the object, m_eff/m.
     pub effective_mass_ratio: f64,
     /// Δh from the balance point to the contact \[m\], for the scenarios in which the object falls
     /// from there.
@@ -50,9 +50,9 @@ pub enum LandingError {
     /// obstacle.
     #[error("the obstacle is {gap_m} m away and the object is {height_m} m high, so the object cannot reach it")]
     OutOfReach {
-        /// Distance to the obstacle.
+        /// Distance to the obstacle \[m\].
         gap_m: f64,
-        /// Height of the object.
+        /// Height of the object \[m\].
         height_m: f64,
     },
 }
@@ -64,7 +64,7 @@ pub struct Impact {
     pub cg_rise_m: f64,
     /// a, Eq. (7): peak acceleration of the lumped mass dropped by Δh on the same cushion \[m/s²\].
     pub drop_acceleration_m_s2: f64,
-    /// a_edge, Eq. (5) or (8) \[m/s²\].
+    /// The shock a_edge, Eq. (5) or (8): peak acceleration of the landing edge \[m/s²\].
     pub edge_acceleration_m_s2: f64,
     /// v = ω₁d: velocity of the contact point just before the contact \[m/s\].
     pub edge_velocity_m_s: f64,
@@ -277,7 +277,7 @@ pub enum ValidityWarning {
          stiffness given in N/m instead of N/mm?"
     )]
     StaticCompression {
-        /// m g/k.
+        /// Compression under the weight alone, m g/k.
         compression_mm: f64,
         /// Thickness of the pad.
         limit_mm: f64,
@@ -287,7 +287,7 @@ pub enum ValidityWarning {
         "the stiffness of {stiffness_n_mm:.4} N/mm under one edge is very low: was it given in N/m instead of N/mm?"
     )]
     LowStiffness {
-        /// k.
+        /// Stiffness k under one edge.
         stiffness_n_mm: f64,
     },
     /// The impact compresses the pad by more than half of its thickness, where a linear law no
@@ -316,12 +316,12 @@ pub enum ValidityWarning {
     /// A tangent law close to its bottoming compression.
     #[error(
         "the impact compresses the cushion by {compression_mm:.2} mm of the {bottoming_mm} mm at which it bottoms: \
-         the shock is that of a bottomed pad and depends mainly on this number"
+         the shock is that of a bottomed pad and depends mainly on where it bottoms"
     )]
     Bottomed {
         /// Peak compression.
         compression_mm: f64,
-        /// d_b.
+        /// Compression d_b at which the law bottoms.
         bottoming_mm: f64,
     },
     /// More compression than the table covers.
@@ -339,16 +339,16 @@ pub enum ValidityWarning {
          rock through an impact: landings are halted (r = 0 in the motion, shock by Eq. (8))"
     )]
     Squat {
-        /// R_D by Eq. (6).
+        /// Housner's ratio R_D, Eq. (6).
         landing_ratio: f64,
     },
-    /// The motion requires more friction than there is.
+    /// The motion requires more friction than is available.
     #[error(
-        "the object needs a coefficient of friction of {needed_ratio:.3} {when} so as not to slide, more than \
+        "the object needs a coefficient of friction of {needed_ratio:.3} {when}, more than the available \
          {friction_ratio}: it may slide, which the model does not cover"
     )]
     Sliding {
-        /// F_x/N that is required.
+        /// The coefficient of friction F_x/N that is required.
         needed_ratio: f64,
         /// The coefficient of friction that is available.
         friction_ratio: f64,

@@ -13,7 +13,7 @@
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects, and the resulting shock | [`spectra`] |
 //! | contact laws: the force of a cushion, and the landing of a mass on it | [`cushion`] |
-//! | the object on cushions, integrated in time: a second opinion on that shock | [`compliant`] |
+//! | the object on cushions, integrated in time: a check of that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi et al. | [`impact`] |
 //! | a cushion identified from tests | [`identify`] |
 //! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
@@ -27,8 +27,8 @@
 //! The paper is Al Abadi, Petrolito, Lam and Gad.
 //!
 //! **Signs**: a rotation is positive when the object tilts to the right (clockwise), about its
-//! right edge; a positive horizontal acceleration of the base, to the right, drives it negative.
-//! Vertical acceleration is positive upward.
+//! right edge; a positive horizontal acceleration of the base (to the right) drives the rotation
+//! negative. Vertical acceleration is positive upward.
 //!
 //! **Units** are part of every name (`_m`, `_kg`, `_s`, `_rad`, `_m_s2`, `_n_m`, `_g`); pure ratios
 //! end in `_ratio`.

@@ -13,7 +13,7 @@ use thiserror::Error;
 /// spectra of design codes, and Q = 10.
 pub const DAMPING_RATIO: f64 = 0.05;
 
-/// Why numbers do not make an oscillator.
+/// Why the response of an oscillator cannot be calculated.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OscillatorError {
     /// The circular frequency is not positive, or so large that its square is not finite.
@@ -302,8 +302,9 @@ pub fn response_spectrum(
     Ok(ResponseSpectrum { periods_s: periods_s.to_vec(), sd_m, psv_m_s, psa_m_s2, sa_m_s2 })
 }
 
-/// Oscillators that pass over a motion together: enough independent chains to hide the latency of a
-/// step. Of 8, 16 and 32 this is the fastest with AVX-512 (two vectors) and no slower without.
+/// Number of oscillators that are calculated together: enough independent chains to hide the
+/// latency of a step. Of 8, 16 and 32 this is the fastest with AVX-512 (two vectors) and no slower
+/// without.
 const LANES: usize = 16;
 
 #[derive(Debug, Clone, Copy)]

@@ -13,11 +13,11 @@ use crate::rocking::{Base, Outcome, RockingError, RockingOptions, RockingSummary
 pub const PERTURBATION_RATIO: f64 = 1e-6;
 
 /// Amplification above which a cell is sensitive: its peak rotation changes by more than 1e-5 of
-/// itself when the motion changes by [`PERTURBATION_RATIO`].
+/// its value when the motion changes by [`PERTURBATION_RATIO`].
 pub const SENSITIVE_RATIO: f64 = 10.0;
 
-/// Amplification in the rotations and impacts before an overturning above which the overturning is
-/// in doubt: an error of 1e-6 in the motion has grown to 0.1 %.
+/// Amplification, in the rotations and impacts before an object overturns, above which it is in
+/// doubt whether it does: an error of 1e-6 in the motion has grown to 0.1 %.
 pub const DOUBTFUL_RATIO: f64 = 1000.0;
 
 /// One cell of an uplift spectrum: an object and its response to a motion.
@@ -41,8 +41,8 @@ pub struct ShockCell {
     pub ceiling_g: f64,
 }
 
-/// A shock above this comes from a law driven past its bottoming and says nothing about an
-/// object \[g\].
+/// A shock above this comes from a law far beyond its bottoming compression and says nothing about
+/// an object \[g\].
 pub const BEYOND_ALL_G: f64 = 1e6;
 
 impl ShockCell {
@@ -158,8 +158,8 @@ impl UpliftCell {
         self.rocking.sides.iter().fold(0.0, |most: f64, side| most.max(side.impact_omega_rad_s))
     }
 
-    /// The shock on a cushion (everything under the landing edge): the larger one of the landings
-    /// from the two edges, which are equal unless the centre of gravity is off the middle.
+    /// The shock on a cushion (everything under the landing edge): the larger of the shocks of the
+    /// landings from the two edges, which are equal unless the centre of gravity is off-centre.
     pub fn shock(&self, mass_kg: f64, cushion: &Cushion, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
         let upright = self.rocking.outcome != Outcome::Overturned;
         let landings = landings(&self.block, model);

@@ -315,7 +315,7 @@ fn the_tail_is_passed_once() {
     let options = free(0.21, 0.0, 0.8, RockingModel::Rigid);
     let (behind, alone) =
         (rock(&block, under(&still), &options).unwrap(), rock(&block, Base::default(), &options).unwrap());
-    assert_eq!((behind.outcome, behind.end_s), (Outcome::Rocked, 0.8));
+    assert_eq!((behind.outcome, behind.end_time_s), (Outcome::Rocked, 0.8));
     // Three steps of 1e-13, growing with e^(p t).
     assert!((behind.peak_rotation_rad / alone.peak_rotation_rad - 1.0).abs() < 1e-10);
 }
@@ -382,7 +382,7 @@ fn passing_alpha_is_not_yet_overturning() {
     assert_eq!((fallen.outcome, fallen.stop), (Outcome::Overturned, StopReason::Overturned));
     assert_eq!(fallen.peak_rotation_rad, FRAC_PI_2);
     assert_eq!(fallen.cg_rise_m, block.pivot().balance_rise_m());
-    assert_eq!(Some(fallen.end_s), fallen.overturn_time_s);
+    assert_eq!(Some(fallen.end_time_s), fallen.overturn_time_s);
 }
 
 #[test]
@@ -393,7 +393,7 @@ fn a_recorded_history_passes_through_the_reported_events() {
     let got = rock_observed(&block, under(&motion), &RockingOptions::default(), |s| recorder.observe(s)).unwrap();
     let points = recorder.finish(&got);
     assert!(points.windows(2).all(|w| w[0].time_s <= w[1].time_s));
-    assert_eq!((points[0].time_s, points.last().unwrap().time_s), (0.0, got.end_s));
+    assert_eq!((points[0].time_s, points.last().unwrap().time_s), (0.0, got.end_time_s));
     let top = points.iter().fold(0.0, |m: f64, p| m.max(p.theta_rad.abs()));
     assert_eq!(top, got.peak_rotation_rad);
     for impact in &got.impacts {

@@ -34,7 +34,7 @@ const MIN_TEXT_BYTES: u64 = 13;
 
 const SAVE_AGAIN: &str = "open it in a spreadsheet program and save it again as .xlsx, or as CSV";
 
-/// What is known of a workbook before it is opened.
+/// The results of the checks of a workbook.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Facts {
     /// Whether any sheet has merged cells.
@@ -55,7 +55,8 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
         |error: &dyn std::fmt::Display| wrong(format!("is a damaged workbook or zip file ({error})"), SAVE_AGAIN);
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?;
     if archive.len() > MAX_MEMBERS {
-        return Err(wrong(format!("is a zip file of {} members, not a workbook", archive.len()), SAVE_AGAIN));
+        let message = format!("is a zip file of {} members; a workbook has at most {MAX_MEMBERS}", archive.len());
+        return Err(wrong(message, SAVE_AGAIN));
     }
     let names: Vec<String> = archive.file_names_raw().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
     is_workbook(&names, bytes)?;
@@ -133,9 +134,9 @@ fn is_workbook(names: &[String], bytes: &[u8]) -> Result<(), Problem> {
 /// Examines the tags of a member chunk by chunk.
 #[derive(Debug, Default)]
 struct Tags {
-    /// What is not examined yet: the beginning of a tag.
+    /// Bytes not examined yet: the beginning of a tag.
     rest: Vec<u8>,
-    /// The end of what is being skipped.
+    /// The text that ends the part being skipped.
     until: Option<&'static [u8]>,
     /// Whether there were any bytes.
     begun: bool,
@@ -143,7 +144,7 @@ struct Tags {
     has_merges: bool,
 }
 
-/// What is skipped, by its beginning and its end.
+/// Parts that are skipped: their beginnings and their ends.
 const SKIPPED: [(&[u8], &[u8]); 3] = [(b"<!--", b"-->"), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
 
 impl Tags {
@@ -220,8 +221,8 @@ impl Tags {
     }
 }
 
-/// A count, whatever is written: what is not a number counts as 0, what is too large as the largest
-/// number.
+/// A declared count. Text that is not a number counts as 0, a number that is too large as the
+/// largest one.
 fn declared(text: &str) -> u64 {
     let digits = text.trim();
     if digits.bytes().all(|byte| byte.is_ascii_digit()) { digits.parse().unwrap_or(u64::MAX) } else { 0 }

@@ -79,7 +79,7 @@ impl Row {
     }
 }
 
-/// Whether the reader of rows wants more.
+/// Whether the caller wants more rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flow {
     More,

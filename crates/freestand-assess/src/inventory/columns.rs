@@ -92,7 +92,7 @@ pub enum Holds {
     Range,
 }
 
-/// Everything about a column but its values.
+/// The specification of a column.
 #[derive(Debug, Clone, Copy)]
 pub struct ColumnSpec {
     /// The column.
@@ -143,7 +143,7 @@ use Dimension::{Acceleration, Length, Mass, Ratio, Stiffness, Time, Velocity};
 pub static COLUMNS: [ColumnSpec; 35] = [
     said(
         text(Column::Id, "id", &[]),
-        "Identifier of the object, once in the file; without it the row number is used",
+        "Identifier of the object, unique in the file; without it the row number is used",
         "ward3-07",
     ),
     said(
@@ -163,12 +163,12 @@ pub static COLUMNS: [ColumnSpec; 35] = [
     said(text(Column::Room, "room", &[]), "Room", "3.12"),
     said(
         of(text(Column::LifeSafety, "life_safety", &["ls", "life_safety_ls"]), Holds::Rating),
-        "FEMA E-74, LS: risk that somebody is hurt, H, M or L",
+        "FEMA E-74, LS: risk that somebody is hurt (H, M or L)",
         "H",
     ),
     said(
         of(text(Column::Property, "property", &["pl", "property_loss", "property_loss_pl"]), Holds::Rating),
-        "FEMA E-74, PL: risk of a loss of property, H, M or L",
+        "FEMA E-74, PL: risk of a loss of property (H, M or L)",
         "M",
     ),
     said(
@@ -176,7 +176,7 @@ pub static COLUMNS: [ColumnSpec; 35] = [
             text(Column::Function, "function", &["fl", "functional_loss", "function_loss", "functional_loss_fl"]),
             Holds::Rating,
         ),
-        "FEMA E-74, FL: risk that work stops, H, M or L",
+        "FEMA E-74, FL: risk that work stops (H, M or L)",
         "M",
     ),
     required(said(
@@ -187,7 +187,7 @@ pub static COLUMNS: [ColumnSpec; 35] = [
     required(said(quantity(Column::Height, "height", Length, "mm"), "Height", "1800")),
     required(said(
         also(quantity(Column::Thickness, "thickness", Length, "mm"), &["depth"]),
-        "Horizontal size in the plane of rocking, mostly the shorter side; the heading depth is accepted too",
+        "Horizontal size in the plane of rocking, usually the shorter side; the heading depth is accepted too",
         "450",
     )),
     said(
@@ -255,7 +255,7 @@ pub static COLUMNS: [ColumnSpec; 35] = [
     ),
     said(
         text(Column::ToleranceEntry, "tolerance_entry", &[]),
-        "Entry of the tolerance library, in place of the columns before",
+        "Entry of the tolerance library, in place of the other tolerance columns",
         "",
     ),
     said(
@@ -312,9 +312,9 @@ pub(super) fn canonical(text: &str) -> String {
 /// What a heading means.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Heading {
-    /// One of our columns, with its unit; without one the cells have to give it.
+    /// A column that freestand reads, with its unit; `None`: each cell must have its own.
     Ours(Column, Option<&'static Unit>),
-    /// One of our columns, with a text in brackets that is not a unit of it.
+    /// A column that freestand reads, with a text in brackets that is not a unit of it.
     BadUnit(Column, String),
     /// Another column.
     Other,
@@ -324,7 +324,7 @@ fn named(name: &str) -> Option<&'static ColumnSpec> {
     COLUMNS.iter().find(|spec| spec.name == name || spec.aliases.contains(&name))
 }
 
-/// Longest heading that is interpreted; ours are far shorter.
+/// Longest heading that is interpreted; known headings are far shorter.
 const MAX_HEADING_BYTES: usize = 100;
 
 /// Interprets a heading such as `height [mm]`, `Height (mm)`, `height_mm`, `Height, mm` or
@@ -358,7 +358,7 @@ fn bracketed(text: &str) -> Option<(&str, &str)> {
     Some((&text[..open], inner.trim()))
 }
 
-/// `height_mm`, `Height mm`, `height, mm`, `stiffness_n_mm`: the unit follows a name of ours.
+/// `height_mm`, `Height mm`, `height, mm`, `stiffness_n_mm`: the unit follows a known name.
 fn suffixed(text: &str) -> Option<Heading> {
     let places = text.char_indices().filter(|(_, c)| !c.is_alphanumeric()).map(|(at, c)| (at, at + c.len_utf8()));
     // From the end: the longest name wins.
@@ -376,7 +376,7 @@ fn suffixed(text: &str) -> Option<Heading> {
     })
 }
 
-/// A hint for a heading that probably means one of our columns.
+/// A hint for a heading that probably means a column that freestand reads.
 pub(super) fn meant(text: &str) -> Option<String> {
     let text = text.trim();
     if text.is_empty() || text.len() > MAX_HEADING_BYTES {
@@ -384,16 +384,16 @@ pub(super) fn meant(text: &str) -> Option<String> {
     }
     let name = canonical(bracketed(text).map_or(text, |(name, _)| name));
     let others = [
-        ("weight", "for the mass, call it mass; a weight is a force"),
-        ("length", "for the horizontal sizes, call them thickness and width"),
-        ("level", "for the height of the floor over the height of the building, call it level_ratio"),
+        ("weight", "if it is the mass, rename it mass; a weight is a force"),
+        ("length", "if it is a horizontal size, rename it thickness or width"),
+        ("level", "if it is the height of the floor over the height of the building, rename it level_ratio"),
     ];
     if let Some((_, hint)) = others.iter().find(|(other, _)| *other == name) {
         return Some((*hint).to_owned());
     }
     let names: Vec<&str> = COLUMNS.iter().map(|spec| spec.name).collect();
     let near = freestand_input::words::nearest(&name, &names)?;
-    // A word of two letters resembles everything.
+    // Short words resemble too many names.
     (name.chars().count() > 3).then(|| format!("did you mean {near}?"))
 }
 

@@ -39,8 +39,8 @@ pub struct Converted {
 /// CSV and is a string cell in XLSX; reading removes the `'`. The same file gives the same bytes.
 ///
 /// # Errors
-/// A file that cannot be read or has none of our headings, formulas without values, cells that are
-/// too long, and inventories that do not fit into a sheet.
+/// A file that cannot be read or has no headings of an inventory, formulas without values, cells
+/// that are too long, and inventories that do not fit into a sheet.
 pub fn convert_inventory(path: &Path, sheet: Option<&str>, target: Target) -> Result<Converted, Problems> {
     convert_bytes(load(path)?, path, sheet, target)
 }
@@ -92,9 +92,9 @@ fn headings(header: &Header) -> Vec<String> {
 /// How the cells of a column are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Our column, text.
+    /// A column that freestand reads: text.
     Words,
-    /// Our column, numbers: a decimal comma becomes a point.
+    /// A column that freestand reads: numbers; a decimal comma becomes a point.
     Numbers,
     /// Another column.
     Carried,
@@ -140,13 +140,16 @@ fn written(
             Cell::Unevaluated | Cell::TooLong(_) => {
                 let at = At { row: row.number, line: row.line };
                 let (message, hint) = match cell {
-                    Cell::TooLong(_) => ("has more characters than a cell can hold", "shorten it"),
-                    _ => {
-                        ("is a formula without a value", "open the workbook in a spreadsheet program and save it again")
+                    Cell::TooLong(chars) => {
+                        (format!("has {chars} characters, more than a cell of a spreadsheet can hold"), "shorten it")
                     }
+                    _ => (
+                        "is a formula without a value".to_owned(),
+                        "open the workbook in a spreadsheet program and save it again",
+                    ),
                 };
                 let heading = headings.get(index).map_or("", String::as_str);
-                findings.of_cell(at, *column, heading, message, Some(hint.to_owned()));
+                findings.of_cell(at, *column, heading, &message, Some(hint.to_owned()));
                 Written::Empty
             }
             other => Written::of(&other.shown(), false),

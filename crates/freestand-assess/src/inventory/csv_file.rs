@@ -1,4 +1,4 @@
-//! The rows of a CSV.
+//! Reads the rows of a CSV.
 
 use freestand_input::problem::{Problem, ProblemKind};
 
@@ -87,7 +87,7 @@ fn check_row(
     }
     if record.len() > MAX_COLUMNS as usize {
         return wrong(
-            format!("row {number} has {} cells; a sheet has {MAX_COLUMNS} columns", record.len()),
+            format!("row {number} has {} cells; a sheet has at most {MAX_COLUMNS} columns", record.len()),
             "check that this is an inventory; freestand inventory template prints one",
         );
     }
@@ -99,7 +99,7 @@ fn check_row(
     }
     if length > MAX_ROW_BYTES {
         return wrong(
-            format!("row {number} has {} MB", length >> 20),
+            format!("row {number} has {} MB; a row has at most {} MB", length >> 20, MAX_ROW_BYTES >> 20),
             "check that this is an inventory and that every quote is closed",
         );
     }

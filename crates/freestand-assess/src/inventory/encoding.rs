@@ -87,7 +87,7 @@ fn utf16(bytes: &[u8]) -> Option<&'static Encoding> {
     }
 }
 
-/// A control character, which no text contains; a tab and line endings are none.
+/// Whether this is a control character that no text contains; tabs and line endings are allowed.
 pub(super) fn is_unprintable(c: char) -> bool {
     c < ' ' && !matches!(c, '\t' | '\n' | '\r')
 }

@@ -1,4 +1,4 @@
-//! The problems and the doubts of an inventory, collected row by row in bounded memory.
+//! The errors and the warnings about an inventory, collected row by row in bounded memory.
 
 use std::path::Path;
 
@@ -8,12 +8,12 @@ use freestand_input::quantity::shorten;
 
 use super::columns::letters;
 
-/// Number of problems that are listed; nobody reads more at once.
+/// Largest number of problems that are listed.
 const MAX_PROBLEMS: usize = 200;
-/// Number of rows that a warning names.
+/// Largest number of rows that a warning names.
 const NAMED_ROWS: usize = 5;
 
-/// A doubt that several rows can share.
+/// A warning that can apply to several rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Doubt {
     NoId,
@@ -43,7 +43,7 @@ impl Doubt {
                 "have fewer cells than there are headings: the missing ones count as empty; check that the file is \
                  complete"
             }
-            Self::Unnamed => "have cells in columns without a heading: these are ignored",
+            Self::Unnamed => "have cells in columns without a heading: these cells are ignored",
             Self::CarriedError => "have an error such as #REF! in a column that is carried through",
             Self::CarriedFormula => {
                 "have a formula without a value in a column that is carried through: it is left empty"
@@ -77,12 +77,12 @@ impl Doubt {
                 "describe a pad (pad_thickness, pads_per_edge, series_stiffness) without its stiffness: it is ignored"
             }
             Self::Example => "are examples of the template: delete them",
-            Self::PeakMissing => "have a tolerance_duration without a tolerance",
+            Self::PeakMissing => "have a tolerance_duration without a tolerance: give the peak of that pulse",
         }
     }
 }
 
-/// The rows with one doubt.
+/// The rows to which one warning applies.
 #[derive(Debug, Clone)]
 struct Doubtful {
     doubt: Doubt,
@@ -91,7 +91,7 @@ struct Doubtful {
     last: u32,
 }
 
-/// The problems and doubts so far.
+/// The problems and warnings so far.
 #[derive(Debug)]
 pub(super) struct Findings<'a> {
     path: &'a Path,
@@ -159,7 +159,7 @@ impl<'a> Findings<'a> {
         }
     }
 
-    /// Adds a doubt about a row; it counts once for each row.
+    /// Adds a warning about a row; it counts once for each row.
     pub(super) fn doubt(&mut self, doubt: Doubt, row: u32) {
         let at = self.doubts.iter().position(|other| other.doubt == doubt).unwrap_or_else(|| {
             self.doubts.push(Doubtful { doubt, count: 0, first: Vec::new(), last: 0 });
@@ -204,7 +204,7 @@ impl Doubtful {
     }
 }
 
-/// The singular of a doubt: `has no id` for `have no id`.
+/// The singular of a warning: `has no id` for `have no id`.
 fn singular(words: &str) -> String {
     let pairs = [("have ", "has "), ("are ", "is "), ("describe ", "describes ")];
     let found = pairs.iter().find_map(|(many, one)| Some(format!("{one}{}", words.strip_prefix(many)?)));

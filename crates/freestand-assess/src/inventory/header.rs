@@ -10,7 +10,7 @@ use super::columns::{COLUMNS, Column, Heading, Holds, canonical, heading};
 /// Number of rows, empty ones not counted, that are searched for headings.
 pub(super) const SEARCHED_ROWS: usize = 100;
 
-/// Smallest number of our columns in a row of headings.
+/// Smallest number of known columns in a row of headings.
 const MIN_COLUMNS: usize = 2;
 
 /// The headings as they are in the file.
@@ -26,7 +26,7 @@ pub(super) struct Header {
     pub(super) headings: BTreeMap<u32, String>,
     /// Units from a row of their own.
     pub(super) units: BTreeMap<u32, &'static Unit>,
-    /// Number of our columns.
+    /// Number of known columns.
     pub(super) known: usize,
     /// Number of rows above that are not empty.
     pub(super) above: usize,
@@ -34,7 +34,7 @@ pub(super) struct Header {
     pub(super) width: Option<u32>,
 }
 
-/// Finds the headings among the first rows of a sheet: the row with most of our names.
+/// Finds the headings among the first rows of a sheet: the row with the most known names.
 pub(super) fn find(rows: &[Row]) -> Option<Header> {
     let known: Vec<usize> = rows.iter().map(|row| ours(row).len()).collect();
     let most = known.iter().copied().max().filter(|&most| most >= MIN_COLUMNS)?;
@@ -87,7 +87,7 @@ fn is_ours(text: &str) -> bool {
     !matches!(heading(text), Heading::Other)
 }
 
-/// The different columns of ours that a row names.
+/// The different known columns that a row names.
 fn ours(row: &Row) -> Vec<Column> {
     let mut found: Vec<Column> = Vec::new();
     for (_, cell) in &row.cells {

@@ -1,4 +1,4 @@
-//! From the values of a row to an object.
+//! Makes an object from the values of a row.
 
 use freestand::block::{Block, BlockError};
 use freestand::impact::stiffness_warnings;
@@ -28,10 +28,10 @@ const MIN_SIDE_M: f64 = 0.005;
 /// Larger than any object in a building: probably millimetres in a column of metres.
 const MAX_LENGTH_M: f64 = 50.0;
 
-/// First words of rows that sum up the rows above.
+/// First words of rows that are totals of the rows above.
 const TOTALS: [&str; 9] = ["total", "totals", "grand_total", "subtotal", "sub_total", "sum", "sums", "summe", "gesamt"];
 
-/// Whether a row only sums up others: it begins with such a word and has no dimensions.
+/// Whether a row is a total of others: it begins with such a word and has no dimensions.
 pub(super) fn is_total(values: &Values<'_, '_, '_>) -> bool {
     let size = [Column::Height, Column::Thickness, Column::LevelRatio];
     let has_size = size.iter().any(|&column| {
@@ -289,8 +289,8 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
     }
 }
 
-/// The words of a row with those of the entry that it names. They may add pads, layers and a
-/// thickness, but no other law.
+/// Joins the cushion keys of a row with those of the library entry that it names. The row may add
+/// pads, layers and a thickness, but not another contact law.
 fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
     let mut words = words;
     // An entry for a whole edge needs no count of pads; for one pad, a missing count only costs the
@@ -348,7 +348,8 @@ fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tol
     }
     if is_stated {
         let hint = "keep either the entry or the values in the other tolerance columns";
-        values.refuse(Column::ToleranceEntry, "an entry and values of its own exclude each other", hint);
+        let message = "tolerance_entry and the other tolerance columns exclude each other";
+        values.refuse(Column::ToleranceEntry, message, hint);
         return None;
     }
     let found = (lookup.tolerance)(&entry);

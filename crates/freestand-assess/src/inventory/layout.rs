@@ -1,4 +1,4 @@
-//! Which columns of the file are ours, and which are carried through.
+//! Which columns of the file freestand reads, and which are carried through.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub(super) const MAX_CARRIED: usize = 256;
 /// Largest number of headings that are checked for typing mistakes.
 const MAX_MEANT: usize = 20;
 
-/// The place of one of our columns in the file.
+/// The place of a known column in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Place {
     /// Its column, from 0.
@@ -22,7 +22,7 @@ pub(super) struct Place {
     pub(super) heading: String,
     /// The unit of numbers without one; `None`: each cell has its own unit.
     pub(super) unit: Option<&'static Unit>,
-    /// Whether its cells can be read: not with a heading whose unit is wrong.
+    /// Whether its cells can be read: `false` if the unit in the heading is wrong.
     pub(super) is_readable: bool,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// Interprets the headings; their problems are added to `findings`, their doubts to `warnings`.
+    /// Interprets the headings; problems are added to `findings`, warnings to `warnings`.
     pub(super) fn new(header: &Header, findings: &mut Findings<'_>, warnings: &mut Vec<String>) -> Self {
         let width = header.headings.keys().last().map_or(0, |last| last + 1);
         let mut layout = Self {
@@ -140,7 +140,7 @@ impl Layout {
         if self.carried.len() > MAX_CARRIED {
             let message =
                 format!("the file has {} other columns; at most {MAX_CARRIED} are carried through", self.carried.len());
-            findings.of_file(header.line, message, "remove the columns that nobody needs");
+            findings.of_file(header.line, message, "remove columns that are not needed");
         }
     }
 
@@ -154,7 +154,7 @@ impl Layout {
         self.roles.get(&index).copied().unwrap_or(Role::Unnamed)
     }
 
-    /// Our columns, as they were understood.
+    /// The known columns, as they were interpreted.
     pub(super) fn columns(&self) -> Vec<ColumnRead> {
         let ours = self.places.iter().zip(&COLUMNS).filter_map(|(place, spec)| Some((place.as_ref()?, spec)));
         let mut columns: Vec<(u32, ColumnRead)> = ours
@@ -175,14 +175,14 @@ impl Layout {
     }
 }
 
-/// One of our columns, as it was understood.
+/// A known column, as it was interpreted.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ColumnRead {
     /// Its letter in a spreadsheet: `F`.
     pub letter: String,
     /// Its heading in the file.
     pub heading: String,
-    /// Our name for it.
+    /// Its name in freestand.
     pub name: &'static str,
     /// The unit of its numbers; `None`: text or ratios.
     pub unit: Option<String>,

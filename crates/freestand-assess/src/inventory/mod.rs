@@ -33,7 +33,7 @@ pub use template::{template_csv, template_xlsx};
 use crate::library::Tolerance;
 use freestand_study::cushion::EdgeCushion;
 
-/// FEMA E-74's three consequences, each rated.
+/// The ratings of the three consequences of FEMA E-74; `None`: not rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Consequences {
     /// LS: risk that somebody is hurt.
@@ -47,11 +47,11 @@ pub struct Consequences {
 /// A rating of a consequence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Rating {
-    /// L.
+    /// `L`: low.
     Low,
-    /// M.
+    /// `M`: medium.
     Medium,
-    /// H.
+    /// `H`: high.
     High,
 }
 
@@ -83,7 +83,7 @@ pub struct Item {
     pub level_ratio: Option<f64>,
     /// Height \[m\].
     pub height_m: Option<f64>,
-    /// Horizontal size in the plane of rocking, mostly the shorter side \[m\].
+    /// Horizontal size in the plane of rocking, usually the shorter side \[m\].
     pub thickness_m: Option<f64>,
     /// Horizontal size across the thickness; `None`: rocking is computed about one axis only \[m\].
     pub width_m: Option<f64>,

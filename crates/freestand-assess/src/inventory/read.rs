@@ -21,12 +21,12 @@ use super::{Inventory, Item};
 /// empty.
 const MAX_CARRIED_CELLS: usize = 20_000_000;
 
-/// An inventory, and how its file was understood.
+/// An inventory, and how its file was interpreted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
     /// The inventory.
     pub inventory: Inventory,
-    /// Our columns, in the order of the file.
+    /// The columns that freestand reads, in the order of the file.
     pub columns: Vec<ColumnRead>,
     /// The row of the headings, counted from 1.
     pub header_row: u32,
@@ -35,9 +35,9 @@ pub struct Reading {
 /// Reads an inventory from a CSV or a workbook (XLSX), recognised by its content: every quantity in
 /// SI, missing values as `None`.
 ///
-/// `sheet` names a sheet of a workbook; without it the first visible sheet with our headings is
-/// read. The headings may be in any order, each with its unit, and below titles. Other columns are
-/// carried through.
+/// `sheet` names a sheet of a workbook; without it the first visible sheet with the headings of an
+/// inventory is read. The headings may be in any order, each with its unit, and below titles. Other
+/// columns are carried through.
 ///
 /// # Accuracy
 /// A number in a CSV and the same number in a workbook are the same f64, whatever the unit.
@@ -64,7 +64,7 @@ pub fn read_inventory(path: &Path, sheet: Option<&str>, lookup: &Lookup<'_>) -> 
     inspect_inventory(path, sheet, lookup).map(|reading| reading.inventory)
 }
 
-/// As [`read_inventory`], and tells how the file was understood.
+/// As [`read_inventory`], and reports how the file was interpreted.
 ///
 /// # Errors
 /// As [`read_inventory`].
@@ -121,7 +121,7 @@ pub fn parse_inventory(
     }
     if is_full {
         let message = format!("the other columns have more than {MAX_CARRIED_CELLS} cells");
-        findings.of_file(None, message, "remove the columns that nobody needs, or split the file");
+        findings.of_file(None, message, "remove columns that are not needed, or split the file");
     }
     if let Some(row) = signs.mixed() {
         findings.doubt(Doubt::DecimalPoint, row);

@@ -85,7 +85,7 @@ impl Source {
                 best = Some((found, separator));
             }
         }
-        // A quote that is not closed hides the headings with everything else.
+        // A quote that is not closed hides the headings and everything else.
         let (header, separator) = best.ok_or_else(|| failure.unwrap_or_else(no_headings))?;
         Ok(Self { content: Content::Csv { text, separator }, sheet: None, header, warnings: Vec::from_iter(warning) })
     }

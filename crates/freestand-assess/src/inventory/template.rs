@@ -130,7 +130,7 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
         }
     }
     let notes = [
-        "The columns may be in any order. Columns that nobody fills in may be removed; other columns may be added \
+        "The columns may be in any order. Columns that stay empty may be removed; other columns may be added \
          and are carried through.",
         "Units may be changed: height [m], mass [t], stiffness [kN/m] … Under a heading without a unit, each cell \
          has its own, such as 2.3 m.",

@@ -223,7 +223,7 @@ impl Values<'_, '_, '_> {
         None
     }
 
-    /// Reports a doubt about this row.
+    /// Adds a warning about this row.
     pub(super) fn doubt(&mut self, doubt: Doubt) {
         self.findings.doubt(doubt, self.row.number);
     }

@@ -78,7 +78,8 @@ impl Workbook {
             let (at, column) = read.pos;
             let place = || format!("{}{}", letters(column as usize), u64::from(at) + 1);
             if at >= MAX_ROWS || column >= MAX_COLUMNS {
-                let problem = Problem::new(ProblemKind::Format, "a cell lies beyond the limits of a sheet");
+                let message = format!("cell {} lies beyond the limits of a sheet", place());
+                let problem = Problem::new(ProblemKind::Format, message);
                 return Err(problem.hint("save the workbook again, or as CSV"));
             }
             let Some(cell) = cell(&read.value, read.formula.is_some()) else { continue };

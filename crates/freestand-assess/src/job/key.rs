@@ -1,5 +1,5 @@
-//! The key of a run: whatever the finished parts depend on, as one hash. Parts of another key are
-//! not resumed.
+//! The key of a run: one hash of everything that the finished parts depend on. Parts with another
+//! key are not used.
 
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -10,8 +10,8 @@ use freestand_input::file::{InputFile, sha256_hex};
 use freestand_study::study::assessment::{Accepted, Settings, Spread};
 use freestand_study::study::{Ground, Study};
 
-/// Version of the text that is hashed; to be raised with every change of it, and of what a part
-/// holds.
+/// Version of the text that is hashed; raise it with every change of that text or of the content of
+/// a part.
 const FORMAT: u32 = 1;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the

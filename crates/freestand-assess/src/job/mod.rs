@@ -31,7 +31,7 @@ pub const SCHEMA: &str = "freestand.assess/1";
 /// The files of a job, including optional ones.
 const OUTPUTS: [&str; 5] = ["objects.csv", "objects.parquet", "report.html", "assessment.xlsx", MANIFEST];
 
-/// How a job is run, and its optional outputs.
+/// Settings of a job.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Job {
     /// Use the finished parts of an earlier run.
@@ -51,7 +51,7 @@ pub struct JobReport {
     pub resumed: usize,
     /// Objects that this run assessed.
     pub computed: usize,
-    /// Whether it was stopped before its end; a run with `resume` continues it.
+    /// Whether this run was stopped before its end; a run with `resume` continues it.
     pub interrupted: bool,
     /// Objects by decision.
     pub decisions: serde_json::Value,
@@ -95,9 +95,9 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
 /// current thread pool.
 ///
 /// Finished parts are in `progress/` of the folder until the run is complete. A run that was
-/// stopped leaves them beside valid outputs of the finished objects; one that was killed leaves
-/// only the parts. With [`Job::resume`] either is continued and writes the same bytes as a run that
-/// was not interrupted.
+/// stopped leaves them next to valid outputs of the finished objects; one that was killed leaves
+/// only the parts. With [`Job::resume`] a run continues either and writes the same bytes as a run
+/// that was not interrupted.
 ///
 /// # Errors
 /// A motion that cannot be generated, or a folder that cannot be written or was not written by

@@ -12,7 +12,7 @@ use crate::result::{Assessment, Decision};
 use crate::verdict::{Context, Member, Subject, accepted, assess_group, blank, listed};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
-use freestand_study::run::{Progress, Step};
+use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
 
 use super::store::{PROGRESS, Store};
@@ -28,7 +28,7 @@ const MAX_OUTCOMES: usize = 2_000_000;
 pub(super) struct Portfolio<'a> {
     inventory: &'a Inventory,
     store: Store,
-    /// By row of the inventory; rows beyond were not assessed.
+    /// The rank of each row of the inventory; further rows were not assessed.
     ranks: Vec<u32>,
     /// Objects that an earlier run finished.
     pub(super) resumed: usize,
@@ -70,7 +70,7 @@ pub(super) fn assess<'a>(
 ) -> Result<Portfolio<'a>, Problems> {
     let store = Store::open(folder, key, resume)?;
     let total = inventory.items.len();
-    let wants_to_stop = || progress(Step { stage: "", done: 0, total: 0 }).is_break();
+    let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
     let mut portfolio = Portfolio {
         inventory,
         store,
@@ -86,7 +86,7 @@ pub(super) fn assess<'a>(
     let mut shaking: Option<(Hazard, Context)> = None;
     let mut list = Vec::with_capacity(total);
     for (part, items) in inventory.items.chunks(PART).enumerate() {
-        if progress(Step { stage: "objects", done: part * PART, total }).is_break() {
+        if progress(Step { stage: Some(Stage::Objects), done: part * PART, total }).is_break() {
             portfolio.interrupted = true;
             break;
         }
@@ -147,7 +147,7 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
             Err(missing) => {
                 let limit = accepted(&settings.accepted, item.accepted_ratio, &item.consequences);
                 let verb = if missing.len() == 1 { "was" } else { "were" };
-                let why = format!("Nothing was assessed, because its {} {verb} not given.", listed(&missing));
+                let why = format!("Nothing was assessed, because the {} {verb} not given.", listed(&missing));
                 found[place] = Some(Assessment { why, ..blank(item, limit, None) });
             }
         }
@@ -167,7 +167,7 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
                 members.push(Member { item, subject: subject.clone(), accepted_ratio, accepted_for });
                 places.push(*place);
             } else {
-                let why = "Nothing was assessed, because the study has no motion for its floor.".to_owned();
+                let why = "Nothing was assessed, because the study has no motion for this floor.".to_owned();
                 found[*place] = Some(Assessment { why, ..blank(item, limit, None) });
             }
         }
@@ -182,8 +182,8 @@ fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec
     Ok(found.into_iter().flatten().collect())
 }
 
-/// What an object is ranked by: decision, life safety, probability, other consequences,
-/// demand/capacity.
+/// The criteria by which objects are ranked, in this order: decision, life safety, probability,
+/// other consequences, demand/capacity.
 struct Urgency<'a> {
     id: &'a str,
     decision: Decision,
@@ -262,12 +262,12 @@ impl<'a> Portfolio<'a> {
                     rows.map(|((item, found), rank)| Ok(Row { rank: *rank as usize, item, found })).collect::<Vec<_>>()
                 }
                 None => vec![Err(Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
-                    .hint("repeat the run with `resume = true`: what is missing is computed again"))],
+                    .hint("repeat the run with `resume = true`: the missing parts are computed again"))],
             }
         })
     }
 
-    /// Keeps the finished parts beside the outputs, for a run that resumes.
+    /// Keeps the finished parts next to the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
         let parts = self.ranks.len().div_ceil(PART);
         for name in Store::names(parts) {

@@ -1,15 +1,15 @@
-//! Finished parts of a long run on disk: what a killed run leaves, and what a resumed run starts
-//! from.
+//! Finished parts of a long run on disk, from which a resumed run starts.
 //!
 //! The results of a million objects do not fit into memory. They are written part by part and read
 //! again for the outputs, so that a run writes the same bytes whether or not it was interrupted.
 
 use std::fs;
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 use crate::result::Assessment;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::folder::write_file;
 use freestand_output::paths::io_problem;
 
 /// Folder of the parts inside the output folder.
@@ -30,8 +30,8 @@ pub(super) struct Store {
 }
 
 impl Store {
-    /// Opens the folder for a run with this `key`. Parts of another run are removed, those of the
-    /// same run unless `resume`.
+    /// Opens the folder for a run with this `key`. Parts of another run are removed; parts of the
+    /// same run are kept if `resume` is set.
     pub(super) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
         let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
         fs::create_dir_all(folder).map_err(failed)?;
@@ -46,7 +46,7 @@ impl Store {
         let is_same = fs::read_to_string(folder.join(PLAN)).is_ok_and(|found| found == key);
         if !(is_same && resume) {
             store.clear().map_err(failed)?;
-            store.put(PLAN, |file| file.write_all(key.as_bytes())).map_err(failed)?;
+            write_file(&folder.join(PLAN), key.as_bytes(), &[])?;
         }
         Ok(store)
     }
@@ -68,26 +68,16 @@ impl Store {
         Ok(())
     }
 
-    /// Writes a file under a temporary name, then renames it: the file is complete or absent.
-    fn put(&self, name: &str, write: impl FnOnce(&mut io::BufWriter<fs::File>) -> io::Result<()>) -> io::Result<()> {
-        let temporary = self.folder.join(format!("{name}{TEMPORARY}"));
-        let mut file = io::BufWriter::new(fs::File::create(&temporary)?);
-        write(&mut file)?;
-        file.into_inner()?.sync_data()?;
-        fs::rename(temporary, self.folder.join(name))
-    }
-
-    /// Stores a part.
+    /// Stores a part, which is then complete or absent.
     pub(super) fn write(&self, part: usize, found: &[Assessment]) -> Result<(), Problem> {
-        let name = part_name(part);
-        self.put(&name, |file| {
-            for one in found {
-                serde_json::to_writer(&mut *file, one)?;
-                file.write_all(b"\n")?;
-            }
-            Ok(())
-        })
-        .map_err(|error| io_problem(&self.folder.join(&name), "cannot write a finished part", &error))
+        let path = self.folder.join(part_name(part));
+        let mut lines = Vec::new();
+        for one in found {
+            serde_json::to_writer(&mut lines, one)
+                .map_err(|error| io_problem(&path, "cannot write a finished part", &error.into()))?;
+            lines.push(b'\n');
+        }
+        write_file(&path, &lines, &[])
     }
 
     /// Puts the file of this name in a second place as well: as a link, or as a copy where links
@@ -108,15 +98,11 @@ impl Store {
     }
 }
 
-/// End of the name of an incomplete file.
-const TEMPORARY: &str = ".new";
-
 fn part_name(part: usize) -> String {
     format!("{part:06}.jsonl")
 }
 
 fn is_ours(name: &str) -> bool {
-    let name = name.strip_suffix(TEMPORARY).unwrap_or(name);
     let number = name.strip_suffix(".jsonl").unwrap_or("");
     name == PLAN || (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }

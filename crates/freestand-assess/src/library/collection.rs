@@ -1,4 +1,5 @@
-//! A library of either kind: the built-in entries, and the user's file over them.
+//! A library of either kind: the built-in entries, and those of the user's file, which replace
+//! built-in ones with the same id.
 
 use std::cmp::Reverse;
 use std::collections::HashMap;
@@ -14,16 +15,16 @@ use super::table::{self, Column, Row, Table};
 /// Origin of the built-in entries.
 const BUILT_IN: &str = "built-in";
 
-/// Number of problems from which the rest of a file is not read; nobody reads more at once.
+/// Largest number of problems that are reported; the rest of the file is then not read.
 const MAX_PROBLEMS: usize = 200;
 
-/// How many similar ids are named for one that is not found.
+/// Largest number of similar ids in the hint for an id that is not found.
 const MAX_NEAREST: usize = 3;
 
-/// What the libraries differ in.
+/// The differences between the two libraries.
 #[derive(Debug)]
 pub(super) struct Shelf<E> {
-    /// As in `freestand tolerance list`.
+    /// The name of the command, as in `freestand tolerance list`.
     pub(super) name: &'static str,
     pub(super) columns: &'static [Column],
     pub(super) builtin: &'static [u8],
@@ -54,13 +55,13 @@ impl<E> Library<E> {
     }
 
     /// The same library with the entries of a user's file, if there is one; an entry with the same
-    /// id replaces ours.
+    /// id replaces the built-in one.
     ///
     /// # Errors
     /// All problems of the file, with line and column.
     pub fn with_file(mut self, path: Option<&Path>) -> Result<Self, Problems> {
         let Some(path) = path else { return Ok(self) };
-        let bytes = table::load(path)?;
+        let bytes = table::load(path, self.shelf.columns)?;
         let origin = path.display().to_string();
         let in_file = |problem: Problem| problem.in_file(path);
         let (entries, warnings) = self

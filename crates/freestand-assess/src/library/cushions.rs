@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::quantity::{Dimension, format_si, shorten};
 
 use super::collection::{Library, Shelf};
 use super::reader::RowReader;
@@ -13,7 +13,7 @@ use super::tolerances::source_words;
 use super::{Confidence, CushionPrior};
 
 /// The columns of a cushion library.
-pub const CUSHION_COLUMNS: [Column; 12] = [
+const CUSHION_COLUMNS: [Column; 12] = [
     Column::needed("id"),
     Column::needed("item"),
     Column { needed: true, ..Column::number("stiffness_low", Dimension::Stiffness) },
@@ -39,9 +39,9 @@ pub struct CushionEntry {
     pub id: String,
     /// What it is.
     pub item: String,
-    /// Low end of the range for one \[N/m\].
+    /// Low end of the range for one pad, foot or patch \[N/m\].
     pub stiffness_low_n_m: f64,
-    /// High end \[N/m\].
+    /// High end of the range \[N/m\].
     pub stiffness_high_n_m: f64,
     /// Geometric mean of the two \[N/m\].
     pub stiffness_n_m: f64,
@@ -49,7 +49,7 @@ pub struct CushionEntry {
     pub log_sd: f64,
     /// Its thickness \[m\].
     pub thickness_m: Option<f64>,
-    /// Number under one edge, where the inventory does not give it.
+    /// Number of pads under one edge, where the inventory does not give it.
     pub pads_per_edge: u32,
     /// Document.
     pub source: String,
@@ -59,7 +59,7 @@ pub struct CushionEntry {
     pub clause: String,
     /// Page.
     pub page: String,
-    /// Its confidence.
+    /// The confidence in its source.
     pub confidence: Confidence,
     /// Notes.
     pub note: String,
@@ -77,7 +77,9 @@ impl CushionEntry {
         let (low, high) = match low.zip(high) {
             Some((low, high)) if low <= high => (low, high),
             Some(_) => {
-                reader.note("stiffness_high", "is below stiffness_low", "exchange the two");
+                let (low, high) = (reader.text("stiffness_low"), reader.text("stiffness_high"));
+                let message = format!("{} is below stiffness_low, {}", shorten(&high), shorten(&low));
+                reader.note("stiffness_high", message, "swap the two values");
                 (1.0, 1.0)
             }
             None => {

@@ -1,7 +1,7 @@
 //! The tolerance library and the cushion library: what objects withstand and what they rest on,
 //! with the source of every number.
 //!
-//! Both are built-in tables. A user's file with the same columns adds entries, and replaces those
+//! Both are built-in tables. A user's file with the same columns adds entries and replaces those
 //! with the same id. An entry names its source; without a source and a page or clause it is
 //! `recalled`. A recalled tolerance may be shown but never decides a verdict. A cushion is a range
 //! from which stiffnesses are drawn, and the report says so.
@@ -15,8 +15,8 @@ mod tolerances;
 use serde::{Deserialize, Serialize};
 
 pub use collection::Library;
-pub use cushions::{CUSHION_COLUMNS, CushionEntry, CushionLibrary};
-pub use tolerances::{Kind, State, TOLERANCE_COLUMNS, ToleranceEntry, ToleranceLibrary, to_tolerance};
+pub use cushions::{CushionEntry, CushionLibrary};
+pub use tolerances::{Kind, State, ToleranceEntry, ToleranceLibrary, to_tolerance};
 
 use std::path::Path;
 
@@ -44,8 +44,8 @@ impl Libraries {
         })
     }
 
-    /// What a reader of inventories needs. A fragility is not a tolerance, and is not among the
-    /// names.
+    /// Calls `read` with the lookup that a reader of inventories needs. A fragility is not a
+    /// tolerance and is not included.
     pub fn looked_up<T>(&self, read: impl FnOnce(&Lookup) -> T) -> T {
         let names = self.tolerances.entries().iter().filter(|entry| to_tolerance(entry).is_some());
         read(&Lookup {
@@ -75,7 +75,7 @@ pub enum Confidence {
 }
 
 impl Confidence {
-    /// Whether a verdict may rest on it.
+    /// Whether a verdict may depend on it.
     pub fn decides(self) -> bool {
         !matches!(self, Self::Recalled)
     }
@@ -95,25 +95,25 @@ pub struct Tolerance {
     pub edge_lift_m: Option<f64>,
     /// Its source, ready to print: `the inventory`, or `hdd-35-operating: data sheets (class)`.
     pub source: String,
-    /// Its confidence.
+    /// The confidence in its source.
     pub confidence: Confidence,
 }
 
 /// An estimate of a cushion, never a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CushionPrior {
-    /// The cushion in the words of [`freestand_study::cushion`]: the geometric mean of the range,
-    /// with the pads per edge.
+    /// The cushion as keys of [`freestand_study::cushion`]: the geometric mean of the range, with
+    /// the pads per edge.
     pub words: Words,
-    /// ln(high/low)/2: the range is taken as that from 16 to 84 %, which contains two pads of
-    /// three.
+    /// ln(high/low)/2: the range is taken as that from 16 to 84 %, which contains two of three
+    /// pads.
     pub log_sd: f64,
     /// Its source, ready to print.
     pub source: String,
 }
 
 impl Confidence {
-    /// All, the most trusted first.
+    /// All levels of confidence, the most trusted first.
     pub const ALL: [Self; 5] = [Self::Stated, Self::Primary, Self::Secondary, Self::Assumption, Self::Recalled];
 
     /// The name in files and outputs.
@@ -134,7 +134,7 @@ impl Confidence {
             Self::Primary => "read in the source itself",
             Self::Secondary => "read in a document that quotes the source",
             Self::Assumption => "an assumption, without a source",
-            Self::Recalled => "quoted from memory; such a tolerance decides no verdict",
+            Self::Recalled => "quoted from memory; no verdict depends on such a tolerance",
         }
     }
 }

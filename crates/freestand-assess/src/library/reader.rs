@@ -77,15 +77,15 @@ impl<'s> RowReader<'s> {
             _ => {
                 self.note(
                     column,
-                    format!("must be a whole number, not \"{}\"", shorten(&text)),
-                    "write a whole number, at least 1",
+                    format!("must be a whole number, at least 1, not \"{}\"", shorten(&text)),
+                    "write a count, or leave the cell empty if it is not known",
                 );
                 None
             }
         }
     }
 
-    /// One of a few words.
+    /// One of the given words.
     pub(super) fn word<T: Copy>(&mut self, column: &'static str, words: &[(&'static str, T)]) -> Option<T> {
         let text = self.text(column).to_lowercase();
         let found = words.iter().find(|(name, _)| *name == text).map(|(_, value)| *value);
@@ -93,7 +93,7 @@ impl<'s> RowReader<'s> {
             let names: Vec<&str> = words.iter().map(|(name, _)| *name).collect();
             self.note(
                 column,
-                format!("\"{}\" is not known", shorten(&text)),
+                format!("\"{}\" is not a known value", shorten(&text)),
                 format!("write one of {}", names.join(", ")),
             );
         }
@@ -122,7 +122,7 @@ impl<'s> RowReader<'s> {
             self.note(
                 "confidence",
                 message,
-                "say where the numbers can be found, or write recalled: they are then shown but decide no verdict",
+                "give the source and its page or clause, or write recalled: the entry then decides no verdict",
             );
         }
         confidence

@@ -19,7 +19,7 @@ const MAX_NAME_CHARS: usize = 60;
 
 /// A column: its name and, for numbers, their dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Column {
+pub(super) struct Column {
     /// Its name in headers.
     pub name: &'static str,
     /// The dimension of its numbers.
@@ -75,10 +75,10 @@ impl Table {
 }
 
 /// The bytes of a library file.
-pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
-    let hint = "give a library: a CSV file with the columns that --help lists";
-    load_up_to(path, MAX_BYTES, "is larger than 8 MiB, too large for a library", hint)
-        .map_err(|problem| problem.hint(hint))
+pub(super) fn load(path: &Path, columns: &[Column]) -> Result<Vec<u8>, Problem> {
+    let hint = format!("give a library: a CSV file with the columns {}", names(columns).join(", "));
+    load_up_to(path, MAX_BYTES, "is larger than 8 MiB, too large for a library", &hint)
+        .map_err(|problem| problem.hint(&hint))
 }
 
 /// Splits a library into its cells.
@@ -140,9 +140,12 @@ fn csv_problem(error: &csv::Error) -> Problem {
         .hint("save the table as CSV (UTF-8)")
 }
 
+fn names(columns: &[Column]) -> Vec<&'static str> {
+    columns.iter().map(|column| column.name).collect()
+}
+
 fn header_hint(columns: &[Column]) -> String {
-    let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
-    format!("the first line must name the columns: {}", names.join(", "))
+    format!("the first line must name the columns: {}", names(columns).join(", "))
 }
 
 type Places = Vec<(&'static str, usize, Option<&'static Unit>)>;
@@ -150,7 +153,7 @@ type Places = Vec<(&'static str, usize, Option<&'static Unit>)>;
 /// Finds the known columns in the header.
 fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems, Vec<String>) {
     let (mut places, mut problems, mut warnings): (Places, Problems, Vec<String>) = Default::default();
-    let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+    let names = names(columns);
     let mut note = |message: String, hint: String| {
         problems.push(Problem::new(ProblemKind::Format, message).at_line(1).hint(hint));
     };

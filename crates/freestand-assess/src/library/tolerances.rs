@@ -2,7 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand::shock_response::{Pulse, PulseShape};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, format_si};
@@ -15,7 +15,7 @@ use super::table::{Column, Row, Table};
 use super::{Confidence, Tolerance};
 
 /// The columns of a tolerance library; numbers have their unit in brackets, such as `peak [g]`.
-pub const TOLERANCE_COLUMNS: [Column; 23] = [
+const TOLERANCE_COLUMNS: [Column; 23] = [
     Column::needed("id"),
     Column::needed("class"),
     Column::needed("kind"),
@@ -88,7 +88,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All.
+    /// All kinds.
     pub const ALL: [Self; 4] = [Self::VendorLimit, Self::TestSeverity, Self::Class, Self::Fragility];
 
     /// The name in files and outputs.
@@ -106,7 +106,7 @@ impl Kind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum State {
-    /// In operation, which continues.
+    /// Operating, and continues to operate.
     Operating,
     /// Switched off.
     NonOperating,
@@ -117,7 +117,7 @@ pub enum State {
 }
 
 impl State {
-    /// All.
+    /// All states.
     pub const ALL: [Self; 4] = [Self::Operating, Self::NonOperating, Self::Packaged, Self::Any];
 
     /// The name in files and outputs.
@@ -155,8 +155,9 @@ pub struct ToleranceEntry {
     pub peak_high_g: Option<f64>,
     /// Duration of the pulse of that peak \[s\].
     pub duration_s: Option<f64>,
-    /// `half-sine`, `trapezoid`, `terminal-sawtooth`, …; `None` without a duration.
-    pub shape: Option<&'static str>,
+    /// Its shape; `None` without a duration.
+    #[serde(serialize_with = "name_of_shape")]
+    pub shape: Option<PulseShape>,
     /// Velocity change of that pulse itself, 2AT/π for a half-sine \[m/s\]; not a tolerance by
     /// itself.
     pub pulse_velocity_change_m_s: Option<f64>,
@@ -164,11 +165,11 @@ pub struct ToleranceEntry {
     pub velocity_change_m_s: Option<f64>,
     /// Uplift, or drop height, from which it may fall without damage \[m\].
     pub edge_lift_m: Option<f64>,
-    /// Peak floor acceleration at which half fail \[m/s²\].
+    /// Peak floor acceleration at which half of the objects fail \[m/s²\].
     pub pfa_median_m_s2: Option<f64>,
     /// \[g\].
     pub pfa_median_g: Option<f64>,
-    /// Peak floor velocity at which half fail \[m/s\].
+    /// Peak floor velocity at which half of the objects fail \[m/s\].
     pub pfv_median_m_s: Option<f64>,
     /// Dispersion: the standard deviation of the logarithm of the demand.
     pub beta: Option<f64>,
@@ -186,9 +187,9 @@ pub struct ToleranceEntry {
     pub licence: String,
     /// The notice that the licence requires.
     pub notice: String,
-    /// Its confidence.
+    /// The confidence in its source.
     pub confidence: Confidence,
-    /// Whether a verdict may rest on it.
+    /// Whether a verdict may depend on it.
     pub decides: bool,
     /// Notes.
     pub note: String,
@@ -223,7 +224,7 @@ impl ToleranceEntry {
             peak_high_m_s2,
             peak_high_g: in_g(peak_high_m_s2),
             duration_s,
-            shape: shape.map(|shape| name_of(SHAPES, shape)),
+            shape,
             pulse_velocity_change_m_s: pulse
                 .and_then(|((shape, peak), duration)| Pulse::new(shape, peak, duration).ok())
                 .map(|pulse| pulse.velocity_change_m_s()),
@@ -266,7 +267,7 @@ impl ToleranceEntry {
                 reader.note(
                     "kind",
                     "medians and beta belong to a fragility",
-                    "put them into an entry of the kind fragility",
+                    "use the kind fragility, or leave them empty",
                 );
             }
             if limits == 0 {
@@ -295,10 +296,10 @@ impl ToleranceEntry {
             parts.push(range(peak, self.peak_high_m_s2, Dimension::Acceleration));
         }
         if let (Some(duration), Some(shape)) = (self.duration_s, self.shape) {
-            parts.push(format!("{} {shape}", format_si(duration, Dimension::Time)));
+            parts.push(format!("{} {}", format_si(duration, Dimension::Time), name_of(SHAPES, shape)));
         }
         parts.extend(self.velocity_change_m_s.map(|v| format!("Δv {}", format_si(v, Dimension::Velocity))));
-        parts.extend(self.edge_lift_m.map(|lift| format!("edge lift {}", format_si(lift, Dimension::Length))));
+        parts.extend(self.edge_lift_m.map(|lift| format!("uplift {}", format_si(lift, Dimension::Length))));
         parts.extend(self.pfa_median_m_s2.map(|a| format!("median PFA {}", format_si(a, Dimension::Acceleration))));
         parts.extend(self.pfv_median_m_s.map(|v| format!("median PFV {}", format_si(v, Dimension::Velocity))));
         parts.extend(self.beta.map(|beta| format!("β {}", number(beta, 3))));
@@ -317,6 +318,10 @@ pub(super) fn source_words(source: &str, edition: &str, clause: &str, page: &str
     let parts = [source, edition, clause, &page].into_iter().filter(|part| !part.is_empty());
     let words = parts.collect::<Vec<_>>().join(", ");
     if words.is_empty() { "no source".to_owned() } else { words }
+}
+
+fn name_of_shape<S: Serializer>(shape: &Option<PulseShape>, serializer: S) -> Result<S::Ok, S::Error> {
+    shape.map(|shape| name_of(SHAPES, shape)).serialize(serializer)
 }
 
 /// The shape of a pulse; without one, a pulse with a duration is a half-sine.
@@ -344,7 +349,7 @@ fn notice(text: String) -> String {
 /// A range gives its low end. The velocity change of the pulse does not become a critical velocity
 /// change.
 pub fn to_tolerance(entry: &ToleranceEntry) -> Option<Tolerance> {
-    let is_comparable = entry.shape.is_none_or(|shape| shape == name_of(SHAPES, PulseShape::HalfSine));
+    let is_comparable = entry.shape.is_none_or(|shape| shape == PulseShape::HalfSine);
     (entry.kind != Kind::Fragility && is_comparable).then(|| Tolerance {
         peak_m_s2: entry.peak_m_s2,
         duration_s: entry.duration_s,

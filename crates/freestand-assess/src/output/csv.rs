@@ -12,7 +12,7 @@ use freestand_output::streamed::StreamedFile;
 use super::table::{COLUMNS, Cell, Line, carried_cells, carried_names};
 
 /// The file's name.
-pub const CSV_NAME: &str = "objects.csv";
+pub(super) const CSV_NAME: &str = "objects.csv";
 
 /// Bytes that are collected before they are written.
 const CHUNK_BYTES: usize = 1 << 20;
@@ -96,4 +96,4 @@ fn push_field(out: &mut String, cell: &Cell) {
 }
 
 /// The value of a ranked number where the object overturns.
-pub const OVERTURNED: &str = "overturned";
+pub(super) const OVERTURNED: &str = "overturned";

@@ -335,8 +335,9 @@ pub(super) fn written(inventory: &Inventory, assessed: usize, wanted: Wanted) ->
     let rows = rows(inventory, assessed);
     let mut rows = rows.into_iter().map(Ok::<_, Problem>);
     write_all(&out, &head(inventory.items.len()), inventory, wanted, &mut rows).unwrap();
+    let names = out.names().unwrap();
     out.commit().unwrap();
-    (folder, wanted.names())
+    (folder, names)
 }
 
 /// The bytes of one of the files.

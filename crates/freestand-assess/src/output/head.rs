@@ -7,7 +7,7 @@ use freestand_study::study::{Ground, Study};
 
 /// What all outputs of an assessment share.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Head {
+pub(crate) struct Head {
     /// Name and value in words: the inventory and its fingerprint, the study, the hazard, the
     /// building, the motions, seed, version.
     pub facts: Vec<(String, String)>,
@@ -20,7 +20,7 @@ pub struct Head {
 }
 
 /// The head of an assessment of `inventory` on the floors of `study`.
-pub fn head(study: &Study, inventory: &Inventory) -> Head {
+pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
     let mut facts: Vec<(String, String)> = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     let file = inventory.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
@@ -74,7 +74,7 @@ fn assumptions(study: &Study) -> Vec<String> {
         &study.assessment;
     let percent = |share: f64| percent_significant(share, 3);
     vec![
-        "Every probability applies to these motions; it is not an annual probability.".to_owned(),
+        "Every probability applies to the motions of this study; it is not an annual probability.".to_owned(),
         format!(
             "Accepted probability of overturning or damage: {}; {} where life safety is rated high, {} for property \
              and {} for function. No code prescribes it: the owner chooses it.",
@@ -94,8 +94,8 @@ fn assumptions(study: &Study) -> Vec<String> {
          They show the effect of the number of motions, not whether the motions suit the site."
             .to_owned(),
         format!(
-            "Friction where the inventory does not give it: {} to {}. Sliding is not computed; where it occurs, \
-             rocking and its shock are smaller.",
+            "Coefficient of friction where the inventory does not give it: {} to {}. Sliding is not computed; where it \
+             occurs, rocking and its shock are smaller.",
             friction_ratio.0, friction_ratio.1
         ),
         format!(

@@ -1,24 +1,24 @@
 //! The outputs of an assessment, written in one pass over its rows: a million objects are never in
 //! memory together.
 
-pub mod csv;
+mod csv;
 #[cfg(test)]
 mod fixture;
 mod head;
-pub mod overview;
-pub mod parquet;
-pub mod report;
-pub mod sources;
-pub mod table;
+mod overview;
+mod parquet;
+mod report;
+mod sources;
+mod table;
 pub mod words;
-pub mod workbook;
+mod workbook;
 
 use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::folder::OutputFolder;
 
-pub use head::{Head, head};
+pub(crate) use head::{Head, head};
 
 use csv::{CSV_NAME, CsvTable};
 use overview::Overview;
@@ -30,7 +30,7 @@ use workbook::{Book, WORKBOOK_NAME};
 
 /// One object with its rank: 1 is the most urgent.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row<'a> {
+pub(crate) struct Row<'a> {
     /// 1 … the number of results.
     pub rank: usize,
     /// Its row of the inventory.
@@ -41,7 +41,7 @@ pub struct Row<'a> {
 
 /// The outputs besides `objects.csv`, which is always written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wanted {
+pub(crate) struct Wanted {
     /// `objects.parquet`.
     pub parquet: bool,
     /// `assessment.xlsx`.
@@ -52,23 +52,8 @@ pub struct Wanted {
     pub pages: usize,
 }
 
-impl Default for Wanted {
-    fn default() -> Self {
-        Self { parquet: false, workbook: true, report: true, pages: 200 }
-    }
-}
-
-impl Wanted {
-    /// The names of the files that [`write_all`] writes.
-    pub fn names(&self) -> Vec<String> {
-        let optional = [(self.parquet, PARQUET_NAME), (self.workbook, WORKBOOK_NAME), (self.report, REPORT_NAME)];
-        let optional = optional.into_iter().filter(|(wanted, _)| *wanted).map(|(_, name)| name);
-        [CSV_NAME].into_iter().chain(optional).map(str::to_owned).collect()
-    }
-}
-
 /// Rows in the list of the most urgent objects.
-pub const URGENT_ROWS: usize = 50;
+pub(crate) const URGENT_ROWS: usize = 50;
 
 /// Writes the outputs of an assessment into `folder` in a single pass over `rows`, which are in the
 /// order of the inventory. Objects without a row were not assessed, because the run was
@@ -80,7 +65,7 @@ pub const URGENT_ROWS: usize = 50;
 ///
 /// # Errors
 /// The first problem of `rows`, rows that are not in the order of the inventory, or a full disk.
-pub fn write_all(
+pub(crate) fn write_all(
     folder: &OutputFolder,
     head: &Head,
     inventory: &Inventory,

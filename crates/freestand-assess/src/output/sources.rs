@@ -15,13 +15,13 @@ type Key = (&'static str, String, &'static str);
 
 /// Sources with the number of objects that use them.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Sources {
+pub(super) struct Sources {
     objects: BTreeMap<Key, usize>,
 }
 
 impl Sources {
     /// Counts the sources of one row.
-    pub fn add(&mut self, line: &Line) {
+    pub(super) fn add(&mut self, line: &Line) {
         if let Some(tolerance) = &line.item.tolerance {
             self.count("tolerance", &tolerance.source, tolerance.confidence.description());
         }
@@ -34,7 +34,7 @@ impl Sources {
     }
 
     /// What the number is, its source, its trust and the number of objects, in alphabetical order.
-    pub fn rows(&self) -> impl Iterator<Item = (&'static str, &str, &'static str, usize)> {
+    pub(super) fn rows(&self) -> impl Iterator<Item = (&'static str, &str, &'static str, usize)> {
         self.objects.iter().map(|((what, source, worth), count)| (*what, source.as_str(), *worth, *count))
     }
 

@@ -54,12 +54,12 @@ pub fn colours(decision: Decision) -> Colours {
     }
 }
 
-/// What decided, in words.
+/// The tier that decided, in words.
 pub fn tier(tier: u8) -> &'static str {
     match tier {
         0 => "tier 0: thresholds",
         1 => "tier 1: spectra",
-        2 => "tier 2: histories of its own",
+        2 => "tier 2: histories of the object itself",
         3 => "tier 3: the compliant base",
         _ => "",
     }
@@ -96,11 +96,11 @@ pub fn probability(probability: Probability) -> String {
 /// Demand/capacity of the median motion in a sentence.
 pub fn margin(found: &Assessment) -> String {
     let Some(capacity) = &found.capacity else {
-        return "Its tolerance was not given, so demand/capacity is not known.".to_owned();
+        return "Not known, because the tolerance was not given.".to_owned();
     };
     match capacity.demand_capacity {
         Ranked::Overturned => "The median motion overturns it.".to_owned(),
-        Ranked::NoData => "Demand/capacity is not known.".to_owned(),
+        Ranked::NoData => "Not known.".to_owned(),
         Ranked::Value(ratio) if ratio > 1.0 => {
             format!("The demand of the median motion is {} times the tolerance.", number(ratio, 3))
         }
@@ -108,22 +108,22 @@ pub fn margin(found: &Assessment) -> String {
     }
 }
 
-/// How to read a list of objects, for every page that has one.
+/// How to read a list of objects; shown with every such list.
 pub const HOW_TO_READ: [&str; 7] = [
     "Restrain (▲): the probability that the object overturns or exceeds its tolerance is above the accepted \
      probability, and no softer pad suffices.",
     "Soften (◆): the shock governs, and a softer pad under the object brings the probability below the accepted one. \
      The pad was checked by repeating the motions.",
-    "No verdict (?): data that a verdict needs are missing, and the row says which. Everything that could be computed \
-     without them is given.",
+    "No verdict (?): data that a verdict needs are missing; the reason says which. All numbers that can be computed \
+     without them are given.",
     "Leave (●): the object may stay as it is under the assumed hazard.",
     "Demand/capacity is that of the median motion; above 1 the tolerance is exceeded. “Overturned” ranks above every \
      number.",
-    "A probability counts motions, and draws of the uncertain values (stiffness, restitution, mass, geometry, model); \
-     overturning counts as exceeding the tolerance. The 95 % interval follows the probability.",
+    "A probability is a share of all motions and all draws of the uncertain values (stiffness, restitution, mass, \
+     geometry, model); overturning counts as exceeding the tolerance. The 95 % interval follows in brackets.",
     "Shocks are those of the edge that lands, by Eq. (5) of Al Abadi et al., or by Eq. (8) where the landing is \
-     halted. Of two energy sources, the rise of the centre of gravity and the velocity before the impact, the larger \
-     counts.",
+     halted. Each is calculated twice, from the rise of the centre of gravity and from the velocity before the impact; \
+     the larger counts.",
 ];
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use freestand::code_spectrum::part_forces::{
     As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Governing, Nzs1170_5Part, PartForce, as1170_4_force,
     asce7_16_force, asce7_22_force, eurocode8_force, nzs1170_5_force,
 };
-use freestand::code_spectrum::parts::{PartsQuestion, asce7_height_ratio, floor_acceleration_g};
+use freestand::code_spectrum::parts::{PartsQuestion, as1170_4_height_ratio, asce7_height_ratio, floor_acceleration_g};
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 
 use crate::result::{Axis, RestraintForce};
@@ -15,7 +15,7 @@ use freestand_input::words::number;
 
 /// An object about one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RestraintAxis {
+pub(crate) struct RestraintAxis {
     /// The side that lies in the plane of motion.
     pub axis: Axis,
     /// From the anchors along one edge to the opposite edge, about which the object rotates \[m\].
@@ -26,7 +26,7 @@ pub struct RestraintAxis {
 
 /// The factors of the codes for the object; the note of every force states those that were assumed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RestraintParameters {
+pub(crate) struct RestraintParameters {
     /// AS 1170.4: a rigid part with a connection that is not shown to be ductile.
     pub as1170_4: As1170_4Part,
     /// ASCE 7-16: storage cabinets and laboratory equipment.
@@ -58,7 +58,7 @@ impl Default for RestraintParameters {
 
 impl RestraintParameters {
     /// The defaults, with the importance factor of 1.5 that life safety requires.
-    pub fn critical() -> Self {
+    pub(crate) fn critical() -> Self {
         let mut parameters = Self::default();
         parameters.as1170_4.importance_ratio = 1.5;
         parameters.asce7_16.importance_ratio = 1.5;
@@ -70,7 +70,7 @@ impl RestraintParameters {
 
 /// The object, its place and the hazard.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RestraintQuestion {
+pub(crate) struct RestraintQuestion {
     /// Mass \[kg\].
     pub mass_kg: f64,
     /// Height of the centre of gravity, at which the force acts \[m\].
@@ -94,20 +94,20 @@ pub struct RestraintQuestion {
 /// Height of a building that every code counts as tall \[m\].
 const TALL_M: f64 = 30.0;
 
-const RECALLED: &str = "This clause is recalled, not read: check it in your edition.";
+const RECALLED: &str = "This clause is quoted from memory: check it in your edition of the code.";
 
 /// The forces for the design of a restraint, one for each source: AS 1170.4 section 8, ASCE 7-16
-/// and 7-22 chapter 13, Eurocode 8 or NZS 1170.5 where the hazard is theirs, and the computed floor
-/// acceleration times the mass.
+/// and 7-22 chapter 13, Eurocode 8 or NZS 1170.5 if the hazard is by that code, and the computed
+/// floor acceleration times the mass.
 ///
-/// The force acts at the centre of gravity. All anchors along one edge together hold T = max(0, (F
-/// h − W (1 − v) e)/b), with h the height of the centre of gravity, e the lever of the weight, b
-/// the base and v the share of the weight that the clause deducts for vertical shaking; the axis
-/// that needs more counts.
+/// The force acts at the centre of gravity. All anchors along one edge together carry the tension
+/// T = max(0, (F h − W (1 − v) e)/b), with h the height of the centre of gravity, e the lever of
+/// the weight, b the base and v the share of the weight that the clause deducts for vertical
+/// shaking; the axis that needs more counts.
 ///
 /// A code other than the study's receives the study's spectrum: kpZ Ch(0) is then Sa(0), S_DS its
 /// plateau, and the note says so. There is no force for an object without mass or size.
-pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
+pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     let is_positive = |value: f64| value > 0.0 && value.is_finite();
     if !is_positive(question.mass_kg) || !is_positive(question.cg_height_m) {
         return Vec::new();
@@ -171,10 +171,10 @@ fn governs(force: &PartForce) -> String {
 fn place(question: &RestraintQuestion) -> (PartsQuestion, &'static str) {
     let (building_height_m, said) = match question.building_height_m {
         Some(height_m) => (height_m, ""),
-        None => (TALL_M, " The height of the building is not known and is taken as 12 m or more."),
+        None => (TALL_M, " The height of the building was not given; 12 m or more is assumed."),
     };
     let level_ratio = question.level_ratio;
-    (PartsQuestion { level_ratio, building_height_m, building_period_s: question.building_period_s }, said)
+    (PartsQuestion { level_ratio, building_height_m: Some(building_height_m), building_period_s: question.building_period_s }, said)
 }
 
 /// Sa(0), or Sa at the shortest period of a table.
@@ -187,8 +187,11 @@ fn australia(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<Re
     let (place, tall) = place(question);
     let own = matches!(spectrum, CodeSpectrum::As1170_4(_));
     // a_x depends on the place alone: floor over ground acceleration of any spectrum of this code.
-    let floor_g =
-        if own { floor_acceleration_g(spectrum, &place)? } else { ground_g(spectrum) * as_height_ratio(&place) };
+    let floor_g = if own {
+        floor_acceleration_g(spectrum, &place)?
+    } else {
+        ground_g(spectrum) * as1170_4_height_ratio(place.level_ratio, place.building_height_m?)
+    };
     let borrowed = if own { "" } else { " kpZ Ch(0) is taken as Sa(0) of the study's spectrum." };
     let found = as1170_4_force(floor_g, &part);
     let formula = format!(
@@ -205,15 +208,6 @@ fn australia(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<Re
         number(part.ductility_ratio, 3)
     );
     Some(force(question, "AS 1170.4-2007, section 8", found.force_ratio, 0.0, &formula))
-}
-
-/// a_x = 1 + kc hx.
-fn as_height_ratio(place: &PartsQuestion) -> f64 {
-    if place.building_height_m >= 12.0 {
-        1.0 + 2.0 * place.level_ratio
-    } else {
-        1.0 + 0.17 * place.level_ratio * place.building_height_m
-    }
 }
 
 fn america(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Vec<RestraintForce> {
@@ -247,8 +241,8 @@ fn america(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Vec<Restrai
     let found = asce7_22_force(sds_g, new_height, &new);
     let formula = format!(
         "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: \
-         0.4 × {} × {} × {}/{} × {}/{} = {} W{}. Assumed: R_μ = {} (that of the building is not known), C_AR = {}, \
-         R_po = {}, I_p = {}.{borrowed} {vertical} {RECALLED}",
+         0.4 × {} × {} × {}/{} × {}/{} = {} W{}. Assumed: R_μ = {} (the ductility of the building is not known), \
+         C_AR = {}, R_po = {}, I_p = {}.{borrowed} {vertical} {RECALLED}",
         number(sds_g, 4),
         number(new.importance_ratio, 3),
         number(new_height, 4),
@@ -306,22 +300,14 @@ fn new_zealand(question: &RestraintQuestion, spectrum: &CodeSpectrum) -> Option<
     Some(force(question, "NZS 1170.5:2004, section 8", found.force_ratio, 0.0, &formula))
 }
 
-/// Clearance that an object needs beside it while it rocks \[m\]: its highest corner moves h sin θ
-/// beyond its side. Past the balance point, tan θ > t/h, it overturns and needs its height.
+/// Clearance that an object needs on each side while it rocks \[m\]: its highest corner moves
+/// h sin θ beyond its side. Past the balance point, tan θ > t/h, it overturns and needs its height.
 ///
 /// With the pivot at the origin the corners are (0, 0), (−t, 0), (−t, h) and (0, h). After a
 /// rotation θ towards the pivot, a corner (x, z) is at x cos θ + z sin θ: the corner above the
 /// pivot moves farthest, h sin θ beyond the side; on the other side the free edge draws in by t
 /// (1 − cos θ).
-///
-/// # Example
-/// A cabinet of 2.3 m × 0.6 m at 5°, and past its balance point at 14.6°:
-/// ```
-/// use freestand_assess::restraint::clearance_m;
-/// assert!((clearance_m(2.3, 0.6, 5.0_f64.to_radians()) - 0.2005).abs() < 5e-5);
-/// assert_eq!(clearance_m(2.3, 0.6, 0.3), 2.3);
-/// ```
-pub fn clearance_m(height_m: f64, thickness_m: f64, rotation_rad: f64) -> f64 {
+pub(crate) fn clearance_m(height_m: f64, thickness_m: f64, rotation_rad: f64) -> f64 {
     let rotation_rad = rotation_rad.abs();
     if rotation_rad > (thickness_m / height_m).atan() { height_m } else { height_m * rotation_rad.sin() }
 }

@@ -55,7 +55,7 @@ fn the_cabinet_in_melbourne_by_hand() {
     near(held(&forces, "ASCE 7-22"), (0.4 * 0.2944 * height / 1.3 / 1.5, 0.0));
     // (0.4 · 1.15 − 0.3)/0.6; across the width (0.46 − 0.45)/0.9 is less.
     near(held(&forces, "computed"), (0.4, 0.16 / 0.6));
-    assert!(forces[1].note.contains("S_DS is taken as the plateau") && forces[0].note.contains("recalled"));
+    assert!(forces[1].note.contains("S_DS is taken as the plateau") && forces[0].note.contains("from memory"));
     assert!(!forces[0].note.contains("taken as"), "its own spectrum");
 }
 
@@ -103,7 +103,7 @@ fn a_table_and_a_low_building() {
     near(held(&forces, "ASCE 7-22"), (0.4 * 0.2 * 2.25 / 1.3 / 1.5, 0.0));
     let unknown = restraint_forces(&RestraintQuestion { building_height_m: None, ..low });
     near(held(&unknown, "AS"), (0.4, (0.46 - 0.3) / 0.6));
-    assert!(unknown[0].note.contains("not known"));
+    assert!(unknown[0].note.contains("was not given"));
 }
 
 #[test]
@@ -136,4 +136,11 @@ fn clearance_is_that_of_the_farthest_corner() {
         }
         assert_eq!(clearance_m(h, t, 1.5), h);
     }
+}
+
+/// A cabinet of 2.3 m × 0.6 m at 5°, and past its balance point at 14.6°.
+#[test]
+fn the_clearance_is_that_of_the_top_or_of_the_fallen_object() {
+    assert!((clearance_m(2.3, 0.6, 5.0_f64.to_radians()) - 0.2005).abs() < 5e-5);
+    assert_eq!(clearance_m(2.3, 0.6, 0.3), 2.3);
 }

@@ -41,7 +41,7 @@ impl Context<'_> {
         if let (Some(target), Some(building)) = (self.study.ground.code_spectrum(), &self.study.building) {
             let question = PartsQuestion {
                 level_ratio: facts.level_ratio,
-                building_height_m: building.height_m,
+                building_height_m: Some(building.height_m),
                 building_period_s: Some(building.along.period_s()),
             };
             let code_g = floor_acceleration_g(&target.spectrum, &question);

@@ -66,7 +66,7 @@ enum Format {
     Csv,
     /// objects.parquet
     Parquet,
-    /// Refused, with what to do instead
+    /// Refused, with a hint
     #[value(hide = true)]
     Pdf,
 }
@@ -95,10 +95,10 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     let stop = Stop::listen();
     let bar = printer.progress_bar(false);
     let progress = |step: Step| {
-        if !step.stage.is_empty() {
+        if let Some(stage) = step.stage {
             bar.set_length(step.total as u64);
             bar.set_position(step.done as u64);
-            bar.set_message(step.stage);
+            bar.set_message(stage.name());
         }
         if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };

@@ -11,11 +11,11 @@ use freestand_study::shape::Shape;
 use crate::failure::problem;
 use crate::values::{Choices, Given, Reads, Values, choice, name_of};
 
-/// How the rocking is computed.
+/// Flags for the calculation of the rocking.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The rocking")]
 pub(crate) struct RockingArgs {
-    /// Restitution: angular velocity after an impact over that before it, in (0, 1]
+    /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
     /// [default: Housner's]
     #[arg(long, any = Dimension::Ratio, conflicts_with = "restitution_factor")]
     restitution: Option<Given>,
@@ -31,13 +31,13 @@ pub(crate) struct RockingArgs {
 }
 
 const ACCURACIES: Choices<Accuracy> = &[
-    (Accuracy::Fast, "fast", "Error of 1e-9 a step; rotations in spectra to about 1e-7"),
-    (Accuracy::Standard, "standard", "Error of 1e-13 a step; rotations in spectra to 1e-9 or better"),
+    (Accuracy::Fast, "fast", "Error of 1e-9 per step; rotations in spectra to about 1e-7"),
+    (Accuracy::Standard, "standard", "Error of 1e-13 per step; rotations in spectra to 1e-9 or better"),
     (Accuracy::Tight, "tight", "The limit of double precision; nearly so in spectra"),
 ];
 
 impl RockingArgs {
-    /// The first flag given that only a rigid base has a use for.
+    /// The first of the given flags that applies only to a rigid base.
     pub(crate) fn of_rigid_base(&self) -> Option<&'static str> {
         let flags = [
             ("--restitution", self.restitution.is_some()),
@@ -47,7 +47,7 @@ impl RockingArgs {
         flags.into_iter().find_map(|(name, given)| given.then_some(name))
     }
 
-    /// The restitution of these blocks; what is wrong with it goes into `values`.
+    /// The restitution of these blocks; problems are added to `values`.
     pub(crate) fn restitution(&self, blocks: &[Block], values: &mut Values) -> Restitution {
         let factor = values.read(&self.restitution_factor).map_or(Restitution::Housner, Restitution::Factor);
         let restitution = values.read(&self.restitution).map_or(factor, Restitution::Value);
@@ -55,7 +55,7 @@ impl RockingArgs {
     }
 }
 
-/// The general block.
+/// Flags that describe a general block.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The general block")]
 pub(crate) struct ShapeArgs {
@@ -75,7 +75,7 @@ pub(crate) struct ShapeArgs {
 }
 
 impl ShapeArgs {
-    /// The block; what is wrong goes into `values`.
+    /// The block; problems are added to `values`.
     pub(crate) fn block(
         &self,
         (height_m, thickness_m): (f64, f64),
@@ -90,6 +90,6 @@ impl ShapeArgs {
             inertia_kg_m2: inertia.zip(mass_kg),
         };
         let block = shape.block(height_m, thickness_m);
-        values.take(block.map_err(|error| problem(error.to_string(), "check the sizes of the object")))
+        values.take(block.map_err(|error| problem(error.to_string(), "check the dimensions of the object")))
     }
 }

@@ -6,22 +6,23 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use clap::{ArgAction, Args};
+use freestand_input::words::counted;
 use freestand_output::folder::OutputFolder;
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, is_study_file, load, motion_paths};
 use freestand_study::result::{NoResult, Sensitivity, VariedLevel};
-use freestand_study::run::{Step, run as run_study};
+use freestand_study::run::{Stage, Step, run as run_study};
 use freestand_study::summary::{LevelSummary, level_summaries};
 use freestand_study::vary::{Variation, default_variations, parse_variation, vary};
 use serde_json::Value;
 
 use super::Done;
-use crate::args::{GlobalArgs, Named};
+use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, optional, significant, table};
+use crate::printer::{Printer, optional, table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
 use crate::values::Values;
@@ -51,7 +52,7 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,
     #[command(flatten)]
-    read: Named<ReadArgs>,
+    read: ReadArgs,
     #[command(flatten)]
     second: SecondArgs,
     /// Run the study again with one value changed at a time: the usual values of damping, period,
@@ -66,24 +67,24 @@ pub(crate) struct RunArgs {
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if args.motion.is_empty() {
         args.read.refuse_without_record(|keys| {
-            format!("name the records with --motion, or write {keys} beside motions in the study's [ground]")
+            format!("name the records with --motion, or write {keys} next to motions in the study's [ground]")
         })?;
         if args.second.names_records() {
             return Err(Failure::usage(
                 "--components and --across need records",
-                "name them with --motion, or write components or across beside motions in the study's [ground]",
+                "name them with --motion, or write components or across next to motions in the study's [ground]",
             ));
         }
     }
     if args.dump_study {
         return dump_study(global, printer);
     }
-    // `--motion a.AT2 study.toml` makes the study a second record.
+    // In `--motion a.AT2 study.toml`, clap takes the study for a second record.
     if let (None, Some(study)) = (&args.study, args.motion.iter().find(|path| is_study_file(path))) {
         let study = study.display();
         return Err(Failure::usage(
             format!("--motion: {study} is a study, not a record"),
-            format!("the study goes first: freestand run {study} --motion FILE"),
+            format!("put the study first: freestand run {study} --motion FILE"),
         ));
     }
     let start = Instant::now();
@@ -112,7 +113,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         bar.set_length(step.total as u64);
         bar.set_position(step.done as u64);
         let change = change.lock().map_or_else(|_| String::new(), |words| words.clone());
-        bar.set_message(if change.is_empty() { step.stage.to_owned() } else { change });
+        bar.set_message(if change.is_empty() { step.stage.map_or("", Stage::name).to_owned() } else { change });
         if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let tell = |index: usize, count: usize, words: &str| {
@@ -153,7 +154,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     Ok(Done { criterion_met: failed == 0 && !exceeded })
 }
 
-/// What is varied: what is named, or the default.
+/// The variations: those that the user named, or the default ones.
 fn variations(texts: &[String], values: &mut Values) -> Vec<Variation> {
     if texts.is_empty() {
         return default_variations();
@@ -161,7 +162,7 @@ fn variations(texts: &[String], values: &mut Values) -> Vec<Variation> {
     texts.iter().filter_map(|text| values.keep("vary", parse_variation(text))).collect()
 }
 
-/// The variations of the highest level; vary.csv has all.
+/// The variations at the highest level; `vary.csv` has those of all levels.
 fn sensitivity_text(sensitivity: &Sensitivity) -> String {
     let height = |row: &VariedLevel| row.level_ratio.unwrap_or(-1.0);
     let Some(highest) = sensitivity.rows.iter().max_by(|a, b| height(a).total_cmp(&height(b))) else {
@@ -198,7 +199,7 @@ fn sensitivity_text(sensitivity: &Sensitivity) -> String {
     text
 }
 
-/// The built-in study as a text, with the seed of `--seed`.
+/// Prints the built-in study as TOML, with the seed of `--seed`.
 fn dump_study(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let study = match global.seed {
         Some(seed) => with_seed(builtin_toml(), seed)?,
@@ -220,7 +221,7 @@ fn text(levels: &[LevelSummary], motions: usize, seconds: f64) -> String {
         .map(|level| {
             let mut row = vec![
                 level.level.clone(),
-                significant(level.pfa_g_median, 3),
+                optional(level.pfa_g_median, 3, ""),
                 format!("{:.1} %", 100.0 * level.uplift_share),
                 format!("{:.1} %", 100.0 * level.overturned_share),
                 optional(level.edge_acceleration_g_median, 3, ""),
@@ -235,6 +236,6 @@ fn text(levels: &[LevelSummary], motions: usize, seconds: f64) -> String {
         vec!["level", "median PFA g", "uplift", "overturned", "largest median shock g", "largest shock g", "failed"];
     headings.extend(criterion.then_some("objects above tolerance"));
     let histories: usize = levels.iter().map(|level| level.histories).sum();
-    let motions = if motions == 1 { "1 motion".to_owned() } else { format!("{motions} motions") };
-    format!("{}\n{motions}, {histories} rocking histories, {seconds:.1} s\n", table(&headings, &rows))
+    let (motions, histories) = (counted(motions, "motion"), counted(histories, "rocking history"));
+    format!("{}\n{motions}, {histories}, {seconds:.1} s\n", table(&headings, &rows))
 }

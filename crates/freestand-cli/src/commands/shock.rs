@@ -40,7 +40,7 @@ pub(crate) struct ShockArgs {
     /// Height of the object
     #[arg(long, positive = Dimension::Length)]
     height: Given,
-    /// Width of the object in the plane of motion
+    /// Horizontal size of the object in the plane of rocking
     #[arg(long, positive = Dimension::Length)]
     thickness: Given,
     /// Mass of the object
@@ -158,7 +158,7 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     let component_frequency_hz = values.read(&args.component_frequency);
     let component_capacity_m_s2 = values.read(&args.component_capacity);
     let cushion = args.cushion.words(&mut values)?;
-    // What is wrong with its values is told with the rest; what is missing or contradicts itself, where all is known.
+    // Wrong values are reported with the other flags; missing and contradictory ones, by `shock`.
     if ["law", "stiffness", "pad_stiffness"].iter().any(|key| cushion.get(key).is_some()) {
         values.take(freestand_study::cushion::resolve(&cushion, mass));
     }
@@ -168,7 +168,10 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     values.finish()?;
     let boundary_tests = args.damage_boundary.as_deref().map(boundary_tests).transpose()?;
     let (Some(block), Some(mass_kg)) = (block, mass) else {
-        return Err(Failure::usage("the object has no size", "give --height, --thickness and --mass"));
+        return Err(Failure::usage(
+            "the size or the mass of the object is missing",
+            "give --height, --thickness and --mass",
+        ));
     };
     let bare = ShockRequest::new(block, mass_kg);
     Ok(ShockRequest {
@@ -194,7 +197,7 @@ fn request(args: &ShockArgs) -> Result<ShockRequest, Failure> {
     })
 }
 
-/// The argument parser accepts only one of these.
+/// The energy of the fall, from the one of these flags that was given.
 fn energy(args: &ShockArgs, values: &mut Values) -> Option<Energy> {
     let rise = values.read(&args.cg_rise);
     let uplift = values.read(&args.uplift);

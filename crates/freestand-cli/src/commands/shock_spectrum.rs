@@ -12,7 +12,7 @@ use freestand_study::shock_spectrum::{
 };
 
 use super::Done;
-use crate::args::{GlobalArgs, Named};
+use crate::args::GlobalArgs;
 use crate::failure::{Failure, problem};
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
@@ -34,7 +34,7 @@ Examples:
 
 Values are magnitudes: a negative peak is given without its sign. Accelerations are in the unit of
 the input, displacements in m, velocities in m/s. --out writes shock_spectrum.csv and a figure.")]
-// The file of a laboratory has columns rather than components.
+// A laboratory file has columns, not components.
 #[command(mut_arg("component", |arg| arg.visible_alias("column")))]
 pub(crate) struct ShockSpectrumArgs {
     /// Record files
@@ -74,7 +74,7 @@ pub(crate) struct ShockSpectrumArgs {
     #[arg(long, conflicts_with = "pulse")]
     no_upsample: bool,
     #[command(flatten)]
-    read: Named<ReadArgs>,
+    read: ReadArgs,
 }
 
 pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
@@ -85,7 +85,7 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
     let inputs = args.read.inputs(&args.files);
     let (report, files) = match pulse {
         Some((pulse, unit)) => {
-            args.read.refuse_without_record(|_| "a pulse is not read from a file: leave it out".to_owned())?;
+            args.read.refuse_without_record(|_| "leave it out: --pulse reads no file".to_owned())?;
             (pulse_shock_spectrum(&pulse, unit, &request)?, Files::begin(global, &[])?)
         }
         None => {
@@ -107,7 +107,7 @@ fn request(args: &ShockSpectrumArgs, values: &mut Values) -> ShockSpectrumReques
     if damping_ratio >= 1.0 {
         let flag = if q.is_some() { "--q" } else { "--damping" };
         let message = format!("{flag}: a damping ratio of {damping_ratio} is not below 1");
-        values.push(problem(message, "5 % of critical is usual, Q = 10; Q must be above 0.5"));
+        values.push(problem(message, "give a damping below 100 %, or a Q above 0.5; 5 %, which is Q = 10, is usual"));
     }
     let frequencies_hz = values.read(&args.frequencies).unwrap_or_default();
     ShockSpectrumRequest {
@@ -121,7 +121,7 @@ fn request(args: &ShockSpectrumArgs, values: &mut Values) -> ShockSpectrumReques
 
 fn frequencies(text: &str) -> Result<Vec<f64>, Problem> {
     let frequencies_hz = parse_grid(text, Dimension::Frequency)?;
-    let hint = "such as \"1 Hz:10 kHz:12/oct\" or \"20 Hz, 45 Hz\"";
+    let hint = "give frequencies such as \"1 Hz:10 kHz:12/oct\" or \"20 Hz, 45 Hz\"";
     match frequencies_hz.iter().find(|f| **f <= 0.0) {
         Some(wrong) => Err(problem(format!("{wrong} Hz is not above zero"), hint)),
         None => Ok(frequencies_hz),
@@ -138,7 +138,8 @@ fn pulse(args: &ShockSpectrumArgs, values: &mut Values) -> Option<(Pulse, &'stat
     let peak = values.read(&args.peak_acceleration);
     let duration_s = values.read(&args.duration);
     let (shape, (peak_m_s2, unit)) = (args.pulse?, peak?);
-    let wrong = |error: PulseError| problem(error.to_string(), "such as --peak-acceleration \"30 g\"");
+    let hint = "give a peak and a duration, such as \"30 g\" and \"11 ms\"";
+    let wrong = |error: PulseError| problem(error.to_string(), hint);
     let pulse = values.keep("pulse", Pulse::new(shape, peak_m_s2, duration_s?).map_err(wrong))?;
     Some((pulse, unit))
 }

@@ -4,16 +4,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand::impact::{Impact, ValidityWarning, compression_warnings, stiffness_warnings};
-use freestand::motion::Motion;
-use freestand::rocking::{RockingError, RockingOptions};
-use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
+use freestand::rocking::{Base, RockingOptions};
 use freestand_input::quantity::Dimension;
+use freestand_input::words::counted;
 use freestand_study::restitution::checked;
 use freestand_study::rock::problem;
-use freestand_study::spectrum::{
-    Grid, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming, chunk_objects, spectrum,
-};
+use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum};
 use serde::Serialize;
 
 use super::Done;
@@ -88,7 +84,7 @@ pub(crate) struct SpectrumArgs {
     csv: Option<PathBuf>,
 }
 
-/// What follows the rows in the document.
+/// The keys that follow the rows in the document.
 #[derive(Debug, Serialize)]
 struct Others {
     processing: Vec<Processed>,
@@ -101,7 +97,7 @@ struct Processed {
     steps: Vec<String>,
 }
 
-/// The motions, their processing and warnings.
+/// The motions, with their processing and their warnings.
 #[derive(Debug, Default)]
 struct Reading {
     motions: Vec<SpectrumMotion>,
@@ -113,7 +109,6 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let request = request(args)?;
     let reading = read(args)?;
     let mut warnings = reading.warnings;
-    warnings.extend(validity_warnings(&request));
 
     let stop = Stop::listen();
     let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
@@ -124,41 +119,22 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let bar = printer.progress_bar(printer.json());
     bar.set_length(total as u64);
     bar.set_message("rocking histories");
-    let mut deepest: Option<Impact> = None;
     let solved = spectrum(&request, &reading.motions, chunk_objects, |chunk| {
         rows.write(chunk)?;
         seen.add(chunk);
         bar.inc(chunk.objects() as u64);
-        deepest = deeper(deepest, chunk.deepest_impact());
         if stop.wanted() { Err(Failure::Stopped { printed: printer.json() }) } else { Ok(()) }
     });
     bar.finish_and_clear();
     let timing = solved?;
 
-    if let Some((impact, (_, edge))) = deepest.zip(request.cushion.as_ref()) {
-        let beyond = compression_warnings(impact.compression_m, &edge.cushion, edge.pad_thickness_m);
-        warnings.extend(beyond.iter().map(|warning| format!("the landing with the largest compression: {warning}")));
-    }
-    let sum = |count: fn(&SpectrumTally) -> usize| seen.tallies.iter().map(count).sum::<usize>();
-    let (failed, sensitive) = (sum(|tally| tally.failed), sum(|tally| tally.sensitive));
-    if failed > 0 {
-        warnings.push(format!("{failed} of {total} histories could not be followed: the column reason says why"));
-    }
-    if sensitive > 0 {
-        warnings.push(format!(
-            "{sensitive} of {total} histories are sensitive: an error of the motion grows more than {SENSITIVE_RATIO} times \
-             in the rotation or the impacts, or an error of {PERTURBATION_RATIO:e} of the motion may change the outcome"
-        ));
-    }
+    warnings.extend(request.warnings(&seen.tallies));
+    let failed = seen.tallies.iter().any(|tally| tally.failed > 0);
     let place = args.csv.as_deref().map(path_text).or_else(|| files.path(ROWS));
     let text = || seen.text(&reading.motions, place.as_deref(), &timing);
     let others = Others { processing: reading.processing, timing };
     rows.finish(files, printer, &others, &warnings, text)?;
-    Ok(Done { criterion_met: failed == 0 })
-}
-
-fn deeper(one: Option<Impact>, other: Option<Impact>) -> Option<Impact> {
-    one.into_iter().chain(other).max_by(|a, b| a.compression_m.total_cmp(&b.compression_m))
+    Ok(Done { criterion_met: !failed })
 }
 
 fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
@@ -181,7 +157,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let (motions, verticals) = (args.motion.len(), args.vertical.len());
     if verticals > 0 && verticals != motions {
         return Err(Failure::usage(
-            format!("--vertical has {verticals} files, --motion {motions}"),
+            format!("--vertical has {}, --motion {motions}", counted(verticals, "file")),
             "give one vertical record for each horizontal one, in the same order, or none",
         ));
     }
@@ -191,21 +167,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity })
 }
 
-fn validity_warnings(request: &SpectrumRequest) -> Vec<String> {
-    let objects = request.grid.objects();
-    let ratios = request.grid.blocks(0..objects).map(|block| block.landing_ratio()).filter(|&ratio| ratio < 0.0);
-    let (count, first) = ratios.fold((0, None), |(count, first), ratio| (count + 1, first.or(Some(ratio))));
-    let squat = first.map(|landing_ratio| {
-        let warning = ValidityWarning::Squat { landing_ratio };
-        format!("{count} of {objects} objects: {warning}")
-    });
-    let soft =
-        request.cushion.as_ref().map(|(mass, edge)| stiffness_warnings(*mass, &edge.cushion, edge.pad_thickness_m));
-    let soft = soft.unwrap_or_default();
-    squat.into_iter().chain(soft.iter().map(ToString::to_string)).collect()
-}
-
-/// Reads all records before the calculation, so that a problem of the last one is found at once.
+/// Reads all records before the calculation, so that a problem in the last one is found early.
 fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     let mut reading = Reading::default();
     for read in args.read.read_all(&args.motion)? {
@@ -217,23 +179,14 @@ fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     if args.vertical.is_empty() {
         return Ok(reading);
     }
-    let verticals = args.vertically.reading(&args.read).read_all(&args.vertical)?;
+    let verticals = args.vertically.reading(&args.read)?.read_all(&args.vertical)?;
     for ((motion, processed), read) in reading.motions.iter_mut().zip(&mut reading.processing).zip(verticals) {
         let named = |text: &String| format!("vertical {}: {text}", read.motion.name);
         reading.warnings.extend(read.notes.iter().map(named));
         processed.steps.extend(read.motion.processing.iter().map(named));
-        check_vertical(motion, &read.motion.motion).map_err(problem)?;
         motion.vertical = Some(read.motion.motion);
+        // Once, not for every object.
+        Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() }.check().map_err(problem)?;
     }
     Ok(reading)
-}
-
-/// Checks that both have the same step and length: once, not for every object.
-fn check_vertical(motion: &SpectrumMotion, vertical: &Motion) -> Result<(), RockingError> {
-    let size = |motion: &Motion| (motion.accel_m_s2().len(), motion.dt_s());
-    let ((samples, dt_s), (vertical_samples, vertical_dt_s)) = (size(&motion.horizontal), size(vertical));
-    if (samples, dt_s) == (vertical_samples, vertical_dt_s) {
-        return Ok(());
-    }
-    Err(RockingError::VerticalMismatch { samples, dt_s, vertical_samples, vertical_dt_s })
 }

@@ -1,18 +1,19 @@
-//! The text of `freestand spectrum`: all rows of a small grid; of a large one the first few, the
-//! place of the others, and a summary of each motion.
+//! The text of `freestand spectrum`: all rows of a small grid; for a large one, the first few rows,
+//! where to find the others, and a summary of each motion.
 
+use freestand_input::words::counted;
 use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumTally, SpectrumTiming};
 
 use crate::printer::{Column, cells, headings, optional, significant, table};
 
-/// The largest number of rows that is shown in full; of more, the first few are shown.
+/// The largest number of rows that are all shown; if there are more, only the first few are.
 const MAX_SHOWN_ROWS: usize = 200;
 const FIRST_ROWS: usize = 10;
 
-/// The largest number of motions that is summarised.
+/// The largest number of motions that are summarised.
 const MAX_SHOWN_MOTIONS: usize = 50;
 
-/// The last two are those of the sensitivity.
+/// The last two are shown only with `--sensitivity`.
 const COLUMNS: [Column; 10] = [
     ("motion", "motion", 0),
     ("height_m", "height [m]", 4),
@@ -26,7 +27,7 @@ const COLUMNS: [Column; 10] = [
     ("sensitive", "sensitive", 0),
 ];
 
-/// What is kept of the rows for the text.
+/// The rows that the text shows, and the sums over all rows.
 #[derive(Debug)]
 pub(crate) struct Seen {
     /// One for each motion.
@@ -37,7 +38,7 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    /// For `total` rows of so many motions.
+    /// For `total` rows of this number of motions.
     pub(crate) fn new(motions: usize, total: usize, sensitivity: bool) -> Self {
         Self { tallies: vec![SpectrumTally::default(); motions], rows: Vec::new(), total, sensitivity }
     }
@@ -95,7 +96,7 @@ impl Seen {
         });
         let mut text = table(&headings, &rows.collect::<Vec<_>>());
         if motions.len() > MAX_SHOWN_MOTIONS {
-            text += &format!("… and {} more motions\n", motions.len() - MAX_SHOWN_MOTIONS);
+            text += &format!("… and {}\n", counted(motions.len() - MAX_SHOWN_MOTIONS, "more motion"));
         }
         text
     }

@@ -1,18 +1,16 @@
 //! `freestand tolerance`: what objects withstand, each number with its source.
 
-use std::path::PathBuf;
-
 use clap::{Args, Subcommand};
 use freestand_assess::library::{ToleranceEntry, ToleranceLibrary, to_tolerance};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::{counted, number};
-use serde::Serialize;
+use freestand_input::words::{name_of, number};
+use freestand_study::shock_spectrum::SHAPES;
 
 use super::Done;
+use super::library::{Layout, LibraryArgs, Wanted, print};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::files::Files;
-use crate::printer::{Printer, pairs, table};
+use crate::printer::Printer;
 
 /// Show the tolerance library: what objects withstand, each number with its source
 ///
@@ -75,67 +73,36 @@ Examples:
     },
 }
 
-/// The user's own library.
-#[derive(Debug, Args)]
-pub(crate) struct LibraryArgs {
-    /// Your own library: adds to the built-in one and replaces entries with the same id
-    #[arg(long, value_name = "FILE.csv")]
-    pub(crate) library: Option<PathBuf>,
-}
-
-#[derive(Debug, Serialize)]
-struct Listed<'a> {
-    entries: &'a [&'a ToleranceEntry],
-}
+const LAYOUT: Layout<ToleranceEntry> = Layout {
+    schema: "freestand.tolerance/1",
+    headings: ["id", "withstands", "state", "confidence", "class", "source"],
+    cells: |entry| {
+        let (state, confidence) = (entry.state.name().to_owned(), entry.confidence.name().to_owned());
+        [entry.id.clone(), entry.words(), state, confidence, entry.class.clone(), entry.source_words()]
+    },
+    remark: "recalled entries do not decide verdicts, and medians are not tolerances",
+    fields,
+    notice: |entry| &entry.notice,
+};
 
 pub(crate) fn run(args: &ToleranceArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let from = match &args.command {
-        ToleranceCommand::List { library }
-        | ToleranceCommand::Show { library, .. }
-        | ToleranceCommand::Search { library, .. } => &library.library,
+    let (library, wanted) = match &args.command {
+        ToleranceCommand::List { library } => (library, Wanted::All),
+        ToleranceCommand::Show { id, library } => (library, Wanted::WithId(id)),
+        ToleranceCommand::Search { words, library } => (library, Wanted::WithWords(words)),
     };
-    let library = ToleranceLibrary::builtin().with_file(from.as_deref())?;
-    let entries = match &args.command {
-        ToleranceCommand::List { .. } => library.entries().iter().collect(),
-        ToleranceCommand::Show { id, .. } => vec![library.get(id)?],
-        ToleranceCommand::Search { words, .. } => library.search(words),
-    };
-    let files = Files::begin(global, from.as_slice())?;
-    let text = || match (&args.command, entries.first()) {
-        (ToleranceCommand::Show { .. }, Some(entry)) => shown(entry),
-        (_, None) => "no entry contains all of these words\n".to_owned(),
-        _ => listed(&entries),
-    };
-    files.print(printer, "freestand.tolerance/1", &Listed { entries: &entries }, &library.warnings, text)?;
-    Ok(Done::OK)
+    print(ToleranceLibrary::builtin(), library, wanted, &LAYOUT, (global, printer))
 }
 
-fn listed(entries: &[&ToleranceEntry]) -> String {
-    let row = |entry: &&ToleranceEntry| {
-        vec![
-            entry.id.clone(),
-            entry.words(),
-            entry.state.name().to_owned(),
-            entry.confidence.name().to_owned(),
-            entry.class.clone(),
-            entry.source_words(),
-        ]
-    };
-    let headings = ["id", "withstands", "state", "confidence", "class", "source"];
-    let count = counted(entries.len(), "entry");
-    let end = format!("{count}; recalled entries decide no verdict, and medians are not tolerances\n");
-    table(&headings, &entries.iter().map(row).collect::<Vec<_>>()) + &end
-}
-
-fn shown(entry: &ToleranceEntry) -> String {
+fn fields(entry: &ToleranceEntry) -> Vec<(&'static str, Option<String>)> {
     let si = |value: Option<f64>, dimension| value.map(|value| format_si(value, dimension));
-    let text = |text: &str| Some(text.to_owned()).filter(|text| !text.is_empty());
+    let text = |text: &str| Some(text.to_owned());
     let decides = match (entry.decides, to_tolerance(entry)) {
         (true, Some(_)) => "a verdict may rest on it",
         (false, Some(_)) => "no verdict rests on it",
         (_, None) => "not a tolerance: shown for comparison only",
     };
-    let rows = [
+    vec![
         ("id", text(&entry.id)),
         ("class", text(&entry.class)),
         ("kind", text(entry.kind.name())),
@@ -144,7 +111,7 @@ fn shown(entry: &ToleranceEntry) -> String {
         ("peak", si(entry.peak_m_s2, Dimension::Acceleration)),
         ("peak, high end", si(entry.peak_high_m_s2, Dimension::Acceleration)),
         ("duration", si(entry.duration_s, Dimension::Time)),
-        ("shape", entry.shape.map(str::to_owned)),
+        ("shape", entry.shape.map(|shape| name_of(SHAPES, shape).to_owned())),
         ("velocity change of the pulse", entry.pulse_velocity_change_m_s.map(|v| format!("{} m/s", number(v, 3)))),
         ("critical velocity change", si(entry.velocity_change_m_s, Dimension::Velocity)),
         ("uplift", si(entry.edge_lift_m, Dimension::Length)),
@@ -161,8 +128,5 @@ fn shown(entry: &ToleranceEntry) -> String {
         ("use", text(decides)),
         ("note", text(&entry.note)),
         ("origin", text(&entry.origin)),
-    ];
-    let rows: Vec<(&str, String)> = rows.into_iter().filter_map(|(name, value)| Some((name, value?))).collect();
-    let notice = if entry.notice.is_empty() { String::new() } else { format!("\n{}\n", entry.notice) };
-    pairs(&rows) + &notice
+    ]
 }

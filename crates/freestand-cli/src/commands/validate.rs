@@ -26,7 +26,7 @@ pub(crate) fn run(global: &GlobalArgs, printer: &Printer) -> Result<Done, Failur
     let failed = validation.checks.iter().filter(|check| !check.ok).count();
     let mut warnings = Vec::new();
     if failed > 0 {
-        warnings.push(format!("{failed} of {} checks do not hold", validation.checks.len()));
+        warnings.push(format!("{failed} of {} checks failed", validation.checks.len()));
     }
     files.print(printer, "freestand.validate/1", &validation, &warnings, || text(&validation))?;
     Ok(Done { criterion_met: validation.ok() })
@@ -80,7 +80,7 @@ fn text(validation: &Validation) -> String {
     text += "\n";
     text += &table(&["", "check", "computed", "expected", "difference", "tolerance"], &rows);
     text + &format!(
-        "\n{} of {} checks hold\n",
+        "\n{} of {} checks passed\n",
         validation.checks.iter().filter(|check| check.ok).count(),
         validation.checks.len()
     )

@@ -5,7 +5,9 @@
 
 use crate::problem::{Problem, ProblemKind};
 use crate::words::number;
-use freestand::G0_M_S2;
+
+/// The unit g \[m/s²\], as the core has it; this crate uses none of the core's code.
+const G0_M_S2: f64 = 9.80665;
 
 /// What a quantity measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -87,12 +89,12 @@ impl Dimension {
         }
     }
 
-    /// The units in which this is written, the most usual first.
+    /// The units of this dimension, the most usual first.
     pub fn units(self) -> impl Iterator<Item = &'static Unit> {
         UNITS.iter().filter(move |unit| unit.dimension == self)
     }
 
-    /// `m, mm, cm, km`, for hints.
+    /// The list of units for hints: `m, mm, cm, km`.
     fn unit_list(self) -> String {
         let symbols: Vec<&str> = self.units().map(|unit| unit.symbol).collect();
         symbols.join(", ")
@@ -120,7 +122,7 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// A unit of acceleration that only a record format has: one is `10^decimal_exponent · factor`
+    /// A unit of acceleration that only a record format has, of `10^decimal_exponent · factor`
     /// m/s².
     pub const fn acceleration(symbol: &'static str, decimal_exponent: i32, factor: f64) -> Self {
         Self { factor, ..unit(symbol, Dimension::Acceleration, decimal_exponent, false) }
@@ -220,7 +222,8 @@ static UNITS: &[Unit] = &[
     unit("%", Dimension::Ratio, -2, false),
 ];
 
-/// One spelling for many: `m / s²`, `m s^-2`, `m·s⁻²` → `m/s2`, `kg m^2` and `kg*m2` → `kg·m2`.
+/// Converts the spellings of a unit to one: `m / s²`, `m s^-2`, `m·s⁻²` → `m/s2`, `kg m^2` and
+/// `kg*m2` → `kg·m2`.
 fn canonical(text: &str) -> String {
     let plain = text.replace('⁻', "-").replace('²', "2").replace(['⋅', '*'], "·");
     let spaced = plain.replace('^', "").replace('º', "°");
@@ -231,7 +234,7 @@ fn canonical(text: &str) -> String {
     out.replace(' ', "·").replace("kg.m2", "kg·m2").replace("·s-2", "/s2").replace(".s-2", "/s2")
 }
 
-/// The unit written `text`, whatever it measures.
+/// The unit that is written `text`, of any dimension.
 pub fn lookup(text: &str) -> Option<&'static Unit> {
     let name = canonical(text);
     UNITS.iter().find(|unit| {
@@ -243,7 +246,7 @@ pub fn lookup(text: &str) -> Option<&'static Unit> {
     })
 }
 
-/// The unit written `text`, which must measure `dimension`.
+/// The unit that is written `text`, which must measure `dimension`.
 ///
 /// # Errors
 /// An unknown unit, or one that measures something else.
@@ -280,7 +283,7 @@ fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
     let problem =
         value_problem(format!("\"{text}\" is {}, not {}", unit.dimension.with_article(), expected.with_article()));
     match expected {
-        // Who writes "150 g" for a mass means grams.
+        // A user who writes "150 g" for a mass means grams.
         Dimension::Mass if unit.symbol == "g" => problem.hint("g is the acceleration of gravity here; write kg or t"),
         Dimension::Ratio => problem.hint("write a bare number or a percentage, such as 0.05 or 5 %"),
         _ => problem.hint(format!("known units: {}", expected.unit_list())),
@@ -433,7 +436,8 @@ fn linear_point(from: f64, to: f64, i: usize, count: usize) -> f64 {
 
 fn octave_grid(from_hz: f64, to_hz: f64, per_octave: usize) -> Result<Vec<f64>, Problem> {
     if !(from_hz > 0.0 && to_hz >= from_hz) {
-        return Err(value_problem("a grid in octaves must rise from a positive frequency"));
+        let hint = "write from:to:N/oct with rising frequencies, such as \"1 Hz:10 kHz:12/oct\"";
+        return Err(value_problem("a grid in octaves must rise from a positive frequency").hint(hint));
     }
     let steps = (to_hz / from_hz).log2() * per_octave as f64;
     if steps >= MAX_GRID_VALUES as f64 {
@@ -455,7 +459,7 @@ fn grid_count(text: &str, least: usize) -> Result<usize, Problem> {
     match text.parse::<usize>() {
         Ok(count) if count > MAX_GRID_VALUES => Err(too_many()),
         Ok(count) if count >= least => Ok(count),
-        _ => Err(value_problem(format!("\"{}\" is not a count of at least {least}", shorten(text)))
+        _ => Err(value_problem(format!("\"{}\" is not a whole number of at least {least}", shorten(text)))
             .hint("a grid is from:to:count, such as \"0.3 m:4 m:64\"")),
     }
 }
@@ -491,7 +495,7 @@ pub fn format_si(value_si: f64, dimension: Dimension) -> String {
     format!("{} {}", number(value, 6), symbol.replace("m2", "m²"))
 }
 
-/// A number in parts, and the text that follows it.
+/// The parts of a number, and the text that follows it.
 struct Number<'a> {
     /// Sign, digits and point, without exponent.
     mantissa: String,
@@ -500,8 +504,8 @@ struct Number<'a> {
 }
 
 impl Number<'_> {
-    /// The value, times `10^decimal_exponent · factor`; the power of ten goes in before the digits
-    /// become binary.
+    /// The value times `10^decimal_exponent · factor`. The power of ten is applied before the
+    /// digits become binary.
     fn scaled(&self, text: &str, decimal_exponent: i32, factor: f64) -> Result<f64, Problem> {
         let exponent = self.exponent.saturating_add(decimal_exponent);
         match format!("{}e{exponent}", self.mantissa).parse::<f64>() {
@@ -571,7 +575,7 @@ fn value_problem(message: impl Into<String>) -> Problem {
     Problem::new(ProblemKind::Value, message)
 }
 
-/// What a user wrote, cut to a length that fits a message, without line breaks.
+/// A text of the user, without line breaks and cut to a length that fits a message.
 pub fn shorten(text: &str) -> String {
     const LONGEST: usize = 60;
     let clean: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(LONGEST + 1).collect();

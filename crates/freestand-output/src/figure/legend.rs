@@ -8,9 +8,9 @@ use super::style::{CurveStyle, DARK, TEXT_PX, WIDTH_PX};
 /// One entry of the legend.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// What is drawn.
+    /// The sign that is drawn.
     pub sign: Sign,
-    /// What it means.
+    /// Its meaning.
     pub words: String,
 }
 
@@ -161,7 +161,7 @@ fn add_line(scene: &mut Scene, x: f64, y: f64, colour: &str, width_px: f64, dash
     });
 }
 
-/// Markers like those of the plot library, which does not export its own.
+/// Draws markers like those of the plot library, which does not export its own.
 fn add_marker(scene: &mut Scene, marker: MarkerShape, x: f64, y: f64, colour: &str) {
     let corners: &[(f64, f64)] = match marker {
         MarkerShape::Square => &[(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)],

@@ -6,16 +6,18 @@ pub mod page;
 pub mod style;
 pub mod time;
 
+use freestand_input::problem::{Problem, ProblemKind};
 use thiserror::Error;
 
-/// A figure in both of its forms.
+/// A figure as SVG and PNG.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// Name for files: `urs`, `srs`, `overturning`, `floor_spectra`, `history`, `record_01`.
+    /// Name, also of its files: `urs`, `srs`, `overturning`, `floor_spectra`, `history`,
+    /// `record_01`.
     pub name: String,
-    /// What it shows, in a line; also written above the drawing.
+    /// Title: what the figure shows, in one line; also written above the drawing.
     pub title: String,
-    /// How to read it, in sentences.
+    /// Caption: how to read the figure, in sentences.
     pub caption: String,
     /// The drawing as an SVG document; its ids begin with the figure's name.
     pub svg: String,
@@ -27,8 +29,14 @@ pub struct Figure {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("the figure {figure} could not be drawn: {reason}")]
 pub struct FigureError {
-    /// Its name.
+    /// Name of the figure.
     pub figure: String,
-    /// What the plot library said.
+    /// The error of the plot library.
     pub reason: String,
+}
+
+impl From<FigureError> for Problem {
+    fn from(error: FigureError) -> Self {
+        Self::new(ProblemKind::Computation, error.to_string())
+    }
 }

@@ -1,4 +1,4 @@
-//! From panels to SVG and PNG.
+//! Draws pages of panels as SVG and PNG.
 
 use kuva::backend::png::PngBackend;
 use kuva::backend::svg::SvgBackend;
@@ -11,7 +11,7 @@ use super::legend::{Entry, add_legend};
 use super::style::{TEXT_PX, WIDTH_PX};
 use super::{Figure, FigureError};
 
-/// One set of axes and what is in it.
+/// One set of axes with its curves and markers.
 pub struct Panel {
     /// Curves and markers.
     pub plots: Vec<Plot>,
@@ -19,21 +19,21 @@ pub struct Panel {
     pub layout: Layout,
 }
 
-/// Everything that a figure shows.
+/// The content of a figure.
 pub struct Page {
     /// The figure's name, with which its ids begin.
     pub name: String,
-    /// Written above the panels.
+    /// Title, written above the panels.
     pub title: String,
-    /// How to read it, in sentences.
+    /// Caption: how to read the figure, in sentences.
     pub caption: String,
-    /// Row by row.
+    /// The panels, row by row.
     pub panels: Vec<Panel>,
-    /// Panels side by side.
+    /// Number of panels in a row.
     pub columns: usize,
     /// Height of each row of panels \[px\].
     pub row_heights_px: Vec<f64>,
-    /// Below the panels.
+    /// The legend below the panels.
     pub legend: Vec<Entry>,
 }
 

@@ -1,4 +1,4 @@
-//! What all figures share: colours, line styles, markers, sizes.
+//! The style of all figures: colours, lines, markers, sizes.
 
 use std::sync::Arc;
 
@@ -18,16 +18,17 @@ pub const TEXT_PX: u32 = 13;
 pub const TITLE_PX: f64 = 34.0;
 /// Room below the axes for ticks and label \[px\].
 pub const LABELS_PX: f64 = 46.0;
-/// Grey of what stays in the background.
+/// Grey for what is in the background.
 pub const GREY: &str = "#9a9a9a";
 /// Dark grey of labels inside a panel.
 pub const DARK: &str = "#444444";
 /// Opacity of the 16–84 % bands.
 pub const BAND_OPACITY: f64 = 0.14;
 
-/// Okabe and Ito (2008), without the yellow, which is too light for lines on white paper.
+/// Colours of Okabe and Ito (2008), without the yellow, which is too light for lines on white
+/// paper.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
-/// The PNG has round ends, which narrow a gap by the width of the line.
+/// Dashes; in a PNG, lines have round ends, which narrow each gap by the width of the line.
 const DASHES: [Option<&str>; 5] = [None, Some("10 6"), Some("10 5 1.5 5"), Some("4 5"), Some("12 5 1.5 5 1.5 5")];
 const MARKERS: [MarkerShape; 6] = [
     MarkerShape::Circle,
@@ -38,8 +39,8 @@ const MARKERS: [MarkerShape; 6] = [
     MarkerShape::Plus,
 ];
 
-/// How one curve among several is drawn: colour, dashes and marker all differ, so that colour is
-/// never the only sign.
+/// How one of several curves is drawn. Colour, dashes and marker all differ, so that colour is
+/// never the only difference.
 #[derive(Debug, Clone, Copy)]
 pub struct CurveStyle {
     /// Colour.
@@ -50,7 +51,7 @@ pub struct CurveStyle {
     pub marker: MarkerShape,
 }
 
-/// The style of curve `index`; the first 210 are different.
+/// The style of curve `index`; the first 210 styles are different.
 pub fn curve_style(index: usize) -> CurveStyle {
     CurveStyle {
         colour: COLOURS[index % COLOURS.len()],
@@ -81,7 +82,7 @@ pub fn hollow(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: 
     [markers(points, colour, shape, size_px), markers(points, "#ffffff", shape, size_px - 1.8)]
 }
 
-/// Axes without a legend, exactly over these ranges, with the text sizes of all figures.
+/// Axes over exactly these ranges, without a legend and with the text sizes of all figures.
 pub fn axes(x: Axis, y: Axis) -> Layout {
     let mut layout = Layout::new((x.from, x.to), (y.from, y.to))
         .with_x_label(x.label)
@@ -108,29 +109,28 @@ pub fn axes(x: Axis, y: Axis) -> Layout {
     layout
 }
 
-/// One axis: its range, the distance of its ticks (`None`: chosen by the plot library) and its
-/// label with the unit.
+/// One axis: its range, the distance between its ticks, and its label with the unit.
 #[derive(Debug, Clone)]
 pub struct Axis {
     /// Lower end.
     pub from: f64,
     /// Upper end.
     pub to: f64,
-    /// Distance of the ticks; `None`: chosen by the library.
+    /// Distance between the ticks; `None`: chosen by the plot library.
     pub step: Option<f64>,
     /// Quantity and unit.
     pub label: String,
 }
 
 impl Axis {
-    /// From 0 to a round number that is not below `max`.
+    /// An axis from 0 to a round number that is not below `max`.
     pub fn from_zero(max: f64, label: &str) -> Self {
         let max = if max > 0.0 && max.is_finite() { max } else { 1.0 };
         let step = round_step(max / 5.0);
         Self { from: 0.0, to: step * (max / step - 1e-9).ceil(), step: Some(step), label: label.into() }
     }
 
-    /// From `from` to `to` with a margin at both ends; a single value also gets a range.
+    /// An axis from `from` to `to` with a margin at both ends, even if both are equal.
     pub fn around(from: f64, to: f64, label: &str) -> Self {
         let span = if to > from { to - from } else { from.abs().max(1.0) };
         Self { from: from - 0.04 * span, to: to + 0.04 * span, step: Some(round_step(span / 5.0)), label: label.into() }

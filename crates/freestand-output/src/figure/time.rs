@@ -1,4 +1,4 @@
-//! Figures along time: the axis, stacked panels, long series reduced to the pixels.
+//! Figures against time: the axis, stacked panels, and long series reduced to the pixels.
 
 use kuva::render::layout::Layout;
 
@@ -7,7 +7,7 @@ use super::style::{Axis, LABELS_PX, TITLE_PX, axes, round_step};
 
 /// Margins that make the time axes of the panels agree \[px\].
 const MARGINS_PX: (f64, f64) = (76.0, 18.0);
-/// Room above and below a panel between others \[px\].
+/// Room above and below a panel that is between two others \[px\].
 const BETWEEN_PX: (f64, f64) = (8.0, 10.0);
 
 /// The time axis; only the lowest panel shows its label.
@@ -27,7 +27,7 @@ pub fn stacked(x: Axis, y: Axis, lowest: bool) -> Layout {
     }
 }
 
-/// The same with a line of text above it.
+/// A stacked panel with a line of text above it.
 pub fn stacked_with_title(x: Axis, y: Axis, lowest: bool, title: String) -> Layout {
     let below = if lowest { LABELS_PX } else { BETWEEN_PX.1 };
     stacked(x, y, lowest).with_title(title).with_force_margins_y(TITLE_PX, below)
@@ -46,8 +46,8 @@ pub fn pixel(t: f64, from: f64, to: f64) -> usize {
     ((t - from) / (to - from) * (panel_width_px(1) - MARGINS_PX.0 - MARGINS_PX.1)) as usize
 }
 
-/// At most four points for each pixel column: first, lowest, highest, last, so that the drawing
-/// looks the same.
+/// Keeps at most four points for each pixel column (first, lowest, highest, last), which leaves the
+/// drawing unchanged.
 pub fn thin(points: impl Iterator<Item = (f64, f64)>, from: f64, to: f64) -> Vec<(f64, f64)> {
     let mut thinned: Vec<(f64, f64)> = Vec::new();
     let mut column: Vec<(f64, f64)> = Vec::new();

@@ -24,7 +24,7 @@ impl Instant {
         Self::of(first.into()).later_by_ns(seconds * SECOND_NS + i128::from(nanosecond))
     }
 
-    /// Seconds since 1970, to a quarter of a microsecond today.
+    /// Seconds since 1970, rounded to a quarter of a microsecond for present-day dates.
     pub(super) fn seconds(self) -> f64 {
         self.seconds_since(Self(0))
     }
@@ -98,7 +98,7 @@ mod tests {
         }
         assert_eq!(Instant::parse("2019-07-06T24:00:00Z"), Instant::parse("2019-07-07"));
         assert_eq!(Instant::parse("2016-12-31T23:59:60"), Instant::parse("2017-01-01"));
-        // A day of the year that there is not, and times that no calendar has.
+        // A day that the year does not have, and times beyond the calendar.
         assert_eq!(Instant::from_day(2019, 366, 0, 0), Instant::from_day(2020, 1, 0, 0));
         assert_eq!(start.later_by_s(f64::MAX).to_string(), "a time beyond the calendar");
         // 38.3 ms before the second, exactly.

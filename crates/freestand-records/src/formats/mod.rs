@@ -1,9 +1,9 @@
-//! Formats of record files. The content of a file decides which format it has, never its name.
+//! Formats of record files. A format is recognised by the content of a file, never by its name.
 //!
 //! A family of formats is one module with a function that recognises its files and a function that
 //! reads them. To add one, write the module and add a line to `FAMILIES` below. Several families
-//! share a module: `volumes` is the layout of `csmip` and `usc`, `binary` and `instant` are numbers
-//! and times of `mseed` and `sac`.
+//! share a module: `volumes` is the layout of `csmip` and `usc`; `binary` and `instant` are the
+//! numbers and times that `mseed` and `sac` read.
 
 mod at2;
 mod bhrc;
@@ -25,7 +25,8 @@ mod unam;
 mod usc;
 mod volumes;
 
-pub use crate::motion_file::{Component, Direction, MotionFile, ReadOptions, check_step};
+pub(crate) use crate::motion_file::check_step;
+pub use crate::motion_file::{Component, Direction, MotionFile, ReadOptions, Start, parse_unit};
 pub use crate::write::{write_at2, write_csv, write_pair_csv};
 
 use std::path::Path;
@@ -102,7 +103,7 @@ const FAMILIES: &[Family] = &[
 ];
 
 /// How much of a text is searched for signatures: more than the longest header, which has 300 lines
-/// of 80 characters. A file of one endless line would take long to search.
+/// of 80 characters. Without this limit, a file of one endless line would take long to search.
 const SNIFFED_BYTES: usize = 64 << 10;
 
 /// The reader for the content. What is not binary must be text.

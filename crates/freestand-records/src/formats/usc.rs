@@ -6,7 +6,7 @@ use crate::text::lines::lines;
 use freestand_input::problem::Problem;
 use std::path::Path;
 
-/// From column 73 on, a line holds the number of its characters.
+/// From column 73 on, a line states the number of its characters.
 const USC: Network = Network { volume_one: "USC V1", volume_two: "USC V2", columns: 72, end_mark: None };
 
 /// Whether the text is a file of USC or Caltech: one of the first lines refers to the uncorrected

@@ -18,7 +18,7 @@ const STEPS_S: std::ops::RangeInclusive<f64> = 1e-6..=100.0;
 ///
 /// # Errors
 /// Such a step; the problem is of `kind`.
-pub fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
+pub(crate) fn check_step(dt_s: f64, kind: ProblemKind) -> Result<(), Problem> {
     if STEPS_S.contains(&dt_s) {
         return Ok(());
     }
@@ -84,7 +84,7 @@ impl Found {
             direction: self.direction,
             unit: self.unit.symbol,
             is_raw: self.is_raw,
-            start_s: None,
+            start: None,
             station_xml: None,
             motion: motion(self.dt_s, self.values, self.line)?,
             line_of_first_value: self.line,

@@ -3,7 +3,7 @@
 mod found;
 
 pub use crate::text::direction::Direction;
-pub use found::check_step;
+pub(crate) use found::check_step;
 pub(crate) use found::{
     Found, channels_note, end_note, extreme_note, length_note, motion, peak_note, peak_note_of, tell_apart,
 };
@@ -37,14 +37,19 @@ pub struct ReadOptions {
 
 impl ReadOptions {
     /// Checks what can be checked without a file.
-    ///
-    /// # Errors
-    /// A unit that is not one of acceleration, or a time step outside 1e-6 s to 100 s.
-    pub fn check(&self) -> Result<(), Problem> {
+    pub(crate) fn check(&self) -> Result<(), Problem> {
         units::requested(self.unit.as_deref())?;
         let steps = [self.dt_s, self.uneven_dt_s];
         steps.into_iter().flatten().try_for_each(|dt_s| check_step(dt_s, ProblemKind::Value))
     }
+}
+
+/// A unit of acceleration, by its name.
+///
+/// # Errors
+/// Another name.
+pub fn parse_unit(text: &str) -> Result<String, Problem> {
+    units::requested(Some(text)).map(|_| text.to_owned())
 }
 
 /// A record file, read.
@@ -56,7 +61,7 @@ pub struct MotionFile {
     pub format: &'static str,
     /// Its motions, in the order of the file; never empty.
     pub components: Vec<Component>,
-    /// What was concluded or left out, as far as readers of the results should know it.
+    /// Notes for readers of the results: what was concluded or left out.
     pub notes: Vec<String>,
 }
 
@@ -74,15 +79,32 @@ pub struct Component {
     /// Whether the values include the offset of the instrument: K-NET, miniSEED, SAC, COSMOS V0.
     /// Their mean is removed before use, unless the user keeps it.
     pub is_raw: bool,
-    /// Time of the first value \[s\], if the file states it: since 1970 in files with dates, else
-    /// as in the time column. The motion itself begins at 0.
-    pub start_s: Option<f64>,
+    /// Time of the first value, if the file states it. The motion itself begins at 0.
+    pub start: Option<Start>,
     /// The StationXML with the sensitivity of its counts, where they were scaled by one.
     pub station_xml: Option<InputFile>,
     /// The motion, as the file has it.
     pub motion: Motion,
     /// Line of the first value, counted from 1; 1 in a binary file.
     pub line_of_first_value: usize,
+}
+
+/// Time of the first value of a component \[s\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Start {
+    /// As in the time column.
+    Column(f64),
+    /// Since the beginning of 1970, in UTC.
+    Date(f64),
+}
+
+impl Start {
+    /// The time \[s\]; two components of one file can be compared by it.
+    pub fn seconds(self) -> f64 {
+        match self {
+            Self::Column(seconds) | Self::Date(seconds) => seconds,
+        }
+    }
 }
 
 /// What a reader finds in a file.
@@ -106,7 +128,7 @@ impl Reading {
 }
 
 impl MotionFile {
-    /// The StationXML that its components were scaled by, each once.
+    /// The StationXML files by which its components were scaled, each once.
     pub fn station_xml(&self) -> Vec<InputFile> {
         let mut files: Vec<InputFile> = Vec::new();
         for file in self.components.iter().filter_map(|component| component.station_xml.as_ref()) {

@@ -1,7 +1,6 @@
 //! What is done to a record after reading, each step in words.
 
 mod align;
-mod check;
 mod factor;
 mod pair;
 mod raw;
@@ -23,12 +22,11 @@ use freestand_input::words::number;
 use factor::{factor, factor_words, target_notes};
 use raw::without_mean;
 
-pub use check::check_scale;
 pub use pair::{Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths};
 pub use short_period::short_period_warning;
 pub use short_period::{few_steps, samples_needed};
 pub use target::{TargetSource, TargetSpectrum, parse_target, read_target};
-pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_target_source};
+pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_step, parse_target_source};
 
 /// What the user requests for the samples of a record, in the order of the steps. The default only
 /// removes the mean of raw formats.
@@ -58,14 +56,14 @@ pub struct Processing {
 /// How the factor on the samples is determined.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Scale {
-    /// It is given. 1 changes nothing.
+    /// A given factor; 1 changes nothing.
     Factor(f64),
-    /// To a largest |a|.
+    /// The factor that gives a target peak |a|.
     Peak {
-        /// The largest |a| \[m/s²\].
+        /// The target peak |a| \[m/s²\].
         target_m_s2: f64,
     },
-    /// To a pseudo-acceleration.
+    /// The factor that gives a target pseudo-acceleration at one period.
     Sa {
         /// The pseudo-acceleration \[m/s²\].
         target_m_s2: f64,
@@ -74,7 +72,7 @@ pub enum Scale {
         /// Its damping ratio.
         damping_ratio: f64,
     },
-    /// To a pseudo-acceleration spectrum as nearly as possible: least squares of the logarithms,
+    /// The factor that fits a pseudo-acceleration spectrum best: least squares of the logarithms,
     /// with equal weights for all periods.
     Spectrum(TargetSpectrum),
 }
@@ -210,7 +208,7 @@ fn finish(
     if is_found && !(1.0 / LARGE_FACTOR..=LARGE_FACTOR).contains(&factor) {
         let factor = number(factor, 4);
         done.notes.push(format!(
-            "a factor of {factor} turns the record into a different earthquake: choose a record nearer to the target"
+            "a record multiplied by {factor} no longer represents its earthquake: choose a record nearer to the target"
         ));
     }
     Ok(done)

@@ -64,7 +64,7 @@ pub fn pair_of_one<'f>(
         if std::ptr::eq(first, second) {
             return Err(Problem::new(ProblemKind::Value, format!("\"{}\" is named twice", shorten(&first.name)))
                 .in_file(&file.path)
-                .hint("name two components"));
+                .hint("name two different components"));
         }
         return Ok((first, second));
     }
@@ -72,6 +72,11 @@ pub fn pair_of_one<'f>(
     let level: Vec<&Component> = file.components.iter().filter(|one| one.direction != Some(Direction::Up)).collect();
     match (with_azimuth.as_slice(), level.as_slice()) {
         ([first, second], _) | (_, [first, second]) => Ok((first, second)),
+        (_, [only]) => {
+            let message = format!("the file has only one horizontal component, {}", only.name);
+            let hint = "give `across`, the file with the second component, or compute in one direction";
+            Err(Problem::new(ProblemKind::Value, message).in_file(&file.path).hint(hint))
+        }
         _ => {
             let all: Vec<&Component> = file.components.iter().collect();
             let message = format!("cannot tell which two components are meant: {}", names(&all));
@@ -104,8 +109,8 @@ pub fn with_azimuths<'f>(
     Ok((bearing(first)?, bearing(second)?))
 }
 
-/// Both components of a pair, each processed separately. `names` are their names in words; what
-/// concerns both is with the first.
+/// Both components of a pair, each processed separately. `names` are their names in words;
+/// notes about both are with the first.
 ///
 /// # Errors
 /// A scale that depends on the record, which would differ between the two; otherwise as
@@ -116,8 +121,8 @@ pub fn process_pair(
     processing: &Processing,
 ) -> Result<(Processed, Processed), Problem> {
     if !matches!(processing.scale, Scale::Factor(_)) {
-        return Err(Problem::new(ProblemKind::Value, "two components cannot share one factor to a target")
-            .hint("give the factor itself with `scale`"));
+        let message = "two components cannot be scaled to a target: each would get its own factor";
+        return Err(Problem::new(ProblemKind::Value, message).hint("give the factor itself with `scale`"));
     }
     let [one, two] = aligned((first, second), names, processing.keep_mean)?;
     let finished = |one: Aligned| finish(one.motion, one.steps, None, processing);
@@ -160,7 +165,7 @@ pub fn turned(
         refused("azimuth", error, hint)
     })?;
     let step = format!(
-        "components {} ({} deg) and {} ({} deg) turned to {} deg",
+        "components {} ({} deg) and {} ({} deg) rotated to {} deg",
         names.0,
         number(first.1, 6),
         names.1,

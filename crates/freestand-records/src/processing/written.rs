@@ -1,11 +1,95 @@
-//! Processing as people write it.
+//! Reads options of processing as people write them.
+
+use std::path::Path;
 
 use freestand::oscillator::DAMPING_RATIO;
 use freestand::signal::baseline::{Baseline, MAX_DEGREE};
+use freestand::signal::filter::MAX_ORDER;
 
-use super::{Scale, TargetSource};
+use super::{FILTER_ORDER, Processing, Scale, TargetSource, read_target};
+use crate::formats::check_step;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
+use freestand_input::word_reader::WordReader;
+
+/// The keys of the last step, of which only one is possible.
+const SCALES: [&str; 4] = ["scale", "scale_to", "scale_to_sa", "scale_to_spectrum"];
+
+impl Processing {
+    /// Processing as a person wrote it; the path of a target is relative to `base_dir`. What no
+    /// record allows is added to the problems of the reader.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand_input::word_reader::WordReader;
+    /// use freestand_records::processing::Processing;
+    /// let words = [("low_cut", "0.1 Hz"), ("taper", "60 %")].into_iter().collect();
+    /// let mut reader = WordReader::new(&words);
+    /// let processing = Processing::read(&mut reader, "".as_ref());
+    /// assert_eq!(processing.low_cut_hz, Some(0.1));
+    /// assert_eq!(reader.problems.problems[0].keys, ["taper"]);
+    /// ```
+    pub fn read(reader: &mut WordReader<'_>, base_dir: &Path) -> Self {
+        reader.exclusive("component", "azimuth");
+        for (i, first) in SCALES.iter().enumerate() {
+            SCALES.iter().skip(i + 1).for_each(|second| reader.exclusive(first, second));
+        }
+        let share = ["above 0 and at most 50 %", "above 0 and up to 50 %; 5 % is usual"];
+        let processing = Self {
+            keep_mean: reader.words.get("keep_mean") == Some("true"),
+            azimuth_deg: reader.read("azimuth", |text| parse(text, Dimension::Angle)).map(azimuth_deg),
+            baseline: reader.read("baseline", parse_baseline),
+            taper_ratio: reader.accepted("taper", Dimension::Ratio, |share| share > 0.0 && share <= 0.5, share),
+            low_cut_hz: reader.positive("low_cut", Dimension::Frequency),
+            high_cut_hz: reader.positive("high_cut", Dimension::Frequency),
+            filter_order: filter_order(reader),
+            resample_dt_s: reader.read("resample", parse_step),
+            scale: scale(reader, base_dir),
+        };
+        if let (Some(low), Some(high)) = (processing.low_cut_hz, processing.high_cut_hz)
+            && low >= high
+        {
+            let message = format!("`low_cut`: {low} Hz is not below the high cut of {high} Hz");
+            let hint = "choose a lower low cut or a higher high cut: frequencies between them are kept";
+            reader.note(&["low_cut"], message, hint);
+        }
+        processing
+    }
+}
+
+fn filter_order(reader: &mut WordReader<'_>) -> u32 {
+    let Some(order) = reader.whole("filter_order") else { return FILTER_ORDER };
+    if !reader.has("low_cut") && !reader.has("high_cut") {
+        let hint = "give one of them, such as `low_cut = \"0.1 Hz\"`";
+        reader.note(&["filter_order"], "`filter_order` needs `low_cut` or `high_cut`", hint);
+    } else if !(1..=MAX_ORDER).contains(&order) {
+        let message = format!("`filter_order` must be 1 to {MAX_ORDER}, not {order}");
+        reader.note(&["filter_order"], message, "4 is usual");
+    }
+    order
+}
+
+fn scale(reader: &mut WordReader<'_>, base_dir: &Path) -> Scale {
+    let factor = ["a number other than 0", "other than 0, or leave it out to use the record as it is"];
+    let factor = reader.accepted("scale", Dimension::Ratio, |factor| factor != 0.0, factor);
+    let peak = reader.positive("scale_to", Dimension::Acceleration);
+    let sa = reader.read("scale_to_sa", parse_sa_target);
+    let spectrum = reader.read("scale_to_spectrum", parse_target_source).and_then(|source| {
+        let read = read_target(&TargetSource { path: base_dir.join(&source.path), ..source });
+        reader.problems.keep(read.map_err(|problem| problem.of(&["scale_to_spectrum"])))
+    });
+    let peak = peak.map(|target_m_s2| Scale::Peak { target_m_s2 });
+    peak.or(sa).or(spectrum.map(Scale::Spectrum)).unwrap_or(Scale::Factor(factor.unwrap_or(1.0)))
+}
+
+/// A time step that a record may have \[s\].
+///
+/// # Errors
+/// A text that is not a time; a step that no record has.
+pub fn parse_step(text: &str) -> Result<f64, Problem> {
+    let dt_s = parse(text, Dimension::Time)?;
+    check_step(dt_s, ProblemKind::Value).map(|()| dt_s)
+}
 
 const KNOWN: &str = "known: mean, pre-event:5s, linear, quadratic, cubic, poly:4, graizer, graizer:2:5s, boore:10s:25s";
 
@@ -47,7 +131,7 @@ pub fn parse_baseline(text: &str) -> Result<Baseline, Problem> {
             if t1_s < t2_s {
                 return Ok(Baseline::Boore2001 { t1_s, t2_s });
             }
-            Err(wrong(text, "ends before it begins").hint("the shaking lasts from the first time to the second"))
+            Err(wrong(text, "does not end after it begins").hint("the shaking lasts from the first time to the second"))
         }
         ("pre-event" | "poly" | "boore", _) => Err(wrong(text, "is incomplete").hint(KNOWN)),
         _ => Err(wrong(text, "is not a baseline").hint(KNOWN)),
@@ -112,7 +196,8 @@ pub fn parse_sa_target(text: &str) -> Result<Scale, Problem> {
 pub fn parse_target_source(text: &str) -> Result<TargetSource, Problem> {
     const HINT: &str = "write a file name, then periods and damping after commas: \"target.csv, 0.1 s to 2 s, 2 %\"";
     let mut parts = text.split(',').map(str::trim);
-    let path = parts.next().filter(|path| !path.is_empty()).ok_or_else(|| wrong(text, "names no file").hint(HINT))?;
+    let path =
+        parts.next().filter(|path| !path.is_empty()).ok_or_else(|| wrong(text, "does not name a file").hint(HINT))?;
     let mut source = TargetSource { path: path.into(), range_s: None, damping_ratio: None };
     for part in parts {
         let given = if let Some((from, to)) = part.split_once(" to ") {

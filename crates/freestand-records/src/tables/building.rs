@@ -230,7 +230,10 @@ mod tests {
             (read_storeys(storeys.as_bytes()).map(drop), "line 1: no rows"),
             (read_storeys(b"height [m],mass,stiffness [kN/mm]\n3,4,5\n").map(drop), "line 1: no column holds the mass"),
             (read_storeys(b"h [m],z [m],mass [t],k [N/m]\n3,4,5,6\n").map(drop), "both the height"),
-            (read_storeys(format!("{storeys}1,3,4\n").as_bytes()).map(drop), "line 2: 3 cells under 4"),
+            (
+                read_storeys(format!("{storeys}1,3,4\n").as_bytes()).map(drop),
+                "line 2: this row has 3 cells, but the header has 4",
+            ),
             (read_storeys(format!("{storeys}1,3,4,x\n").as_bytes()).map(drop), "the stiffness is \"x\""),
             (read_storeys(format!("{storeys}1,3,4,\n").as_bytes()).map(drop), "the stiffness is \"\""),
             (read_storeys(format!("{storeys}L2,3,4,5\nL1,3,4,5\n").as_bytes()).map(drop), "line 3: storey 1 follows"),

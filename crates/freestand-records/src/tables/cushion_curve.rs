@@ -18,13 +18,13 @@ const HINT: &str = "name the columns and their units, such as \
 pub struct CurveRow {
     /// Its line, from 1.
     pub line: usize,
-    /// mg/A \[Pa\].
+    /// Static stress mg/A \[Pa\].
     pub static_stress_pa: f64,
-    /// \[m\].
+    /// Drop height \[m\].
     pub drop_height_m: Option<f64>,
-    /// \[m\].
+    /// Thickness of the cushion \[m\].
     pub thickness_m: Option<f64>,
-    /// \[m/s²\].
+    /// Peak acceleration \[m/s²\].
     pub peak_acceleration_m_s2: f64,
 }
 

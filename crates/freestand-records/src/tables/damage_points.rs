@@ -13,20 +13,38 @@ use freestand_input::quantity::{Dimension, shorten};
 const HINT: &str = "name the columns and their units, such as \
                     \"velocity change [m/s],peak acceleration [g],damaged,method\"";
 
+/// A method of ASTM D3332.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TestMethod {
+    /// Short pulses, for the critical velocity change.
+    A,
+    /// Long pulses, for the critical acceleration.
+    B,
+}
+
+impl std::fmt::Display for TestMethod {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::A => "A",
+            Self::B => "B",
+        })
+    }
+}
+
 /// One shock of a test; `None` if the file does not state it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DamageRow {
     /// Its line, from 1.
     pub line: usize,
-    /// \[m/s\].
+    /// Velocity change \[m/s\].
     pub velocity_change_m_s: f64,
-    /// \[m/s²\].
+    /// Peak acceleration \[m/s²\].
     pub peak_acceleration_m_s2: f64,
     /// Whether the object was damaged.
     pub damaged: bool,
-    /// `'A'` or `'B'`.
-    pub method: Option<char>,
-    /// \[s\].
+    /// Method of the test.
+    pub method: Option<TestMethod>,
+    /// Duration of the pulse \[s\].
     pub duration_s: Option<f64>,
 }
 
@@ -74,11 +92,11 @@ fn is_damaged(text: &str) -> Result<bool, Problem> {
     }
 }
 
-fn method_of(text: &str) -> Result<Option<char>, Problem> {
+fn method_of(text: &str) -> Result<Option<TestMethod>, Problem> {
     match text.to_uppercase().as_str() {
         "" => Ok(None),
-        "A" => Ok(Some('A')),
-        "B" => Ok(Some('B')),
+        "A" => Ok(Some(TestMethod::A)),
+        "B" => Ok(Some(TestMethod::B)),
         other => {
             let message = format!("\"{}\" is not a method of ASTM D3332", shorten(other));
             let hint = "write A (short pulses, critical velocity change) or B (critical acceleration)";
@@ -100,7 +118,7 @@ mod tests {
         assert_eq!(rows.iter().map(|row| row.line).collect::<Vec<_>>(), [4, 6]);
         assert!((rows[0].velocity_change_m_s - 0.6).abs() < 1e-15);
         assert!((rows[0].peak_acceleration_m_s2 / G0_M_S2 - 200.0).abs() < 1e-12);
-        assert_eq!((rows[0].method, rows[0].damaged, rows[0].duration_s), (Some('A'), false, Some(2e-3)));
+        assert_eq!((rows[0].method, rows[0].damaged, rows[0].duration_s), (Some(TestMethod::A), false, Some(2e-3)));
         assert_eq!((rows[1].method, rows[1].damaged, rows[1].duration_s), (None, true, None));
         let german = read_damage_points(b"velocity change [m/s];peak [g];damaged\n0,6;200;0\n").unwrap();
         assert!((german[0].velocity_change_m_s - 0.6).abs() < 1e-15);
@@ -118,7 +136,7 @@ mod tests {
             (&format!("{NAMES}1,2,0,A\n1,2,0,C\n"), "line 3: \"C\" is not a method"),
             (&format!("{NAMES}1,-2,0,A\n"), "line 2: the peak acceleration is \"-2\""),
             (&format!("{NAMES}1,nan,0,A\n"), "not a positive number"),
-            (&format!("{NAMES}1,2,0\n"), "3 cells under 4 headings"),
+            (&format!("{NAMES}1,2,0\n"), "this row has 3 cells, but the header has 4"),
         ];
         for (text, said) in cases {
             let problem = read_damage_points(text.as_bytes()).unwrap_err();

@@ -12,9 +12,9 @@ use std::path::Path;
 /// Force and displacement in the order of the test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceDisplacement {
-    /// \[N\].
+    /// Force \[N\].
     pub force_n: Vec<f64>,
-    /// \[m\].
+    /// Displacement \[m\].
     pub displacement_m: Vec<f64>,
     /// Facts from the comments: key, value, line.
     pub said: Vec<(String, String, usize)>,

@@ -8,5 +8,5 @@ mod spectrum;
 
 pub use building::{load_table, read_modes, read_storeys};
 pub use cushion_curve::load_curve;
-pub use damage_points::{DamageRow, load_damage_points};
+pub use damage_points::{DamageRow, TestMethod, load_damage_points};
 pub use spectrum::{SpectrumRow, load_spectrum, parse_spectrum};

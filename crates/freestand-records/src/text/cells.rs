@@ -5,6 +5,7 @@ use super::lines::{Line, lines};
 use super::table::quoted_cells;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::words::counted;
 
 /// A table.
 pub(crate) struct Cells {
@@ -101,7 +102,8 @@ impl Cells {
 fn row(line: &Line<'_>, separator: u8, headings: usize) -> Result<Row, Problem> {
     let cells = quoted_cells(&line.text(), separator);
     if cells.len() != headings {
-        return Err(wrong(line.number, format!("{} cells under {headings} headings", cells.len()))
+        let found = counted(cells.len(), "cell");
+        return Err(wrong(line.number, format!("this row has {found}, but the header has {headings}"))
             .hint("write one row per line, with a cell for each heading"));
     }
     Ok(Row { line: line.number, cells })

@@ -144,7 +144,7 @@ mod tests {
         assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.0, MAX).is_err());
         assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], f64::NAN, MAX).is_err());
         assert!(on_even_grid(&[], &[], 0.1, MAX).is_err());
-        // Nothing is reserved for more samples than there is room for: 1e15 of them here.
+        // No memory is reserved for more samples than `MAX`: 1e15 of them here.
         assert!(on_even_grid(&[0.0, 1e9], &[1.0, 2.0], 1e-6, MAX).is_err());
         assert_eq!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 5).unwrap().len(), 5);
         assert!(on_even_grid(&[0.0, 1.0], &[1.0, 2.0], 0.25, 4).is_err());

@@ -96,10 +96,10 @@ impl Format {
             if found > wanted {
                 return Err(Problem::new(
                     ProblemKind::Format,
-                    format!("{found} values of {what} on a line that should have {wanted}"),
+                    format!("the line has {found} values of {what}, but should have {wanted}"),
                 )
                 .at_line(line.number)
-                .hint("the number of values in the header does not match the file"));
+                .hint("the number of values in the header does not match the file: fetch it again"));
             }
         }
         line_width.check()?;
@@ -156,7 +156,8 @@ impl Block {
         if (0.0..1e9).contains(&value) && value.fract() == 0.0 {
             return Ok(value as usize);
         }
-        Err(Problem::new(ProblemKind::Format, format!("the number of {what} is {value}"))
+        let message = format!("the number of {what} is {value}; a whole number below 1e9 is expected");
+        Err(Problem::new(ProblemKind::Format, message)
             .at_line(self.first_line + at / format.per_line)
             .hint("the file is damaged: fetch it again"))
     }
@@ -214,10 +215,10 @@ mod tests {
         let count = |at| block.count(at, format, "it").map_err(told);
         assert_eq!(count(0), Ok(7));
         for (at, message) in [
-            (1, "line 1: the number of it is -1"),
-            (2, "line 2: the number of it is 2.5"),
-            (3, "line 2: the number of it is 1000000000"),
-            (4, "line 3: the number of it is NaN"),
+            (1, "line 1: the number of it is -1; a whole number below 1e9 is expected"),
+            (2, "line 2: the number of it is 2.5; a whole number below 1e9 is expected"),
+            (3, "line 2: the number of it is 1000000000; a whole number below 1e9 is expected"),
+            (4, "line 3: the number of it is NaN; a whole number below 1e9 is expected"),
         ] {
             assert_eq!(count(at), Err(message.to_owned()));
         }

@@ -1,5 +1,5 @@
-//! Numbers as Fortran programs print them; strong-motion records have been written so for fifty
-//! years.
+//! Numbers as Fortran programs print them; strong-motion records have been written this way for
+//! fifty years.
 
 use super::units::missing;
 use freestand_input::problem::{Problem, ProblemKind};

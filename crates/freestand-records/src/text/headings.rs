@@ -40,7 +40,7 @@ pub(crate) fn only(
 }
 
 /// `time [ms]`, `Accel[g]`, `accel (m/s2)`, `Time, s`, `a / g`, `acc in g`, and the unit suffixes
-/// that our own files use: `time_s`, `accel_m_s2`, `acc_g`.
+/// of freestand's own files: `time_s`, `accel_m_s2`, `acc_g`.
 pub(crate) fn heading(cell: &str) -> Heading {
     let cell = cell.trim().trim_matches('"').trim();
     if let (Some(open), Some(close)) = (cell.rfind(['[', '(']), cell.rfind([']', ')']))

@@ -85,7 +85,7 @@ mod tests {
                     assert!(problem.starts_with(&format!("line {line}: ")), "{at}: {problem}");
                     refused += 1;
                 }
-                // Either half of a line end does without the other.
+                // CR or LF alone ends a line too.
                 Ok(values) => assert!(lost.is_whitespace() && values == read(&whole).unwrap(), "{at} {lost:?}"),
             }
         }

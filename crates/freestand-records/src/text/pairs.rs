@@ -126,8 +126,9 @@ impl Pairs {
         let span_s = self.times_s[self.times_s.len() - 1] - self.times_s[0];
         let most = MAX_SAMPLES_UNASKED.min(MAX_SAMPLES_PER_POINT * self.times_s.len() as f64);
         let Some(dt_s) = step.filter(|dt_s| asked_s.is_some() || span_s / dt_s <= most) else {
-            let message =
-                format!("the record is unevenly sampled and, with {span_s} s, too long for the step of its times");
+            let message = format!(
+                "the record is unevenly sampled, and its {span_s} s are too long to interpolate without a step"
+            );
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(self.first_line)
                 .hint("give a step for interpolation, such as `resample = \"0.005 s\"`"));

@@ -5,6 +5,7 @@ use super::gaps::Markers;
 use super::line_width::LineWidth;
 use super::lines::Lines;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::counted;
 
 /// Columns of equal length.
 pub(crate) struct Rows {
@@ -32,7 +33,8 @@ impl Rows {
     /// More or fewer numbers than columns, a number that is not a value in any unit.
     pub(crate) fn push(&mut self, row: &[f64], line: usize) -> Result<(), Problem> {
         if row.len() != self.columns.len() {
-            let message = format!("a row must have {} values, but this one has {}", self.columns.len(), row.len());
+            let values = counted(self.columns.len(), "value");
+            let message = format!("a row must have {values}, but this one has {}", row.len());
             return Err(Problem::new(ProblemKind::Format, message)
                 .at_line(line)
                 .hint("the file may be cut off or damaged: fetch it again"));

@@ -27,7 +27,8 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
 /// in it.
 pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, Uneven> {
     let (Some(&first), Some(&last)) = (times.first(), times.last()) else {
-        return Err(Uneven { row: 0, message: "there are no times".to_owned(), hint: "" });
+        let message = "there are no times".to_owned();
+        return Err(Uneven { row: 0, message, hint: "a motion needs 2 samples or more" });
     };
     let intervals = times.len().saturating_sub(1) as f64;
     if intervals == 0.0 {
@@ -64,8 +65,8 @@ pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, 
 fn plain_step(times: &[f64], first: f64, last: f64, mean: f64) -> f64 {
     let intervals = (times.len() - 1) as f64;
     let noise = 4.0 * f64::EPSILON * first.abs().max(last.abs());
-    // Times printed in full as i·dt hold dt itself in the second row. Only this reads our own files
-    // back to the bit.
+    // Times printed in full as i·dt hold dt itself in the second row. Only this reads freestand's
+    // own files back to the bit.
     if first == 0.0 && (intervals * times[1] - last).abs() <= noise {
         return times[1];
     }
@@ -95,7 +96,7 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
     let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
     let is_odd = |step: f64| (step - usual).abs() > digit.min(0.5 * usual) + 0.02 * usual;
     let odd_steps = steps.iter().filter(|&&step| is_odd(step)).count();
-    // One odd step is a gap; a tenth of them is a column that cannot hold the step.
+    // A single odd step is a gap; if one step in ten is odd, the times have too few digits.
     if digit >= 0.5 * mean && odd_steps * 10 > steps.len() && steps.len() > 10 {
         return Uneven {
             row: found,
@@ -165,7 +166,7 @@ mod tests {
         {
             assert_eq!(time_step(&rounded(dt, decimals, 3989, start), -decimals), Ok(dt), "{dt} {start}");
         }
-        // Full print of any step, as our own files have it.
+        // All digits of any step, as in freestand's own files.
         for dt in [1.0 / 256.0, 1.0 / 3.0, 0.1 + 0.2, 1e-9, 12345.678] {
             let times: Vec<f64> = (0..5000).map(|i| f64::from(i) * dt).collect();
             assert_eq!(time_step(&times, -20), Ok(dt));

@@ -6,6 +6,7 @@ use super::fortran::{BadField, Number, bad_field, fields};
 use super::gaps::Markers;
 use super::lines::{Line, lines};
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::counted;
 
 /// The last line on which the first row of numbers may be; some files have thousands of lines above
 /// it.
@@ -124,7 +125,7 @@ fn keep(lines: &mut Vec<(usize, String)>, line: (usize, String)) {
 
 impl Table {
     /// The first number of a single column of whole numbers if it is the number of those below it:
-    /// it may be a value or their count. With fewer than ten numbers, chance is too likely.
+    /// it may be a value or their count. With fewer than ten numbers, a coincidence is too likely.
     pub(crate) fn possible_count(&self) -> Option<usize> {
         let [column] = self.columns.as_slice() else { return None };
         let below = column.values.len().saturating_sub(1);
@@ -298,7 +299,7 @@ fn empty_or_bad(bad: &BadField, line: usize) -> Problem {
 }
 
 fn ragged(line: usize, found: usize, expected: usize) -> Problem {
-    Problem::new(ProblemKind::Format, format!("the first row has {expected} values, this one has {found}"))
+    Problem::new(ProblemKind::Format, format!("the first row has {}, this one has {found}", counted(expected, "value")))
         .at_line(line)
         .hint(
             "every row must have the same columns; one series with several values per line needs an AT2 header \

@@ -209,13 +209,13 @@ impl Segment {
         (self.edge.side * y, self.edge.side * w)
     }
 
-    /// The largest F_x/N of the contact over the segment while |θ| ≤ α: the friction without which
-    /// the object slides. Infinite where the contact would have to pull (N ≤ 0), 0 where the object
-    /// is past its balance point throughout.
+    /// The largest F_x/N of the contact over the segment while |θ| ≤ α: with a smaller coefficient
+    /// of friction the object slides. Infinite where the contact would have to pull (N ≤ 0), 0
+    /// where the object is past its balance point throughout.
     ///
     /// # Limitation
-    /// Past α an object falls, its contact unloads and F_x/N passes through a pole: no friction is
-    /// reported there.
+    /// Past α an object falls, its contact unloads and F_x/N passes through a pole: the value does
+    /// not cover this range.
     pub fn friction_needed_ratio(&self) -> f64 {
         const PARTS: usize = 4;
         let at = |i: usize| self.end_ratio * i as f64 / PARTS as f64;

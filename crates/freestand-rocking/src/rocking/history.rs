@@ -81,10 +81,10 @@ impl<'a> HistoryRecorder<'a> {
     /// The history, filled up to the end that the solver reports.
     pub fn finish(mut self, rocking: &Rocking) -> Vec<HistoryPoint> {
         if rocking.at_rest {
-            self.rest(rocking.end_s);
+            self.rest(rocking.end_time_s);
         }
         let last = (rocking.final_rotation_rad, rocking.final_omega_rad_s);
-        self.points.push(self.point(rocking.end_s, last));
+        self.points.push(self.point(rocking.end_time_s, last));
         if let Some(time_s) = rocking.peak_rotation_time_s {
             self.peak(time_s, rocking.peak_rotation_rad);
         }

@@ -1,19 +1,19 @@
 //! The rigid block rocking on a rigid base (Housner 1963), followed event by event.
 //!
 //! θ̈ = −p²\[(1+ü_v/g) sin(sα−θ) + (ü_h/g) cos(sα−θ)\], s = sgn θ; at θ = 0 an impact, ω⁺ = r ω⁻. θ
-//! is positive when the block tilts to the right, about its right edge; a positive ü_h drives θ
+//! is positive when the block rotates to the right, about its right edge; a positive ü_h drives θ
 //! negative. The base acceleration is linear between the samples of the motion.
 //!
 //! Event rules:
 //! * **Uplift** from rest when |ü_h| > (g+ü_v) tan α, at the instant at which the straight line
 //!   between two samples passes the threshold.
-//! * **Impact** when θ returns to 0; every one is reported. The velocity keeps its sign and the
+//! * **Impact** when θ returns to 0; all are reported. The velocity keeps its sign and the
 //!   pivot changes.
 //! * **Rest** when the velocity after an impact is at most [`REST_OMEGA_RAD_S`] and |ü_h| ≤ (g+ü_v)
 //!   tan α: exactly θ = 0 until the next uplift. Where the threshold is passed the block starts
 //!   again from zero velocity.
 //! * **Overturned** when |θ| reaches π/2; passing α is reported but is not yet overturning.
-//! * **Free flight** where g + ü_v ≤ 0: the model does not hold, an error.
+//! * **Free flight** where g + ü_v ≤ 0: the model does not apply, and the result is an error.
 //!
 //! Each piece of the motion is a Taylor series of the exact equation, with an order that follows
 //! from the accuracy (`equation`), and each event is a root of that polynomial
@@ -38,7 +38,8 @@ pub use solve::{rock, rock_observed};
 /// again \[rad/s\].
 pub const REST_OMEGA_RAD_S: f64 = 1e-9;
 
-/// Impacts after which a history is abandoned; only a restitution of (nearly) 1 reaches them.
+/// Number of impacts after which a history is abandoned; only a restitution of (nearly) 1 reaches
+/// it.
 pub const MAX_IMPACTS: usize = 1_000_000;
 
 /// A block that needs more impacts than this to come to rest after the motion counts as rocking for
@@ -70,8 +71,8 @@ impl RockingModel {
 /// ω⁺/ω⁻ at each impact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Restitution {
-    /// Housner's ratio of the block ([`Block::landing_ratio`]); 0 for a squat block, whose landings
-    /// are halted.
+    /// Housner's ratio of the block ([`Block::landing_ratio`]); 0 for a squat block, which stops at
+    /// every landing.
     #[default]
     Housner,
     /// One value in \[0, 1\] for every impact.
@@ -161,6 +162,22 @@ pub struct Base<'a> {
     pub vertical: Option<&'a Motion>,
 }
 
+impl Base<'_> {
+    /// Whether both motions, if there are two, have the same time step and length.
+    ///
+    /// # Errors
+    /// They have not.
+    pub fn check(&self) -> Result<(), RockingError> {
+        let Some((h, v)) = self.horizontal.zip(self.vertical) else { return Ok(()) };
+        let (samples, vertical_samples) = (h.accel_m_s2().len(), v.accel_m_s2().len());
+        let (dt_s, vertical_dt_s) = (h.dt_s(), v.dt_s());
+        if (samples, dt_s) == (vertical_samples, vertical_dt_s) {
+            return Ok(());
+        }
+        Err(RockingError::VerticalMismatch { samples, dt_s, vertical_samples, vertical_dt_s })
+    }
+}
+
 /// Everything else that a history depends on: model, restitution, start and end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RockingOptions {
@@ -194,7 +211,7 @@ impl Default for RockingOptions {
     }
 }
 
-/// One impact of the base on the floor.
+/// One impact of an edge on the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RockingImpact {
     /// Time \[s\].
@@ -266,7 +283,7 @@ pub struct Rocking {
     /// Why the history stopped.
     pub stop: StopReason,
     /// Time at which it stopped \[s\].
-    pub end_s: f64,
+    pub end_time_s: f64,
     /// Largest |θ| \[rad\]; π/2 when overturned.
     pub peak_rotation_rad: f64,
     /// Extremes on the right edge and on the left one. Their consequences differ only where the
@@ -359,11 +376,11 @@ pub enum RockingError {
         time_s: f64,
     },
     /// With a restitution of (nearly) 1 the block never comes to rest.
-    #[error("{limit} impacts by {time_s} s without coming to rest")]
+    #[error("the object is not at rest at {time_s} s, after {limit} impacts: its restitution is too close to 1")]
     TooManyImpacts {
         /// Time at which the calculation was abandoned \[s\].
         time_s: f64,
-        /// [`MAX_IMPACTS`].
+        /// The largest number of impacts, [`MAX_IMPACTS`].
         limit: usize,
     },
     /// The Taylor series does not converge: the input is physically impossible.

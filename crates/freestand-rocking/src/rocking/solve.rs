@@ -27,7 +27,7 @@ use crate::polynomial::{first_root, roots, value};
 /// Input outside the range of the model, and free flight.
 ///
 /// # Example
-/// Free rocking from half of the balance angle: a quarter period is 1.3185044/p for α = 0.2
+/// Free rocking from half of the slenderness angle α: a quarter period is 1.3185044/p for α = 0.2
 /// (Housner 1963).
 /// ```
 /// use freestand_rocking::{block::Block, rocking::{rock, Base, RockingOptions, Until}};
@@ -82,7 +82,7 @@ struct Solver<'a, F: FnMut(&Segment)> {
     settle: bool,
     /// After the motion, when the base no longer moves.
     quiet: bool,
-    /// Rocks on unchanged for practically ever.
+    /// Whether the block rocks practically for ever.
     steady: bool,
     phase: Phase,
     result: Rocking,
@@ -91,7 +91,7 @@ struct Solver<'a, F: FnMut(&Segment)> {
 }
 
 /// The base acceleration as straight lines: the intervals of the motion, the return to zero, and
-/// the quiet that follows.
+/// the base at rest after it.
 struct Intervals<'a> {
     horizontal: &'a [f64],
     vertical: &'a [f64],
@@ -181,7 +181,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             result: Rocking {
                 outcome: if given { Outcome::Rocked } else { Outcome::NoUplift },
                 stop: StopReason::EndOfMotion,
-                end_s: 0.0,
+                end_time_s: 0.0,
                 peak_rotation_rad: theta.abs(),
                 sides,
                 peak_rotation_time_s: given.then_some(0.0),
@@ -224,7 +224,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 // it.
                 if self.edges.iter().all(|e| e.margin(ground.u, ground.v) >= 0.0 && e.margin(at_end.u, at_end.v) >= 0.0)
                 {
-                    self.result.end_s = start_s + length_s;
+                    self.result.end_time_s = start_s + length_s;
                     index += 1;
                     continue;
                 }
@@ -236,7 +236,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             }
             if self.settle && index >= self.intervals.samples && matches!(self.phase, Phase::Rest) {
                 self.result.stop = StopReason::Settled;
-                self.result.end_s = self.result.rest_time_s.unwrap_or(start_s);
+                self.result.end_time_s = self.result.rest_time_s.unwrap_or(start_s);
                 break;
             }
             index += 1;
@@ -282,7 +282,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 }
             }
         }
-        self.result.end_s = self.result.overturn_time_s.unwrap_or(start_s + tau);
+        self.result.end_time_s = self.result.overturn_time_s.unwrap_or(start_s + tau);
         Ok(())
     }
 
@@ -447,17 +447,8 @@ fn below(series: &[f64], limit: f64) -> [f64; crate::polynomial::MAX_DEGREE + 1]
 
 impl<'a> Intervals<'a> {
     fn new(base: Base<'a>, gravity: f64, until: Until) -> Result<Self, RockingError> {
+        base.check()?;
         let given = base.horizontal.or(base.vertical);
-        if let (Some(h), Some(v)) = (base.horizontal, base.vertical)
-            && (h.dt_s() != v.dt_s() || h.accel_m_s2().len() != v.accel_m_s2().len())
-        {
-            return Err(RockingError::VerticalMismatch {
-                samples: h.accel_m_s2().len(),
-                dt_s: h.dt_s(),
-                vertical_samples: v.accel_m_s2().len(),
-                vertical_dt_s: v.dt_s(),
-            });
-        }
         let record_s = given.map_or(0.0, Motion::duration_s);
         let end_s = match until {
             Until::EndOfMotion => record_s,

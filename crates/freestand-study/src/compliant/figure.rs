@@ -21,18 +21,18 @@ const PANELS_PX: [f64; 3] = [230.0, 150.0, 186.0];
 /// lost in steep lines \[px\].
 const WIDTHS_PX: [f64; 2] = [2.4, 1.0];
 
-/// How much of the history is shown before and after the first impact, over the duration of its
-/// contact.
+/// How much of the history is shown before and after the first impact, as a multiple of the
+/// duration of its contact.
 const SHOWN_BEFORE: f64 = 2.0;
 const SHOWN_AFTER: f64 = 14.0;
 
-/// The first impact of a history that was sampled; all of it where there was none.
+/// The first impact of a sampled history, or all of the history if there was no impact.
 fn trace_page(report: &CompliantReport) -> Page {
     let (rocking, base) = (&report.rocking, &report.base);
-    let (from, to) = rocking.touches.first().map_or((0.0, rocking.end_s), |first| {
-        let contact_s = first.end_s.unwrap_or(rocking.end_s) - first.time_s;
+    let (from, to) = rocking.touches.first().map_or((0.0, rocking.end_time_s), |first| {
+        let contact_s = first.end_time_s.unwrap_or(rocking.end_time_s) - first.time_s;
         let from = (first.time_s - SHOWN_BEFORE * contact_s).max(0.0);
-        (from, (first.time_s + SHOWN_AFTER * contact_s).min(rocking.end_s))
+        (from, (first.time_s + SHOWN_AFTER * contact_s).min(rocking.end_time_s))
     });
     let paper_g = report.facts.number("edge_acceleration_paper_g");
     let within = |p: &&CompliantPoint| (from..=to).contains(&p.time_s);
@@ -67,9 +67,9 @@ fn trace_page(report: &CompliantReport) -> Page {
     ];
     let caption = format!(
         "{} kg on cushions ({}, tangential stiffness {} times the normal one, {}). Top: vertical acceleration of \
-         the two lower corners in the ground's frame, upward positive, as accelerometers above the corners would \
-         record it. Middle: forces of the cushions under them. Bottom: rotation. In the plane of the motion both \
-         corners of one edge move alike, so each line also stands for the mean of two accelerometers on that edge.",
+         the two edges in the ground's frame, upward positive, as accelerometers above them would record it. \
+         Middle: forces of the cushions under them. Bottom: rotation. Both ends of an edge move alike, so each line \
+         is also the mean of two accelerometers on that edge.",
         significant(base.mass_kg, 4),
         base.cushion.law().name(),
         significant(base.tangential_stiffness_ratio, 3),
@@ -86,7 +86,7 @@ fn trace_page(report: &CompliantReport) -> Page {
     }
 }
 
-/// A panel that shows `also` beside its curves.
+/// A panel whose axis includes the value `also` as well as its curves.
 fn panel(curves: &[Vec<(f64, f64)>], also: Option<f64>, label: &str, x: Axis, lowest: bool) -> Panel {
     let values = || curves.iter().flatten().map(|p| p.1).chain(also);
     let (low, high) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));

@@ -15,15 +15,16 @@ use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{Base, Outcome};
 
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::facts;
 use freestand_output::facts::{Facts, Value};
 use freestand_output::rows::numbers_csv;
 
-/// Samples of a history for each landing pulse: a peak between samples is at most 0.1 % higher.
+/// Samples in each landing pulse of a history: a peak between samples is at most 0.1 % higher.
 const SAMPLES_PER_PULSE: f64 = 40.0;
-/// Swings of a rigid block for which free rocking is followed unless a duration is given.
+/// Free rocking without a given duration lasts this many swings of a rigid block.
 const FREE_SWINGS: f64 = 4.0;
-/// Duration for an object that does not swing back, over the block's 1/p.
+/// Duration for an object that does not swing back, as a multiple of the block's 1/p.
 const FALL_TIMES: f64 = 12.0;
 
 /// An object on cushions, under a motion or released.
@@ -41,8 +42,41 @@ pub struct CompliantRequest {
     pub horizontal: Option<Motion>,
     /// Vertical motion of its base.
     pub vertical: Option<Motion>,
-    /// Accuracy, start, end, points.
+    /// Options of the solver: accuracy, start, duration, points.
     pub options: CompliantOptions,
+}
+
+/// The rotation to the right from which an object is released.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Release {
+    /// θ \[rad\].
+    Rotation(f64),
+    /// The rotation at this rise of the centre of gravity \[m\].
+    CgRise(f64),
+}
+
+/// The initial state of an object; upright without a release.
+///
+/// # Errors
+/// A rise beyond the balance point.
+pub fn start(block: &Block, release: Option<Release>, omega_rad_s: f64) -> Result<Start, Problem> {
+    let pivot = block.right_pivot();
+    let rotation_rad = match release {
+        None => 0.0,
+        Some(Release::Rotation(rotation_rad)) => rotation_rad,
+        Some(Release::CgRise(rise_m)) => pivot.rotation_at_rise_rad(rise_m).ok_or_else(|| {
+            let balance = format_si(pivot.balance_rise_m(), Dimension::Length);
+            let message = format!("`cg_rise` is beyond the balance point, which is at a rise of {balance}");
+            Problem::value(message, "give a smaller rise, or `initial_rotation`")
+        })?,
+    };
+    let is_upright = rotation_rad == 0.0 && omega_rad_s == 0.0;
+    Ok(if is_upright { Start::Rest } else { Start::Tilted { rotation_rad, omega_rad_s } })
+}
+
+/// The base with this tangential stiffness of the cushion under one edge \[N/m\].
+pub fn with_tangential_stiffness(base: CompliantBase, stiffness_n_m: f64, gravity_m_s2: f64) -> CompliantBase {
+    CompliantBase { tangential_stiffness_ratio: stiffness_n_m / base.normal_stiffness_n_m(gravity_m_s2), ..base }
 }
 
 /// What the object did.
@@ -59,16 +93,16 @@ pub struct CompliantReport {
     pub rocking: CompliantRocking,
     /// What the object rests on.
     pub base: CompliantBase,
-    /// Doubts about the validity of the result.
+    /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
-    /// Its history, where it was sampled.
+    /// The sampled history; empty if it was not recorded.
     pub history: Vec<CompliantPoint>,
 }
 
-/// Follows the object; the history is sampled only if `record` says so.
+/// Calculates the motion of the object; the history is sampled only if `record` is true.
 ///
 /// # Errors
-/// What the solver refuses, with a hint.
+/// The errors of the solver, each with a hint, and a history that is too long to sample.
 pub fn rock_on_cushions(request: &CompliantRequest, record: bool) -> Result<CompliantReport, Problem> {
     let motion = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
     let mut options = request.options.clone();
@@ -101,8 +135,8 @@ fn pivot_of(block: &Block, start: Start) -> Pivot {
     }
 }
 
-/// The duration of four swings of the rigid block that is released like this; that of a fall where
-/// it does not swing back.
+/// The duration of four swings of a rigid block released in the same way, or that of a fall if it
+/// does not swing back.
 fn natural_duration_s(pivot: &Pivot, start: Start, gravity_m_s2: f64) -> f64 {
     let p = pivot.frequency_parameter_rad_s(gravity_m_s2);
     let free = match start {
@@ -130,7 +164,7 @@ fn sampling_s(request: &CompliantRequest) -> f64 {
 /// A linear cushion with c = 2ζ√(k m) under the edge of a mass m \[N s/m\].
 ///
 /// # Errors
-/// A stiffness that makes no cushion.
+/// A stiffness or a damping that no cushion can have.
 pub fn damped(mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Result<Cushion, Problem> {
     let damping_n_s_m = 2.0 * damping_ratio * (stiffness_n_m * mass_kg).sqrt();
     let law = if damping_ratio > 0.0 {
@@ -149,7 +183,7 @@ pub fn paper_edge_acceleration_m_s2(block: &Block, base: &CompliantBase, cg_rise
     landing.edge_acceleration_m_s2(base.mass_kg, &base.cushion, cg_rise_m, gravity_m_s2)
 }
 
-/// The base with cushions without their dashpots, which Eq. (5) is about.
+/// The base with undamped cushions, as Eq. (5) assumes.
 fn undamped(base: &CompliantBase) -> CompliantBase {
     let law = match *base.cushion.law() {
         ContactLaw::KelvinVoigt { stiffness_n_m, .. } => ContactLaw::Linear { stiffness_n_m },
@@ -196,8 +230,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
     let facts = Facts::default()
         .key("base", "compliant")
         .fact("outcome", "outcome", rocking.outcome.name())
-        .fact("end_time_s", "end", rocking.end_s)
-        .fact("peak_rotation_rad", "largest rotation", rocking.peak_rotation_rad)
+        .and(facts!(rocking; end_time_s "end", peak_rotation_rad "largest rotation"))
         .fact("peak_rotation_ratio", "  divided by α", share)
         .fact("peak_rotation_time_s", "  at", rocking.peak_rotation_time_s)
         .and(facts!(rocking; uplift_m "uplift", cg_rise_m "rise of the centre of gravity",
@@ -215,8 +248,8 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
         .key("edge_acceleration_effective_mass_g", damped_m_s2.map(in_g))
         .fact("edge_acceleration_over_paper_ratio", "simulated over Eq. (5)", paper_m_s2.map(|paper| peak_m_s2 / paper))
         .fact("first_impact_over_paper_ratio", "first impact over Eq. (5)", first_over_paper)
-        // Of the rigid base: here the edges slide or hold, and the cushion decides what a landing
-        // costs.
+        // These belong to the rigid base: here friction is simulated, and the cushion determines
+        // the energy that a landing loses.
         .key("friction_needed_ratio", Value::Missing)
         .key("impact_friction_needed_ratio", Value::Missing)
         .key("edge_acceleration_impact_velocity_g", Value::Missing)
@@ -245,19 +278,18 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
 fn touch(touch: &Touch) -> Facts<'static> {
     facts!(touch; time_s)
         .key("edge", touch.edge.name())
-        .and(facts!(touch; speed_m_s, omega_before_rad_s, omega_after_rad_s))
-        .key("end_time_s", touch.end_s)
-        .key("rebound_m_s", touch.rebound_m_s)
+        .and(facts!(touch; speed_m_s, omega_before_rad_s, omega_after_rad_s, end_time_s, rebound_m_s))
         .key("edge_acceleration_g", touch.peak_acceleration_m_s2 / G0_M_S2)
         .key("force_n", touch.peak_force_n)
 }
 
-/// A swing with an edge off its cushion; the restitution is √(Δh/Δh before), of free rocking only.
+/// A swing during which an edge is off its cushion. The restitution, √(Δh/Δh of the swing before),
+/// is for free rocking only.
 fn swing(swing: &Swing) -> Facts<'static> {
     facts!(swing; time_s, rotation_rad).key("restitution_ratio", swing.effective_restitution_ratio)
 }
 
-/// Energy that may be missing before a warning is given.
+/// Largest relative error of the energy balance that causes no warning.
 const ENERGY_LIMIT: f64 = 1e-5;
 
 fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<String> {
@@ -276,7 +308,7 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
         );
     }
     if rocking.equilibrium.is_none() {
-        warnings.push("the cushions are too soft to keep the object upright when it comes to rest".to_owned());
+        warnings.push("the cushions are too soft to keep the object upright at rest: check their stiffness".to_owned());
     }
     let missing = rocking.energy.residual_ratio;
     if missing > ENERGY_LIMIT {
@@ -291,7 +323,7 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
 pub fn problem(error: CompliantError) -> Problem {
     let (kind, hint) = match error {
         CompliantError::Value { .. } => (ProblemKind::Value, "check the values of the object and its cushion"),
-        CompliantError::Contacts { .. } => (ProblemKind::Value, "2 contacts are the two edges"),
+        CompliantError::Contacts { .. } => (ProblemKind::Value, "2 contact elements are the two edges alone"),
         CompliantError::Unstable { .. } => {
             (ProblemKind::Value, "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft")
         }
@@ -299,9 +331,10 @@ pub fn problem(error: CompliantError) -> Problem {
         CompliantError::VerticalMismatch => {
             (ProblemKind::Value, "resample one of them so that both have the same step and length")
         }
-        CompliantError::StepTooSmall { .. } => {
-            (ProblemKind::Computation, "check the units of the motion and of the cushion, and whether it bottoms")
-        }
+        CompliantError::StepTooSmall { .. } => (
+            ProblemKind::Computation,
+            "check the units of the motion and of the cushion, and whether the cushion bottoms",
+        ),
         CompliantError::TooManySteps { .. } => (
             ProblemKind::Computation,
             "use a shorter `duration` or `accuracy = \"fast\"`; for a very stiff base use `base = \"rigid\"`",
@@ -310,7 +343,7 @@ pub fn problem(error: CompliantError) -> Problem {
     Problem::new(kind, error.to_string()).hint(hint)
 }
 
-/// The accuracy of this solver that has the same name.
+/// The accuracy of the compliant solver with the same name.
 pub fn accuracy(name: freestand::rocking::Accuracy) -> CompliantAccuracy {
     match name {
         freestand::rocking::Accuracy::Fast => CompliantAccuracy::Fast,

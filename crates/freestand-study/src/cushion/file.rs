@@ -6,13 +6,13 @@ use freestand_input::file::{InputFile, load_up_to};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 
-use crate::options::parse_cushion;
+use crate::options::{NOT_IN_CUSHION_FILES, parse_cushion};
 
-/// A cushion file is a few lines; a table of forces some thousand.
+/// Largest size of a cushion file: it has a few lines, or some thousand with a table of forces.
 const MAX_BYTES: u64 = 1 << 20;
 
-/// Reads a cushion file: the keys of [`CUSHION_KEYS`](super::CUSHION_KEYS), with `stiffness` (and
-/// all else) of one pad, which the words call `pad_stiffness`.
+/// Reads a cushion file: the keys of a cushion, with `stiffness` (and all else) of one pad, which
+/// the words call `pad_stiffness`.
 ///
 /// # Errors
 /// A file that cannot be read, is not TOML, or has unknown keys.
@@ -24,9 +24,9 @@ pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
     let input = InputFile::new(path, &bytes);
     let text = String::from_utf8(bytes).map_err(|_| unreadable("is not text (UTF-8)"))?;
     let (options, mut problems) = parse_cushion(&text, path);
-    let stranger = options.lines().find(|(key, _)| matches!(*key, "cushion" | "pad_stiffness"));
+    let stranger = options.lines().find(|(key, _)| NOT_IN_CUSHION_FILES.contains(key));
     if let Some((key, Some(line))) = stranger {
-        let hint = "a cushion file describes one pad: its stiffness is that of the pad";
+        let hint = "a cushion file describes one pad itself: give its stiffness as stiffness";
         problems
             .push(Problem::value(format!("{key} does not belong in a cushion file"), hint).at_line(line).in_file(path));
     }
@@ -34,8 +34,8 @@ pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
     problems.finish(Some((options.entries().map(|(key, text)| (of_one_pad(key), text)).collect(), input)))
 }
 
-/// The words of the cushion file that some words name, with what these add to it: pads per edge,
-/// layers in series, the thickness of the pad.
+/// The words of a cushion file, completed by those of the words that name it: pads per edge, layers
+/// in series, the thickness of the pad.
 ///
 /// # Errors
 /// Words that describe the pad again, or do not say how many pads are under an edge.

@@ -20,30 +20,13 @@ pub use file::{read_cushion_file, with_file};
 /// Exponent of a sphere on a thick pad (Hertz).
 pub const HERTZ_EXPONENT: f64 = 1.5;
 
-/// Why an object has no shock although it stays upright.
+/// Why an object that does not overturn has no shock.
 pub const BOTTOMED: &str = "the cushion bottoms, so that its law gives no reliable shock";
-
-/// The keys that describe a cushion.
-pub const CUSHION_KEYS: [&str; 13] = [
-    "law",
-    "stiffness",
-    "pad_stiffness",
-    "pads_per_edge",
-    "series_stiffness",
-    "exponent",
-    "damping",
-    "dissipation",
-    "bottoming",
-    "compressions",
-    "forces",
-    "pad_thickness",
-    "cushion",
-];
 
 /// The cushion under one edge.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeCushion {
-    /// All of it.
+    /// The cushion itself.
     pub cushion: Cushion,
     /// Thickness of the pad, for the warnings \[m\].
     pub pad_thickness_m: Option<f64>,
@@ -51,12 +34,12 @@ pub struct EdgeCushion {
     pub notes: Vec<String>,
 }
 
-/// F = k d with k in N/m, all under one edge.
+/// The words of a linear cushion F = k d, with k in N/m of everything under one edge.
 pub fn spring(stiffness_n_m: f64) -> Words {
     Words::from_iter([("stiffness", format!("{stiffness_n_m} N/m"))])
 }
 
-/// The cushion that words with [`CUSHION_KEYS`] describe, under an edge of an object of `mass_kg`;
+/// The cushion that words with the keys of a cushion describe, under an edge of an object of `mass_kg`;
 /// a damping *ratio* ζ refers to that mass: c = 2ζ√(k m).
 ///
 /// # Errors
@@ -69,7 +52,7 @@ pub fn resolve(words: &Words, mass_kg: Option<f64>) -> Result<EdgeCushion, Probl
     problems.finish(cushion.map(|cushion| EdgeCushion { cushion, pad_thickness_m, notes }))
 }
 
-/// The laws by the names that people give them.
+/// The contact laws that a user can name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum LawName {
     Linear,
@@ -116,7 +99,7 @@ impl Reader<'_> {
             self.words.note(
                 &[key],
                 format!("`{key}` is not part of a {name} law"),
-                "name the law that has it with `law`",
+                "delete it, or choose a law that uses it with `law`",
             );
         }
         let exponent = self.exponent(law)?;
@@ -238,7 +221,7 @@ impl Reader<'_> {
     fn damped(&mut self, law: LawName, edge: Cushion, pads: Option<u32>, mass_kg: Option<f64>) -> Option<Cushion> {
         const KEY: &str = "damping";
         let (LawName::KelvinVoigt, Some(stiffness_n_m)) = (law, edge.linear_stiffness_n_m()) else { return Some(edge) };
-        self.required(KEY, "a kelvin-voigt law", "\"300 N s/m\", or a ratio such as", "5 %")?;
+        self.required(KEY, "a kelvin-voigt law", "a value such as \"300 N s/m\", or a ratio such as", "5 %")?;
         let text = self.words.words.get(KEY)?;
         let damping_n_s_m = if parse(text, Dimension::Ratio).is_ok() {
             let ratio = self.words.non_negative(KEY, Dimension::Ratio)?;
@@ -249,7 +232,7 @@ impl Reader<'_> {
             };
             let damping_n_s_m = 2.0 * ratio * (stiffness_n_m * mass_kg).sqrt();
             self.notes.push(format!(
-                "damping of {} % of {} → {} under the edge",
+                "damping ratio {} % with {} → {} under the edge",
                 number(100.0 * ratio, 4),
                 format_si(mass_kg, Dimension::Mass),
                 format_si(damping_n_s_m, Dimension::Damping)
@@ -291,7 +274,7 @@ impl Reader<'_> {
     }
 }
 
-/// A cushion in a few words: `4380 N/mm`, `K = 2e7 N/m^1.5`, `1000 N/mm, bottoming at 12 mm`.
+/// A cushion in a few words: `4380 N/mm`, `K = 2e7 N/m^1.5`, `1000 N/mm bottoming at 12 mm`.
 pub fn cushion_words(cushion: &Cushion) -> String {
     law_words(cushion.law())
 }
@@ -316,7 +299,7 @@ fn law_words(law: &ContactLaw) -> String {
             let end = compressions_m.last().zip(forces_n.last());
             let (d, f) = end.map_or((0.0, 0.0), |(d, f)| (*d, *f));
             let (d, f) = (format_si(d, Dimension::Length), format_si(f, Dimension::Force));
-            format!("a table of {} points to {d} and {f}", compressions_m.len())
+            format!("a table of {} points up to {d} and {f}", compressions_m.len())
         }
         ContactLaw::Series { parts } => parts.iter().map(law_words).collect::<Vec<_>>().join(" in series with "),
     }

@@ -87,7 +87,7 @@ fn what_does_not_belong_together_is_refused_by_its_key() {
         (&[("law", "tabulated"), ("stiffness", "1 N/mm")], "`stiffness` is not part of a tabulated law"),
         (
             &[("law", "kelvin-voigt"), ("stiffness", "1 N/mm"), ("damping", "1 N s/m"), ("series_stiffness", "1 N/mm")],
-            "inner state",
+            "in series must be undamped",
         ),
     ];
     for (entries, message) in cases {

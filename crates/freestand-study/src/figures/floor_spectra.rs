@@ -29,7 +29,7 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
         let code = &target.spectrum;
         let periods = &ground.first()?.periods_s;
         let points = periods.iter().filter(|&&t| t > 0.0).map(|&t| (t, code.sa_g(t)));
-        // A table may end before the last period of the picture.
+        // A table may end before the last period of the figure.
         let points: Vec<_> = points.filter(|point| point.1.is_finite()).collect();
         Some(points)
     });
@@ -57,7 +57,7 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
     legend.push(Entry { sign: Sign::Line { colour, width_px: 2.4, dash: None }, words: words.into() });
     if let Some(target) = study.ground.code_spectrum() {
         let words = match (&study.ground, &target.spectrum) {
-            // The motions meet it on rock and over some periods only.
+            // The motions fit it on rock and over some periods only.
             (Ground::Simulated(_), _) => "code spectrum",
             (_, CodeSpectrum::Table(_)) => "target spectrum",
             _ => "target: code spectrum",

@@ -104,7 +104,7 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {
     let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
     let reach = (1.1 * largest).clamp(1.15, HIGHEST_RATIO);
     let y = Axis { from: -reach, to: reach, step: Some(0.5), label: "Rotation θ/α (–)".into() };
-    // What falls out of the axes ends at their edge: one point beyond it is kept, and clipped.
+    // A curve that leaves the axes ends at their edge: one point outside is kept, and clipped.
     let end = points.iter().position(|p| p.1.abs() > reach).map_or(points.len(), |i| i + 1);
     let mut plots = vec![line(&points[..end], curve_style(0).colour, 1.6, None)];
     if outcome == Outcome::Overturned

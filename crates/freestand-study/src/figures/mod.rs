@@ -29,11 +29,11 @@ pub enum FigureKind {
     Overturning,
     /// Acceleration spectra of the ground and the floors.
     FloorSpectra,
-    /// Peak floor accelerations up the height.
+    /// Peak floor accelerations over the height.
     FloorProfile,
     /// One rocking history.
     History,
-    /// A ground motion, counted from 0.
+    /// A ground motion, by its index from 0.
     Record(usize),
     /// How the result depends on each assumption.
     Vary,
@@ -101,7 +101,7 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
         })?,
         FigureKind::FloorProfile => study_profile(study, result).ok_or_else(|| FigureError {
             figure: kind.name(),
-            reason: "the study gives the motions of the floors".into(),
+            reason: "the study gives the motions of the floors, so there is no profile over the height".into(),
         })?,
         FigureKind::Vary => {
             let levels: Vec<String> = study.levels.iter().map(|level| level.name.clone()).collect();
@@ -119,20 +119,14 @@ pub fn figure(kind: FigureKind, study: &Study, result: &StudyResult) -> Result<F
     draw(page)
 }
 
-fn points(levels_ratio: &[f64], accel_g: &[f64]) -> Vec<(f64, f64)> {
-    levels_ratio.iter().copied().zip(accel_g.iter().copied()).collect()
-}
-
 fn study_profile(study: &Study, result: &StudyResult) -> Option<Page> {
     let profile = result.profile.as_ref()?;
-    let code = profile.code.as_ref().map(|code| (code.clause, points(&profile.levels_ratio, &code.accel_g)));
     let picture = ProfilePicture {
-        title: "Peak floor accelerations",
         levels_ratio: &profile.levels_ratio,
         height_m: study.building.as_ref().map(|building| building.height_m),
         pfa_g: &profile.pfa_g,
         pga_g: &[],
-        code: code.as_ref().map(|(clause, line)| (*clause, &line[..])),
+        code: profile.code.as_ref(),
     };
     Some(floor_profile(&FigureKind::FloorProfile.name(), &picture))
 }

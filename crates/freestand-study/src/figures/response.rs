@@ -312,8 +312,8 @@ fn median(curve: &[Point], index: usize) -> Vec<Plot> {
     let style = curve_style(index);
     let mut plots = Vec::new();
     for run in runs(curve, |p| Some((p.height_m, value(p.ranked[1])?))) {
-        // Where an object does not uplift all curves lie on one another: markers would only hide
-        // each other there.
+        // Where objects do not uplift, the curves coincide, and their markers would hide each
+        // other.
         let mut marked: Vec<_> = some_of(&run, index).into_iter().filter(|p| p.1 > 0.0).collect();
         // The end of a curve is a result of its own, and a lone point has no line.
         if let Some(&end) = run.last()
@@ -339,7 +339,7 @@ fn thicknesses(study: &Study) -> Vec<f64> {
     thicknesses
 }
 
-/// The objects of one thickness by rising height.
+/// The objects of one thickness in order of height.
 fn objects(level: &LevelResult, thickness_m: f64) -> Vec<&ObjectStatistics> {
     let mut objects: Vec<_> = level.statistics.iter().flatten().filter(|s| s.thickness_m == thickness_m).collect();
     objects.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));

@@ -47,7 +47,7 @@ pub(crate) fn vary(sensitivity: &Sensitivity, levels: &[String]) -> Page {
         name: FigureKind::Vary.name(),
         title: "How the result depends on each assumption".into(),
         caption: "One value of the study is changed at a time. The largest median shock is the largest median over \
-                  the motions of any object that less than half of them overturn. Where it decreases, an object may \
+                  the motions of any object that fewer than half of them overturn. Where it decreases, an object may \
                   have begun to overturn, so read both panels together. A row without a dot has no value; vary.csv \
                   states why."
             .into(),
@@ -68,7 +68,7 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
     let mut plots: Vec<Plot> = Vec::new();
     for (index, value) in values.iter().enumerate() {
         let Some(value) = *value else { continue };
-        // One colour and marker for each key, so that its values stand together.
+        // One colour and marker for each key, which makes its values a group.
         let key = variations[..index].windows(2).filter(|pair| pair[0].parameter != pair[1].parameter).count()
             + usize::from(index > 0 && variations[index].parameter != variations[index - 1].parameter);
         let style = curve_style(key);

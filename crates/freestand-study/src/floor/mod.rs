@@ -3,40 +3,36 @@
 mod profile_figure;
 mod spectra_figure;
 
-use crate::result::CodeParts;
 use freestand::G0_M_S2;
 use freestand::building::{Building, FloorPeaks, Mode, floor_motions, floor_peaks};
 use freestand::code_spectrum::CodeSpectrum;
-use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::measures::cumulative_trapezoid;
 use freestand::motion::Motion;
-pub(crate) use profile_figure::floor_profile;
-pub use profile_figure::{ProfilePicture, floor_profile_figure};
+pub(crate) use profile_figure::{ProfilePicture, floor_profile};
 use serde::Serialize;
 pub use spectra_figure::floor_response_figure;
 
-use crate::building::{Axis, damping_words, model_words};
+use crate::building::{BuildingInput, damping_words, mode_facts, model_words};
 use crate::inspect::check_upsampling;
 use crate::recorded::ReadMotion;
 use crate::statistics::{QUANTILES, ranked_quantile};
+use crate::target::{CodeParts, code_parts};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::significant;
 use freestand_output::facts::{Facts, table_csv};
+use freestand_output::figure::page::draw;
+use freestand_output::figure::{Figure, FigureError};
 use freestand_records::horizontal::HorizontalMotion;
 
 mod spectra;
 
 pub use spectra::{LevelSpectra, SpectraReport, SpectraRequest, largest_psa_m_s2, spectra_csv};
 
-/// A building and the levels of it that are asked for.
+/// A request for floor motions: a building and the levels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorRequest {
-    /// Along the first axis.
-    pub along: Axis,
-    /// Along the second; `None`: as along the first.
-    pub across: Option<Axis>,
-    /// Height of the roof \[m\].
-    pub height_m: f64,
+    /// The building.
+    pub building: BuildingInput,
     /// Shares of the height.
     pub levels_ratio: Vec<f64>,
     /// Whether each level is the floor above the one before it, so that their drifts are those of
@@ -62,23 +58,7 @@ pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
     }
 }
 
-/// Accelerations of rigid parts by a code, with `building_period_s` the shorter of the two axes;
-/// `None` for a spectrum that is not from a code.
-pub fn code_parts(
-    code: &CodeSpectrum,
-    building_height_m: f64,
-    building_period_s: f64,
-    levels_ratio: &[f64],
-) -> Option<CodeParts> {
-    let part = |&level_ratio: &f64| {
-        let building_period_s = Some(building_period_s);
-        floor_acceleration_g(code, &PartsQuestion { level_ratio, building_height_m, building_period_s })
-    };
-    let accel_g = levels_ratio.iter().map(part).collect::<Option<Vec<f64>>>()?;
-    Some(CodeParts { clause: clause(code)?, accel_g })
-}
-
-/// The floors under one motion.
+/// The floors under one motion: report, motions, spectra, warnings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionFloors {
     /// Their report.
@@ -87,11 +67,11 @@ pub struct MotionFloors {
     pub floors: Vec<HorizontalMotion>,
     /// Pseudo-accelerations, `[level][damping][period]` \[g\]; empty where not requested.
     pub spectra_g: Vec<Vec<Vec<f64>>>,
-    /// What the user should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
-/// The floors under all motions; of several, the median of each number.
+/// The report on the floors under all motions; of several, the median of each number.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct FloorReport {
@@ -131,7 +111,7 @@ pub struct LevelReport {
     pub path: Option<String>,
 }
 
-/// The floors under one motion.
+/// The part of the report on one motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct MotionReport {
@@ -160,17 +140,16 @@ pub struct MotionLevel {
     pub path: Option<String>,
 }
 
-/// The floors under one motion.
+/// Calculates the floors under one motion.
 ///
 /// # Errors
-/// A tail or a number of samples that does not fit in memory; floors that overflow.
+/// A tail or a number of samples that does not fit in memory; floor motions that overflow.
 pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors, Problem> {
     let recorded = &read.motion;
-    let along = AxisFloors::new(&recorded.motion, &request.along.building, request)?;
-    let across_building = request.across.as_ref().unwrap_or(&request.along);
+    let along = AxisFloors::new(&recorded.motion, &request.building.along, request)?;
+    let across_building = request.building.across.as_ref().unwrap_or(&request.building.along);
     let across = recorded.across.as_ref();
-    let across =
-        across.map(|second| AxisFloors::new(&second.motion, &across_building.building, request)).transpose()?;
+    let across = across.map(|second| AxisFloors::new(&second.motion, across_building, request)).transpose()?;
     let mut warnings = read.notes.clone();
     let mut levels = Vec::with_capacity(request.levels_ratio.len());
     for (i, &level_ratio) in request.levels_ratio.iter().enumerate() {
@@ -263,7 +242,10 @@ fn motion_level(
     index: usize,
     request: &FloorRequest,
 ) -> Result<MotionLevel, Problem> {
-    let gone = || Problem::new(ProblemKind::Computation, "a level has no motion").hint("this is a defect");
+    let gone = || {
+        Problem::new(ProblemKind::Computation, "a level has no motion")
+            .hint("this is a defect of freestand; please report it")
+    };
     let fine = axes.iter().map(|axis| axis.fine.get(index)).collect::<Option<Vec<_>>>().ok_or_else(gone)?;
     let peaks = axes.iter().map(|axis| axis.peaks.get(index)).collect::<Option<Vec<_>>>().ok_or_else(gone)?;
     let accelerations: Vec<&[f64]> = fine.iter().map(|motion| motion.accel_m_s2()).collect();
@@ -273,7 +255,7 @@ fn motion_level(
     let (pfa_m_s2, direction_deg) = largest(&accelerations);
     let larger = |of: fn(&FloorPeaks) -> f64| peaks.iter().map(|peak| of(peak)).fold(0.0, f64::max);
     let below_ratio = index.checked_sub(1).and_then(|below| request.levels_ratio.get(below)).copied().unwrap_or(0.0);
-    let storey_m = (level_ratio - below_ratio) * request.height_m;
+    let storey_m = (level_ratio - below_ratio) * request.building.height_m;
     let has_drift = request.is_storeys && storey_m > 0.0;
     Ok(MotionLevel {
         level_ratio,
@@ -306,8 +288,8 @@ fn late_peak_warning(motion: &str, level_ratio: f64, axes: &[&AxisFloors], index
     let later = axes.iter().filter_map(|axis| Some((axis.within_m_s2.get(index)?, *axis.later_m_s2.get(index)?)));
     let late = later.filter(|(within, later)| later > within).map(|(_, later)| later).reduce(f64::max)?;
     Some(format!(
-        "{motion}, level {level_ratio}: the floor reaches {} g after the end of the record: let it ring down, with \
-         `tail`",
+        "{motion}, level {level_ratio}: the floor reaches its peak of {} g only after the end of the record: let \
+         it ring down with `tail`",
         significant(late / G0_M_S2, 4)
     ))
 }
@@ -316,16 +298,17 @@ impl FloorReport {
     /// The report of all motions, in their order; `None` where there are none.
     pub fn new(request: &FloorRequest, motions: Vec<MotionReport>, spectra: Option<SpectraReport>) -> Option<Self> {
         let first = motions.first()?.clone();
-        let building = &request.along.building;
+        let building = &request.building.along;
         let several = motions.len() > 1;
         let quantiles = |of: &dyn Fn(&MotionReport) -> Option<f64>| -> [Option<f64>; 3] {
             let mut values: Vec<f64> = motions.iter().filter_map(of).collect();
             QUANTILES.map(|quantile| ranked_quantile(&mut values, quantile).value())
         };
         let code = request.code.as_ref();
-        let across_s = request.across.as_ref().map_or(f64::INFINITY, |axis| axis.building.period_s());
+        let across_s = request.building.across.as_ref().map_or(f64::INFINITY, Building::period_s);
         let period_s = building.period_s().min(across_s);
-        let code = code.and_then(|code| code_parts(code, request.height_m, period_s, &request.levels_ratio));
+        let code = code
+            .and_then(|code| code_parts(code, Some(request.building.height_m), Some(period_s), &request.levels_ratio));
         let levels = request.levels_ratio.iter().enumerate().map(|(i, &level_ratio)| {
             let of = |value: fn(&MotionLevel) -> Option<f64>| {
                 quantiles(&|motion: &MotionReport| motion.levels.get(i).and_then(value))
@@ -333,7 +316,7 @@ impl FloorReport {
             let [p16, median, p84] = of(|level| Some(level.pfa_g));
             let facts = Facts::default()
                 .key("level_ratio", level_ratio)
-                .key("height_m", level_ratio * request.height_m)
+                .key("height_m", level_ratio * request.building.height_m)
                 .key("pfa_g", median.unwrap_or_default())
                 .key("pfa_g_p16", p16.filter(|_| several))
                 .key("pfa_g_p84", p84.filter(|_| several))
@@ -348,23 +331,42 @@ impl FloorReport {
         Some(Self {
             motion: first.motion,
             processing: first.processing,
-            building_height_m: request.height_m,
+            building_height_m: request.building.height_m,
             model: model_words(building),
             damping: damping_words(building),
             damping_ratio: building.damping_ratio(),
             shear_flexure_ratio: building.shear_flexure_ratio(),
             pga_g: quantiles(&|motion: &MotionReport| Some(motion.pga_g))[1].unwrap_or_default(),
             modes: mode_reports(building),
-            across: request.across.as_ref().map(|axis| AxisReport {
-                model: model_words(&axis.building),
-                damping: damping_words(&axis.building),
-                modes: mode_reports(&axis.building),
+            across: request.building.across.as_ref().map(|axis| AxisReport {
+                model: model_words(axis),
+                damping: damping_words(axis),
+                modes: mode_reports(axis),
             }),
             levels,
             motions,
             spectra,
             code_clause: code.map(|code| code.clause),
         })
+    }
+
+    /// The profile over the height as a figure.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn profile_figure(&self) -> Result<Figure, FigureError> {
+        let level = |name: &str| self.levels.iter().filter_map(|level| level.facts.number(name)).collect::<Vec<f64>>();
+        let pfa_g: Vec<Vec<f64>> =
+            self.motions.iter().map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect()).collect();
+        let code = self.code_clause.map(|clause| CodeParts { clause, accel_g: level("code_part_g") });
+        let picture = ProfilePicture {
+            levels_ratio: &level("level_ratio"),
+            height_m: Some(self.building_height_m),
+            pfa_g: &pfa_g,
+            pga_g: &self.motions.iter().map(|motion| motion.pga_g).collect::<Vec<f64>>(),
+            code: code.as_ref(),
+        };
+        draw(floor_profile("profile", &picture))
     }
 
     /// The profile over the height as CSV.
@@ -377,15 +379,8 @@ impl FloorReport {
 }
 
 fn mode_reports(building: &Building) -> Vec<Facts<'static>> {
-    let report = |mode: &Mode| {
-        Facts::default()
-            .key("period_s", mode.period_s())
-            .key("damping_ratio", mode.damping_ratio())
-            .key("participation_ratio", mode.participation_ratio())
-            .key("effective_mass_ratio", mode.effective_mass_ratio())
-            // Γφ at the roof.
-            .key("roof_share_ratio", mode.share_ratio(1.0))
-    };
+    // Γφ at the roof.
+    let report = |mode: &Mode| mode_facts(mode).key("roof_share_ratio", mode.share_ratio(1.0));
     building.modes().iter().map(report).collect()
 }
 

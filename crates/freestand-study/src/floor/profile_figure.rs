@@ -4,12 +4,12 @@ use kuva::plot::scatter::MarkerShape;
 use kuva::render::plots::Plot;
 
 use crate::statistics::{QUANTILES, ranked_quantile};
+use crate::target::CodeParts;
 use freestand_input::words::number;
 
 use freestand_output::figure::legend::{Entry, Sign};
-use freestand_output::figure::page::{Page, Panel, draw};
-use freestand_output::figure::style::{Axis, GREY, axes, curve_style, line, markers, plain};
-use freestand_output::figure::{Figure, FigureError};
+use freestand_output::figure::page::{Page, Panel};
+use freestand_output::figure::style::{Axis, GREY, axes, curve_style, line, markers};
 
 const PANEL_PX: f64 = 420.0;
 /// Up to this many levels are marked one by one.
@@ -19,23 +19,21 @@ const CODE_DASH: &str = "10 6";
 
 /// The contents of a figure of peak floor accelerations.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ProfilePicture<'a> {
-    /// The title.
-    pub title: &'a str,
+pub(crate) struct ProfilePicture<'a> {
     /// Levels as shares of the height, in any order.
-    pub levels_ratio: &'a [f64],
+    pub(crate) levels_ratio: &'a [f64],
     /// Height of the roof \[m\]; `None`: the axis shows shares.
-    pub height_m: Option<f64>,
+    pub(crate) height_m: Option<f64>,
     /// Peak floor accelerations, `[motion][level]` \[g\].
-    pub pfa_g: &'a [Vec<f64>],
+    pub(crate) pfa_g: &'a [Vec<f64>],
     /// Peak ground acceleration of each motion \[g\]; drawn where no level is the ground. May be
     /// empty.
-    pub pga_g: &'a [f64],
-    /// A code's line for parts and components: its name and its points (share of the height, g).
-    pub code: Option<(&'a str, &'a [(f64, f64)])>,
+    pub(crate) pga_g: &'a [f64],
+    /// What a code prescribes for parts at these levels.
+    pub(crate) code: Option<&'a CodeParts>,
 }
 
-/// The profile.
+/// The page with the profile.
 pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     let scale = picture.height_m.unwrap_or(1.0);
     let curves: Vec<Vec<(f64, f64)>> = picture
@@ -67,12 +65,16 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     if several {
         legend.push(entry(Sign::Line { colour, width_px: 1.4, dash: Some(QUANTILE_DASH) }, "16 and 84 %"));
     }
-    let code: Vec<(f64, f64)> =
-        picture.code.iter().flat_map(|(_, line)| line.iter()).map(|&(x, g)| (g, scale * x)).collect();
-    if let Some((name, _)) = picture.code {
+    let code: Vec<(f64, f64)> = picture
+        .code
+        .iter()
+        .flat_map(|code| code.accel_g.iter().zip(picture.levels_ratio))
+        .map(|(&accel_g, level_ratio)| (accel_g, scale * level_ratio))
+        .collect();
+    if let Some(CodeParts { clause, .. }) = picture.code {
         let colour = curve_style(1).colour;
         plots.push(line(&code, colour, 2.0, Some(CODE_DASH)));
-        legend.push(entry(Sign::Line { colour, width_px: 2.0, dash: Some(CODE_DASH) }, name));
+        legend.push(entry(Sign::Line { colour, width_px: 2.0, dash: Some(CODE_DASH) }, clause));
     }
     let largest = curves.iter().flatten().chain(&code).map(|point| point.0).fold(0.0, f64::max);
     let label = if picture.height_m.is_some() { "Height (m)" } else { "Height as a share z/H (–)" };
@@ -80,7 +82,7 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
     let layout = axes(Axis::from_zero(1.02 * largest, "Peak floor acceleration (g)"), y);
     Page {
         name: name.to_owned(),
-        title: plain(picture.title),
+        title: "Peak floor accelerations".to_owned(),
         caption: caption(picture, &median),
         panels: vec![Panel { plots, layout }],
         columns: 1,
@@ -92,15 +94,15 @@ pub(crate) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
 fn caption(picture: &ProfilePicture<'_>, median: &[(f64, f64)]) -> String {
     let of = |point: Option<&(f64, f64)>| point.map_or_else(|| "–".to_owned(), |point| number(point.0, 3));
     let motions = match picture.pfa_g.len() {
-        1 => "one motion".to_owned(),
-        n => format!("{n} motions, their median"),
+        1 => "one motion:".to_owned(),
+        n => format!("{n} motions; median:"),
     };
-    let code = picture.code.map_or_else(String::new, |(name, _)| {
-        format!(" Dashed: the acceleration that a rigid part is designed for, {name}.")
+    let code = picture.code.map_or_else(String::new, |code| {
+        format!(" Dashed: the acceleration that a rigid part is designed for, {}.", code.clause)
     });
     format!(
-        "Largest absolute acceleration of the floors over the height under {motions} from {} g at the lowest level \
-         to {} g at the highest.{code}",
+        "Largest absolute acceleration of the floors over the height under {motions} {} g at the lowest level, \
+         {} g at the highest.{code}",
         of(median.first()),
         of(median.last())
     )
@@ -131,14 +133,6 @@ fn quantile_curve(curves: &[Vec<(f64, f64)>], quantile: f64) -> Vec<(f64, f64)> 
     first.iter().enumerate().filter_map(point).collect()
 }
 
-/// Draws peak floor accelerations over the height of a building.
-///
-/// # Errors
-/// What the plot library says when it cannot draw.
-pub fn floor_profile_figure(picture: &ProfilePicture<'_>) -> Result<Figure, FigureError> {
-    draw(floor_profile("profile", picture))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -147,7 +141,6 @@ mod tests {
     fn the_ground_is_added_where_no_level_is_it() {
         let pfa = [vec![0.4, 0.2], vec![0.8, 0.6]];
         let mut picture = ProfilePicture {
-            title: "",
             levels_ratio: &[1.0, 0.5],
             height_m: Some(10.0),
             pfa_g: &pfa,

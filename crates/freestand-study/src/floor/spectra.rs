@@ -31,7 +31,7 @@ pub struct SpectraReport {
     pub levels: Vec<LevelSpectra>,
 }
 
-/// Those of one level.
+/// The spectra of one level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
 pub struct LevelSpectra {

@@ -12,7 +12,7 @@ const PANEL_PX: f64 = 330.0;
 /// The largest number of levels that is drawn, from the lowest to the highest.
 const MOST_LEVELS: usize = 6;
 
-/// The spectra of a report, medians over so many `motions`.
+/// The spectra of a report; `motions` is the number of motions that the medians are over.
 pub(crate) fn floor_response(report: &SpectraReport, height_m: f64, motions: usize) -> Page {
     let drawn = drawn_levels(report.levels.len());
     let positive = || report.periods_s.iter().copied().filter(|&t| t > 0.0);
@@ -75,7 +75,7 @@ fn drawn_levels(count: usize) -> Vec<usize> {
     (0..MOST_LEVELS).map(|i| i * (count - 1) / (MOST_LEVELS - 1)).collect()
 }
 
-/// Draws response spectra of floors, the median over so many `motions`.
+/// Draws response spectra of floors; `motions` is the number of motions that the medians are over.
 ///
 /// # Errors
 /// What the plot library says when it cannot draw.

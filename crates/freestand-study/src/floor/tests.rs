@@ -1,19 +1,25 @@
 use super::*;
-use crate::building::{AxisModel, AxisRequest, axis};
 use crate::recorded::{MotionFiles, Second, read_recorded};
-use freestand::building::Damping;
 use freestand_records::formats::ReadOptions;
 
-fn beam(period_s: f64) -> Axis {
-    let model = AxisModel::Beam { period_s, shear_flexure_ratio: 5.0 };
-    axis(&AxisRequest { model, damping: Damping::Uniform(0.05), modes: Some(4) }).unwrap()
+fn beam(period_s: f64) -> Building {
+    Building::beam(period_s, 0.05, 5.0, 4).unwrap()
 }
 
-fn request(along: Axis, across: Option<Axis>) -> FloorRequest {
-    FloorRequest {
+fn request(along: Building, across: Option<Building>) -> FloorRequest {
+    let building = BuildingInput {
+        storeys: 10,
+        height_m: 30.0,
+        storey_height_m: Some(3.0),
         along,
         across,
-        height_m: 30.0,
+        period_note: String::new(),
+        across_note: None,
+        tables: Vec::new(),
+        warnings: Vec::new(),
+    };
+    FloorRequest {
+        building,
         levels_ratio: vec![0.0, 0.5, 1.0],
         is_storeys: true,
         tail_s: 2.0,

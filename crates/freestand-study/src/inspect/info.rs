@@ -9,10 +9,9 @@ use freestand::measures::{RockingMeasures, measures, rocking_measures, spectral_
 use freestand::motion::Motion;
 use rayon::prelude::*;
 
-use super::failed::{Failed, Found};
 use crate::inspect::{Words, record_figure};
-use crate::recorded::{MotionFiles, name_of, unique};
-use freestand_input::problem::Problem;
+use crate::recorded::{Failed, MotionFiles, name_of, unique};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_output::facts;
 use freestand_output::facts::{Facts, table_csv};
@@ -20,7 +19,7 @@ use freestand_output::figure::{Figure, FigureError};
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
 use freestand_records::processing::{Processed, process};
 
-/// Record files to look into.
+/// A request for the contents and the measures of record files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InfoRequest {
     /// The files; without a chosen component all components of each file.
@@ -31,7 +30,7 @@ pub struct InfoRequest {
     pub keep_motions: bool,
 }
 
-/// What is in record files.
+/// The contents and the measures of record files.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InfoReport {
     /// One for each component, in the order of the files and within them.
@@ -66,7 +65,7 @@ pub struct MotionInfo {
 /// # Errors
 /// Everything that is wrong with the only file, or with all of several; otherwise the report lists
 /// the files that failed.
-pub fn info(request: &InfoRequest) -> Result<InfoReport, Vec<Problem>> {
+pub fn info(request: &InfoRequest) -> Result<InfoReport, Problems> {
     let each: Vec<_> = request.files.paths.par_iter().map(|path| info_of_file(path, request)).collect();
     let mut report = InfoReport { motions: Vec::new(), failed: Vec::new(), warnings: Vec::new() };
     for (path, found) in request.files.paths.iter().zip(each) {
@@ -84,15 +83,23 @@ pub fn info(request: &InfoRequest) -> Result<InfoReport, Vec<Problem>> {
     Ok(report)
 }
 
+/// The results of one file.
+#[derive(Debug, Default)]
+struct Found {
+    motions: Vec<MotionInfo>,
+    notes: Vec<String>,
+    problems: Problems,
+}
+
 fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
     let file = match read_motions(path, &request.files.read) {
         Ok(file) => file,
-        Err(error) => return Found { problems: error.problems, ..Found::default() },
+        Err(error) => return Found { problems: error, ..Found::default() },
     };
     let components: Vec<&Component> = match request.files.component.as_deref() {
         Some(wanted) => match file.select(Some(wanted)) {
             Ok(component) => vec![component],
-            Err(problem) => return Found { problems: vec![problem], ..Found::default() },
+            Err(problem) => return Found { problems: problem.into(), ..Found::default() },
         },
         None => file.components.iter().collect(),
     };
@@ -205,7 +212,8 @@ impl InfoReport {
     /// The document of `freestand motion info`.
     pub fn facts(&self) -> Facts<'_> {
         let motions = Facts::default().key("motions", self.motions.iter().map(MotionInfo::facts).collect::<Vec<_>>());
-        motions.key("failed", self.failed.iter().map(Failed::facts).collect::<Vec<_>>())
+        let failed = self.failed.iter().map(|one| one.facts().key("hint", one.problem.hint.as_deref()));
+        motions.key("failed", failed.collect::<Vec<_>>())
     }
 
     /// The measures as CSV, one row for each component; the header states the units.

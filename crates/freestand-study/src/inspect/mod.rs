@@ -1,7 +1,6 @@
 //! What is in record files, the response spectra of one motion and those of two components over all
 //! directions: request → report.
 
-mod failed;
 mod info;
 mod record_figure;
 mod rotd;
@@ -9,7 +8,6 @@ mod spectrum;
 
 mod spectrum_figure;
 
-pub use failed::Failed;
 pub use info::{InfoReport, InfoRequest, MotionInfo, info};
 pub(crate) use record_figure::record;
 pub use record_figure::{Words, record_figure};

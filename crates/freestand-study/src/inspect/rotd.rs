@@ -44,9 +44,9 @@ pub struct RotdReport {
 /// RotDnn: at each period, the percentile of the pseudo-acceleration over all directions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PercentileSpectrum {
-    /// nn.
+    /// The percentile nn, 0 to 100.
     pub percentile: f64,
-    /// One value a period \[g\].
+    /// One value for each period \[g\].
     pub psa_g: Vec<f64>,
 }
 
@@ -126,7 +126,7 @@ impl RotdReport {
         columns
     }
 
-    /// The same as CSV.
+    /// The columns as CSV.
     ///
     /// # Errors
     /// None in practice: see [`columns_csv`].

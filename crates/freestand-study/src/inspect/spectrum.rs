@@ -20,8 +20,8 @@ pub struct SpectrumRequest {
     pub damping_ratios: Vec<f64>,
     /// Periods; 0 is the rigid oscillator \[s\].
     pub periods_s: Vec<f64>,
-    /// How many samples replace each one, on the band-limited curve through them; 1: none are
-    /// added.
+    /// Number of samples that replace each sample, on the band-limited curve through all of them;
+    /// 1: none are added.
     pub upsample: usize,
 }
 
@@ -36,10 +36,10 @@ pub struct SpectrumReport {
     /// The factor applied to the samples, with all digits.
     pub scale_ratio: f64,
     pub periods_s: Vec<f64>,
-    /// That of the first damping; its four arrays are next to the periods in the document.
+    /// The spectrum at the first damping; its four arrays are next to the periods in the document.
     #[serde(flatten)]
     pub first: DampedSpectrum,
-    /// Those of the other dampings.
+    /// The spectra at the other dampings.
     pub more: Vec<DampedSpectrum>,
     #[serde(skip)]
     pub warnings: Vec<String>,
@@ -65,11 +65,11 @@ pub fn check_upsampling(factor: usize, samples: usize) -> Result<(), Problem> {
         return Ok(());
     }
     let message =
-        format!("{factor} samples in place of each of {samples} are more than resampling allows ({MAX_LENGTH})");
+        format!("upsampling {samples} samples {factor} times gives more than resampling allows ({MAX_LENGTH})");
     Err(Problem::value(message, ENOUGH))
 }
 
-const ENOUGH: &str = "ten samples in the shortest period are enough for a damping of 5 % (`upsample`)";
+const ENOUGH: &str = "reduce `upsample`: ten samples in the shortest period are enough for a damping of 5 %";
 
 /// Computes the response spectra of a motion.
 ///
@@ -91,7 +91,8 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
     };
     let all: Vec<Result<DampedSpectrum, Problem>> = request.damping_ratios.par_iter().map(|&ratio| of(ratio)).collect();
     let mut all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
-    let first = all.next().ok_or_else(|| Problem::value("a spectrum needs a damping ratio", "5 % is usual"))?;
+    let first =
+        all.next().ok_or_else(|| Problem::value("a spectrum needs a damping ratio", "give one, such as 5 %"))?;
     let mut warnings = read.notes.clone();
     warnings.extend(short_period_note(&request.periods_s, recorded.motion.dt_s(), request.upsample));
     Ok(SpectrumReport {

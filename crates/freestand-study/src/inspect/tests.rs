@@ -88,7 +88,8 @@ fn broken_files_are_listed_beside_what_could_be_read() {
     // Of broken files only, or of one, there is nothing to report.
     request.files.paths.remove(1);
     let problems = info(&request).unwrap_err();
-    let files: Vec<_> = problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
+    let files: Vec<_> =
+        problems.problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
     assert_eq!(files, ["a.csv", "c.csv"]);
 }
 
@@ -182,7 +183,7 @@ fn samples_are_refined_up_to_the_one_bound_of_resampling() {
     }
     let request = SpectrumRequest { damping_ratios: vec![0.05], periods_s: vec![1.0], upsample: MAX_LENGTH };
     let problem = spectrum(&read(0.01, vec![0.0, 1.0, 0.0]), &request).unwrap_err();
-    assert!(problem.message.contains("in place of each of 3 "), "{problem}");
+    assert!(problem.message.contains("upsampling 3 samples "), "{problem}");
 }
 
 #[test]
@@ -201,8 +202,8 @@ fn short_periods_over_directions_are_warned_of_too() {
     assert!(warnings(0.09)[0].starts_with("the shortest period of the spectrum, 0.09 s, has fewer than ten steps"));
 }
 
-/// Two files of one component each, of one name: what is done to either is said once, by the name
-/// of its file.
+/// Two files with one component each, of the same name: the steps of each are listed once, under
+/// the name of its file.
 #[test]
 fn pair_warnings_are_said_once_with_their_files() {
     let folder = tempfile::tempdir().unwrap();
@@ -212,7 +213,7 @@ fn pair_warnings_are_said_once_with_their_files() {
     let pair = read_pair(&PairFiles { files, components: None }).unwrap();
     let request = RotdRequest { damping_ratio: 0.05, periods_s: vec![0.5], percentiles: vec![50.0] };
     let report = rotd(&pair, &request).unwrap();
-    let said = "last sample of a0 of e.csv left out: the other component ends before";
+    let said = "last sample of a0 of e.csv left out: the other component ends earlier";
     assert_eq!(report.warnings, [said]);
     assert_eq!(report.processing, [vec![], vec![said.to_owned()]]);
 }
@@ -244,7 +245,7 @@ fn spectra_over_directions_keep_the_order_of_the_percentiles() {
     let header = "period_s,rotd50_g,rotd100_g,rotd0_g,rotd16.5_g,larger_g,geometric_mean_g,first_g,second_g\n0,";
     assert!(csv.starts_with(header), "{csv}");
     // One sample of 0.3 g and 0.4 g is 0.5 g along its direction, which is at most half a degree
-    // from one that is looked into, and 0.5·|cos| over all: its median over the half circle is
+    // from one that is calculated, and 0.5·|cos| over all: its median over the half circle is
     // 0.5·cos 45°, within a degree.
     let largest = report.rotd[1].psa_g[0];
     assert!(largest <= 0.5 + 1e-15 && largest > 0.5 * 0.5_f64.to_radians().cos(), "{largest}");
@@ -266,6 +267,6 @@ fn what_no_spectrum_over_directions_has_is_refused() {
     let scale = Scale::Peak { target_m_s2: 1.0 };
     assert!(
         refused(&[50.0], Processing { scale, ..Processing::default() })
-            .contains("two components cannot share one factor to a target")
+            .contains("two components cannot be scaled to a target: each would get its own factor")
     );
 }

@@ -25,27 +25,27 @@ pub struct CurveRequest {
     pub limit_m_s2: Option<f64>,
 }
 
-/// The curve and its consequences.
+/// The fitted curve, and what follows from it for the design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveReport {
     /// The document of `freestand cushion curve`.
     pub facts: Facts<'static>,
-    /// What the user should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
 /// Reads the tests of a cushion and fits its curve.
 ///
 /// # Errors
-/// A file without such tests, tests without a drop height or a thickness, or tests that give no
-/// curve.
+/// A file without such tests, tests without a drop height or a thickness, or tests that no curve
+/// can be fitted to.
 pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport, Problem> {
     let mut tests = Vec::new();
     for row in load_curve(path)? {
         let stated = |value: Option<f64>, asked: Option<f64>, what: &str, key: &str| {
             value.or(asked).ok_or_else(|| {
-                let problem = Problem::new(ProblemKind::Value, format!("the {what} of the tests is not known"));
-                problem.in_file(path).hint(format!("give `{key}`, or a column with it"))
+                let problem = Problem::new(ProblemKind::Value, format!("the {what} of the tests is not given"));
+                problem.in_file(path).hint(format!("give `{key}`, or add a column with it"))
             })
         };
         let drop_height_m = stated(row.drop_height_m, request.drop_height_m, "drop height", "drop_height")?;
@@ -96,8 +96,8 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     match needed {
         Some((Some(t), s, h)) => within("the thickness", s, h, t),
         Some((None, ..)) => warn(
-            "no thickness keeps the limit at this static stress: the load is too light for this cushion; reduce its \
-             area"
+            "no thickness keeps the peak within the limit at this static stress: the load is too light for this \
+             cushion; reduce the area of the cushion"
                 .to_owned(),
         ),
         None => {}
@@ -111,7 +111,7 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     }
     if fit.r_squared_ratio < 0.9 {
         warn(format!(
-            "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not hold for all heights \
+            "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not apply to all heights \
              and thicknesses",
             fit.r_squared_ratio
         ));
@@ -128,8 +128,8 @@ fn report(fit: &StressEnergyFit, tests: &[(f64, f64, f64, f64)], request: &Curve
     let peak_g = |s, h, t| curve.peak_acceleration_g(s, h, t);
     let asked_g = asked.map(|((h, t), s)| peak_g(s, h, t));
     let facts = Facts::default()
-        .fact("stress_pa", "dynamic stress at no energy", curve.stress_pa)
-        .fact("exponent_m3_j", "  exponent over energy", curve.exponent_m3_j)
+        .fact("stress_pa", "dynamic stress at zero energy", curve.stress_pa)
+        .fact("exponent_m3_j", "  exponent per energy", curve.exponent_m3_j)
         .fact("r_squared_ratio", "  R²", fit.r_squared_ratio)
         .fact("tested_energies_j_m3", "  energies of the tests", [least, most])
         .key("tests", tests.iter().map(test).collect::<Vec<_>>())

@@ -5,14 +5,14 @@ use freestand::G0_M_S2;
 use freestand::cushion::{ContactLaw, Cushion};
 
 use crate::laboratory::drop_test::{DropReport, DropsReport};
-use crate::laboratory::static_test::StaticsReport;
+use crate::laboratory::static_curve::StaticsReport;
 
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{Axis, DARK, axes, curve_style, line, plain};
 use freestand_output::figure::{Figure, FigureError};
 
-/// What is drawn of acceleration \[m/s²\] and force \[N\].
+/// The quantity that is drawn, from acceleration \[m/s²\] and force \[N\].
 type Drawn = fn(f64, f64) -> f64;
 
 /// Height of a panel \[px\].
@@ -65,7 +65,7 @@ fn page(tests: &[&DropReport], name: &str, title: &str, label: &str, value: Draw
     }
 }
 
-/// The landing that the fitted law predicts, with the weight where it acts.
+/// The landing that the fitted law predicts, with the weight if it acts during the contact.
 fn fitted(drop: &DropReport, law: &ContactLaw, most_m: f64, speed_m_s: f64, value: Drawn) -> Vec<(f64, f64)> {
     let Ok(cushion) = Cushion::new(law.clone()) else { return Vec::new() };
     let mass_kg = drop.mass_kg;
@@ -114,7 +114,7 @@ fn panel(curves: &[Vec<(f64, f64)>], fits: &[Vec<(f64, f64)>], label: &str) -> P
     Panel { plots, layout: axes(x, y) }
 }
 
-/// Dashes would be invisible between points that are closer than a dash is long.
+/// Largest number of points on a static curve: dashes are lost between points closer than a dash.
 const MAX_POINTS: usize = 80;
 
 /// A static curve in mm, thinned; its turning point and its end remain.

@@ -4,35 +4,27 @@
 pub mod cushion_curve;
 pub mod drop_test;
 mod figure;
-pub mod static_test;
-pub mod virtual_test;
-
-use std::path::Path;
+pub mod static_curve;
+pub mod virtual_laboratory;
 
 pub use figure::{drop_figures, static_figure};
-use freestand_input::problem::Problem;
-use freestand_output::facts::Facts;
 
-/// A file that gave nothing.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Failed {
-    path: String,
-    /// Why.
-    pub problem: Problem,
+/// What strikes the pad, as far as the evaluation depends on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Impactor {
+    Flat,
+    Sphere,
+    Other,
 }
 
-impl Failed {
-    fn new(path: &Path, problem: Problem) -> Self {
-        Self { path: path.to_string_lossy().into_owned(), problem }
+impl Impactor {
+    /// From the words of a file or a user, such as `sphere of steel`.
+    fn of(words: Option<&str>) -> Self {
+        let words = words.unwrap_or_default().to_lowercase();
+        match () {
+            () if words.starts_with("flat") => Self::Flat,
+            () if words.starts_with("sphere") => Self::Sphere,
+            () => Self::Other,
+        }
     }
-
-    /// Its part of a document.
-    pub fn facts(&self) -> Facts<'_> {
-        Facts::default().key("path", self.path.as_str()).key("reason", self.problem.message.as_str())
-    }
-}
-
-/// Whether a file or a user calls the impactor a sphere.
-fn is_sphere(impactor: Option<&str>) -> bool {
-    impactor.is_some_and(|text| text.to_lowercase().starts_with("sphere"))
 }

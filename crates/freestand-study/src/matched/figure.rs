@@ -17,7 +17,7 @@ const PANEL_PX: f64 = 380.0;
 /// Largest number of motions with a curve of their own; the mean is that of all.
 const MAX_DRAWN: usize = 100;
 
-/// What is compared.
+/// The contents of a figure of matched motions.
 #[derive(Debug, Clone, Copy)]
 pub struct MatchedPicture<'a> {
     /// What the motions are, for the title.

@@ -1,14 +1,22 @@
-//! Records matched to a spectrum.
+//! Motions that fit a spectrum: synthetic ones, and matched records.
 
 mod figure;
 
 pub use figure::{MatchedPicture, matched_figure};
 use freestand::motion::Motion;
-use freestand::synthesis::{MatchedMotion, Misfit, Resemblance, SynthesisOptions, match_by_wavelets, match_motion};
+use freestand::synthesis::{
+    GENERATOR, MatchedMotion, Misfit, Resemblance, SHORTEST_PERIOD_S, SynthesisError, SynthesisOptions,
+    match_by_wavelets, match_motion, matched_periods_s, synthesize, with_pga,
+};
+use rayon::prelude::*;
 
+use crate::simulated::source_problem;
 use crate::target::Target;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::number;
+use freestand_input::words::{number, significant};
+use freestand_output::facts;
+use freestand_output::facts::Facts;
+use freestand_output::figure::{Figure, FigureError};
 
 /// How the spectrum of a record is matched to the target.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -21,7 +29,7 @@ pub enum MatchMethod {
 }
 
 impl MatchMethod {
-    /// Both.
+    /// All methods.
     pub const ALL: [Self; 2] = [Self::Wavelet, Self::Fft];
 
     /// The name in commands and files.
@@ -32,7 +40,7 @@ impl MatchMethod {
         }
     }
 
-    /// The method with this name, in capitals or not.
+    /// The method with this name, in upper or lower case.
     pub fn parse(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|method| method.name().eq_ignore_ascii_case(name.trim()))
     }
@@ -41,7 +49,7 @@ impl MatchMethod {
 /// What a record was matched to, and how well.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Matched {
-    /// How.
+    /// The method.
     pub method: MatchMethod,
     /// The target.
     pub target: Target,
@@ -84,4 +92,188 @@ pub fn match_record(record: &Motion, target: &Target, method: MatchMethod) -> Re
         Problem::new(ProblemKind::Value, error.to_string())
             .hint("a record of 5 s or more with energy at all periods from 0.05 to 5 s is needed")
     })
+}
+
+/// Synthetic motions for a target, each with its own random numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SynthRequest {
+    /// The target.
+    pub target: Target,
+    /// Number of motions.
+    pub count: u64,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Time step, length and window.
+    pub options: SynthesisOptions,
+    /// The peak acceleration that half-cycles are scaled to, if any \[g\].
+    pub pga_g: Option<f64>,
+}
+
+/// A record to be matched to a target.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MatchRequest<'a> {
+    /// The target.
+    pub target: Target,
+    /// The record.
+    pub record: &'a Motion,
+    /// Name of the matched motion.
+    pub name: String,
+    /// How it is matched.
+    pub method: MatchMethod,
+    /// The peak acceleration that half-cycles are scaled to, if any \[g\].
+    pub pga_g: Option<f64>,
+}
+
+/// Motions that fit a target.
+#[derive(Debug, Clone)]
+pub struct FitReport {
+    /// The target.
+    pub target: Target,
+    /// Seed of synthetic motions.
+    seed: Option<u64>,
+    method: MatchMethod,
+    /// The motions.
+    pub motions: Vec<FittedMotion>,
+}
+
+/// A motion that fits a target.
+#[derive(Debug, Clone)]
+pub struct FittedMotion {
+    /// Name for files.
+    pub name: String,
+    /// The file that it was written to.
+    pub path: Option<String>,
+    /// The motion.
+    pub motion: Motion,
+    misfit: Misfit,
+    /// The misfit before the peak was scaled.
+    before_pga: Option<Misfit>,
+    /// How similar it is to the record.
+    resemblance: Option<Resemblance>,
+}
+
+/// A larger misfit causes a warning: motions for code spectra have 3 to 5 %.
+const POOR_FIT_RATIO: f64 = 0.1;
+
+/// A larger peak, relative to the target at T = 0, causes a warning.
+const HIGH_PEAK_RATIO: f64 = 1.1;
+
+/// The name of a synthetic motion, counted from 0.
+pub fn synthetic_name(index: usize) -> String {
+    format!("synthetic-{:02}", index + 1)
+}
+
+/// Makes synthetic motions.
+///
+/// # Errors
+/// A time step, a length or a window out of range; a peak that is not reached.
+pub fn synth(request: &SynthRequest) -> Result<FitReport, Problem> {
+    let SynthRequest { target, count, seed, options, pga_g } = request;
+    let sa_g = |period_s| target.spectrum.sa_g(period_s);
+    let made = (0..*count).into_par_iter().map(|index| {
+        FittedMotion::new(synthetic_name(index as usize), synthesize(sa_g, *seed, index, options)?, target, *pga_g)
+    });
+    let motions = made.collect::<Result<_, SynthesisError>>().map_err(source_problem)?;
+    Ok(FitReport { target: target.clone(), seed: Some(*seed), method: MatchMethod::Fft, motions })
+}
+
+/// Matches a record.
+///
+/// # Errors
+/// As [`match_record`]; a peak that is not reached.
+pub fn match_one(request: MatchRequest<'_>) -> Result<FitReport, Problem> {
+    let MatchRequest { target, record, name, method, pga_g } = request;
+    let matched = match_record(record, &target, method)?;
+    let mut one = FittedMotion::new(name, matched, &target, pga_g).map_err(source_problem)?;
+    one.resemblance = Some(Resemblance::between(record, &one.motion));
+    Ok(FitReport { target, seed: None, method, motions: vec![one] })
+}
+
+/// The warning that the peaks of motions are above that of their target.
+pub(crate) fn peak_warning<'a>(misfits: impl Iterator<Item = &'a Misfit>) -> Option<String> {
+    let above = misfits.map(|misfit| misfit.pga_g / misfit.target_zpa_g);
+    let most = above.reduce(f64::max).filter(|most| *most > HIGH_PEAK_RATIO)?;
+    Some(format!(
+        "the PGA of the matched motions is up to {most:.2} times the target's zero-period acceleration: their spectra \
+         are matched only at periods of {SHORTEST_PERIOD_S} s and longer, and a motion with this plateau cannot have \
+         such a small peak"
+    ))
+}
+
+impl FitReport {
+    /// The whole report.
+    pub fn facts(&self) -> Facts<'_> {
+        self.target
+            .described()
+            .key("seed", self.seed)
+            .key("generator", self.seed.map(|_| GENERATOR))
+            .key("method", self.method.name())
+            .key("motions", self.motions.iter().map(FittedMotion::facts).collect::<Vec<_>>())
+    }
+
+    /// The spectra of the motions and their target.
+    ///
+    /// # Errors
+    /// The error of the plot library.
+    pub fn figure(&self) -> Result<Figure, FigureError> {
+        let made = "Synthetic motions and their target";
+        let target_sa_g: Vec<f64> = matched_periods_s().iter().map(|&t| self.target.spectrum.sa_g(t)).collect();
+        matched_figure(&MatchedPicture {
+            title: if self.seed.is_some() { made } else { "A matched record and its target" },
+            target: "the target",
+            target_sa_g: &target_sa_g,
+            motions: &self.motions.iter().map(|one| &one.motion).collect::<Vec<_>>(),
+        })
+    }
+
+    /// The warnings of the target, and about motions that do not fit it.
+    pub fn warnings(&self) -> Vec<String> {
+        let percent = |ratio: f64, digits| significant(100.0 * ratio, digits);
+        let poor = self.motions.iter().filter(|one| one.misfit.rms_ratio > POOR_FIT_RATIO).map(|one| {
+            format!(
+                "{} does not fit its target: rms misfit {} %, worst {} % at {} s",
+                one.name,
+                percent(one.misfit.rms_ratio, 3),
+                percent(one.misfit.worst_ratio, 3),
+                significant(one.misfit.worst_period_s, 3)
+            )
+        });
+        let scaled = self.motions.first().and_then(|one| {
+            Some(format!(
+                "half-cycles were scaled to give the PGA of the target; this changed the rms misfit of the first \
+                 motion from {} % to {} %",
+                percent(one.before_pga?.rms_ratio, 2),
+                percent(one.misfit.rms_ratio, 2)
+            ))
+        });
+        let high = peak_warning(self.motions.iter().map(|one| &one.misfit));
+        self.target.warnings.iter().cloned().chain(poor).chain(high).chain(scaled).collect()
+    }
+}
+
+impl FittedMotion {
+    /// A motion whose peak is scaled to `pga_g`, if it is given.
+    fn new(name: String, matched: MatchedMotion, target: &Target, pga_g: Option<f64>) -> Result<Self, SynthesisError> {
+        let MatchedMotion { motion, misfit, .. } = matched;
+        let one = Self { name, path: None, motion, misfit, before_pga: None, resemblance: None };
+        let Some(pga_g) = pga_g else { return Ok(one) };
+        let MatchedMotion { motion, misfit, .. } = with_pga(&one.motion, |t| target.spectrum.sa_g(t), pga_g)?;
+        Ok(Self { motion, before_pga: Some(one.misfit), misfit, ..one })
+    }
+
+    /// Its name, its file, its misfit and how similar it is to the record.
+    pub fn facts(&self) -> Facts<'_> {
+        Facts::default()
+            .key("name", self.name.as_str())
+            .key("path", self.path.as_deref())
+            .key("dt_s", self.motion.dt_s())
+            .key("npts", self.motion.accel_m_s2().len())
+            .key("rms_misfit_ratio", self.misfit.rms_ratio)
+            .key("worst_misfit_ratio", self.misfit.worst_ratio)
+            .key("worst_misfit_period_s", self.misfit.worst_period_s)
+            .and(facts!(self.misfit; pga_g, target_zpa_g, pgv_m_s, d5_95_s))
+            .key("rms_misfit_before_pga_ratio", self.before_pga.map(|misfit| misfit.rms_ratio))
+            .key("correlation_ratio", self.resemblance.map(|kept| kept.correlation_ratio))
+            .key("husid_difference_ratio", self.resemblance.map(|kept| kept.husid_difference_ratio))
+    }
 }

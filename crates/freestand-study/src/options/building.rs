@@ -2,31 +2,18 @@
 
 use toml::de::DeValue;
 
-use super::{Reader, Section, Written};
+use super::Kind::{self, Count, Name, Number, Quantity};
+use super::{Place, Reader, Section, Written, read_text, read_words};
+use crate::building::axis_key;
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
 /// `[building]`, as written.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct BuildingOptions {
-    pub(crate) storeys: Option<Written<u64>>,
-    pub(crate) storey_height_m: Option<Written<f64>>,
-    /// The first axis.
-    pub(crate) along: AxisOptions,
-    pub(crate) across: Option<Written<AxisOptions>>,
+    /// The values of [`crate::building::resolve`]. The key `across` stands for its table.
+    pub(crate) words: Words,
     pub(crate) levels: Option<Written<Vec<LevelOptions>>>,
-}
-
-/// The keys of one horizontal axis: of `[building]` itself or of its `across`.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct AxisOptions {
-    pub(crate) frame: Option<Written<String>>,
-    pub(crate) period_s: Option<Written<f64>>,
-    pub(crate) damping: Option<Written<f64>>,
-    pub(crate) shear_flexure: Option<Written<f64>>,
-    pub(crate) modes: Option<Written<u64>>,
-    pub(crate) storey_table: Option<Written<String>>,
-    pub(crate) mode_table: Option<Written<String>>,
-    pub(crate) rayleigh_modes: Option<Written<[u64; 2]>>,
 }
 
 /// One entry of `levels`.
@@ -39,56 +26,33 @@ pub(crate) struct LevelOptions {
     pub(crate) across: Option<Written<Vec<Written<String>>>>,
 }
 
+const STOREY_KEYS: [(&str, Kind); 2] = [("storeys", Count), ("storey_height", Quantity(Dimension::Length))];
+
+const AXIS_KEYS: [(&str, Kind); 8] = [
+    ("frame", Name),
+    ("period", Quantity(Dimension::Time)),
+    ("damping", Number),
+    ("rayleigh_modes", Quantity(Dimension::Ratio)),
+    ("shear_flexure", Number),
+    ("modes", Count),
+    ("storey_table", Name),
+    ("mode_table", Name),
+];
+
 pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOptions {
-    BuildingOptions {
-        storeys: table.count(reader, "storeys"),
-        storey_height_m: table.quantity(reader, "storey_height", Dimension::Length),
-        along: axis(reader, table),
-        across: across(reader, table),
-        levels: levels(reader, table),
-    }
-}
-
-fn across(reader: &mut Reader, table: &mut Section) -> Option<Written<AxisOptions>> {
-    let mut table = table.table(reader, "across")?;
-    let line = table.line;
-    let value = axis(reader, &mut table);
-    table.finish(reader);
-    Some(Written { value, line })
-}
-
-fn axis(reader: &mut Reader, table: &mut Section) -> AxisOptions {
-    AxisOptions {
-        frame: table.string(reader, "frame"),
-        period_s: table.quantity(reader, "period", Dimension::Time),
-        damping: table.ratio(reader, "damping"),
-        shear_flexure: table.ratio(reader, "shear_flexure"),
-        modes: table.count(reader, "modes"),
-        storey_table: table.string(reader, "storey_table"),
-        mode_table: table.string(reader, "mode_table"),
-        rayleigh_modes: two_modes(reader, table),
-    }
-}
-
-/// `rayleigh_modes = [1, 3]`.
-fn two_modes(reader: &mut Reader, table: &mut Section) -> Option<Written<[u64; 2]>> {
-    const KEY: &str = "rayleigh_modes";
-    let (value, line) = table.take(reader, KEY)?;
-    let number = |value: &DeValue| match value {
-        DeValue::Integer(number) => u64::from_str_radix(number.as_str(), number.radix()).ok(),
-        _ => None,
-    };
-    let modes = match value {
-        DeValue::Array(items) => items.iter().map(|item| number(item.get_ref())).collect::<Option<Vec<_>>>(),
-        _ => None,
-    };
-    match modes.as_deref() {
-        Some(&[first, second]) => Some(Written { value: [first, second], line }),
-        _ => {
-            reader.wrong_type(line, KEY, "two numbers of modes", value, "write rayleigh_modes = [1, 3]");
-            None
+    let mut words = Words::default();
+    read_words(reader, table, &STOREY_KEYS, &mut words);
+    read_words(reader, table, &AXIS_KEYS, &mut words);
+    if let Some(mut across) = table.table(reader, "across") {
+        words.add("across", "", Some(across.line));
+        for (key, kind) in AXIS_KEYS {
+            if let Some(Written { value, line }) = read_text(reader, &mut across, (key, kind)) {
+                words.add(axis_key(key, 1), value, Some(line));
+            }
         }
+        across.finish(reader);
     }
+    BuildingOptions { words, levels: levels(reader, table) }
 }
 
 fn levels(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<LevelOptions>>> {
@@ -102,7 +66,7 @@ fn levels(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<LevelO
         let line = reader.line_of(item.span().start);
         match item.get_ref() {
             DeValue::Table(entries) => {
-                let mut entry = Section::new("levels", entries, line);
+                let mut entry = Section::new(Place::Table("levels"), entries, line);
                 let level = LevelOptions {
                     line,
                     name: entry.string(reader, "name"),

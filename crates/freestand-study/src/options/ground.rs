@@ -3,9 +3,9 @@
 use toml::de::DeValue;
 
 use super::point_source::{PointSourceOptions, point_source};
-use super::processing::{ProcessingOptions, processing};
-use super::target::target;
-use super::{Reader, Section, Written, bare_number};
+use super::processing::processing;
+use super::target::TARGET_KEYS;
+use super::{Reader, Section, Written, bare_number, read_words};
 use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
@@ -13,44 +13,41 @@ use freestand_input::quantity::Dimension;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct GroundOptions {
     pub(crate) line: Option<usize>,
-    /// The values of [`crate::target::TARGET_KEYS`].
+    /// The values of [`TARGET_KEYS`].
     pub(crate) target: Words,
     pub(crate) count: Option<Written<u64>>,
     pub(crate) seed: Option<Written<u64>>,
     pub(crate) point_source: Option<PointSourceOptions>,
     pub(crate) match_by: Option<Written<String>>,
     pub(crate) motions: Option<Written<Vec<Written<String>>>>,
-    pub(crate) unit: Option<Written<String>>,
-    pub(crate) dt_s: Option<Written<f64>>,
-    pub(crate) component: Option<Written<String>>,
     pub(crate) across: Option<Written<Vec<Written<String>>>>,
     pub(crate) components: Option<Written<ComponentsOption>>,
     pub(crate) rotation_step_rad: Option<Written<f64>>,
-    pub(crate) station_xml: Option<Written<String>>,
-    pub(crate) scale: Option<Written<f64>>,
-    pub(crate) processing: Option<ProcessingOptions>,
+    /// The values of [`crate::recorded::MotionFiles::read`].
+    pub(crate) reading: Words,
+    /// The line of `processing`.
+    pub(crate) processing: Option<usize>,
     /// A key was refused, so that files cannot be read as intended.
     pub(crate) is_incomplete: bool,
 }
 
 pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOptions {
+    let (mut reading, mut target) = (Words::default(), Words::default());
+    let processing = processing(reader, table, &mut reading);
+    read_words(reader, table, &TARGET_KEYS, &mut target);
     GroundOptions {
         line: Some(table.line),
-        target: target(reader, table),
+        target,
         count: table.count(reader, "count"),
         seed: table.count(reader, "seed"),
         point_source: point_source(reader, table),
         match_by: table.string(reader, "match"),
         motions: table.strings(reader, "motions"),
-        unit: table.string(reader, "unit"),
-        dt_s: table.quantity(reader, "dt", Dimension::Time),
-        component: table.name_or_number(reader, "component"),
         across: table.strings(reader, "across"),
         components: components(reader, table),
         rotation_step_rad: table.quantity(reader, "rotation_step", Dimension::Angle),
-        station_xml: table.string(reader, "station_xml"),
-        scale: table.ratio(reader, "scale"),
-        processing: processing(reader, table),
+        reading,
+        processing,
         is_incomplete: false,
     }
 }

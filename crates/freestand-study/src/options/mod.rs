@@ -15,24 +15,27 @@ mod target;
 
 use std::path::Path;
 
-use toml::de::DeTable;
+use toml::de::{DeTable, DeValue};
 
 use assessment::{assessment, restraint, worlds};
 use building::building;
+use cushion::CUSHION_KEYS;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
-use freestand_input::toml_reader::{Reader, Section, Written, bare_number, example};
+use freestand_input::quantity::Dimension;
+use freestand_input::toml_reader::{Place, Reader, Section, Written, bare_number, example};
 use ground::ground;
 use objects::objects;
 use outputs::outputs;
 
 pub(crate) use assessment::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
-pub(crate) use building::{AxisOptions, BuildingOptions, LevelOptions};
+pub(crate) use building::{BuildingOptions, LevelOptions};
 pub(crate) use ground::{ComponentsOption, GroundOptions};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};
 pub(crate) use outputs::{HistoryOptions, OutputsOptions};
 pub(crate) use point_source::PointSourceOptions;
-pub(crate) use processing::ProcessingOptions;
+#[cfg(test)]
+pub(crate) use target::TARGET_KEYS;
 
 /// A study as a person wrote it.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -58,7 +61,7 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     let mut reader = Reader::new(text, source);
     let mut options = Options::default();
     let Some(document) = reader.document(text) else { return (options, reader.problems) };
-    let mut top = Section::new("", document.get_ref(), 1);
+    let mut top = Section::new(Place::Document, document.get_ref(), 1);
     if let Some(mut table) = top.table(&mut reader, "ground") {
         options.ground = ground(&mut reader, &mut table);
         table.finish(&mut reader);
@@ -92,23 +95,82 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     (options, reader.problems)
 }
 
-/// Texts by key, with their lines; a key that is missing or that was refused has none.
-fn words(entries: impl Iterator<Item = (&'static str, Option<Written<String>>)>) -> Words {
-    let mut words = Words::default();
-    for (key, written) in entries {
-        if let Some(Written { value, line }) = written {
+/// How the value of a key is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Kind {
+    Name,
+    /// A name, or a pure number.
+    Number,
+    /// One quantity or several; if the key ends in a unit, they may be bare numbers.
+    Quantity(Dimension),
+    Count,
+    Flag,
+}
+
+/// The value of a key as a text with its line; `None` if it is missing or was refused.
+fn read_text(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+    (key, kind): (&'static str, Kind),
+) -> Option<Written<String>> {
+    match kind {
+        Kind::Name => table.string(reader, key),
+        Kind::Number => table.name_or_number(reader, key),
+        Kind::Quantity(dimension) => texts(reader, table, key, dimension),
+        Kind::Count => table.count(reader, key).map(|count| count.map(|count| count.to_string())),
+        Kind::Flag => table.boolean(reader, key).map(|flag| flag.map(|flag| flag.to_string())),
+    }
+}
+
+/// Adds the values of keys as texts.
+fn read_words(reader: &mut Reader<'_>, table: &mut Section<'_, '_>, keys: &[(&'static str, Kind)], words: &mut Words) {
+    for &(key, kind) in keys {
+        if let Some(Written { value, line }) = read_text(reader, table, (key, kind)) {
             words.add(key, value, Some(line));
         }
     }
-    words
 }
+
+/// One quantity or a list of them, as one text with units.
+fn texts(
+    reader: &mut Reader<'_>,
+    table: &mut Section<'_, '_>,
+    key: &'static str,
+    dimension: Dimension,
+) -> Option<Written<String>> {
+    let (name, value, line, unit) = table.take_with_unit(reader, key, dimension)?;
+    let text_of = |value: &DeValue| match (unit, bare_number(value), value.as_str()) {
+        (Some(unit), Some(number), _) => Some(format!("{number} {}", unit.symbol)),
+        (Some(unit), None, Some(number)) => Some(format!("{number} {}", unit.symbol)),
+        (None, Some(number), _) => Some(number),
+        (None, None, Some(text)) => Some(text.to_owned()),
+        _ => None,
+    };
+    let items: Vec<&DeValue> = match value {
+        DeValue::Array(items) => items.iter().map(toml::Spanned::get_ref).collect(),
+        one => vec![one],
+    };
+    let texts: Option<Vec<String>> = items.into_iter().map(text_of).collect();
+    if let Some(texts) = texts {
+        return Some(Written { value: texts.join(", "), line });
+    }
+    let hint = format!("write numbers and their units, such as {}", example(dimension));
+    reader.wrong_type(line, &name, dimension.with_article(), value, &hint);
+    None
+}
+
+/// Keys of a cushion that a cushion file cannot have: the file describes one pad, so its stiffness
+/// is that of the pad.
+pub(crate) const NOT_IN_CUSHION_FILES: [&str; 2] = ["cushion", "pad_stiffness"];
 
 /// Reads a cushion file, in which the keys belong to no table.
 pub(crate) fn parse_cushion(text: &str, source: &Path) -> (Words, Problems) {
     let mut reader = Reader::new(text, Some(source));
     let Some(document) = reader.document(text) else { return (Words::default(), reader.problems) };
-    let mut top = Section::new("", document.get_ref(), 1);
-    let options = cushion::cushion(&mut reader, &mut top);
+    let mut top = Section::new(Place::PlainDocument, document.get_ref(), 1);
+    let mut options = Words::default();
+    read_words(&mut reader, &mut top, &CUSHION_KEYS, &mut options);
+    top.known.retain(|key| !NOT_IN_CUSHION_FILES.contains(key));
     top.finish(&mut reader);
     (options, reader.problems)
 }
@@ -130,9 +192,12 @@ mod tests {
             None,
         );
         assert!(problems.is_empty(), "{problems}");
-        assert_eq!(options.building.storey_height_m, Some(Written { value: 3.2, line: 2 }));
-        assert_eq!(options.building.along.period_s, Some(Written { value: 1.92, line: 3 }));
-        assert_eq!(options.building.along.damping, Some(Written { value: 0.05, line: 4 }));
+        let building: Vec<_> = options.building.words.entries().zip(options.building.words.lines()).collect();
+        for ((key, text), line) in
+            [("storey_height", "3200 mm"), ("damping", "5 %"), ("period", "1.92 s")].into_iter().zip([2, 4, 3])
+        {
+            assert!(building.contains(&((key, text), (key, Some(line)))), "{building:?}");
+        }
         assert_eq!(options.objects.heights_m.unwrap().value, [0.5, 0.7]);
         assert_eq!(options.objects.thicknesses_m.unwrap().value, [0.2, 0.3005]);
         assert_eq!(options.objects.cushion.entries().next(), Some(("stiffness", "4380 N/mm")));
@@ -163,18 +228,19 @@ mod tests {
     #[test]
     fn every_problem_is_reported_with_its_line() {
         let got = problems(
-            "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nstorey_height = 3.2\nlevels = \
-             4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\n",
+            "[ground]\ncout = 3\nsite = 5\n[bulding]\nstoreys = 3\n[building]\nframe = 3.2\nlevels = \
+             4\n[objects]\nmass = \"3 m\"\nmass_kg = 4\ntolerance = 3.2\n",
         );
         assert_eq!(
             got,
             [
                 "s.toml:3: site must be text, not 5 | write it in \"quotes\"",
                 "s.toml:2: unknown key cout in [ground] | did you mean count?",
-                "s.toml:7: storey_height: \"3.2\" needs a unit | write \"3.2 m\" or \"3.2 mm\"",
+                "s.toml:7: frame must be text, not 3.2 | write it in \"quotes\"",
                 "s.toml:8: levels must be a list, not 4 | write levels = [{ name = \"roof\", level_ratio = 1.0 }]",
                 "s.toml:11: mass and mass_kg both state the same value | keep one of them",
                 "s.toml:10: mass: \"3 m\" is a length, not a mass | known units: kg, t",
+                "s.toml:12: tolerance: \"3.2\" needs a unit | write \"3.2 g\" or \"3.2 m/s2\"",
                 "s.toml:4: unknown table [bulding] | did you mean [building]?",
             ]
         );

@@ -1,7 +1,7 @@
 //! The keys of `[objects]`.
 
-use super::cushion::cushion;
-use super::{Reader, Section, Written};
+use super::cushion::CUSHION_KEYS;
+use super::{Reader, Section, Written, read_words};
 use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 use freestand_input::toml_reader::{describe, value_problem};
@@ -12,7 +12,7 @@ pub(crate) struct ObjectsOptions {
     pub(crate) heights_m: Option<Written<Vec<f64>>>,
     pub(crate) thicknesses_m: Option<Written<Vec<f64>>>,
     pub(crate) mass_kg: Option<Written<f64>>,
-    /// The values of [`crate::cushion::CUSHION_KEYS`].
+    /// The values of [`CUSHION_KEYS`].
     pub(crate) cushion: Words,
     pub(crate) restitution: Option<Written<RestitutionOption>>,
     pub(crate) restitution_factor: Option<Written<f64>>,
@@ -29,11 +29,13 @@ pub(crate) enum RestitutionOption {
 }
 
 pub(super) fn objects(reader: &mut Reader, table: &mut Section) -> ObjectsOptions {
+    let mut cushion = Words::default();
+    read_words(reader, table, &CUSHION_KEYS, &mut cushion);
     ObjectsOptions {
+        cushion,
         heights_m: table.grid(reader, "heights", Dimension::Length),
         thicknesses_m: table.grid(reader, "thicknesses", Dimension::Length),
         mass_kg: table.quantity(reader, "mass", Dimension::Mass),
-        cushion: cushion(reader, table),
         restitution: restitution(reader, table),
         restitution_factor: table.ratio(reader, "restitution_factor"),
         accuracy: table.string(reader, "accuracy"),

@@ -1,7 +1,6 @@
 //! `point_source` of `[ground]`: kept as texts, each with its line.
 
-use super::cushion::texts;
-use super::{Reader, Section, Written, words};
+use super::{Kind, Reader, Section, Written, read_words};
 use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
@@ -10,27 +9,29 @@ use freestand_input::quantity::Dimension;
 pub(crate) struct PointSourceOptions {
     pub(crate) line: usize,
     pub(crate) pairs: Option<Written<bool>>,
-    /// The values of [`crate::simulated::SOURCE_KEYS`].
+    /// The values of [`SOURCE_KEYS`].
     pub(crate) words: Words,
 }
 
-const QUANTITIES: [(&str, Dimension); 5] = [
-    ("distance", Dimension::Length),
-    ("stress_drop", Dimension::Pressure),
-    ("kappa", Dimension::Time),
-    ("time_step", Dimension::Time),
-    ("low_cut", Dimension::Frequency),
+const SOURCE_KEYS: [(&str, Kind); 11] = [
+    ("magnitude", Kind::Number),
+    ("distance", Kind::Quantity(Dimension::Length)),
+    ("stress_drop", Kind::Quantity(Dimension::Pressure)),
+    ("kappa", Kind::Quantity(Dimension::Time)),
+    ("time_step", Kind::Quantity(Dimension::Time)),
+    ("low_cut", Kind::Quantity(Dimension::Frequency)),
+    ("preset", Kind::Name),
+    ("source_spectrum", Kind::Name),
+    ("path_duration", Kind::Name),
+    ("window", Kind::Name),
+    ("hard_rock", Kind::Flag),
 ];
-const NAMES: [&str; 4] = ["preset", "source_spectrum", "path_duration", "window"];
 
 pub(super) fn point_source(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<PointSourceOptions> {
     let mut entry = table.table(reader, "point_source")?;
     let pairs = entry.boolean(reader, "pairs");
-    let magnitude = ("magnitude", entry.name_or_number(reader, "magnitude"));
-    let quantities = QUANTITIES.map(|(key, dimension)| (key, texts(reader, &mut entry, key, dimension)));
-    let names = NAMES.map(|key| (key, entry.string(reader, key)));
-    let hard_rock = entry.boolean(reader, "hard_rock").map(|flag| flag.map(|flag| flag.to_string()));
-    let words = words(quantities.into_iter().chain(names).chain([magnitude, ("hard_rock", hard_rock)]));
+    let mut words = Words::default();
+    read_words(reader, &mut entry, &SOURCE_KEYS, &mut words);
     let line = entry.line;
     entry.finish(reader);
     Some(PointSourceOptions { line, pairs, words })

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::recorded::{MotionFiles, name_of, start_note};
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
@@ -33,24 +33,17 @@ pub struct ReadPair {
 /// # Errors
 /// Not one file or two, one file twice, a choice of components that contradicts them, an azimuth
 /// (the direction to turn to is that of a [`RotateRequest`]), and the problems of both files.
-pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Vec<Problem>> {
-    let wrong = misfit(request);
-    if !wrong.is_empty() {
-        return Err(wrong);
-    }
+pub fn read_pair(request: &PairFiles) -> Result<ReadPair, Problems> {
+    misfit(request).finish(Some(()))?;
     refuse_same_file(&request.files.paths)?;
-    let (mut files, mut problems) = (Vec::new(), Vec::new());
-    for path in &request.files.paths {
-        match read_motions(path, &request.files.read) {
-            Ok(file) => files.push(file),
-            Err(error) => problems.extend(error.problems),
-        }
-    }
-    if problems.is_empty() { Ok(ReadPair { request: request.clone(), files }) } else { Err(problems) }
+    let mut problems = Problems::default();
+    let read = |path: &PathBuf| problems.keep(read_motions(path, &request.files.read));
+    let files = request.files.paths.iter().filter_map(read).collect();
+    problems.finish(Some(ReadPair { request: request.clone(), files }))
 }
 
 /// Contradictions of a request.
-fn misfit(request: &PairFiles) -> Vec<Problem> {
+fn misfit(request: &PairFiles) -> Problems {
     let is_one = request.files.paths.len() == 1;
     let wrong = [
         (
@@ -75,22 +68,19 @@ fn misfit(request: &PairFiles) -> Vec<Problem> {
         ),
     ];
     let found = wrong.into_iter().filter(|(is_wrong, ..)| *is_wrong);
-    found.map(|(_, message, hint)| Problem::new(ProblemKind::Value, message).hint(hint)).collect()
+    found.map(|(_, message, hint)| Problem::value(message, hint)).collect()
 }
 
 /// Of one file given twice, the same component would be used for both.
-fn refuse_same_file(paths: &[PathBuf]) -> Result<(), Vec<Problem>> {
+fn refuse_same_file(paths: &[PathBuf]) -> Result<(), Problem> {
     let [first, second] = paths else { return Ok(()) };
     let real = |path: &PathBuf| std::fs::canonicalize(path).ok();
     match (real(first), real(second)) {
         // A device or a pipe may give other bytes each time.
         (Some(one), Some(two)) if one == two && one.is_file() => {
             let message = "is given twice: a pair is two files, or two components of one file";
-            Err(vec![
-                Problem::new(ProblemKind::Value, message)
-                    .in_file(second)
-                    .hint("give it once; if it has more than two components, choose them with `components`"),
-            ])
+            let hint = "give it once; if it has more than two components, choose them with `components`";
+            Err(Problem::value(message, hint).in_file(second))
         }
         _ => Ok(()),
     }
@@ -139,7 +129,7 @@ impl ReadPair {
         }
     }
 
-    /// Conclusions and omissions of the readers, file by file.
+    /// What the readers concluded or ignored, file by file.
     pub fn warnings(&self) -> Vec<String> {
         let of = |file: &MotionFile| {
             let path = file.path.display().to_string();
@@ -152,7 +142,7 @@ impl ReadPair {
 /// A direction to turn to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RotateRequest {
-    /// Where to \[degrees clockwise from north\].
+    /// The direction \[degrees clockwise from north\].
     pub azimuth_deg: f64,
     /// Azimuths of the two components \[degrees\]; `None`: as the files state them.
     pub azimuths_deg: Option<(f64, f64)>,
@@ -165,11 +155,11 @@ pub struct Rotated {
     pub name: String,
     /// The first file.
     pub path: PathBuf,
-    /// Where it points \[degrees clockwise from north\].
+    /// The direction in which it points \[degrees clockwise from north\].
     pub azimuth_deg: f64,
     /// The motion, and what was done.
     pub processed: Processed,
-    /// Conclusions and omissions.
+    /// What the readers concluded or ignored, and warnings of the processing.
     pub warnings: Vec<String>,
 }
 

@@ -69,7 +69,8 @@ fn what_does_not_go_together_is_refused_before_a_file_is_read() {
 fn both_broken_files_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let problems = read_pair(&request(folder.path(), &[("a.csv", ""), ("b.csv", "x")])).unwrap_err();
-    let files: Vec<_> = problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
+    let files: Vec<_> =
+        problems.problems.iter().map(|p| p.path.as_ref().unwrap().file_name().unwrap().to_owned()).collect();
     assert_eq!(files, ["a.csv", "b.csv"]);
 }
 
@@ -111,7 +112,7 @@ fn one_file_twice_is_refused_and_equal_names_are_told_apart() {
     std::fs::create_dir(folder.path().join("b")).unwrap();
     twice.files.paths.push(folder.path().join("b/../one.csv"));
     let problems = read_pair(&twice).unwrap_err();
-    assert!(problems.len() == 1 && problems[0].message.starts_with("is given twice"), "{problems:?}");
+    assert!(problems.len() == 1 && problems.problems[0].message.starts_with("is given twice"), "{problems:?}");
     let names = |files: &[(&str, &str)]| {
         let read = read_pair(&request(folder.path(), files)).unwrap();
         read.names(read.components().unwrap())
@@ -132,8 +133,8 @@ fn turned_components_of_equal_names_are_named_with_their_files() {
     assert_eq!(
         turned.processed.steps,
         [
-            "last sample of H of east.csv left out: the other component ends before",
-            "components H of north.csv (0 deg) and H of east.csv (90 deg) turned to 30 deg"
+            "last sample of H of east.csv left out: the other component ends earlier",
+            "components H of north.csv (0 deg) and H of east.csv (90 deg) rotated to 30 deg"
         ]
     );
 }

@@ -8,6 +8,7 @@ use freestand::synthesis;
 use crate::building::{damping_words, model_words};
 use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
+use crate::simulated::source_words;
 use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, SyntheticGround};
 use crate::summary::{accuracy_words, restitution_words};
 use crate::target::Target;
@@ -37,7 +38,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     } else {
         html.push_str(&heading("Floor motions"));
         for level in &study.levels {
-            let caption = format!("Given motions of the level {} as used", level.name);
+            let caption = format!("Motions given for the level {}, as used", level.name);
             html.push_str(&recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>()));
         }
     }
@@ -105,7 +106,7 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
     let request = &simulated.request;
     let mut facts: Vec<(&str, String)> = vec![
         ("Source", format!("stochastic point source, preset {}", request.preset.name())),
-        ("Source and path", request.parameters().one_line()),
+        ("Source and path", source_words(&request.any_source())),
     ];
     if let Some(code) = &simulated.hazard {
         let meets = format!(
@@ -115,7 +116,7 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
             request.count
         );
         facts.push(("Hazard", code.one_line()));
-        facts.push(("Distances fit", meets));
+        facts.push(("Distances fitted to", meets));
     }
     let site = format!("{}: {}", request.site.name(), request.site.description());
     let (dt_s, low_cut_hz) = (number(request.options.dt_s, 4), number(request.options.low_cut_hz, 4));
@@ -314,7 +315,7 @@ fn grid_words(values: &[f64], factor: f64, unit: &str) -> String {
 fn edge_words(edge: &EdgeCushion) -> String {
     let words = format!("{}, all the cushion under that edge", cushion_words(&edge.cushion));
     if edge.notes.is_empty() {
-        return format!("{words} (two pads of 2190 N/mm each)");
+        return words;
     }
     format!("{words} ({})", edge.notes.join("; "))
 }

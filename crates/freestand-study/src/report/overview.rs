@@ -4,7 +4,7 @@ use crate::cushion::cushion_words;
 use crate::result::{ObjectResponse, StudyResult};
 use crate::study::{Ground, Study};
 use crate::summary::{LevelSummary, level_summaries};
-use freestand_input::words::{fixed, number, percent};
+use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::escape;
 
 use super::provenance::Provenance;
@@ -66,6 +66,10 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
     let objects = &study.objects;
     let histories: usize = levels.iter().map(|level| level.histories).sum();
     let failed: usize = levels.iter().map(|level| level.failed).sum();
+    let thicknesses = match objects.thicknesses_m.len() {
+        1 => "1 thickness".to_owned(),
+        n => format!("{n} thicknesses"),
+    };
     let is_matched = study.ground.target().is_some();
     let kind = match (&study.ground, result.motions.len()) {
         (Ground::Synthetic(_), 1) => "one synthetic ground motion".to_owned(),
@@ -80,15 +84,13 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         (Ground::OnFloors, n) => format!("{n} given floor motions each"),
     };
     let failed = match failed {
-        0 => "all of them were completed".to_owned(),
-        n => format!("{n} of them failed and are not part of the statistics"),
+        0 => "none failed".to_owned(),
+        n => format!("{n} failed (left out of the statistics)"),
     };
     format!(
-        "{} objects ({} heights × {} thicknesses, {} kg, {} under an edge) on {}{} were computed for {kind}{}: \
-         {histories} rocking histories, {failed}.",
-        objects.blocks.len(),
-        objects.heights_m.len(),
-        objects.thicknesses_m.len(),
+        "{} ({} × {thicknesses}, {} kg, {} under an edge) on {}{}, calculated for {kind}{}: {}, of which {failed}.",
+        counted(objects.blocks.len(), "object"),
+        counted(objects.heights_m.len(), "height"),
         number(objects.mass_kg, 6),
         cushion_words(&objects.cushion.cushion),
         if levels.len() == 1 { "one floor".to_owned() } else { format!("{} floors", levels.len()) },
@@ -97,6 +99,7 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
             1 => String::new(),
             n => format!(", each in {n} directions, of which the worst counts"),
         },
+        counted(histories, "rocking history"),
     )
 }
 
@@ -117,7 +120,7 @@ fn level_words(level: &LevelSummary) -> String {
     };
     format!(
         "the median PFA is {} g; objects uplift in {} of the histories and overturn in {}; {shock}.",
-        number(level.pfa_g_median, 3),
+        level.pfa_g_median.map_or_else(|| "–".to_owned(), |pfa_g| number(pfa_g, 3)),
         percent(level.uplift_share, 0),
         percent(level.overturned_share, 0)
     )
@@ -152,7 +155,7 @@ fn first_table(levels: &[LevelSummary]) -> String {
             vec![
                 words(&level.level),
                 figure(level.level_ratio.map_or_else(|| "–".to_owned(), |ratio| number(ratio, 3))),
-                figure(fixed(level.pfa_g_median, 3)),
+                figure(level.pfa_g_median.map_or_else(|| "–".to_owned(), |pfa_g| fixed(pfa_g, 3))),
                 figure(level.histories.to_string()),
                 figure(level.failed.to_string()),
                 figure(percent(level.uplift_share, 1)),
@@ -214,7 +217,7 @@ fn failures(result: &StudyResult) -> String {
         .collect();
     let mut html = table("Histories that failed", &[vec![words("Reason"), figure("Histories")]], &rows);
     if more > 0 {
-        html.push_str(&paragraph(&format!("And {more} other reasons; srs.csv lists all.")));
+        html.push_str(&paragraph(&format!("Other reasons: {more}. srs.csv lists all.")));
     }
     html
 }

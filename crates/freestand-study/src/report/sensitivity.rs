@@ -22,7 +22,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
         figure("largest median (g)"),
         figure("largest shock (g)"),
         figure("shock ratio"),
-        figure("of objects"),
+        figure("objects compared"),
     ]];
     for level in &result.levels {
         let name = &level.level.name;
@@ -30,7 +30,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
         html.push_str(&classed_table("glance", &format!("Level {name}"), &headings, &rows));
     }
     let mut remarks: Vec<String> = Vec::new();
-    // A remark is of the variation, not of a level: once is enough.
+    // A remark belongs to a variation, not to a level: it is printed once.
     for remark in sensitivity.rows.iter().filter_map(remark) {
         if !remarks.contains(&remark) {
             remarks.push(remark);

@@ -36,7 +36,7 @@ fn texts(document: &roxmltree::Document) -> String {
         .join("\n")
 }
 
-/// Every report is well-formed, loads nothing, and has no NaN and no id twice.
+/// Every report is well-formed, loads no other file, and has no NaN and no duplicate id.
 fn check(html: &str) {
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document = roxmltree::Document::parse_with_options(html, options).unwrap();
@@ -153,7 +153,7 @@ fn texts_of_others_are_escaped_and_the_tolerance_is_marked() {
     assert!(html.contains("roof &amp; &lt;i&gt;mast&lt;/i&gt;"));
     assert!(html.contains("▲") && html.contains("tolerance of 2 g"));
     assert!(!html.contains("target: code spectrum"));
-    // Ten recorded motions: the first six are drawn, each with its steps, and it is said so.
+    // Ten recorded motions: the first six are drawn, each with its steps, and the report says so.
     let records: Vec<_> = figures.iter().filter(|figure| figure.name.starts_with("record_")).collect();
     assert_eq!((records.len(), records[5].name.as_str()), (6, "record_06"));
     assert!(records.iter().all(|figure| figure.caption.contains("processing: multiplied by 1.25")));

@@ -1,25 +1,50 @@
-//! Resolves the levels of `[building]`.
+//! Resolves `[building]` and its levels.
 
 use std::collections::HashSet;
 
 use super::{MAX_LEVELS, Resolver};
+use crate::building::{self, BuildingInput};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
 use crate::study::Level;
+use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
+const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
+
 impl Resolver<'_> {
+    pub(super) fn building(&mut self, words: &Words) -> Option<BuildingInput> {
+        match building::resolve(words, self.base_dir) {
+            Ok(building) => {
+                self.warnings.extend(building.warnings.clone());
+                Some(building)
+            }
+            Err(problems) => {
+                for mut problem in problems {
+                    let line = words.line_of(&problem.keys);
+                    let key = problem.keys.first().copied().unwrap_or_default();
+                    // In a study, the keys of the second axis are those of the table `across`.
+                    let shown = |text: &str| text.replace("`across_", "across `");
+                    problem.message = shown(&problem.message);
+                    problem.hint = problem.hint.as_deref().map(shown);
+                    self.fault(line, &key.replace("across_", "across "), problem);
+                }
+                None
+            }
+        }
+    }
+
     pub(super) fn levels(&mut self, written: &BuildingOptions, ground: &GroundOptions) -> Vec<Level> {
         let Some(Written { value: entries, line }) = &written.levels else {
             let level =
-                |name: &str, ratio| Level { name: name.to_owned(), level_ratio: Some(ratio), motions: Vec::new() };
-            return vec![level("mid-height", 0.5), level("roof", 1.0)];
+                |(name, ratio): (&str, _)| Level { name: name.to_owned(), level_ratio: Some(ratio), motions: vec![] };
+            return DEFAULT_LEVELS.map(level).to_vec();
         };
         if entries.is_empty() || entries.len() > MAX_LEVELS {
             self.note(
                 Some(*line),
-                format!("levels must have 1 to {MAX_LEVELS} entries"),
-                "0 is the ground, 1 the roof",
+                format!("levels must have 1 to {MAX_LEVELS} entries, not {}", entries.len()),
+                "give heights as shares of the building's, such as levels = [0.5, 1.0]: 0 is the ground, 1 the roof",
             );
         }
         let mut names = HashSet::new();
@@ -40,7 +65,12 @@ impl Resolver<'_> {
     }
 
     fn level(&mut self, entry: &LevelOptions, ground: &GroundOptions) -> Option<Level> {
-        self.require(&entry.level_ratio, |x| (0.0..=1.0).contains(&x), "level_ratio", "from 0 (ground) to 1 (roof)");
+        self.require(
+            &entry.level_ratio,
+            |x| (0.0..=1.0).contains(&x),
+            "level_ratio",
+            "a share from 0 (ground) to 1 (roof)",
+        );
         let ratio = entry.level_ratio.as_ref().map(|ratio| ratio.value);
         if ratio.is_none() && entry.motions.is_none() {
             // A bare entry that is not a number was noted when it was read.
@@ -68,10 +98,11 @@ impl Resolver<'_> {
             self.note(
                 Some(entry.line),
                 format!(
-                    "\"{}\" cannot be the name of a level, because an output folder has the same name",
+                    "\"{}\" cannot be the name of a level, because it would also name an output folder",
                     shorten(&name)
                 ),
-                "use only letters, digits, spaces and - _ . and do not end it with \".csv\"",
+                "use letters, digits, spaces and - _ . (at most 60, the first a letter or digit); do not end the name \
+                 with a space, a dot or \".csv\", and avoid names that Windows reserves, such as CON",
             );
         }
         let motions = match &entry.motions {
@@ -80,23 +111,6 @@ impl Resolver<'_> {
         };
         Some(Level { name, level_ratio: ratio, motions })
     }
-}
-
-/// The keys of `[building]` that describe the building itself, with their lines.
-pub(super) fn model_keys(written: &BuildingOptions) -> [(&'static str, Option<usize>); 11] {
-    [
-        ("storeys", written.storeys.as_ref().map(|w| w.line)),
-        ("storey_height", written.storey_height_m.as_ref().map(|w| w.line)),
-        ("frame", written.along.frame.as_ref().map(|w| w.line)),
-        ("period", written.along.period_s.as_ref().map(|w| w.line)),
-        ("damping", written.along.damping.as_ref().map(|w| w.line)),
-        ("shear_flexure", written.along.shear_flexure.as_ref().map(|w| w.line)),
-        ("modes", written.along.modes.as_ref().map(|w| w.line)),
-        ("storey_table", written.along.storey_table.as_ref().map(|w| w.line)),
-        ("mode_table", written.along.mode_table.as_ref().map(|w| w.line)),
-        ("rayleigh_modes", written.along.rayleigh_modes.as_ref().map(|w| w.line)),
-        ("across", written.across.as_ref().map(|w| w.line)),
-    ]
 }
 
 /// Whether a name can be that of a folder on every system and differs from all names of motion

@@ -7,7 +7,7 @@ use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
 
 /// The stiffness of the pads of Al Abadi et al., two under an edge.
-const BUILTIN: &str = "4380 N/mm";
+const DEFAULT_STIFFNESS: &str = "4380 N/mm";
 
 impl Resolver<'_> {
     pub(super) fn cushion(
@@ -33,7 +33,7 @@ impl Resolver<'_> {
                 }
             }
         } else if !["stiffness", "pad_stiffness", "law"].iter().any(|key| words.get(key).is_some()) {
-            words.set("stiffness", BUILTIN);
+            words.set("stiffness", DEFAULT_STIFFNESS);
         }
         match cushion::resolve(&words, Some(mass_kg)) {
             Ok(cushion) => Some((cushion, file)),
@@ -44,8 +44,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// Notes a problem on the line of its key, or on the first line about the cushion where the key
-    /// is in the cushion file.
+    /// Notes a problem on the line of its key, or, if the key is in the cushion file, on the first
+    /// line of the study about the cushion.
     fn cushion_fault(&mut self, written: &Words, problem: Problem) {
         let first = written.lines().next().and_then(|(_, line)| line);
         let line = written.line_of(&problem.keys).or(first);

@@ -14,7 +14,8 @@ use freestand_input::problem::ProblemKind;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
-const ONE_COMPONENT: &str = "only one component of a record is matched";
+/// Keys of `processing` that scale records to a target of their own.
+const SCALES_TO: [&str; 3] = ["scale_to", "scale_to_sa", "scale_to_spectrum"];
 
 impl Resolver<'_> {
     pub(super) fn ground(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
@@ -67,7 +68,7 @@ impl Resolver<'_> {
         let method = MatchMethod::parse(&by.value);
         if method.is_none() {
             let message = format!("match \"{}\" is not known", shorten(&by.value));
-            self.note(Some(by.line), message, "wavelet or fft");
+            self.note(Some(by.line), message, "use wavelet or fft");
         }
         self.match_problems(written, by);
         let target = self.target(written);
@@ -95,28 +96,23 @@ impl Resolver<'_> {
 
     /// Notes keys that have no meaning, or contradict the target, where records are matched.
     fn match_problems(&mut self, written: &GroundOptions, by: &Written<String>) {
-        let scale_to = written.processing.as_ref().map(|processing| {
-            let sa = processing.scale_to_sa.as_ref().map(|w| w.line);
-            let spectrum = processing.scale_to_spectrum.as_ref().map(|w| w.line);
-            processing.scale_to_m_s2.as_ref().map(|w| w.line).or(sa).or(spectrum)
-        });
-        for (key, line, why) in [
-            ("count", written.count.as_ref().map(|w| w.line), "each record gives one motion"),
-            ("seed", written.seed.as_ref().map(|w| w.line), "there are no random numbers in a record"),
-            ("point_source", written.point_source.as_ref().map(|w| w.line), "the records replace it"),
-            ("scale", written.scale.as_ref().map(|w| w.line), "the target sets the amplitudes"),
-            ("scale_to", scale_to.flatten(), "the target sets the amplitudes"),
-            ("across", written.across.as_ref().map(|w| w.line), ONE_COMPONENT),
-            ("components", written.components.as_ref().map(|w| w.line), ONE_COMPONENT),
+        let one = (
+            "only one component of a record is matched",
+            "choose one with component; or match each component with the command motion match, and name the files \
+             that it writes in motions and across",
+        );
+        let other = |why| (why, "keep one of them");
+        for (key, line, (why, hint)) in [
+            ("count", written.count.as_ref().map(|w| w.line), other("each record gives one motion")),
+            ("seed", written.seed.as_ref().map(|w| w.line), other("a record has no random numbers")),
+            ("point_source", written.point_source.as_ref().map(|w| w.line), other("the records replace it")),
+            ("scale", written.reading.line_of(&["scale"]), other("the target sets the amplitudes")),
+            ("scale_to", written.reading.line_of(&SCALES_TO), other("the target sets the amplitudes")),
+            ("across", written.across.as_ref().map(|w| w.line), one),
+            ("components", written.components.as_ref().map(|w| w.line), one),
         ] {
             if let Some(line) = line {
                 let message = format!("{key} and match exclude each other: {why}");
-                let hint = if why == ONE_COMPONENT {
-                    "name one of them with component; or match each component with the command motion match and \
-                     give the files"
-                } else {
-                    "keep one of them"
-                };
                 self.note(Some(line.max(by.line)), message, hint);
             }
         }
@@ -131,7 +127,7 @@ impl Resolver<'_> {
         );
         let target = self.target(written)?;
         self.warnings.extend(target.warnings.iter().cloned());
-        // Beyond, the count was refused above; its names are still listed.
+        // A larger count was refused above; the names of its motions are still listed.
         let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS)).unwrap_or_default();
         Some(Ground::Synthetic(SyntheticGround {
             target,

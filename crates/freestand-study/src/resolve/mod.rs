@@ -2,13 +2,11 @@
 //! once.
 
 mod assessment;
-mod axis;
 mod building;
 mod cushion;
 mod ground;
 mod objects;
 mod outputs;
-mod processing;
 mod recorded;
 mod simulated;
 
@@ -25,13 +23,11 @@ use freestand_input::toml_reader::Written;
 
 use recorded::has_measured_floors;
 
-/// Most synthetic motions of a study.
+/// Largest number of synthetic motions in a study.
 pub const MAX_MOTIONS: u64 = 1000;
-/// Most objects of a study's grid.
+/// Largest number of objects in a study's grid.
 pub const MAX_OBJECTS: usize = 1_000_000;
-/// Most storeys of a building.
-pub const MAX_STOREYS: u64 = 500;
-/// Most levels of a study.
+/// Largest number of levels in a study.
 pub const MAX_LEVELS: usize = 100;
 
 /// Values that take precedence over those of the study.
@@ -67,7 +63,8 @@ pub fn load(path: &Path, overrides: &Overrides) -> Result<Study, Problems> {
     resolve_with(&read_text(path)?, Some(path), path.parent().unwrap_or(Path::new("")), overrides)
 }
 
-/// Whether a file is a study by its name and its content: some people give a study as a record.
+/// Whether a file is a study, judged by its name and its content: a study is sometimes given where
+/// a record is expected.
 pub fn is_study_file(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
         && read_text(path).is_ok_and(|text| options::has_table_of_ours(&text))
@@ -75,13 +72,14 @@ pub fn is_study_file(path: &Path) -> bool {
 
 fn read_text(path: &Path) -> Result<String, Problem> {
     const MAX_BYTES: u64 = 16 << 20;
-    const HINT: &str = "name a study, a TOML text of some lines";
+    const HINT: &str = "name a study: a short text file in TOML";
     let bytes = load_up_to(path, MAX_BYTES, "is too large for a study", HINT)?;
     String::from_utf8(bytes)
         .map_err(|_| Problem::new(ProblemKind::Format, "is not text (UTF-8)").in_file(path).hint(HINT))
 }
 
-/// The study of a TOML text; `source` names it in messages, paths in it are relative to `base_dir`.
+/// Resolves the study in a TOML text; `source` names it in messages, and paths in it are relative
+/// to `base_dir`.
 ///
 /// # Errors
 /// Everything that is wrong with it, each with its line and a hint.
@@ -91,7 +89,7 @@ fn read_text(path: &Path) -> Result<String, Problem> {
 /// use freestand_study::resolve::resolve;
 /// let study = resolve("[building]\nstoreys = 12\n", None, "".as_ref())?;
 /// assert_eq!(study.building.map(|building| building.storeys), Some(12));
-/// assert_eq!(study.objects.mass_kg, 150.0); // not said: as in the built-in study
+/// assert_eq!(study.objects.mass_kg, 150.0); // not stated: as in the built-in study
 /// let error = resolve("[building]\nstoreys = -1\nstory_height = \"3 m\"\n", None, "".as_ref()).unwrap_err();
 /// assert_eq!(error.problems.len(), 2);
 /// # Ok::<(), freestand_input::problem::Problems>(())
@@ -112,14 +110,17 @@ pub fn resolve_with(
 ) -> Result<Study, Problems> {
     let (options, problems) = options::parse(text, source);
     let is_complete = problems.is_empty();
-    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete };
+    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete, reading: None };
     let Options { ground, building, objects, outputs, assessment, worlds, restraint } = options;
+    if has_measured_floors(&building) || (ground.motions.is_some() && overrides.motions.is_none()) {
+        resolver.reading = resolver.reading(&ground);
+    }
     let levels = resolver.levels(&building, &ground);
     let (ground_input, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
     } else {
-        (resolver.ground(&ground, overrides), resolver.building(&building).map(Some))
+        (resolver.ground(&ground, overrides), resolver.building(&building.words).map(Some))
     };
     let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
     if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
@@ -159,6 +160,8 @@ struct Resolver<'a> {
     warnings: Vec<String>,
     /// No key was refused when the text was read.
     is_complete: bool,
+    /// How records are read and processed, if there are any.
+    reading: Option<MotionFiles>,
 }
 
 /// The value, or the default where the key is missing. A key that was refused also gets the
@@ -172,9 +175,9 @@ impl Resolver<'_> {
         self.fault(line, "", Problem::value(message, hint));
     }
 
-    /// Notes a problem that was found elsewhere. A problem with a line belongs to a file of its
-    /// own. Any other belongs to a line of the study; `key` is the key of that line that names the
-    /// problem's file.
+    /// Notes a problem that was found elsewhere. A problem that has a line already names its own
+    /// file. Any other is assigned to a line of the study; `key` is the key on that line that names
+    /// the problem's file.
     fn fault(&mut self, line: Option<usize>, key: &str, problem: Problem) {
         let mut problem = problem.shown(KeyStyle::File);
         if problem.line.is_none() {
@@ -201,7 +204,7 @@ impl Resolver<'_> {
             self.note(
                 Some(*line),
                 format!("{key} must be {expected}, not {value}"),
-                format!("give a value of {key} that is {expected}"),
+                format!("give {key} as {expected}"),
             );
         }
     }

@@ -1,15 +1,20 @@
 //! Resolves `[objects]`.
 
 use freestand::block::Block;
-use freestand::impact::{ValidityWarning, stiffness_warnings};
+use freestand::impact::stiffness_warnings;
 use freestand::rocking::{Accuracy, Restitution};
 
 use super::{MAX_OBJECTS, Resolver, or};
 use crate::options::{ObjectsOptions, RestitutionOption};
 use crate::restitution::checked;
+use crate::shape::squat_warning;
 use crate::study::Objects;
-use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::toml_reader::Written;
+
+const DEFAULT_MASS_KG: f64 = 150.0;
+const DEFAULT_HEIGHTS: &str = "0.5 m:3 m:26";
+const DEFAULT_THICKNESSES_M: [f64; 5] = [0.2, 0.3, 0.4, 0.5, 0.6];
 
 impl Resolver<'_> {
     pub(super) fn objects(&mut self, written: &ObjectsOptions) -> Option<Objects> {
@@ -23,18 +28,22 @@ impl Resolver<'_> {
             }
         }
         self.positive(&written.mass_kg, "mass", Dimension::Mass);
-        let mass_kg = or(&written.mass_kg, 150.0);
+        let mass_kg = or(&written.mass_kg, DEFAULT_MASS_KG);
         let cushion = self.cushion(&written.cushion, mass_kg);
         self.positive(&written.tolerance_m_s2, "tolerance", Dimension::Acceleration);
         self.positive(&written.friction, "friction", Dimension::Ratio);
         self.exclusive(("restitution", &written.restitution), ("restitution_factor", &written.restitution_factor));
-        let heights_m = or(&written.heights_m, linear(0.5, 3.0, 26));
-        let thicknesses_m = or(&written.thicknesses_m, vec![0.2, 0.3, 0.4, 0.5, 0.6]);
+        let heights_m = or(&written.heights_m, parse_grid(DEFAULT_HEIGHTS, Dimension::Length).unwrap_or_default());
+        let thicknesses_m = or(&written.thicknesses_m, DEFAULT_THICKNESSES_M.to_vec());
         if heights_m.len().saturating_mul(thicknesses_m.len()) > MAX_OBJECTS {
             let line = written.heights_m.as_ref().or(written.thicknesses_m.as_ref()).map(|w| w.line);
             self.note(
                 line,
-                format!("the grid has more than {MAX_OBJECTS} objects"),
+                format!(
+                    "the grid of {} heights × {} thicknesses has more than {MAX_OBJECTS} objects",
+                    heights_m.len(),
+                    thicknesses_m.len()
+                ),
                 "give fewer heights or thicknesses",
             );
             return None;
@@ -51,7 +60,7 @@ impl Resolver<'_> {
         let (cushion, cushion_file) = cushion?;
         let soft = stiffness_warnings(mass_kg, &cushion.cushion, cushion.pad_thickness_m);
         self.warnings.extend(soft.iter().map(ToString::to_string));
-        self.warnings.extend(squat_warning(&blocks));
+        self.warnings.extend(squat_warning(blocks.len(), blocks.iter().copied()));
         Some(Objects {
             heights_m,
             thicknesses_m,
@@ -76,7 +85,7 @@ impl Resolver<'_> {
                 self.note(
                     Some(*line),
                     format!("accuracy \"{}\" is not known", shorten(value)),
-                    "fast, standard or tight",
+                    "use fast, standard or tight",
                 );
                 None
             }
@@ -93,24 +102,4 @@ impl Resolver<'_> {
         };
         checked(restitution, blocks).map_err(|problem| self.fault(line, "restitution", problem)).ok()
     }
-}
-
-/// From `from` to `to`, both included, with the same rounding as
-/// [`freestand_input::quantity::parse_grid`].
-fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
-    freestand_input::quantity::parse_grid(&format!("{from} m:{to} m:{count}"), Dimension::Length).unwrap_or_default()
-}
-
-fn squat_warning(blocks: &[Block]) -> Option<String> {
-    let squat: Vec<&Block> = blocks.iter().filter(|block| block.landing_ratio() < 0.0).collect();
-    let first = squat.first()?;
-    let size = |length_m| format_si(length_m, Dimension::Length);
-    Some(format!(
-        "{} of {} objects are squat, the first {} high and {} thick: {}",
-        squat.len(),
-        blocks.len(),
-        size(first.height_m()),
-        size(first.thickness_m()),
-        ValidityWarning::Squat { landing_ratio: first.landing_ratio() }
-    ))
 }

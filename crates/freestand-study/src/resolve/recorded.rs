@@ -4,16 +4,16 @@ use crate::options::{BuildingOptions, ComponentsOption, GroundOptions};
 use crate::recorded::{MotionFiles, Second, read_recorded};
 use crate::study::{Level, RecordedMotion};
 use freestand_input::toml_reader::Written;
-use freestand_records::formats::ReadOptions;
+use freestand_input::word_reader::WordReader;
+use freestand_input::words::counted;
 use freestand_records::processing::azimuth_deg;
 
-use super::building::model_keys;
 use super::ground::synthetic_keys;
 use super::{Overrides, Resolver};
 
 /// Step between the directions in which every object is tried, unless the study states one
 /// \[degrees\].
-const ROTATION_STEP_DEG: f64 = 15.0;
+const DEFAULT_ROTATION_STEP_DEG: f64 = 15.0;
 /// Smallest step: each direction costs as much as a study with one component.
 const FINEST_STEP_DEG: f64 = 1.0;
 
@@ -21,18 +21,15 @@ const FINEST_STEP_DEG: f64 = 1.0;
 type Files = Written<Vec<Written<String>>>;
 
 /// The keys that say how files are read, with their lines.
-pub(super) fn reading_keys(written: &GroundOptions) -> [(&'static str, Option<usize>); 9] {
-    [
-        ("unit", written.unit.as_ref().map(|w| w.line)),
-        ("dt", written.dt_s.as_ref().map(|w| w.line)),
-        ("component", written.component.as_ref().map(|w| w.line)),
+pub(super) fn reading_keys(written: &GroundOptions) -> impl Iterator<Item = (&'static str, Option<usize>)> {
+    let others = [
         ("across", written.across.as_ref().map(|w| w.line)),
         ("components", written.components.as_ref().map(|w| w.line)),
         ("rotation_step", written.rotation_step_rad.as_ref().map(|w| w.line)),
-        ("station_xml", written.station_xml.as_ref().map(|w| w.line)),
-        ("scale", written.scale.as_ref().map(|w| w.line)),
-        ("processing", written.processing.as_ref().map(|w| w.line)),
-    ]
+        ("processing", written.processing),
+    ];
+    let files = ["unit", "dt", "component", "station_xml", "scale"].map(|key| (key, written.reading.line_of(&[key])));
+    files.into_iter().chain(others)
 }
 
 /// Whether the motions of floors are given.
@@ -41,6 +38,18 @@ pub(super) fn has_measured_floors(building: &BuildingOptions) -> bool {
 }
 
 impl Resolver<'_> {
+    /// How records are read and processed; `None` if that was refused.
+    pub(super) fn reading(&mut self, written: &GroundOptions) -> Option<MotionFiles> {
+        let before = self.problems.len();
+        let mut reader = WordReader::new(&written.reading);
+        let files = MotionFiles::read(&mut reader, self.base_dir);
+        for problem in reader.problems {
+            let key = problem.keys.first().copied().unwrap_or_default();
+            self.fault(written.reading.line_of(&problem.keys), key, problem);
+        }
+        (self.problems.len() == before).then_some(files)
+    }
+
     /// Reads `motions`, and their second components from `across`, as the keys of `[ground]` say.
     pub(super) fn motions(
         &mut self,
@@ -49,26 +58,18 @@ impl Resolver<'_> {
         across: &Option<Files>,
     ) -> Option<Vec<RecordedMotion>> {
         let before = self.problems.len();
-        let unit_only = ReadOptions { unit: written.unit.clone().map(|unit| unit.value), ..ReadOptions::default() };
-        let dt_only = ReadOptions { dt_s: written.dt_s.as_ref().map(|dt| dt.value), ..ReadOptions::default() };
-        let lines = [written.unit.as_ref().map(|w| w.line), written.dt_s.as_ref().map(|w| w.line)];
-        for ((key, line), options) in ["unit", "dt"].into_iter().zip(lines).zip([&unit_only, &dt_only]) {
-            if let Err(problem) = options.check() {
-                self.fault(line, key, problem.named(key));
-            }
-        }
-        let processing = self.processing(written);
         if motions.value.is_empty() {
             self.note(Some(motions.line), "motions is empty", "name at least one file, or leave motions out");
             return None;
         }
-        self.exclusive(("component", &written.component), ("components", &written.components));
+        let component = written.reading.line_of(&["component"]).map(|line| Written { value: (), line });
+        self.exclusive(("component", &component), ("components", &written.components));
         self.exclusive(("across", across), ("components", &written.components));
         if let Some(across) = across.as_ref().filter(|across| across.value.len() != motions.value.len()) {
             let (first, second) = (motions.value.len(), across.value.len());
             self.note(
                 Some(across.line),
-                format!("across has {second} files, and motions {first}"),
+                format!("across names {}, but motions names {}", counted(second, "file"), counted(first, "file")),
                 "name one file in across for each motion, in the same order",
             );
         }
@@ -76,6 +77,7 @@ impl Resolver<'_> {
         if written.is_incomplete || self.problems.len() > before {
             return None;
         }
+        let reading = self.reading.clone()?;
         let path = |file: &Written<String>| self.base_dir.join(&file.value);
         let second = match (across, &written.components) {
             (Some(files), _) => Second::Files(files.value.iter().map(path).collect()),
@@ -85,18 +87,7 @@ impl Resolver<'_> {
             }
             (None, None) => Second::None,
         };
-        let files = MotionFiles {
-            paths: motions.value.iter().map(path).collect(),
-            read: ReadOptions {
-                unit: unit_only.unit,
-                uneven_dt_s: processing.resample_dt_s,
-                station_xml: written.station_xml.as_ref().map(|file| self.base_dir.join(&file.value)),
-                ..dt_only
-            },
-            component: written.component.as_ref().map(|w| w.value.clone()),
-            second,
-            processing,
-        };
+        let files = MotionFiles { paths: motions.value.iter().map(path).collect(), second, ..reading };
         let lines: Vec<usize> = motions.value.iter().map(|file| file.line).collect();
         self.read(&files, Some(&lines))
     }
@@ -118,8 +109,8 @@ impl Resolver<'_> {
         all_read.then(|| motions.into_iter().map(|read| read.motion).collect())
     }
 
-    /// Notes all keys of the ground and the building where the motions of floors are given, since
-    /// there is then neither. Every level must have as many motions as the others, and second
+    /// Checks a study that gives the motions of its floors. Ground and building are then not used,
+    /// so all their keys are noted. Every level must have as many motions as the others, and second
     /// components if the others have them.
     pub(super) fn check_measured(
         &mut self,
@@ -133,7 +124,9 @@ impl Resolver<'_> {
             ("across", ground.across.as_ref().map(|w| w.line)),
             ("match", ground.match_by.as_ref().map(|w| w.line)),
         ];
-        for (key, line) in synthetic_keys(ground).into_iter().chain(motions).chain(model_keys(building)) {
+        // Those of the second axis are in `across`.
+        let model_keys = building.words.lines().filter(|(key, _)| !key.starts_with("across_"));
+        for (key, line) in synthetic_keys(ground).into_iter().chain(motions).chain(model_keys) {
             if line.is_some() {
                 let message = format!("{key} has no effect: the study gives the motions of its floors");
                 self.note(line, message, format!("leave {key} or the motions of the levels out"));
@@ -149,12 +142,20 @@ impl Resolver<'_> {
             self.note(Some(entry.line), "this level has no motions, but others do", hint);
         }
         let line = building.levels.as_ref().map(|levels| levels.line);
-        let Some((first, others)) = levels.split_first() else { return };
-        for level in others.iter().filter(|level| level.motions.len() != first.motions.len()) {
+        // A level without motions was told above, or its files could not be read.
+        let mut with_motions = levels.iter().filter(|level| !level.motions.is_empty());
+        let Some(first) = with_motions.next() else { return };
+        for level in with_motions.filter(|level| level.motions.len() != first.motions.len()) {
             let (one, two) = (level.motions.len(), first.motions.len());
             self.note(
                 line,
-                format!("level \"{}\" has {one} motions, and \"{}\" {two}", level.name, first.name),
+                format!(
+                    "level \"{}\" has {}, but level \"{}\" has {}",
+                    level.name,
+                    counted(one, "motion"),
+                    first.name,
+                    counted(two, "motion")
+                ),
                 "give every level the same number of motions, with those of one earthquake at the same place in the \
                  lists",
             );
@@ -172,11 +173,11 @@ impl Resolver<'_> {
         let line = written.rotation_step_rad.as_ref().map(|w| w.line);
         let given = written.rotation_step_rad.as_ref().map(|step| azimuth_deg(step.value));
         let Some(step_deg) = overrides.rotation_step_deg.or(given) else {
-            return if two { half_turn(ROTATION_STEP_DEG) } else { vec![0.0] };
+            return if two { half_turn(DEFAULT_ROTATION_STEP_DEG) } else { vec![0.0] };
         };
         if !(FINEST_STEP_DEG..=90.0).contains(&step_deg) {
             let message = format!("`rotation_step` must be from {FINEST_STEP_DEG} to 90 degrees, not {step_deg}");
-            self.note(line, message, "a step of 15 deg gives twelve directions");
+            self.note(line, message, "give a step such as \"15 deg\", which makes twelve directions");
             return vec![0.0];
         }
         if !two {

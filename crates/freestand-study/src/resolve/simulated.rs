@@ -7,7 +7,7 @@ use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::options::{GroundOptions, PointSourceOptions};
 use crate::simulated::{DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source};
 use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, SimulatedGround};
-use crate::target::Target;
+use crate::target::{Target, key_of_other_code};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
@@ -33,7 +33,7 @@ impl Resolver<'_> {
             return None;
         }
         let SourceInput { preset, changes, options, .. } = input?;
-        let site = hazard.as_ref().map_or(site, |target| SiteClass::parse(target.spectrum.site_name()?).ok());
+        let site = hazard.as_ref().map_or(site, Target::site_class);
         let seed = overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED));
         let request = SimulatedRequest {
             preset,
@@ -86,17 +86,16 @@ impl Resolver<'_> {
         if at_site.target.get("site").is_none() {
             at_site.target.set("site", DEFAULT_SITE.name());
         }
-        let other = |key: &str, value: &str| key == "spectrum" || (key == "code" && !is_as1170_4(value));
-        if let Some((key, _)) = written.target.entries().find(|(key, text)| other(key, text)) {
-            let hint = "use another code for synthetic or matched motions, or give a magnitude and a distance";
-            let message = format!("{key}: pairs are searched for by AS 1170.4 only");
+        if let Some(key) = key_of_other_code(&written.target) {
+            let hint = format!("leave {key} out: other spectra are for synthetic or matched motions");
+            let message = format!("{key}: pairs = true searches for earthquakes that fit AS 1170.4 only");
             self.note(written.target.line_of(&[key]), message, hint);
             return None;
         }
         self.target(&at_site)
     }
 
-    /// One earthquake needs no spectrum, only the ground at the site.
+    /// The ground at the site of one earthquake, which needs no spectrum.
     fn site_of_one(&mut self, written: &GroundOptions) -> Option<SiteClass> {
         let mut site = Some(DEFAULT_SITE);
         for (key, text) in written.target.entries() {
@@ -105,19 +104,19 @@ impl Resolver<'_> {
                 site = SiteClass::parse(text).ok();
                 if site.is_none() {
                     let message = format!("site \"{}\" is not a class of AS 1170.4", shorten(text));
-                    self.note(line, message, "Ae, Be, Ce, De or Ee; without site, Be (rock) is used");
+                    self.note(line, message, "use Ae, Be, Ce, De or Ee; without site, Be (rock) is used");
                 }
             } else {
                 let hint =
                     format!("leave {key} out, or search for earthquakes with pairs = true instead of a distance");
-                let message = format!("{key} needs pairs = true: one magnitude and distance need no code");
+                let message = format!("{key} needs pairs = true: a given magnitude and distance need no code");
                 self.note(line, message, hint);
             }
         }
         site
     }
 
-    /// Motions of each earthquake.
+    /// The number of motions of each earthquake.
     fn count_of_each(&mut self, written: &GroundOptions, earthquakes: u64) -> u64 {
         let count = or(&written.count, DEFAULT_MOTIONS);
         let most = MAX_MOTIONS / earthquakes;
@@ -129,8 +128,4 @@ impl Resolver<'_> {
         }
         count.clamp(1, most)
     }
-}
-
-fn is_as1170_4(code: &str) -> bool {
-    code.to_lowercase().replace([' ', '-', '_'], "").starts_with("as1170")
 }

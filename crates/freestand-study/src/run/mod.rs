@@ -30,11 +30,34 @@ pub const LONGEST_TAIL_S: f64 = 120.0;
 /// Damping of all spectra in figures.
 pub use freestand::oscillator::DAMPING_RATIO as SPECTRUM_DAMPING_RATIO;
 
+/// What a run is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say what is calculated")]
+pub enum Stage {
+    GroundMotions,
+    FloorMotions,
+    RockingHistories,
+    /// The objects of an inventory.
+    Objects,
+}
+
+impl Stage {
+    /// The name next to the bar of progress.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::GroundMotions => "ground motions",
+            Self::FloorMotions => "floor motions",
+            Self::RockingHistories => "rocking histories",
+            Self::Objects => "objects",
+        }
+    }
+}
+
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
-    /// What is being done.
-    pub stage: &'static str,
+    /// What is being done; `None`: nothing new, the call only asks whether to stop.
+    pub stage: Option<Stage>,
     /// Histories that are done.
     pub done: usize,
     /// Histories in all.
@@ -58,21 +81,21 @@ pub fn spectrum_periods_s() -> Vec<f64> {
 /// Runs `study` on the current thread pool; the result does not depend on the number of threads.
 ///
 /// # Errors
-/// A motion that cannot be made or filtered, or a run that was stopped. An object that cannot be
-/// followed is a row with its reason, not an error.
+/// A motion that cannot be calculated, or a run that was stopped. A history that fails is a row
+/// with its reason, not an error.
 pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let names = study.ground.names(&study.levels);
     let directions = study.directions_deg.len();
     let total = study.levels.len() * study.objects.blocks.len() * names.len() * directions;
     let tell = |stage, done| {
-        progress(Step { stage, done, total })
+        progress(Step { stage: Some(stage), done, total })
             .is_continue()
             .then_some(())
             .ok_or_else(|| Problems::from(Problem::stopped()))
     };
-    let ground = ground_motions(&study.ground, || tell("ground motions", 0))?;
-    let floors = floors(study, &ground, || tell("floor motions", 0))?;
-    let profile = floor_profile(study, &ground, || tell("floor motions", 0))?;
+    let ground = ground_motions(&study.ground, || tell(Stage::GroundMotions, 0))?;
+    let floors = floors(study, &ground, || tell(Stage::FloorMotions, 0))?;
+    let profile = floor_profile(study, &ground, || tell(Stage::FloorMotions, 0))?;
 
     let finished = std::sync::atomic::AtomicUsize::new(0);
     let pairs: Vec<(usize, usize)> =
@@ -84,7 +107,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
             for &direction_deg in &study.directions_deg {
                 let row = object_responses(study, &floors[level][motion], direction_deg);
                 let done = finished.fetch_add(row.len(), std::sync::atomic::Ordering::Relaxed) + row.len();
-                tell("rocking histories", done)?;
+                tell(Stage::RockingHistories, done)?;
                 governing = if governing.is_empty() { row } else { larger(governing, row) };
             }
             Ok(governing)

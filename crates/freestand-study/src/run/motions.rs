@@ -7,14 +7,16 @@ use freestand::synthesis::{Misfit, SynthesisOptions, synthesize};
 use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
-use crate::floor::{code_parts, every_floor, largest_psa_m_s2};
+use crate::floor::{every_floor, largest_psa_m_s2};
+use crate::matched::synthetic_name;
 use crate::result::{FloorProfile, GroundMotion, PseudoSpectrum};
 use crate::simulated::simulator;
-use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, synthetic_name};
+use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study};
+use crate::target::code_parts;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 
-/// Calls `go_on` before each motion, since a thousand of them take minutes.
+/// Calls `go_on` before each motion, so that it can stop the run: a thousand motions take minutes.
 pub fn ground_motions(
     ground: &Ground,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
@@ -145,7 +147,7 @@ pub(super) fn floor_profile(
     let code = study
         .ground
         .code_spectrum()
-        .and_then(|target| code_parts(&target.spectrum, building.height_m, period_s, &levels_ratio));
+        .and_then(|target| code_parts(&target.spectrum, Some(building.height_m), Some(period_s), &levels_ratio));
     Ok(Some(FloorProfile { levels_ratio, pfa_g, pfv_m_s, code }))
 }
 

@@ -3,31 +3,21 @@
 use freestand::G0_M_S2;
 use freestand::impact::{ASSUMED_FRICTION, ImpactModel, Landing, compression_warnings, impact_friction_needed_ratio};
 use freestand::rocking::{Outcome, RockingModel, StopReason};
-use freestand::synthesis;
 
 use crate::cushion::EdgeCushion;
+use crate::matched::peak_warning;
 use crate::result::{GroundMotion, LevelResult, ObjectResponse};
 use crate::study::Study;
 
 /// One sentence each.
 pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[LevelResult]) -> Vec<String> {
-    let mut warnings = Vec::new();
-    let above: Vec<f64> =
-        ground.iter().filter_map(|g| g.misfit.as_ref()).map(|misfit| misfit.pga_g / misfit.target_zpa_g).collect();
-    if let Some(most) = above.iter().copied().reduce(f64::max)
-        && most > 1.1
-    {
-        warnings.push(format!(
-            "the matched motions have up to {most:.2} times the target's zero-period acceleration as PGA: their \
-             spectra are matched only from {} s on, and a motion with this plateau cannot have such a small peak",
-            synthesis::SHORTEST_PERIOD_S
-        ));
-    }
+    let peak = peak_warning(ground.iter().filter_map(|motion| motion.misfit.as_ref()));
+    let mut warnings: Vec<String> = peak.into_iter().collect();
     let rows = || levels.iter().flat_map(|level| level.responses.iter().flatten());
     let failed = rows().filter(|response| matches!(response, ObjectResponse::Failed(_))).count();
     if failed > 0 {
         warnings.push(format!(
-            "{failed} of {} histories could not be followed: see the column reason of srs.csv",
+            "{failed} of {} histories could not be calculated: see the column reason of srs.csv",
             rows().count()
         ));
     }
@@ -37,7 +27,7 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
         .count();
     if unsettled > 0 {
         warnings.push(format!(
-            "{unsettled} of {} histories were still rocking when they were stopped after the motion: their last \
+            "{unsettled} of {} histories had not come to rest when the calculation stopped after the motion: later \
              impacts are not counted",
             rows().count()
         ));
@@ -49,8 +39,8 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
     let squat = objects.blocks.iter().filter(|b| RockingModel::Rigid.uplift_threshold_ratio(b) > friction).count();
     if squat > 0 {
         warnings.push(format!(
-            "{squat} of {} objects have a t/h above the friction of {friction}{assumed}: they slide before they \
-             uplift, which the model neglects",
+            "for {squat} of {} objects t/h is above the friction of {friction}{assumed}: such objects slide before \
+             they uplift, which the model neglects",
             objects.blocks.len()
         ));
     }
@@ -64,8 +54,8 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
         .count();
     if slipping > 0 {
         warnings.push(format!(
-            "{slipping} of {} objects need more friction in an impact than {friction}{assumed}: the edge that lands \
-             may slip",
+            "for {slipping} of {} objects the friction needed in an impact is above {friction}{assumed}: the edge \
+             that lands may slip",
             objects.blocks.len()
         ));
     }

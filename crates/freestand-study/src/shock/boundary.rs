@@ -25,7 +25,7 @@ pub struct DamageBoundaryReport {
 const CURVE_POINTS: u32 = 200;
 
 impl DamageBoundaryReport {
-    /// `None`: no boundary is known.
+    /// The boundary of a request and the demand; `None` if no boundary is known.
     pub(super) fn new(request: &ShockRequest, edge_m_s2: f64, impact: &Impact) -> Option<Self> {
         let of_component = || {
             let (frequency_hz, capacity) = (request.component_frequency_hz?, request.component_capacity_m_s2?);
@@ -41,8 +41,8 @@ impl DamageBoundaryReport {
         self.boundary.demand_ratio(self.demand.1, self.demand.0)
     }
 
-    /// Its part of the document; the critical acceleration holds alone from the knee on, at (π/2)
-    /// V_c.
+    /// Its part of the document. Beyond the knee, at (π/2) V_c, the critical acceleration alone is
+    /// the boundary.
     pub(super) fn facts(&self) -> Facts<'static> {
         let (a_c_g, v_c_m_s) = (self.boundary.acceleration_m_s2() / G0_M_S2, self.boundary.velocity_change_m_s());
         Facts::default()

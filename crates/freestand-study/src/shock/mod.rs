@@ -78,7 +78,7 @@ pub enum Energy {
 /// A landing to be evaluated: SI units, `None` where a value is not given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShockRequest {
-    /// The object; it tilts to the left and lands on its right edge.
+    /// The object; it rotates about its left edge and lands on its right edge.
     pub block: Block,
     /// Its mass \[kg\].
     pub mass_kg: f64,
@@ -88,7 +88,7 @@ pub struct ShockRequest {
     pub contact_stiffness_n_m: Option<f64>,
     /// A measured drop acceleration (same mass, same rise) in place of the stiffness \[m/s²\].
     pub drop_acceleration_m_s2: Option<f64>,
-    /// The energy; overturning has its own.
+    /// The energy; an object that falls over needs none here.
     pub energy: Option<Energy>,
     /// What ends the fall.
     pub scenario: Scenario,
@@ -102,7 +102,7 @@ pub struct ShockRequest {
     pub at_m: Option<(f64, f64)>,
     /// Gravity \[m/s²\].
     pub gravity_m_s2: f64,
-    /// Coefficient of friction, for the guard against sliding.
+    /// Coefficient of friction, for the warning about sliding.
     pub friction_ratio: Option<f64>,
     /// Peak acceleration that the object withstands \[m/s²\].
     pub tolerance_m_s2: Option<f64>,
@@ -112,7 +112,7 @@ pub struct ShockRequest {
     pub tolerance_velocity_change_m_s: Option<f64>,
     /// Tests of the object, in place of the peak and the velocity change that it withstands.
     pub boundary_tests: Option<BoundaryTests>,
-    /// Uplift from which it may fall back: bench handling \[m\].
+    /// Uplift from which it may fall back undamaged: bench handling \[m\].
     pub tolerance_edge_lift_m: Option<f64>,
     /// Frequency of its most delicate component \[Hz\], with
     /// [`ShockRequest::component_capacity_m_s2`].
@@ -122,7 +122,7 @@ pub struct ShockRequest {
 }
 
 impl ShockRequest {
-    /// An object and its mass; everything else is open.
+    /// A request with an object and its mass; no other value is given.
     pub fn new(block: Block, mass_kg: f64) -> Self {
         Self {
             block,
@@ -156,7 +156,7 @@ pub enum Verdict {
     Ok,
     /// One is exceeded.
     Exceeded,
-    /// No tolerance was given that this landing can be compared with.
+    /// This landing cannot be compared with any tolerance that was given.
     None,
 }
 
@@ -244,12 +244,12 @@ fn contradictions(request: &ShockRequest) -> impl Iterator<Item = Problem> {
         ),
         (
             !(request.mass_kg > 0.0 && request.mass_kg.is_finite()),
-            "the mass must be positive and finite",
+            "`mass` must be positive and finite",
             "give `mass` in kg or t",
         ),
         (
             request.scenario != Scenario::Rocking && request.model.is_some_and(|model| model != ImpactModel::Halted),
-            "the landing is halted in every scenario but rocking",
+            "`model` belongs to the scenario rocking: in all others the landing is halted",
             "leave `model` out",
         ),
         (
@@ -339,15 +339,15 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
                 rise_m: Some(fall),
                 rotation_rad: None,
                 warning: Some(
-                    "the fall starts from rest at the balance point: this is a lower estimate, because a rocking \
-                     history still has some speed there"
+                    "the fall starts from rest at the balance point: this is a lower estimate, because an object \
+                     that overturns while rocking still has some speed there"
                         .to_owned(),
                 ),
             }),
             None if request.scenario == Scenario::OverturnFloor => Err(Problem::value(
                 "on its side the centre of gravity is higher than at the balance point: there is no fall to provide \
                  the energy",
-                "check the centre of gravity and the base width, or give the `angular_velocity` of the contact",
+                "check the centre of gravity and the base width, or give the `angular_velocity` before the contact",
             )),
             None => Err(Problem::value(
                 "the object touches the obstacle before it reaches its balance point: there is no fall to provide \
@@ -427,12 +427,12 @@ fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &F
     };
     let edge_m_s2 = edge_of(landing);
     let overturns = request.scenario.overturns();
-    // A law close to its end gives numbers of any size before it gives none.
+    // Close to the end of its range a contact law gives numbers of any size, beyond it none.
     let largest_m_s2 = edge_m_s2.max(drop_m_s2);
     if edge_m_s2.is_nan() || largest_m_s2 > BEYOND_ALL_G * G0_M_S2 {
         return Err(Problem::value(
             "the shock is too large to calculate",
-            "check the sizes, the mass and the cushion: one that bottoms must hold the energy of the landing",
+            "check the sizes, the mass and the cushion: one that bottoms must absorb the energy of the landing",
         ));
     }
 
@@ -476,7 +476,7 @@ fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &F
     {
         warnings.push("the point `at` lies outside the object".to_owned());
     }
-    // The advice is about springs: for another law it would not be the stiffness that was stated.
+    // Only a spring has a largest stiffness: that of another law would not be the one stated.
     let rise_on_a_spring_m = fall.rise_m.filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
     let (max_stiffness_n_m, stiffness_note) =
         rise_on_a_spring_m.map_or((None, None), |rise_m| max_stiffness(request, landing, rise_m, uplift_m));
@@ -497,7 +497,7 @@ fn report(request: &ShockRequest, landing: &Landing, contact: &Contact, fall: &F
     let ceiling_g = ceiling_m_s2.map(|a| a / G0_M_S2).filter(|ceiling_g| ceiling_g.is_finite());
     let omega_rad_s = fall.rise_m.map(|rise_m| landing.omega_rad_s(rise_m, gravity));
     let governing = compared.as_ref().map(|compared| compared.governing);
-    // Without a tolerance there is no verdict to read.
+    // Without a tolerance the verdict is left out of the text.
     let label = if compared.is_some() { "verdict" } else { "" };
     let ratio = compared.as_ref().map(|compared| compared.ratio);
     let verdict = match ratio {
@@ -567,8 +567,8 @@ fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<Stri
     kinds.into_iter().filter(|(is_left, _)| *is_left).map(|(_, words)| words.to_owned()).collect()
 }
 
-/// The spring on which the mass dropped by the same rise meets the measured acceleration; `None`
-/// where no rise is known.
+/// The spring on which the mass, dropped by the same rise, reaches the measured acceleration;
+/// `None` if no rise was given.
 fn implied_spring(
     measured_m_s2: f64,
     mass_kg: f64,
@@ -581,7 +581,7 @@ fn implied_spring(
     let Ok(spring) = Cushion::linear(implied_n_m) else {
         return Err(Problem::value(
             "a drop from no height gives no acceleration",
-            "give the rise at which it was measured",
+            "give a rise above 0 at which it was measured",
         ));
     };
     notes.push(format!("the measured drop acceleration implies {}", format_si(implied_n_m, Dimension::Stiffness)));

@@ -9,7 +9,7 @@ use freestand::damage_boundary::KNEE_RATIO;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_records::tables::{DamageRow, load_damage_points};
+use freestand_records::tables::{DamageRow, TestMethod, load_damage_points};
 
 /// The longest pulse of Method A \[s\].
 const MAX_METHOD_A_S: f64 = 3e-3;
@@ -17,8 +17,8 @@ const MAX_METHOD_A_S: f64 = 3e-3;
 /// One shock of a test.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TestPoint {
-    /// `A` or `B`.
-    pub method: char,
+    /// Its method.
+    pub method: TestMethod,
     /// Δv \[m/s\].
     pub velocity_change_m_s: f64,
     /// A \[g\].
@@ -29,7 +29,8 @@ pub struct TestPoint {
     pub line: usize,
 }
 
-/// The largest value that was survived and the smallest that damaged; `None` where no test tells.
+/// The largest value that was survived and the smallest that damaged; `None` where there is no
+/// such test.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Bracket {
     /// The largest that was survived below the first damage: the critical value.
@@ -38,7 +39,7 @@ pub struct Bracket {
     pub damaged: Option<f64>,
 }
 
-/// The tests of an object and what they tell of its damage boundary.
+/// The tests of an object and what they show about its damage boundary.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BoundaryTests {
     /// V_c, by Method A.
@@ -65,8 +66,8 @@ impl BoundaryTests {
             method.and(facts!(point; velocity_change_m_s, peak_acceleration_g, damaged, line))
         };
         let (v, a) = (self.critical_velocity_change_m_s, self.critical_acceleration_g);
-        let v = facts!(v; survived "velocity change that was survived", damaged "velocity change that damaged");
-        let a = facts!(a; survived "peak that was survived", damaged "peak that damaged");
+        let v = facts!(v; survived "largest survived velocity change", damaged "smallest damaging velocity change");
+        let a = facts!(a; survived "largest survived peak", damaged "smallest damaging peak");
         Facts::default()
             .key("critical_velocity_change_m_s", v)
             .key("critical_acceleration_g", a)
@@ -75,7 +76,7 @@ impl BoundaryTests {
 }
 
 /// Reads the tests of an object: columns of velocity change, peak acceleration and `damaged`,
-/// perhaps `method` (A or B) or a duration.
+/// and optionally `method` (A or B) or a duration.
 ///
 /// Where the method is not stated, it follows from the duration: up to 3 ms is Method A. Where
 /// neither is stated, it follows from velocity change and peak: a pulse lasts between Δv/A (a
@@ -84,7 +85,7 @@ impl BoundaryTests {
 /// # Reference
 /// ASTM D3332, in our own words: V_c and A_c are the last values that were survived before the
 /// first damage; Method B is run at 1.57 V_c or more, so a shock survived below that says nothing
-/// of A_c.
+/// about A_c.
 ///
 /// # Errors
 /// A file without such columns, a point whose method is not known, damage at or below a survived
@@ -105,7 +106,9 @@ pub fn boundary_tests(path: &Path) -> Result<BoundaryTests, Problems> {
             Err(problem) => problems.push(problem),
         }
     }
-    for (method, what, size) in [('A', "velocity change", velocity_change as Size), ('B', "peak", peak as Size)] {
+    for (method, what, size) in
+        [(TestMethod::A, "velocity change", velocity_change as Size), (TestMethod::B, "peak", peak as Size)]
+    {
         problems.extend(contradiction(&points, method, what, size));
     }
     if problems.is_empty() {
@@ -125,7 +128,7 @@ fn peak(point: &TestPoint) -> f64 {
     point.peak_acceleration_g
 }
 
-fn method(row: &DamageRow) -> Result<char, Problem> {
+fn method(row: &DamageRow) -> Result<TestMethod, Problem> {
     if let Some(method) = row.method {
         return Ok(method);
     }
@@ -133,9 +136,9 @@ fn method(row: &DamageRow) -> Result<char, Problem> {
     let (shortest_s, longest_s) =
         row.duration_s.map_or((rectangle_s, 2.0 * rectangle_s), |duration_s| (duration_s, duration_s));
     if longest_s <= MAX_METHOD_A_S {
-        Ok('A')
+        Ok(TestMethod::A)
     } else if shortest_s > MAX_METHOD_A_S {
-        Ok('B')
+        Ok(TestMethod::B)
     } else {
         let message = "velocity change and peak do not tell whether this shock belongs to Method A or B";
         let problem = Problem::new(ProblemKind::Value, message).at_line(row.line);
@@ -144,14 +147,14 @@ fn method(row: &DamageRow) -> Result<char, Problem> {
 }
 
 /// A problem where a shock of a method was survived at or above the first damage.
-fn contradiction(points: &[TestPoint], method: char, what: &str, size: Size) -> Option<Problem> {
+fn contradiction(points: &[TestPoint], method: TestMethod, what: &str, size: Size) -> Option<Problem> {
     let of = |damaged: bool| points.iter().filter(move |point| point.method == method && point.damaged == damaged);
     let first = of(true).min_by(|a, b| size(a).total_cmp(&size(b)))?;
     let last = of(false).max_by(|a, b| size(a).total_cmp(&size(b)))?;
     (size(last) >= size(first)).then(|| {
         let message = format!(
-            "Method {method}: this {what} damaged, but line {} survived no smaller one; the tests contradict each \
-             other",
+            "Method {method}: this {what} did damage, but that of line {} is at least as large and was survived; \
+             the tests contradict each other",
             last.line
         );
         let problem = Problem::new(ProblemKind::Value, message).at_line(first.line);
@@ -161,29 +164,33 @@ fn contradiction(points: &[TestPoint], method: char, what: &str, size: Size) -> 
 
 fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     let mut warnings = Vec::new();
-    let bracket = |method: char, size: Size, counts: &dyn Fn(&TestPoint) -> bool| {
+    let bracket = |method: TestMethod, size: Size, counts: &dyn Fn(&TestPoint) -> bool| {
         let of = |damaged: bool| points.iter().filter(move |point| point.method == method && point.damaged == damaged);
         Bracket {
             survived: of(false).filter(|point| counts(point)).map(size).max_by(f64::total_cmp),
             damaged: of(true).map(size).min_by(f64::total_cmp),
         }
     };
-    let v = bracket('A', velocity_change, &|_| true);
+    let v = bracket(TestMethod::A, velocity_change, &|_| true);
     let knee_m_s = v.survived.map(|survived| KNEE_RATIO * survived);
     // 1.57, as the standard rounds it, is enough.
     let beyond_knee = |point: &TestPoint| knee_m_s.is_none_or(|knee| point.velocity_change_m_s >= 0.999 * knee);
-    let a = bracket('B', peak, &beyond_knee);
-    for (method, what, found) in [('A', "critical velocity change", v), ('B', "critical acceleration", a)] {
+    let a = bracket(TestMethod::B, peak, &beyond_knee);
+    for (method, what, found) in
+        [(TestMethod::A, "critical velocity change", v), (TestMethod::B, "critical acceleration", a)]
+    {
         let tested = points.iter().any(|point| point.method == method);
         match (found.survived, found.damaged) {
             (None, _) if !tested => {
-                warnings.push(format!("no damage boundary: no shock of Method {method}, which gives the {what}"));
+                warnings.push(format!(
+                    "no damage boundary: the tests have no shock of Method {method}, which gives the {what}"
+                ));
             }
             (None, Some(_)) => warnings.push(format!(
                 "no damage boundary: no shock of Method {method} below the first damage was survived, so the {what} \
                  is not known"
             )),
-            (None, None) => warnings.push(format!("no damage boundary: no shock of Method {method} counts")),
+            (None, None) => warnings.push(format!("no damage boundary: every shock of Method {method} is ignored")),
             (Some(_), None) => warnings.push(format!(
                 "no shock of Method {method} did damage: the {what} is at least the largest survived one"
             )),
@@ -195,15 +202,15 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
             points.iter().filter(|point| is_it(point)).map(|point| point.line.to_string()).collect();
         (!found.is_empty()).then(|| found.join(", "))
     };
-    if let Some(found) = lines(&|point| point.method == 'B' && !point.damaged && !beyond_knee(point)) {
+    if let Some(found) = lines(&|point| point.method == TestMethod::B && !point.damaged && !beyond_knee(point)) {
         warnings.push(format!(
-            "shocks of Method B below 1.57 times the critical velocity change say nothing of the critical \
-             acceleration and do not count: line {found}"
+            "shocks of Method B below 1.57 times the critical velocity change say nothing about the critical \
+             acceleration and are ignored: line {found}"
         ));
     }
     // Below A_c every velocity change is survived.
     let says_nothing = |point: &TestPoint| {
-        point.method == 'A'
+        point.method == TestMethod::A
             && !point.damaged
             && v.survived == Some(point.velocity_change_m_s)
             && a.survived.is_some_and(|a_c| point.peak_acceleration_g <= a_c)
@@ -239,7 +246,7 @@ mod tests {
         assert!((a.survived.unwrap() - 30.0).abs() < 1e-12 && (a.damaged.unwrap() - 35.0).abs() < 1e-12);
         let (a_c, v_c) = tests.critical().unwrap();
         assert!((a_c - 30.0 * G0_M_S2).abs() < 1e-12 && v_c == 0.9);
-        assert_eq!((tests.points.len(), tests.points[3].method, tests.warnings.len()), (6, 'B', 0));
+        assert_eq!((tests.points.len(), tests.points[3].method, tests.warnings.len()), (6, TestMethod::B, 0));
     }
 
     /// The order of the lines changes nothing.
@@ -260,22 +267,22 @@ mod tests {
         // 6.8 ms at least; 1.5 m/s at 60 g between 2.5 and 5.1 ms.
         let names = "velocity change [m/s],peak [g],damaged\n";
         let tests = read(&format!("{names}1,100,0\n2,30,0\n")).unwrap();
-        assert_eq!(tests.points.iter().map(|point| point.method).collect::<String>(), "AB");
+        assert_eq!(tests.points.iter().map(|point| point.method.to_string()).collect::<String>(), "AB");
         let asked = read(&format!("{names}1,100,0\n1.5,60,0\n")).unwrap_err();
         assert!(asked.contains(":3: ") && asked.contains("Method A or B") && asked.contains("column \"method\""));
         let names = "velocity change [m/s],peak [g],damaged,duration [ms]\n";
         let tests = read(&format!("{names}1.5,60,0,3\n1.5,60,0,4\n")).unwrap();
-        assert_eq!(tests.points.iter().map(|point| point.method).collect::<String>(), "AB");
+        assert_eq!(tests.points.iter().map(|point| point.method.to_string()).collect::<String>(), "AB");
     }
 
     #[test]
     fn contradictions_are_refused_with_their_lines() {
         let said = read(&format!("{NAMES}1.1,180,no,A\n0.9,150,yes,A\n1.6,20,no,B\n1.6,20,yes,B\n")).unwrap_err();
         assert!(
-            said.contains(":3: Method A: this velocity change damaged") && said.contains("line 2 survived"),
+            said.contains(":3: Method A: this velocity change did damage") && said.contains("line 2 is at least"),
             "{said}"
         );
-        assert!(said.contains(":5: Method B: this peak damaged") && said.contains("line 4 survived"), "{said}");
+        assert!(said.contains(":5: Method B: this peak did damage") && said.contains("line 4 is at least"), "{said}");
         // A peak above the first damage of the other method is no contradiction.
         assert!(read(&format!("{NAMES}{POINTS}0.5,400,no,A\n")).is_ok());
     }
@@ -287,7 +294,7 @@ mod tests {
             ("1.6,30,no,B\n1.6,35,yes,B\n", "no shock of Method A, which gives the critical velocity change"),
             ("0.9,150,no,A\n1.6,35,yes,B\n", "no shock of Method B below the first damage was survived"),
             // 1.57 × 0.9 = 1.413
-            ("0.9,150,no,A\n1.4,30,no,B\n", "do not count: line 3"),
+            ("0.9,150,no,A\n1.4,30,no,B\n", "are ignored: line 3"),
         ];
         for (points, said) in cases {
             let tests = read(&format!("{NAMES}{points}")).unwrap();

@@ -1,4 +1,4 @@
-//! Demand over capacity of one landing, by everything that is known of the object's tolerance.
+//! Demand/capacity of one landing, by every kind of tolerance that is known of the object.
 
 use freestand::cushion::Cushion;
 use freestand::damage_boundary::{DamageBoundary, half_sine_duration_s};
@@ -11,14 +11,14 @@ use freestand_output::facts::Facts;
 
 use super::ShockRequest;
 
-/// Demand over capacity by each kind of tolerance that is known.
+/// Demand/capacity by each kind of tolerance that is known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct DemandCapacity {
     /// A/A_c.
     pub(super) peak: Option<f64>,
     /// Δv/V_c.
     pub(super) velocity_change: Option<f64>,
-    /// min(A/A_c, Δv/V_c): the damage boundary is an AND.
+    /// min(A/A_c, Δv/V_c): only a shock that exceeds both is beyond the damage boundary.
     pub(super) damage_boundary: Option<f64>,
     /// The largest ratio of the two shock response spectra over frequency.
     pub(super) spectrum: Option<f64>,
@@ -152,8 +152,8 @@ pub(super) fn max_stiffness(
         };
         return (None, Some(note));
     }
-    // The first stiffness that exceeds, in steps of a factor of 1.3: no peak of a response curve is
-    // narrower.
+    // The first stiffness at which a tolerance is exceeded, in steps of a factor of 1.3: no peak of
+    // a response curve is narrower.
     let steps = 128;
     let grid = |i: usize| low + (high - low) * i as f64 / f64::from(steps);
     let Some(first) = (1..=steps as usize).find(|&i| exceeded(grid(i))) else {

@@ -35,7 +35,7 @@ pub struct BoundaryPicture {
 
 /// Height of the panel \[px\].
 const PANEL_PX: f64 = 420.0;
-/// The largest number of curves that the legend names; of more it states the number.
+/// The largest number of curves that the legend names; it states how many more there are.
 const MAX_NAMED: usize = 12;
 /// The number of decades shown below the largest value: lower values are rounding errors.
 const DECADES: f64 = 6.0;
@@ -129,7 +129,7 @@ pub(crate) fn damage_boundary(picture: &BoundaryPicture) -> Page {
     let words = if picture.safe { "this landing: no damage" } else { "this landing: damage" };
     let mut legend = vec![
         Entry { sign: sign(rectangle.colour, None), words: "rectangle of ASTM D3332".to_owned() },
-        Entry { sign: sign(exact.colour, Some("10 6")), words: "with its knee".to_owned() },
+        Entry { sign: sign(exact.colour, Some("10 6")), words: "curve of a component".to_owned() },
     ];
     legend.extend(shocks.into_iter().map(|(filled, words)| {
         let sign = Sign::Square { colour: tested.colour, filled };

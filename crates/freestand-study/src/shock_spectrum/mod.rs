@@ -32,7 +32,7 @@ pub struct ShockSpectrumRequest {
     pub damping_ratio: f64,
     /// Frequencies of the oscillators \[Hz\].
     pub frequencies_hz: Vec<f64>,
-    /// Add samples where an oscillator has few in a period.
+    /// Whether to add samples for oscillators with few in a period.
     pub upsample: bool,
 }
 
@@ -43,14 +43,14 @@ pub const SHAPES: Choices<PulseShape> = &[
     (PulseShape::InitialPeakSawtooth, "initial-peak-sawtooth", "From A down to 0"),
     (PulseShape::TerminalPeakSawtooth, "terminal-peak-sawtooth", "From 0 up to A"),
     (PulseShape::Rectangle, "rectangle", "A"),
-    (PulseShape::Trapezoid, "trapezoid", "A, with a tenth of the duration to rise and to fall"),
+    (PulseShape::Trapezoid, "trapezoid", "A, with a tenth of the duration each to rise and to fall"),
 ];
 
 /// Response quantities by name.
 pub const KINDS: Choices<ResponseKind> = &[
     (ResponseKind::AbsoluteAcceleration, "absolute-acceleration", "Acceleration of the component"),
     (ResponseKind::RelativeDisplacement, "relative-displacement", "Displacement of the component relative to its base"),
-    (ResponseKind::PseudoVelocity, "pseudo-velocity", "That displacement times ω"),
+    (ResponseKind::PseudoVelocity, "pseudo-velocity", "Relative displacement times ω"),
 ];
 
 /// Peaks by name.
@@ -93,7 +93,7 @@ pub struct OneShockSpectrum {
     values_si: Vec<f64>,
 }
 
-/// Where the time went.
+/// Time taken.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Timing {
     /// The spectra alone, without reading and writing \[s\].
@@ -115,7 +115,7 @@ pub struct ShockSpectrumReport {
     pub upsample: bool,
     /// One for each file, in their order, or that of the pulse.
     pub spectra: Vec<OneShockSpectrum>,
-    /// Where the time went.
+    /// Time taken.
     pub timing: Timing,
     /// What the user should know.
     #[serde(skip)]
@@ -186,8 +186,8 @@ const SI_ACCELERATION: &str = "m/s2";
 
 fn refused(error: ShockResponseError) -> Problem {
     let hint = match error {
-        ShockResponseError::Frequency { .. } => "frequencies above zero, such as \"1 Hz:10 kHz:12/oct\"",
-        ShockResponseError::Damping { .. } => "damping from 0 to below 1; 5 % is Q = 10",
+        ShockResponseError::Frequency { .. } => "give frequencies above zero, such as \"1 Hz:10 kHz:12/oct\"",
+        ShockResponseError::Damping { .. } => "give damping from 0 to below 1; 5 % is Q = 10",
         ShockResponseError::Overflow { .. } => "check the unit of the accelerations",
     };
     Problem::value(error.to_string(), hint)
@@ -205,7 +205,7 @@ fn one(
     let (unit, values) = match request.kind {
         ResponseKind::AbsoluteAcceleration => match known {
             Some(unit) => (unit.symbol, values_si.iter().map(|&value| unit.from_si(value)).collect()),
-            // Counts and units that only a format has.
+            // Counts, and units that only one file format has.
             None => (SI_ACCELERATION, values_si.clone()),
         },
         ResponseKind::RelativeDisplacement => ("m", values_si.clone()),
@@ -275,8 +275,8 @@ fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpec
     let in_hz = |f: f64| format!("{} Hz", number(f, 4));
     if highest_hz * dt_s > 0.5 {
         return Some(format!(
-            "the record contains nothing above half its sampling rate, {}: higher oscillators respond to what is \
-             below",
+            "the record contains nothing above half its sampling rate, {}: oscillators of higher frequency respond \
+             only to what is below",
             in_hz(0.5 / dt_s)
         ));
     }
@@ -290,8 +290,8 @@ fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpec
     }
     (request.upsample && least < SAMPLES_PER_PERIOD).then(|| {
         format!(
-            "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} it has {}, and peaks \
-             may be {} % too low",
+            "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} a period has {}, and \
+             peaks may be {} % too low",
             in_hz(highest_hz),
             number(least, 3),
             number(100.0 * (1.0 - (PI / least).cos()), 2),

@@ -66,23 +66,24 @@ fn of_the_preset(request: &SimulatedRequest, source: &PointSource) -> Vec<String
     match preset {
         Preset::Victoria => {
             let stress = if own_stress {
-                format!("{mpa} and trilinear spreading are")
+                format!("{mpa} and trilinear spreading are those")
             } else {
-                "trilinear spreading is".to_owned()
+                "trilinear spreading is that".to_owned()
             };
-            let last = if own_cut { format!(", {cut} a common value for rock") } else { String::new() };
+            let last = if own_cut { format!(", {cut} is a common value for rock") } else { String::new() };
             say(
                 true,
                 format!(
-                    "{stress} that of eastern North America, Q that of Wilkie and Gibson{last}; not fitted to the site"
+                    "{stress} of eastern North America, Q is that of Wilkie and Gibson{last}; none is fitted to the \
+                     site"
                 ),
             );
         }
         Preset::IntraplateHardRock => {
-            say(own_cut, format!("{cut} is from memory of Atkinson and Boore (1995)"));
+            say(own_cut, format!("{cut} is quoted from memory, after Atkinson and Boore (1995)"));
         }
         Preset::SouthEastAustralia => {
-            say(own_cut, format!("{cut} is from memory of Allen (2012)"));
+            say(own_cut, format!("{cut} is quoted from memory, after Allen (2012)"));
             say(source.profile.is_some(), "the Melbourne profile is not part of that model".to_owned());
             say(own_stress, format!("{mpa} is for sources above 10 km depth"));
         }

@@ -7,23 +7,25 @@ use std::path::Path;
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::SiteClass;
-use freestand::measures::measures;
+use freestand::measures::{Measures, measures};
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, PathDuration, PointSource, Preset, Quality,
-    SimulationOptions, Simulator, SourceSpectrum, SynthesisError, distance_for_target, mean_ratio, stream,
+    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, Parameter, PathDuration, PointSource, Preset, Quality,
+    ShearWaveProfile, SimulationOptions, Simulator, SourceSpectrum, SynthesisError, distance_for_target, mean_ratio,
+    stream,
 };
 use rayon::prelude::*;
-use serde::Serialize;
 
 use self::assumptions::{assumptions, outside_limits};
 use crate::target::Target;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
+use freestand_output::facts;
+use freestand_output::facts::Facts;
 use freestand_output::rows::columns_csv;
 
-pub use words::{SOURCE_KEYS, SourceInput, read_source};
+pub use words::{SourceInput, read_source};
 
 /// Changes to a preset; `None` keeps its value.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -67,7 +69,7 @@ pub enum Earthquakes {
 /// Motions to simulate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulatedRequest {
-    /// Parameters that belong together.
+    /// A set of parameters that belong together.
     pub preset: Preset,
     /// Changes to them.
     pub changes: SourceChanges,
@@ -84,98 +86,43 @@ pub struct SimulatedRequest {
 }
 
 /// What was simulated.
-#[derive(Debug, Clone, Serialize)]
-pub struct SimulatedReport {
-    preset: &'static str,
-    parameters: SourceParameters,
-    /// The class of the ground at the site.
-    pub site: &'static str,
-    kpz_g: Option<f64>,
-    seed: u64,
-    generator: &'static str,
-    dt_s: f64,
-    low_cut_hz: f64,
-    /// The assumptions, one sentence each.
-    pub assumptions: Vec<String>,
+#[derive(Debug, Clone)]
+pub struct SimulatedReport<'a> {
+    /// The request.
+    pub request: &'a SimulatedRequest,
     /// Warnings for the reader.
-    #[serde(skip)]
     pub warnings: Vec<String>,
     /// The earthquakes and their motions.
     pub earthquakes: Vec<Earthquake>,
 }
 
-/// The parameters that all earthquakes of a report share.
-#[derive(Debug, Clone, Serialize)]
-pub struct SourceParameters {
-    stress_drop_pa: f64,
-    density_kg_m3: f64,
-    shear_velocity_m_s: f64,
-    source_spectrum: &'static str,
-    spreading: Vec<Spreading>,
-    quality: String,
-    kappa_s: Option<f64>,
-    maximum_frequency_hz: Option<f64>,
-    vs30_m_s: Option<f64>,
-    path_duration: &'static str,
-    window: &'static str,
-}
-
-#[derive(Debug, Clone, Serialize)]
-struct Spreading {
-    from_distance_m: f64,
-    exponent_ratio: f64,
-}
-
 /// One earthquake and its motions.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub struct Earthquake {
-    /// Moment magnitude.
-    pub magnitude: f64,
-    /// Distance \[m\].
-    pub distance_m: f64,
-    /// Geometric mean of the PSA divided by the code's on rock, T = 0.5 to 1 s, if the distance was
-    /// searched for.
-    pub mean_ratio_to_rock_spectrum: Option<f64>,
+    /// Its source, and its distance as it was found.
+    pub found: FoundEarthquake,
     /// Number of motions that the distance was searched with; it does not depend on the number that
     /// is written.
     pub searched_motions: Option<u32>,
-    /// The same ratio for the written motions and the code's spectrum for the site, if there is
-    /// one.
+    /// Geometric mean of the PSA of the written motions divided by the code's spectrum for the site,
+    /// if there is one.
     pub written_mean_ratio_to_site_spectrum: Option<f64>,
-    moment_n_m: f64,
-    /// f₀, or f_a and f_b.
-    pub corner_frequencies_hz: Vec<f64>,
-    /// T_d of the window.
-    pub duration_s: f64,
     pad_s: f64,
     /// Its motions.
     pub motions: Vec<SimulatedMotion>,
     /// Frequencies and target amplitudes, for `fourier_amplitude.csv`.
-    #[serde(skip)]
     fourier: (Vec<f64>, Vec<f64>),
 }
 
 /// One motion.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub struct SimulatedMotion {
     /// Name for files.
     pub name: String,
     /// The file that it was written to.
     pub path: Option<String>,
-    /// Number of samples.
-    pub npts: usize,
-    /// PGA \[g\].
-    pub pga_g: f64,
-    /// PGV \[m/s\].
-    pub pgv_m_s: f64,
-    /// PGD \[m\].
-    pub pgd_m: f64,
-    /// Arias intensity \[m/s\].
-    pub arias_m_s: f64,
-    /// Significant duration \[s\].
-    pub d5_95_s: f64,
+    measures: Measures,
     /// The samples.
-    #[serde(skip)]
     pub motion: Motion,
 }
 
@@ -211,6 +158,15 @@ impl FoundEarthquake {
             Corners::Single { corner_hz } => vec![corner_hz],
             Corners::Two { lower_hz, upper_hz, .. } => vec![lower_hz, upper_hz],
         }
+    }
+
+    /// What is stated about it.
+    pub(crate) fn facts(&self) -> Facts<'static> {
+        facts!(self.source; magnitude, distance_m)
+            .key("mean_ratio_to_rock_spectrum", self.mean_ratio_to_rock_spectrum)
+            .key("moment_n_m", self.source.moment_n_m())
+            .key("corner_frequencies_hz", self.corner_frequencies_hz())
+            .key("duration_s", self.source.duration_s())
     }
 }
 
@@ -258,53 +214,41 @@ pub fn simulator(request: &SimulatedRequest, found: &FoundEarthquake) -> Result<
     Simulator::new(&found.source, site_ratio, &request.options)
 }
 
-/// Simulates.
+/// Simulates the motions of a request.
 ///
 /// # Errors
 /// As [`find_earthquakes`].
-pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport, Problem> {
+pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport<'_>, Problem> {
     let found = find_earthquakes(request)?;
-    let kpz_g = match request.earthquakes {
-        Earthquakes::One { .. } => None,
-        Earthquakes::Pairs { kpz_g, .. } => Some(kpz_g),
-    };
+    let warnings = request.limits(&found);
     let earthquakes = found
-        .iter()
-        .map(|found| earthquake(request, found, kpz_g))
+        .into_iter()
+        .map(|found| earthquake(request, found))
         .collect::<Result<Vec<_>, SynthesisError>>()
         .map_err(source_problem)?;
-    Ok(SimulatedReport {
-        preset: request.preset.name(),
-        parameters: request.parameters(),
-        site: request.site.name(),
-        kpz_g,
-        seed: request.seed,
-        generator: GENERATOR,
-        dt_s: request.options.dt_s,
-        low_cut_hz: request.options.low_cut_hz,
-        assumptions: request.assumptions(),
-        warnings: request.limits(&found),
-        earthquakes,
-    })
+    Ok(SimulatedReport { request, warnings, earthquakes })
 }
 
-/// A parameter that is out of its range, by its key and in the unit that it has as text.
-fn source_problem(error: SynthesisError) -> Problem {
-    let fields = [
-        ("magnitude", "magnitude", Dimension::Ratio),
-        ("distance_m", "distance", Dimension::Length),
-        ("stress_drop_pa", "stress_drop", Dimension::Pressure),
-        ("kappa_s", "kappa", Dimension::Time),
-        ("dt_s", "time_step", Dimension::Time),
-        ("low_cut_hz", "low_cut", Dimension::Frequency),
-    ];
-    if let SynthesisError::Option { name, requirement, value } = &error
-        && let Some((_, key, dimension)) = fields.iter().find(|(field, ..)| field == name)
-    {
-        let message = format!("`{key}` must be {requirement}, not {}", format_si(*value, *dimension));
-        return Problem::value(message, "give a value within these limits").of(&[*key]);
-    }
-    Problem::value(error.to_string(), "give other values for the source or the motion")
+/// The problem of a parameter that is out of its range: its key, and its value with a unit.
+pub(crate) fn source_problem(error: SynthesisError) -> Problem {
+    const HINT: &str = "give other values for the motion or its source";
+    let SynthesisError::Option { parameter, requirement, value } = error else {
+        return Problem::value(error.to_string(), HINT);
+    };
+    let (key, dimension) = match parameter {
+        Parameter::TimeStep => ("time_step", Dimension::Time),
+        Parameter::Shaking => ("shaking", Dimension::Time),
+        Parameter::Envelope => ("envelope", Dimension::Time),
+        Parameter::LowCut => ("low_cut", Dimension::Frequency),
+        Parameter::Magnitude => ("magnitude", Dimension::Ratio),
+        Parameter::Distance => ("distance", Dimension::Length),
+        Parameter::StressDrop => ("stress_drop", Dimension::Pressure),
+        Parameter::Kappa => ("kappa", Dimension::Time),
+        Parameter::Samples => return Problem::value(error.to_string(), "give a longer `time_step`").of(&["time_step"]),
+        Parameter::Other(_) => return Problem::value(error.to_string(), HINT),
+    };
+    let message = format!("`{key}` must be {requirement}, not {}", format_si(value, dimension));
+    Problem::value(message, "give a value within these limits").of(&[key])
 }
 
 fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
@@ -339,150 +283,164 @@ fn no_distance(magnitude: f64, kpz_g: f64) -> Problem {
     Problem::value(message, hint).of(&["magnitude"])
 }
 
-/// The motions of an earthquake, each with its own random numbers; kpZ if its distance was searched
-/// for.
-fn earthquake(
-    request: &SimulatedRequest,
-    found: &FoundEarthquake,
-    kpz_g: Option<f64>,
-) -> Result<Earthquake, SynthesisError> {
-    let (source, site) = (&found.source, request.site);
-    let simulator = simulator(request, found)?;
+/// The motions of an earthquake, each with its own random numbers.
+fn earthquake(request: &SimulatedRequest, found: FoundEarthquake) -> Result<Earthquake, SynthesisError> {
+    let simulator = simulator(request, &found)?;
     let motions = (0..request.count).into_par_iter().map(|index| {
         let motion = simulator.motion(request.seed, found.stream(index))?;
-        let m = measures(&motion);
-        Ok(SimulatedMotion {
-            name: found.motion_name(index),
-            path: None,
-            npts: motion.accel_m_s2().len(),
-            pga_g: m.pga_m_s2 / G0_M_S2,
-            pgv_m_s: m.pgv_m_s,
-            pgd_m: m.pgd_m,
-            arias_m_s: m.arias_m_s,
-            d5_95_s: m.d5_95_s,
-            motion,
-        })
+        Ok(SimulatedMotion { name: found.motion_name(index), path: None, measures: measures(&motion), motion })
     });
     let motions: Vec<SimulatedMotion> = motions.collect::<Result<_, SynthesisError>>()?;
     let frequency = |i: usize| 0.05 * 1000.0_f64.powf(i as f64 / (FOURIER_POINTS - 1) as f64);
     let frequencies_hz: Vec<f64> = (0..FOURIER_POINTS).map(frequency).collect();
     let amplitudes = frequencies_hz.iter().filter_map(|&f| simulator.amplitude_m_s(f)).collect();
+    let target = request.code_spectrum();
+    let mean = |target| mean_ratio(motions.iter().map(|one| &one.motion), target);
     Ok(Earthquake {
-        magnitude: source.magnitude,
-        distance_m: source.distance_m,
-        mean_ratio_to_rock_spectrum: found.mean_ratio_to_rock_spectrum,
-        searched_motions: kpz_g.map(|_| PAIR_MOTIONS),
-        written_mean_ratio_to_site_spectrum: match kpz_g {
-            Some(kpz_g) => mean_ratio(motions.iter().map(|one| &one.motion), |t| kpz_g * site.shape_factor_ratio(t))?,
-            None => None,
-        },
-        moment_n_m: source.moment_n_m(),
-        corner_frequencies_hz: found.corner_frequencies_hz(),
-        duration_s: source.duration_s(),
+        searched_motions: target.as_ref().map(|_| PAIR_MOTIONS),
+        written_mean_ratio_to_site_spectrum: target.map(mean).transpose()?.flatten(),
         pad_s: simulator.pad_s(),
+        found,
         motions,
         fourier: (frequencies_hz, amplitudes),
     })
 }
 
-fn parameters(source: &PointSource) -> SourceParameters {
+fn quality_words(quality: &Quality) -> String {
+    match quality {
+        Quality::Power { at_1_hz_ratio, exponent_ratio } => format!("{at_1_hz_ratio} f^{exponent_ratio}"),
+        Quality::LogCubic { coefficients_ratio: [a, b, c, d], lowest_hz, highest_hz } => format!(
+            "log10 Q = {a} + {b} x + {c} x^2 + {d} x^3, x = log10 f, constant below {lowest_hz} and \
+             above {highest_hz} Hz"
+        ),
+    }
+}
+
+fn path_words(path: PathDuration) -> &'static str {
+    match path {
+        PathDuration::Boore => "0.05 s/km",
+        PathDuration::AtkinsonBoore => "Atkinson and Boore (1995)",
+    }
+}
+
+/// The parameters that all earthquakes of a request share, for programs.
+pub(crate) fn source_facts(source: &PointSource) -> Facts<'static> {
     let (kappa_s, maximum_frequency_hz) = match source.high_cut {
         HighCut::Kappa { kappa_s } => (Some(kappa_s), None),
         HighCut::MaximumFrequency { frequency_hz } => (None, Some(frequency_hz)),
     };
-    SourceParameters {
-        stress_drop_pa: source.stress_drop_pa,
-        density_kg_m3: source.density_kg_m3,
-        shear_velocity_m_s: source.shear_velocity_m_s,
-        source_spectrum: match source.spectrum {
-            SourceSpectrum::SingleCorner => "single-corner",
-            SourceSpectrum::TwoCorner => "two-corner",
-        },
-        spreading: source
-            .spreading
-            .iter()
-            .map(|piece| Spreading { from_distance_m: piece.from_distance_m, exponent_ratio: piece.exponent_ratio })
-            .collect(),
-        quality: match source.quality {
-            Quality::Power { at_1_hz_ratio, exponent_ratio } => format!("{at_1_hz_ratio} f^{exponent_ratio}"),
-            Quality::LogCubic { coefficients_ratio: [a, b, c, d], lowest_hz, highest_hz } => format!(
-                "log10 Q = {a} + {b} x + {c} x^2 + {d} x^3, x = log10 f, held below {lowest_hz} and above \
-                 {highest_hz} Hz"
-            ),
-        },
-        kappa_s,
-        maximum_frequency_hz,
-        vs30_m_s: source.profile.as_ref().map(freestand::synthesis::ShearWaveProfile::vs30_m_s),
-        path_duration: match source.path_duration {
-            PathDuration::Boore => "0.05 s/km",
-            PathDuration::AtkinsonBoore => "Atkinson and Boore (1995)",
-        },
-        window: source.window.name(),
-    }
+    let spreading: Vec<Facts> =
+        source.spreading.iter().map(|piece| facts!(piece; from_distance_m, exponent_ratio)).collect();
+    facts!(source; stress_drop_pa, density_kg_m3, shear_velocity_m_s)
+        .key("source_spectrum", words::spectrum_name(source.spectrum))
+        .key("spreading", spreading)
+        .key("quality", quality_words(&source.quality))
+        .key("kappa_s", kappa_s)
+        .key("maximum_frequency_hz", maximum_frequency_hz)
+        .key("vs30_m_s", source.profile.as_ref().map(ShearWaveProfile::vs30_m_s))
+        .key("path_duration", path_words(source.path_duration))
+        .key("window", source.window.name())
 }
 
-impl SourceParameters {
-    /// In words for a report.
-    pub(crate) fn one_line(&self) -> String {
-        let near_the_surface = match (self.kappa_s, self.maximum_frequency_hz) {
-            (Some(kappa_s), _) => format!("κ0 = {} s", number(kappa_s, 4)),
-            (None, Some(frequency_hz)) => format!("f_max = {} Hz", number(frequency_hz, 4)),
-            (None, None) => "no loss near the surface".to_owned(),
-        };
-        let crust = match self.vs30_m_s {
-            Some(vs30_m_s) => format!("crust with V_S30 = {} m/s", number(vs30_m_s, 3)),
-            None => "no amplification by the crust".to_owned(),
-        };
-        let spreading: Vec<String> = self
-            .spreading
-            .iter()
-            // 0 less the exponent, so that no spreading is R^0 and not R^-0.
-            .map(|piece| format!("R^{} from {} km", 0.0 - piece.exponent_ratio, number(piece.from_distance_m / 1e3, 3)))
-            .collect();
-        format!(
-            "{} spectrum, {} MPa, {} kg/m³, {} m/s; {}; Q = {}; {near_the_surface}; {crust}; path duration {}; \
-             window {}",
-            self.source_spectrum,
-            number(self.stress_drop_pa / 1e6, 4),
-            number(self.density_kg_m3, 4),
-            number(self.shear_velocity_m_s, 4),
-            spreading.join(", "),
-            self.quality,
-            self.path_duration,
-            self.window
-        )
-    }
+/// The same parameters in words, for a report.
+pub(crate) fn source_words(source: &PointSource) -> String {
+    let near_the_surface = match source.high_cut {
+        HighCut::Kappa { kappa_s } => format!("κ0 = {} s", number(kappa_s, 4)),
+        HighCut::MaximumFrequency { frequency_hz } => format!("f_max = {} Hz", number(frequency_hz, 4)),
+    };
+    let crust = match &source.profile {
+        Some(profile) => format!("crust with V_S30 = {} m/s", number(profile.vs30_m_s(), 3)),
+        None => "no amplification by the crust".to_owned(),
+    };
+    let spreading: Vec<String> = source
+        .spreading
+        .iter()
+        // 0 less the exponent, so that no spreading is R^0 and not R^-0.
+        .map(|piece| format!("R^{} from {} km", 0.0 - piece.exponent_ratio, number(piece.from_distance_m / 1e3, 3)))
+        .collect();
+    format!(
+        "{} spectrum, {} MPa, {} kg/m³, {} m/s; {}; Q = {}; {near_the_surface}; {crust}; path duration {}; \
+         window {}",
+        words::spectrum_name(source.spectrum),
+        number(source.stress_drop_pa / 1e6, 4),
+        number(source.density_kg_m3, 4),
+        number(source.shear_velocity_m_s, 4),
+        spreading.join(", "),
+        quality_words(&source.quality),
+        path_words(source.path_duration),
+        source.window.name()
+    )
 }
 
 impl SimulatedRequest {
-    /// The parameters that all its earthquakes share.
-    pub fn parameters(&self) -> SourceParameters {
-        // Neither depends on the magnitude or the distance.
-        parameters(&changed(self.preset.source(6.0, 30e3), &self.changes))
+    /// A source with the parameters that all its earthquakes share.
+    pub(crate) fn any_source(&self) -> PointSource {
+        // No parameter but its own depends on the magnitude or the distance.
+        changed(self.preset.source(6.0, 30e3), &self.changes)
     }
 
     /// The assumptions, one sentence each.
     pub fn assumptions(&self) -> Vec<String> {
-        assumptions(self, &changed(self.preset.source(6.0, 30e3), &self.changes))
+        assumptions(self, &self.any_source())
     }
 
     /// Warnings about earthquakes that the preset was not made for.
     pub fn limits(&self, found: &[FoundEarthquake]) -> Vec<String> {
         found.iter().filter_map(|one| outside_limits(self.preset, &one.source)).collect()
     }
+
+    fn kpz_g(&self) -> Option<f64> {
+        if let Earthquakes::Pairs { kpz_g, .. } = self.earthquakes { Some(kpz_g) } else { None }
+    }
+
+    /// The code's spectrum for the site (period \[s\] to g), if distances are searched for with one.
+    pub fn code_spectrum(&self) -> Option<impl Fn(f64) -> f64 + use<>> {
+        let site = self.site;
+        self.kpz_g().map(|kpz_g| move |period_s| kpz_g * site.shape_factor_ratio(period_s))
+    }
 }
 
-impl SimulatedReport {
+impl Earthquake {
+    fn facts(&self) -> Facts<'_> {
+        self.found
+            .facts()
+            .key("searched_motions", self.searched_motions.map(u64::from))
+            .and(facts!(self; written_mean_ratio_to_site_spectrum, pad_s))
+            .key("motions", self.motions.iter().map(SimulatedMotion::facts).collect::<Vec<_>>())
+    }
+}
+
+impl SimulatedMotion {
+    /// Its name, its file and its measures.
+    pub fn facts(&self) -> Facts<'_> {
+        Facts::default()
+            .key("name", self.name.as_str())
+            .key("path", self.path.as_deref())
+            .key("npts", self.motion.accel_m_s2().len())
+            .key("pga_g", self.measures.pga_m_s2 / G0_M_S2)
+            .and(facts!(self.measures; pgv_m_s, pgd_m, arias_m_s, d5_95_s))
+    }
+}
+
+impl SimulatedReport<'_> {
     /// All motions, earthquake by earthquake.
     pub fn motions(&self) -> impl Iterator<Item = &SimulatedMotion> {
         self.earthquakes.iter().flat_map(|one| &one.motions)
     }
 
-    /// The code's spectrum for the site (period \[s\] to g), if distances were searched for with
-    /// one.
-    pub fn code_spectrum(&self) -> Option<impl Fn(f64) -> f64 + use<>> {
-        let site = SiteClass::parse(self.site).ok()?;
-        self.kpz_g.map(|kpz_g| move |period_s| kpz_g * site.shape_factor_ratio(period_s))
+    /// The whole report.
+    pub fn facts(&self) -> Facts<'_> {
+        let request = self.request;
+        Facts::default()
+            .key("preset", request.preset.name())
+            .key("parameters", source_facts(&request.any_source()))
+            .key("site", request.site.name())
+            .key("kpz_g", request.kpz_g())
+            .and(facts!(request; seed))
+            .key("generator", GENERATOR)
+            .and(facts!(request.options; dt_s, low_cut_hz))
+            .key("assumptions", request.assumptions())
+            .key("earthquakes", self.earthquakes.iter().map(Earthquake::facts).collect::<Vec<_>>())
     }
 
     /// The target amplitudes of every earthquake against frequency, with low cut and site.
@@ -493,7 +451,8 @@ impl SimulatedReport {
         let names: Vec<String> = self
             .earthquakes
             .iter()
-            .map(|one| format!("amplitude_m{:.1}_{:.0}km_m_s", one.magnitude, one.distance_m / 1000.0))
+            .map(|one| &one.found.source)
+            .map(|source| format!("amplitude_m{:.1}_{:.0}km_m_s", source.magnitude, source.distance_m / 1000.0))
             .collect();
         let Some(first) = self.earthquakes.first() else { return Ok(Vec::new()) };
         let mut columns = vec![("frequency_hz", &first.fourier.0[..first.fourier.1.len()])];

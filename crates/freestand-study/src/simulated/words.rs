@@ -10,21 +10,6 @@ use freestand_input::word_reader::WordReader;
 
 use super::SourceChanges;
 
-/// The keys that describe a source.
-pub const SOURCE_KEYS: [&str; 11] = [
-    "magnitude",
-    "distance",
-    "preset",
-    "stress_drop",
-    "kappa",
-    "source_spectrum",
-    "path_duration",
-    "window",
-    "hard_rock",
-    "time_step",
-    "low_cut",
-];
-
 const SPECTRA: [(&str, SourceSpectrum); 2] =
     [("single-corner", SourceSpectrum::SingleCorner), ("two-corner", SourceSpectrum::TwoCorner)];
 const PATHS: [(&str, PathDuration); 2] =
@@ -32,10 +17,14 @@ const PATHS: [(&str, PathDuration); 2] =
 const WINDOWS: [(&str, Window); 2] = [("lam", Window::Lam), ("saragoni-hart", Window::SaragoniHart)];
 const SWITCH: [(&str, bool); 2] = [("true", true), ("false", false)];
 
-/// A resolved source, without what belongs to a place of a code.
+pub(super) fn spectrum_name(spectrum: SourceSpectrum) -> &'static str {
+    SPECTRA.iter().find(|(_, one)| *one == spectrum).map_or("", |(name, _)| name)
+}
+
+/// A resolved source, without the site and its hazard.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SourceInput {
-    /// Parameters that belong together.
+    /// A set of parameters that belong together.
     pub preset: Preset,
     /// Changes to them.
     pub changes: SourceChanges,
@@ -47,8 +36,8 @@ pub struct SourceInput {
     pub options: SimulationOptions,
 }
 
-/// The source that words with [`SOURCE_KEYS`] describe; other values come from the preset, by
-/// default `victoria`.
+/// The source that words with the keys of `point_source` describe; other values come from the
+/// preset, by default `victoria`.
 ///
 /// # Errors
 /// Everything that is wrong with the words. Ranges are checked where the source is used.

@@ -8,8 +8,9 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
 
+pub use crate::building::BuildingInput;
 use crate::cushion::EdgeCushion;
-use crate::matched::Matched;
+use crate::matched::{Matched, synthetic_name};
 use crate::simulated::{FoundEarthquake, SimulatedRequest};
 use crate::target::Target;
 use freestand_input::file::InputFile;
@@ -70,7 +71,7 @@ impl Ground {
             Self::Synthetic(synthetic) => (0..synthetic.count).map(synthetic_name).collect(),
             Self::Simulated(simulated) => simulated.motions().map(|(found, index)| found.motion_name(index)).collect(),
             Self::Recorded(motions) => names(motions),
-            // Every level has as many, and those in one place belong together.
+            // Every level has as many motions, and those at one place in the lists belong together.
             Self::OnFloors => levels.first().map_or_else(Vec::new, |level| names(&level.motions)),
         }
     }
@@ -118,11 +119,6 @@ impl Ground {
     }
 }
 
-/// The name of a synthetic motion, counted from 0.
-pub fn synthetic_name(index: usize) -> String {
-    format!("synthetic-{:02}", index + 1)
-}
-
 /// Motions matched to a spectrum.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SyntheticGround {
@@ -146,7 +142,8 @@ pub struct SimulatedGround {
 }
 
 impl SimulatedGround {
-    /// What the motions are of, for a title: `a simulated earthquake of magnitude 6 at 30 km`.
+    /// The earthquakes of the motions, for a title: `a simulated earthquake of magnitude 6 at 30
+    /// km`.
     pub fn title_words(&self) -> String {
         let each = |found: &FoundEarthquake| {
             let (magnitude, km) = (number(found.source.magnitude, 3), number(found.source.distance_m / 1e3, 2));
@@ -215,34 +212,6 @@ impl RecordedMotion {
         let second = self.across.as_ref().and_then(|second| second.file.as_ref());
         let target = self.matched.as_ref().and_then(|matched| matched.target.file.as_ref());
         self.station_xml.iter().chain(&self.scale_target).chain(target).chain(second)
-    }
-}
-
-/// The building and its modes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BuildingInput {
-    /// Number of storeys.
-    pub storeys: usize,
-    /// Height of the roof \[m\].
-    pub height_m: f64,
-    /// Height of one storey \[m\]; `None` if a table states each.
-    pub storey_height_m: Option<f64>,
-    /// Its modes along the first horizontal axis.
-    pub along: freestand::building::Building,
-    /// Its modes along the second; `None`: as along the first.
-    pub across: Option<freestand::building::Building>,
-    /// The source of the period, in words for the report.
-    pub period_note: String,
-    /// The same for the second axis, if it has its own.
-    pub across_note: Option<String>,
-    /// The tables that it was read from; `true` for a table of the second axis.
-    pub tables: Vec<(bool, crate::building::BuildingTable)>,
-}
-
-impl BuildingInput {
-    /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
-    pub fn tail_s(&self) -> f64 {
-        self.across.as_ref().map_or(0.0, freestand::building::Building::tail_s).max(self.along.tail_s())
     }
 }
 

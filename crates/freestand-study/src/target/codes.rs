@@ -15,6 +15,8 @@ use freestand_input::words::{nearest, number};
 
 /// Default return period \[years\].
 pub const DEFAULT_YEARS: u32 = 500;
+const DEFAULT_SITE: SiteClass = SiteClass::De;
+const DEFAULT_CITY: &str = "Melbourne";
 
 /// A fact of a report.
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
@@ -39,7 +41,7 @@ pub(super) fn as1170_4(reader: &mut WordReader) -> Option<Target> {
     let edition = edition(reader, &editions, "2007 (with Amendments 1 and 2) or 2024 (not confirmed)");
     let (hazard, city) = hazard_of_a_place(reader);
     let site = match reader.words.get("site") {
-        None => Some(SiteClass::De),
+        None => Some(DEFAULT_SITE),
         Some(text) => {
             let hint = "Ae strong rock, Be rock, Ce shallow soil, De deep or soft soil, Ee very soft soil";
             site_class(reader, text, SiteClass::parse, Code::As1170_4, hint)
@@ -78,7 +80,7 @@ fn hazard_of_a_place(reader: &mut WordReader) -> (Option<f64>, Option<String>) {
             (given, None)
         }
         (Some(_), None) => (given, None),
-        (None, None) => (hazard_factor("Melbourne"), Some("Melbourne".to_owned())),
+        (None, None) => (hazard_factor(DEFAULT_CITY), Some(DEFAULT_CITY.to_owned())),
         (None, Some(city)) => {
             let places: Vec<&str> = hazard_factor_places().collect();
             let place = places.iter().find(|place| place.eq_ignore_ascii_case(city.trim()));
@@ -145,7 +147,7 @@ fn return_period(
     }
 }
 
-/// Notes what the core refuses although each value alone is correct.
+/// Notes values that the core refuses in combination although each alone is valid.
 fn made<T>(reader: &mut WordReader, keys: &[&'static str], result: Result<T, CodeSpectrumError>) -> Option<T> {
     result
         .map_err(|error| {
@@ -192,7 +194,7 @@ pub(super) fn eurocode8(reader: &mut WordReader) -> Option<Target> {
     let code = made(reader, &["ground_acceleration", "soil_factor", "corner_periods"], result)?;
     let given = |is_given: bool| if is_given { "as given" } else { "recommended" };
     let ground_words =
-        ground.map_or_else(|| "not named".to_owned(), |ground| format!("{}: {}", ground.name(), ground.description()));
+        ground.map_or_else(|| "not given".to_owned(), |ground| format!("{}: {}", ground.name(), ground.description()));
     let [tb_s, tc_s, td_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
     let facts = vec![
         fact("Type of spectrum", code.spectrum_type().number().to_string()),

@@ -2,23 +2,29 @@
 
 mod figure;
 
-pub use figure::{CodePicture, code_spectrum_figure};
+pub use figure::code_spectrum_figure;
 mod codes;
+mod spectrum;
 mod table;
 mod words;
 
 use std::path::Path;
 
-use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::{As1170_4, CodeSpectrum, SiteClass};
 use freestand::synthesis;
 
 pub use codes::DEFAULT_YEARS;
-pub use words::TARGET_KEYS;
+pub use spectrum::{
+    CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum, usual_periods_s,
+};
+use words::Code;
+pub(crate) use words::key_of_other_code;
 
 use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
+use freestand_output::facts::Facts;
 
 /// A spectrum, with everything that outputs state about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,8 +44,8 @@ pub struct Target {
 }
 
 impl Target {
-    /// The spectrum that words with [`TARGET_KEYS`] describe, with its facts; paths are relative to
-    /// `base_dir`.
+    /// The spectrum that words with the keys of a spectrum describe, with its facts; paths are
+    /// relative to `base_dir`.
     ///
     /// # Errors
     /// Everything that is wrong with the words.
@@ -63,13 +69,7 @@ impl Target {
 
     /// The name of the code in flags and studies.
     pub fn code(&self) -> &'static str {
-        match self.spectrum {
-            CodeSpectrum::As1170_4(_) => "as1170.4",
-            CodeSpectrum::Eurocode8(_) => "eurocode8",
-            CodeSpectrum::Asce7(_) => "asce7",
-            CodeSpectrum::Nzs1170_5(_) => "nzs1170.5",
-            CodeSpectrum::Table(_) => "table",
-        }
+        Code::of(&self.spectrum).name()
     }
 
     /// Hazard factor Z, if the code has one \[g\].
@@ -81,20 +81,36 @@ impl Target {
         }
     }
 
-    /// kp·Z of AS 1170.4 \[g\].
-    pub fn kpz_g(&self) -> Option<f64> {
-        match &self.spectrum {
-            CodeSpectrum::As1170_4(code) => Some(code.kpz_g()),
-            _ => None,
-        }
+    /// The spectrum by AS 1170.4, if it is one.
+    fn as1170_4(&self) -> Option<&As1170_4> {
+        if let CodeSpectrum::As1170_4(code) = &self.spectrum { Some(code) } else { None }
     }
 
-    /// Whether the minimum of kp·Z of AS 1170.4 governs.
-    pub fn minimum_kpz_governs(&self) -> Option<bool> {
-        match &self.spectrum {
-            CodeSpectrum::As1170_4(code) => Some(code.minimum_governs()),
-            _ => None,
-        }
+    /// The site class of AS 1170.4.
+    pub fn site_class(&self) -> Option<SiteClass> {
+        Some(self.as1170_4()?.site())
+    }
+
+    /// kp·Z of AS 1170.4 \[g\].
+    pub fn kpz_g(&self) -> Option<f64> {
+        Some(self.as1170_4()?.kpz_g())
+    }
+
+    /// What the document of a command says about it; values that its code does not have are null.
+    pub fn described(&self) -> Facts<'static> {
+        Facts::default()
+            .key("code", self.spectrum.name())
+            .key("site", self.spectrum.site_name())
+            .and(hazard_facts(Some(self)))
+            .key("minimum_kpz_governs", self.as1170_4().map(As1170_4::minimum_governs))
+            .key("facts", self.named_facts())
+    }
+
+    /// The facts for reports, each as a name and a value.
+    pub fn named_facts(&self) -> Vec<Facts<'static>> {
+        let fact =
+            |(name, value): &(String, String)| Facts::default().key("name", name.clone()).key("value", value.clone());
+        self.facts.iter().map(fact).collect()
     }
 
     /// On one line: `AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ =
@@ -117,7 +133,7 @@ impl Target {
             CodeSpectrum::Eurocode8(code) => format!(
                 "type {}, ground {}, a_g = {} g",
                 code.spectrum_type().number(),
-                code.ground().map_or("of its own", |ground| ground.name()),
+                code.ground().map_or("not given", |ground| ground.name()),
                 number(code.ground_acceleration_g(), 4)
             ),
             CodeSpectrum::Asce7(code) => format!(
@@ -200,11 +216,36 @@ impl Target {
         Err(Problem::value(message, hint))
     }
 
+    /// The peak acceleration that motions can be scaled to: the value at T = 0 \[g\].
+    ///
+    /// # Errors
+    /// A table that begins above T = 0: its extension to T = 0 is a plateau, not a peak acceleration.
+    pub fn peak_g(&self) -> Result<f64, Problem> {
+        match &self.spectrum {
+            CodeSpectrum::Table(table) if table.first_period_s() > 0.0 => {
+                let first_s = table.first_period_s();
+                let message = format!("`match_pga`: the table begins at {first_s} s and has no peak acceleration");
+                let hint = "add a row with a period of 0 s, the peak acceleration, or leave `match_pga` out";
+                Err(Problem::value(message, hint))
+            }
+            spectrum => Ok(spectrum.sa_g(0.0)),
+        }
+    }
+
     /// The name of the table's file.
     fn file_name(&self) -> String {
         let name = self.file.as_ref().and_then(|file| file.path.file_name());
         name.map_or_else(|| "of the user".to_owned(), |name| name.to_string_lossy().into_owned())
     }
+}
+
+/// The hazard of a target; without one, its values are null.
+pub(crate) fn hazard_facts(target: Option<&Target>) -> Facts<'static> {
+    let years = target.and_then(|target| target.spectrum.return_period_years());
+    Facts::default()
+        .key("hazard_factor", target.and_then(Target::hazard_factor))
+        .key("return_period_years", years.map(u64::from))
+        .key("kpz_g", target.and_then(Target::kpz_g))
 }
 
 #[cfg(test)]

@@ -71,8 +71,8 @@ fn one_of<T: Copy>(reader: &mut WordReader, key: &'static str, known: &[(&str, T
 
 fn facts(table: &SpectrumTable, name: &str) -> Vec<(String, String)> {
     let between = match table.interpolation() {
-        Interpolation::LogLog => "straight in ln Sa over ln T",
-        Interpolation::Linear => "straight in Sa over T",
+        Interpolation::LogLog => "linear in ln Sa against ln T",
+        Interpolation::Linear => "linear in Sa against T",
     };
     let outside = match table.out_of_range() {
         OutOfRange::Refuse => "refused",
@@ -85,7 +85,7 @@ fn facts(table: &SpectrumTable, name: &str) -> Vec<(String, String)> {
         number(table.last_period_s(), 4)
     );
     [
-        ("Target", "a table of the user, used as elastic with 5 % damping".to_owned()),
+        ("Target", "a user's table, taken as elastic with 5 % damping".to_owned()),
         ("File", name.to_owned()),
         ("Periods", periods),
         ("Between the periods", between.to_owned()),

@@ -2,38 +2,13 @@
 
 use std::path::Path;
 
+use freestand::code_spectrum::CodeSpectrum;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 
 use super::{Target, codes, table};
-
-/// The keys that describe a spectrum.
-pub const TARGET_KEYS: [&str; 22] = [
-    "code",
-    "edition",
-    "site",
-    "city",
-    "hazard_factor",
-    "return_period_years",
-    "spectrum_type",
-    "ground_acceleration",
-    "importance_factor",
-    "soil_factor",
-    "corner_periods",
-    "sds",
-    "sd1",
-    "ss",
-    "s1",
-    "fa",
-    "fv",
-    "long_period",
-    "fault_distance",
-    "spectrum",
-    "interpolation",
-    "beyond",
-];
 
 /// The codes by the names that people give them, in lower case and without spaces, `-` and `_`.
 /// Outputs use the first.
@@ -55,6 +30,21 @@ pub(super) enum Code {
 }
 
 impl Code {
+    fn parse(text: &str) -> Option<Self> {
+        let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace() && !"-_".contains(*c)).collect();
+        CODES.iter().find(|(names, _)| names.contains(&plain.as_str())).map(|(_, code)| *code)
+    }
+
+    pub(super) fn of(spectrum: &CodeSpectrum) -> Self {
+        match spectrum {
+            CodeSpectrum::As1170_4(_) => Self::As1170_4,
+            CodeSpectrum::Eurocode8(_) => Self::Eurocode8,
+            CodeSpectrum::Asce7(_) => Self::Asce7,
+            CodeSpectrum::Nzs1170_5(_) => Self::Nzs1170_5,
+            CodeSpectrum::Table(_) => Self::Table,
+        }
+    }
+
     pub(super) fn name(self) -> &'static str {
         CODES.iter().find(|(_, code)| *code == self).and_then(|(names, _)| names.first().copied()).unwrap_or_default()
     }
@@ -65,7 +55,7 @@ impl Code {
             Self::Eurocode8 => "Eurocode 8",
             Self::Asce7 => "ASCE 7",
             Self::Nzs1170_5 => "NZS 1170.5",
-            Self::Table => "a table of the user",
+            Self::Table => "a user's table",
         }
     }
 
@@ -109,14 +99,23 @@ fn code(reader: &mut WordReader) -> Option<Code> {
     let Some(text) = reader.words.get("code") else {
         return Some(if reader.has("spectrum") { Code::Table } else { Code::As1170_4 });
     };
-    let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace() && !"-_".contains(*c)).collect();
-    let found = CODES.iter().find(|(names, _)| names.contains(&plain.as_str())).map(|(_, code)| *code);
+    let found = Code::parse(text);
     if found.is_none() {
         let names: Vec<&str> = CODES.iter().map(|(_, code)| code.name()).collect();
         let message = format!("`code` \"{}\" is not known", shorten(text));
         reader.note(&["code"], message, format!("known: {}", names.join(", ")));
     }
     found
+}
+
+/// The key that names a spectrum other than that of AS 1170.4, if any.
+pub(crate) fn key_of_other_code(words: &Words) -> Option<&'static str> {
+    let has_other_code = words.get("code").is_some_and(|text| Code::parse(text) != Some(Code::As1170_4));
+    match () {
+        () if words.get("spectrum").is_some() => Some("spectrum"),
+        () if has_other_code => Some("code"),
+        () => None,
+    }
 }
 
 /// Refuses keys that the code does not take.
@@ -126,7 +125,7 @@ fn check_keys(reader: &mut WordReader, code: Code) {
         let takers: Vec<&str> =
             CODES.iter().filter(|(_, other)| other.keys().contains(&key)).map(|(_, other)| other.name()).collect();
         let hint = if code == Code::Table || takers == ["table"] {
-            "use a code, or a table with `spectrum`".to_owned()
+            "leave it out; a spectrum is either that of a code or the table in `spectrum`".to_owned()
         } else {
             format!("leave it out, or name a code that has it: `code = \"{}\"`", takers.join("\"` or `code = \""))
         };

@@ -75,7 +75,7 @@ fn others() -> Result<Vec<Check>, Problem> {
 /// A rigid part on the roof of a building of 96 m.
 fn floors() -> Result<Vec<Check>, Problem> {
     const PARTS: &str = "parts and components of each code, by hand";
-    let roof = PartsQuestion { level_ratio: 1.0, building_height_m: 96.0, building_period_s: None };
+    let roof = PartsQuestion { level_ratio: 1.0, building_height_m: Some(96.0), building_period_s: None };
     let codes: [(&str, CodeSpectrum, f64); 4] = [
         ("AS 1170.4", melbourne()?.into(), 3.0 * 0.088),
         (

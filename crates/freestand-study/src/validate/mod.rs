@@ -61,7 +61,7 @@ pub struct Check {
     pub expected: f64,
     /// Largest allowed difference.
     pub tolerance: f64,
-    /// Whether it holds.
+    /// Whether the difference is small enough.
     pub ok: bool,
     /// Where the expected value comes from.
     pub reference: &'static str,
@@ -79,7 +79,7 @@ pub struct Validation {
 }
 
 impl Validation {
-    /// Whether every check holds.
+    /// Whether every check passes.
     pub fn ok(&self) -> bool {
         self.checks.iter().all(|check| check.ok)
     }
@@ -175,9 +175,9 @@ fn simulated_g(cg_rise_m: f64, damping_ratio: f64) -> Result<f64, Problem> {
     Ok(first.peak_acceleration_m_s2 / TABLE_ONE_GRAVITY_M_S2)
 }
 
-/// The published a_edge are up to 0.1 g above what Eq. (5) gives for the stated inputs; the table
-/// reports them without a check. The check compares with Eq. (5) by hand, to half a unit of the
-/// last digit.
+/// The published values of a_edge are up to 0.1 g above what Eq. (5) gives for the stated inputs;
+/// the table reports them without a check. The check compares with Eq. (5) by hand, to half a unit
+/// of the last digit.
 fn table_one_checks(rows: &[TableOneRow]) -> Vec<Check> {
     const HAND: &str = "Al Abadi et al., Eqs. (5)-(7) with the inputs of Table I and g = 9.81 m/s², by hand";
     const PRINTED: &str = "Al Abadi et al., Table I, a from Eq. (7), as printed";

@@ -99,8 +99,8 @@ fn decay() -> Result<Vec<Check>, Problem> {
     Ok(checks)
 }
 
-/// Whether `motion`, as a function of the amplitude, overturns; the amplitude at which the answer
-/// changes.
+/// The amplitude between `low` and `high` at which `overturns` changes its answer; NaN if it does
+/// not.
 fn boundary(overturns: impl Fn(f64) -> Result<bool, Problem>, low: f64, high: f64) -> Result<f64, Problem> {
     let (mut low, mut high) = (low, high);
     let at_low = overturns(low)?;

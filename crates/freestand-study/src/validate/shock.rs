@@ -60,7 +60,7 @@ pub(super) fn boundary_checks() -> Result<Vec<Check>, Problem> {
     let mut checks = vec![
         check("damage boundary: V_c [m/s]", v_c, 0.624_31, 5.1e-6, COMPONENT),
         check("damage boundary: A_c [g]", floor / G0_M_S2, 20.0, 1e-12, COMPONENT),
-        check("half-sine that a component just stands", half_sine_floor_m_s2(1.0), 0.565_46, 5.1e-6, COMPONENT),
+        check("half-sine that a component just withstands", half_sine_floor_m_s2(1.0), 0.565_46, 5.1e-6, COMPONENT),
     ];
     for (ratio, expected) in [(1.05, 0.975_09), (1.2, 0.584_37), (1.4, 0.509_98)] {
         let knee = boundary.knee_acceleration_m_s2(ratio * v_c).unwrap_or(f64::NAN);

@@ -2,8 +2,8 @@
 //!
 //! A change is written into the study's text, which is then resolved like any other study: so any
 //! value of a study can be varied, and contradictions are refused in the same words. A change that
-//! does not reach the model is not run: its row would suggest that the result does not depend on
-//! it.
+//! does not affect the model is not run: its row would suggest that the result does not depend on
+//! the value.
 
 mod model;
 mod request;
@@ -22,7 +22,7 @@ use model::is_same_model;
 pub use request::{Change, Variation, changes, default_variations, parse_variation};
 
 /// A shock ratio is computed where the mean shock of the compared objects in the base is at least
-/// this \[g\]: a ratio to almost no shock means nothing.
+/// this \[g\]: a ratio to almost no shock is meaningless.
 pub const MIN_MEAN_G: f64 = 0.05;
 
 /// Runs the study once for every changed value; `base` is its own result. `tell` is called before
@@ -47,7 +47,7 @@ pub fn vary(
             Ok(Some((varied, result))) => {
                 rows.extend(self::rows(change.key, &change.value, &varied, &result, base));
             }
-            // Nobody asked for this value.
+            // The user did not ask for this value.
             Ok(None) if change.is_default => {}
             Ok(None) => rows.extend(rows_without(change, study, &NoResult::Unchanged(unchanged(change)))),
             Err(error) if error.is_stopped() => return Err(error),
@@ -66,7 +66,7 @@ pub fn vary(
     Ok(Sensitivity { rows, left_out })
 }
 
-/// The study with one value changed, and its result; `None` where the change does not reach the
+/// The study with one value changed, and its result; `None` if the change does not affect the
 /// model.
 fn result_of(
     study: &Study,
@@ -90,12 +90,12 @@ fn varied_study(study: &Study, change: &Change, overrides: &Overrides) -> Result
     resolve_with(&toml, study.source.as_deref(), base_dir, &Overrides { seed, ..overrides.clone() })
 }
 
-/// What stays the same where a change does not reach the model.
+/// What stays the same where a change does not affect the model.
 fn unchanged(change: &Change) -> &'static str {
     match change.table {
-        "building" => "the same modes of the building",
-        "objects" => "the same objects and their cushion",
-        _ => "the same spectrum and seed, or the same records",
+        "building" => "the building has the same modes",
+        "objects" => "the objects and their cushion are the same",
+        _ => "the motions have the same spectrum and seed, or are the same records",
     }
 }
 
@@ -129,7 +129,7 @@ fn rows(key: &str, value: &str, study: &Study, result: &StudyResult, base: &Stud
                 value: value.to_owned(),
                 level: name,
                 level_ratio,
-                pfa_g_median: pfa_g_median.is_finite().then_some(pfa_g_median),
+                pfa_g_median,
                 uplift_share: Some(uplift_share),
                 overturned_share: Some(overturned_share),
                 overturned_objects: Some(overturned_objects),

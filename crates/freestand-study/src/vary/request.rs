@@ -68,7 +68,7 @@ pub struct Change {
     pub value: String,
     /// Keys that it replaces.
     pub in_place_of: &'static [&'static str],
-    /// The value is a default one: nobody asked for it.
+    /// The value is one of the default values and was not stated by the user.
     pub is_default: bool,
 }
 
@@ -119,13 +119,13 @@ pub fn parse_variation(text: &str) -> Result<Variation, Problem> {
     };
     if values.iter().any(String::is_empty) {
         let message = format!("\"{}\" has an empty value", shorten(text));
-        return Err(Problem::value(message, "write \"damping = 2 %, 10 %\""));
+        return Err(Problem::value(message, "separate values by single commas, as in \"damping = 2 %, 10 %\""));
     }
     Ok(Variation { key, values })
 }
 
-/// The changes that some variations ask for, and, in a sentence each, what does not apply to this
-/// study under these overrides.
+/// The changes that variations ask for, and one sentence for each variation that does not apply to
+/// this study under these overrides.
 pub fn changes(study: &Study, variations: &[Variation], overrides: &Overrides) -> (Vec<Change>, Vec<String>) {
     let (mut changes, mut left_out) = (Vec::new(), Vec::new());
     for Variation { key, values } in variations {
@@ -191,7 +191,7 @@ fn inapplicable_ground(ground: &Ground, name: &str) -> Option<&'static str> {
     }
 }
 
-/// Values around that of the study, without its own.
+/// Values around the study's own, without that one.
 fn default_values(study: &Study, name: &str) -> Vec<String> {
     match (name, &study.building, &study.ground) {
         ("damping", Some(building), _) => {

@@ -88,14 +88,14 @@ fn what_does_not_reach_the_model_is_said() {
     let (_two, least) = in_folder(&quick("count = 1\nhazard_factor = 0.04", ""), &[], &Overrides::default());
     let annex = varied(&annexed, &["site = B", "site"], &Overrides::default());
     let least = varied(&least, &["hazard_factor = 0.05", "hazard_factor = 0.2"], &Overrides::default());
-    for (row, why) in own.rows[1..].iter().zip(["modes of the building", "same spectrum", "objects and their"]) {
+    for (row, why) in own.rows[1..].iter().zip(["building has the same modes", "same spectrum", "objects and their"]) {
         let Some(NoResult::Unchanged(what)) = row.reason else { panic!("{row:?}") };
         assert!(what.contains(why), "{what}");
         assert_eq!((row.pfa_g_median, row.uplift_share), (None, None));
     }
     assert_eq!((own.rows.len(), annex.rows.len(), least.rows.len()), (4, 2, 3));
-    assert!(reason(&annex.rows[1]).contains("nothing changes: the same spectrum"));
-    assert!(reason(&least.rows[1]).contains("nothing changes: the same spectrum"));
+    assert!(reason(&annex.rows[1]).contains("nothing changes: the motions have the same spectrum"));
+    assert!(reason(&least.rows[1]).contains("nothing changes: the motions have the same spectrum"));
     assert!(least.rows[2].reason.is_none() && least.rows[2].pfa_g_median > least.rows[0].pfa_g_median);
 
     // Default values without effect are left out, and that is reported once.
@@ -143,7 +143,7 @@ fn a_table_of_storeys_is_varied_in_its_damping_and_modes() {
     let [base, softer, one, all] = &result.rows[..] else { panic!("{:?}", result.rows) };
     assert!(softer.pfa_g_median > base.pfa_g_median);
     assert!(one.reason.is_none() && one.pfa_g_median != base.pfa_g_median);
-    assert!(reason(all).contains("modes of the building"));
+    assert!(reason(all).contains("the building has the same modes"));
 }
 
 /// Only two modes have the damping that is written; that value is the base again.

@@ -32,8 +32,8 @@ impl Building {
     /// non-finite α, no modes or more than [`MAX_MODES`].
     ///
     /// # Example
-    /// The periods of a shear beam are as 1, 1/3, 1/5, and its roof participates with 4/π; α = 10⁶
-    /// is nearly one:
+    /// The periods of a shear beam are in the ratio 1 : 1/3 : 1/5, and the participation factor of
+    /// its first mode is 4/π. With α = 10⁶ the beam is nearly a shear beam:
     /// ```
     /// let building = freestand::building::Building::beam(2.0, 0.05, 1e6, 3)?;
     /// let [first, second, third] = building.modes() else { unreachable!() };

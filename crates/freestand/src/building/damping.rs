@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 pub enum Damping {
     /// One ratio for every mode.
     Uniform(f64),
-    /// One ratio for each mode, in the order of falling periods.
+    /// One ratio for each mode, in order of decreasing period.
     PerMode(Vec<f64>),
     /// Proportional to mass and stiffness, with the same ratio at two modes.
     Rayleigh {
@@ -20,7 +20,7 @@ pub enum Damping {
 }
 
 impl Damping {
-    /// The ratio of each mode, for periods in falling order.
+    /// The ratio of each mode, for periods in decreasing order.
     ///
     /// # Errors
     /// A ratio outside 0 ≤ ζ < 1, also where Rayleigh damping overdamps a short mode; a number of
@@ -28,8 +28,8 @@ impl Damping {
     /// period.
     ///
     /// # Example
-    /// Rayleigh damping of 5 % at modes 1 and 3, whose frequencies are as 1 to 4: a₁ = 0.1/5 and
-    /// a₀ = 4 a₁ in units of the first frequency, so at twice the first frequency
+    /// Rayleigh damping of 5 % at modes 1 and 3, whose frequencies are in the ratio 1 : 4:
+    /// a₁ = 0.1/5 and a₀ = 4 a₁ in units of the first frequency, so at twice the first frequency
     /// `ζ = (0.08/2 + 0.02·2)/2 = 0.04`.
     /// ```
     /// use freestand::building::Damping;

@@ -37,8 +37,9 @@ pub fn floor_motion(ground: &Motion, building: &Building, level_ratio: f64) -> R
 /// Jennings (1969).
 ///
 /// # Accuracy
-/// Exact in time for the modes kept. With 6 modes of a building of T₁ = 2 s the peaks of the 1940
-/// El Centro record are within 0.4 % of those of many modes from mid-height up.
+/// Exact in time for the modes included. With 6 modes of a building of T₁ = 2 s the peak
+/// accelerations under the 1940 El Centro record are, from mid-height up, within 0.4 % of those
+/// with many modes.
 ///
 /// # Limitation
 /// The result is as long as the ground motion: append [`Building::tail_s`] of zeros first, so that
@@ -96,7 +97,7 @@ pub struct FloorPeaks {
 ///
 /// The accelerations are those of [`floor_motions`], to the bit; the displacement is
 /// `u(x, t) = Σ Γ_iφ_i(x) u_i(t)`. The modes left out do not contribute to it: they follow the
-/// ground at once.
+/// ground without delay.
 ///
 /// # Errors
 /// A level outside 0 to 1, or peaks that overflow.
@@ -143,10 +144,10 @@ pub fn floor_peaks(
     }
 }
 
-/// The factors by which the modes and the ground itself move a level.
+/// The shares of the modes and of the ground itself in the motion of a level.
 struct Shares {
     residual: f64,
-    /// Empty at the ground, which moves as given.
+    /// Empty at the ground, whose motion is the given one.
     modes: Vec<f64>,
 }
 
@@ -205,8 +206,8 @@ struct History {
     displacement_m: Vec<f64>,
 }
 
-/// Samples per block: ten modes with two histories each stay in the fastest memory while every
-/// floor sums them.
+/// Samples per block: ten modes with two histories each stay in the fastest cache while they are
+/// summed for every floor.
 const BLOCK: usize = 256;
 
 /// Calculates the oscillators of all modes once, block by block; `each` receives the index of the
@@ -298,8 +299,8 @@ mod tests {
         }
     }
 
-    /// The formula as written, level by level over whole histories; more samples than a block, and
-    /// not a multiple.
+    /// The formula as written, level by level over whole histories. The number of samples is larger
+    /// than a block and not a multiple of it.
     #[test]
     fn blocks_change_no_bit() {
         let samples = 2 * BLOCK + 77;

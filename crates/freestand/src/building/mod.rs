@@ -35,11 +35,11 @@ pub const MAX_PERIOD_S: f64 = 100.0;
 /// The quantities of a storey that may be invalid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StoreyQuantity {
-    /// Its mass.
+    /// Mass of the floor above the storey.
     Mass,
-    /// Its lateral stiffness.
+    /// Lateral stiffness of the storey.
     Stiffness,
-    /// Its height.
+    /// Height of the storey.
     Height,
 }
 
@@ -53,6 +53,30 @@ impl std::fmt::Display for StoreyQuantity {
     }
 }
 
+/// The values of a mode in a table that may be invalid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ModeQuantity {
+    /// Period.
+    Period,
+    /// Participation factor.
+    Participation,
+    /// A value of the shape.
+    Shape,
+    /// Effective mass.
+    EffectiveMass,
+}
+
+impl std::fmt::Display for ModeQuantity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Period => "period",
+            Self::Participation => "participation factor",
+            Self::Shape => "shape",
+            Self::EffectiveMass => "effective mass",
+        })
+    }
+}
+
 /// Why a building or its floor motion cannot be calculated.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum BuildingError {
@@ -62,13 +86,13 @@ pub enum BuildingError {
         /// The period that was given, or that of the mode that is too short.
         period_s: f64,
     },
-    /// The damping is not below critical.
+    /// The damping ratio is negative, or the damping is not below critical.
     #[error("the damping ratio must be at least 0 and below 1, not {damping_ratio}")]
     Damping {
         /// The damping ratio that was given.
         damping_ratio: f64,
     },
-    /// The damping of one mode is not below critical.
+    /// The damping ratio of one mode is negative, or its damping is not below critical.
     #[error("the damping ratio of mode {mode} must be at least 0 and below 1, not {damping_ratio}")]
     ModeDamping {
         /// The mode, from 1.
@@ -77,7 +101,7 @@ pub enum BuildingError {
         damping_ratio: f64,
     },
     /// The number of damping ratios differs from the number of modes.
-    #[error("the number of damping ratios is {ratios}, but the building has {modes} modes")]
+    #[error("the number of damping ratios is {ratios}, but the number of modes is {modes}")]
     DampingCount {
         /// Number of ratios that were given.
         ratios: usize,
@@ -87,9 +111,9 @@ pub enum BuildingError {
     /// The modes of Rayleigh damping are not two existing modes with different periods.
     #[error("Rayleigh damping needs two modes of different periods among the first {modes}, not {first} and {second}")]
     RayleighModes {
-        /// The first, from 1.
+        /// The first of the two modes, counted from 1.
         first: usize,
-        /// The second.
+        /// The second of the two modes.
         second: usize,
         /// Number of modes.
         modes: usize,
@@ -114,7 +138,7 @@ pub enum BuildingError {
         /// The number that was given.
         storeys: usize,
     },
-    /// A storey has no mass, stiffness or height.
+    /// The mass, stiffness or height of a storey is not positive and finite.
     #[error("the {quantity} of storey {storey} must be positive and finite, not {value}")]
     Storey {
         /// The storey, from 1 at the ground.
@@ -135,7 +159,7 @@ pub enum BuildingError {
         level_ratio: f64,
     },
     /// A mode of a modal table does not have one value for each floor.
-    #[error("the number of values of mode {mode} is {values}, but the table has {floors} floors")]
+    #[error("the number of values of mode {mode} is {values}, but the number of floors is {floors}")]
     ShapeLength {
         /// The mode, from 1.
         mode: usize,
@@ -145,12 +169,12 @@ pub enum BuildingError {
         floors: usize,
     },
     /// A value of a modal table is out of range.
-    #[error("the {what} of mode {mode} must be {expected}, not {value}")]
+    #[error("the {quantity} of mode {mode} must be {expected}, not {value}")]
     ModeValue {
         /// The mode, from 1 in the order of the table.
         mode: usize,
-        /// The name of the value.
-        what: &'static str,
+        /// The invalid quantity.
+        quantity: ModeQuantity,
         /// The requirement that it does not meet.
         expected: &'static str,
         /// The value that was given.
@@ -299,7 +323,7 @@ impl Building {
         self.model
     }
 
-    /// The modes in the order of falling periods; at least one.
+    /// The modes in order of decreasing period; at least one.
     pub fn modes(&self) -> &[Mode] {
         &self.modes
     }

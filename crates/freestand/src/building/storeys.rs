@@ -34,7 +34,7 @@ impl Building {
     ///
     /// # Accuracy
     /// Frequencies of 200 equal storeys agree with the closed form to 1e-12, also with stiffnesses
-    /// of 1 to 10⁶; shapes are orthogonal to 1e-12 even where two frequencies are nearly equal.
+    /// from 1 to 10⁶; shapes are orthogonal to 1e-12 even where two frequencies are nearly equal.
     ///
     /// # Limitation
     /// Floors move only sideways: no bending of the building as a whole, no torsion. For a slender
@@ -138,7 +138,8 @@ fn mode(storeys: &[Storey], mass_kg: f64, levels_ratio: &[f64], omega_rad_s: f64
 /// A roof that moves less than this share of the mode's largest value is not used to normalise it.
 const STILL_ROOF: f64 = 1e-3;
 
-/// More than any matrix needs (about ten); the rotations converge quadratically at the end.
+/// Largest number of sweeps. No matrix needs more than about ten, because the rotations converge
+/// quadratically at the end.
 const MAX_SWEEPS: usize = 60;
 
 /// Columns of `n` values with a cosine below this are orthogonal: rounding leaves about √n ε.
@@ -146,7 +147,7 @@ fn orthogonal(n: usize) -> f64 {
     (8.0 + (n as f64).sqrt()) * f64::EPSILON
 }
 
-/// Circular frequencies, rising, and the unit vectors v = M^½ φ.
+/// Circular frequencies in increasing order, and the unit vectors v = M^½ φ.
 ///
 /// One-sided Jacobi rotations: column j of `M^−½ Lᵀ K_s^½` belongs to storey j. Pairs of columns
 /// are rotated until all columns are orthogonal; then each column is ω v.
@@ -162,7 +163,7 @@ fn natural_modes(storeys: &[Storey]) -> Vec<(f64, Vec<f64>)> {
             column
         })
         .collect();
-    // What rounding leaves of the product of two orthogonal columns.
+    // The product that rounding leaves between two orthogonal columns.
     let orthogonal = orthogonal(n);
     for _ in 0..MAX_SWEEPS {
         // Longest columns first, which halves the number of sweeps.

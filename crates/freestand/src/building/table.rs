@@ -1,6 +1,8 @@
 //! A building described by the modes of the user's own model.
 
-use super::{Building, BuildingError, Damping, FloorShape, MAX_MODES, Mode, ModeShape, Model, check_period};
+use super::{
+    Building, BuildingError, Damping, FloorShape, MAX_MODES, Mode, ModeQuantity, ModeShape, Model, check_period,
+};
 
 /// One mode of a modal table.
 ///
@@ -38,20 +40,20 @@ pub enum ModalDoubt {
     },
 }
 
-/// Codes usually require modes with 90 % of the mass (from memory, not checked); rounding may take
-/// the sum slightly above 1.
+/// Range of a plausible sum of the effective mass ratios: codes usually require modes with 90 % of
+/// the mass (from memory, not checked), and rounding may take the sum slightly above 1.
 const ENOUGH_MASS: std::ops::RangeInclusive<f64> = 0.9..=1.01;
 
-/// From the second mode of a cantilever wall (1.57 − 0.87 = 0.70) to its first (1.57), with a
-/// margin.
+/// Range of a plausible `Σ Γφ` at the roof, with a margin: it is 1.57 with the first mode of a
+/// cantilever wall and 1.57 − 0.87 = 0.70 with the first two.
 const LIKELY_ROOF_SHARE: std::ops::RangeInclusive<f64> = 0.5..=1.75;
 
 impl Building {
     /// A building with the user's own `modes`, whose shapes are given at floors at `levels_ratio`
     /// of the height.
     ///
-    /// The modes are sorted by falling period; `damping` applies where a mode has no ratio of its
-    /// own.
+    /// The modes are sorted by decreasing period; `damping` applies where a mode has no ratio of
+    /// its own.
     ///
     /// # Limitation
     /// Whatever the table leaves out (modes, directions, torsion) is missing from the results; see
@@ -151,18 +153,18 @@ fn check_mode(number: usize, mode: &TableMode, floors: usize) -> Result<(), Buil
     if mode.shape_ratio.len() != floors {
         return Err(BuildingError::ShapeLength { mode: number, values: mode.shape_ratio.len(), floors });
     }
-    let wrong = |what, expected, value| Err(BuildingError::ModeValue { mode: number, what, expected, value });
+    let wrong = |quantity, expected, value| Err(BuildingError::ModeValue { mode: number, quantity, expected, value });
     if !(mode.period_s > 0.0 && mode.period_s.is_finite()) {
-        return wrong("period", "positive and finite", mode.period_s);
+        return wrong(ModeQuantity::Period, "positive and finite", mode.period_s);
     }
     if !mode.participation_ratio.is_finite() {
-        return wrong("participation factor", "finite", mode.participation_ratio);
+        return wrong(ModeQuantity::Participation, "finite", mode.participation_ratio);
     }
     if let Some(&value) = mode.shape_ratio.iter().find(|value| !value.is_finite()) {
-        return wrong("shape", "finite", value);
+        return wrong(ModeQuantity::Shape, "finite", value);
     }
     if let Some(value) = mode.effective_mass_ratio.filter(|value| !(0.0..=1.0).contains(value)) {
-        return wrong("effective mass", "a ratio from 0 to 1", value);
+        return wrong(ModeQuantity::EffectiveMass, "a ratio from 0 to 1", value);
     }
     match mode.damping_ratio.filter(|ratio| !(0.0..1.0).contains(ratio)) {
         Some(damping_ratio) => Err(BuildingError::ModeDamping { mode: number, damping_ratio }),

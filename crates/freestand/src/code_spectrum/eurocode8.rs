@@ -131,7 +131,7 @@ const VERTICAL_CORNERS_S: [f64; 3] = [0.05, 0.15, 1.0];
 /// ```
 pub fn damping_correction_ratio(damping_ratio: f64) -> Result<f64, CodeSpectrumError> {
     if !(0.0..1.0).contains(&damping_ratio) {
-        let requirement = "from 0 to below 1";
+        let requirement = "at least 0 and below 1";
         return Err(CodeSpectrumError::Parameter { name: "the damping ratio ξ", requirement, value: damping_ratio });
     }
     Ok((0.1 / (0.05 + damping_ratio)).sqrt().max(0.55))

@@ -41,7 +41,8 @@ pub use frame_period::{FrameKind, fundamental_period_s};
 pub use nzs1170_5::{Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor};
 pub use table::{Interpolation, OutOfRange, SpectrumTable};
 
-/// An elastic code spectrum, which motions are compared with and matched to, 5 % damping.
+/// An elastic code spectrum at 5 % damping, with which motions are compared and to which they are
+/// matched.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CodeSpectrum {
     /// Australia.
@@ -78,7 +79,7 @@ impl CodeSpectrum {
             Self::Eurocode8(_) => "EN 1998-1:2004",
             Self::Asce7(code) => code.edition().name(),
             Self::Nzs1170_5(_) => "NZS 1170.5:2004",
-            Self::Table(_) => "table of the user",
+            Self::Table(_) => "user's table",
         }
     }
 
@@ -184,7 +185,7 @@ impl From<SpectrumTable> for CodeSpectrum {
     }
 }
 
-/// Why parameters do not make a code spectrum.
+/// Why parameters do not define a code spectrum.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CodeSpectrumError {
     /// A site class that does not exist.
@@ -201,8 +202,8 @@ pub enum CodeSpectrumError {
         /// The factor that was given.
         hazard_factor: f64,
     },
-    /// The code has no probability factor for the return period.
-    #[error("the code has no probability factor for {return_period_years} years, only for {known_years:?}")]
+    /// The return period is not in the code's table.
+    #[error("the code has no factor for a return period of {return_period_years} years, only for {known_years:?}")]
     ReturnPeriod {
         /// The return period that was given.
         return_period_years: u32,
@@ -239,8 +240,8 @@ pub enum CodeSpectrumError {
     },
     /// A table whose columns differ in length, or that has fewer than two rows.
     #[error(
-        "a table needs at least two periods and as many accelerations, not {periods} periods and \
-         {accelerations} accelerations"
+        "a table needs at least two periods and as many accelerations: the number of periods is {periods}, that of \
+         accelerations {accelerations}"
     )]
     TableLength {
         /// Number of periods.

@@ -145,7 +145,7 @@ pub fn return_period_factor(return_period_years: u32) -> Result<f64, CodeSpectru
 /// NZS 1170.5:2004, clause 3.1.6 and Table 3.7.
 ///
 /// # Example
-/// 3 s at 11 km: Nmax = 1.36, half of its excess.
+/// At 3 s and 11 km Nmax = 1.36, and half of its excess over 1 remains: N = 1.18.
 /// ```
 /// assert!((freestand::code_spectrum::near_fault_ratio(3.0, 11.0) - 1.18).abs() < 1e-15);
 /// ```
@@ -171,7 +171,7 @@ pub struct Nzs1170_5 {
 }
 
 impl Nzs1170_5 {
-    /// The spectrum of a site; without a distance there is no major fault nearby, and N = 1.
+    /// The spectrum of a site. Without a distance N = 1: there is no major fault nearby.
     ///
     /// # Reference
     /// NZS 1170.5:2004, Eq. (3.1(1)): `Z R ≤ 0.7`; N = 1 for R ≤ 0.75 and beyond 20 km.

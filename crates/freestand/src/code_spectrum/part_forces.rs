@@ -55,11 +55,12 @@ impl PartForce {
 /// A part according to AS 1170.4, section 8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct As1170_4Part {
-    /// a_c: 1, or 2.5 on flexible mounts.
+    /// Component amplification factor a_c: 1, or 2.5 on flexible mounts.
     pub amplification_ratio: f64,
-    /// R_c: 1 where the connection or the part is brittle, 2.5 otherwise.
+    /// Component ductility factor R_c: 1 where the connection or the part is brittle, 2.5
+    /// otherwise.
     pub ductility_ratio: f64,
-    /// I_c: 1, or 1.5 for a part that is critical to life safety.
+    /// Component importance factor I_c: 1, or 1.5 for a part that is critical to life safety.
     pub importance_ratio: f64,
 }
 
@@ -90,11 +91,11 @@ pub fn as1170_4_force(floor_acceleration_g: f64, part: &As1170_4Part) -> PartFor
 /// A component according to ASCE 7-16, chapter 13.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asce7_16Part {
-    /// a_p: 1 if rigid, 2.5 if flexible.
+    /// Component amplification factor a_p: 1 if rigid, 2.5 if flexible.
     pub amplification_ratio: f64,
-    /// R_p.
+    /// Component response modification factor R_p.
     pub response_ratio: f64,
-    /// I_p: 1 or 1.5.
+    /// Component importance factor I_p: 1 or 1.5.
     pub importance_ratio: f64,
 }
 
@@ -123,13 +124,13 @@ pub fn asce7_16_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_16Part)
 /// A component according to ASCE 7-22, chapter 13.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asce7_22Part {
-    /// C_AR: 1 where resonance is unlikely.
+    /// Component resonance ductility factor C_AR: 1 where resonance is unlikely.
     pub resonance_ratio: f64,
-    /// R_po.
+    /// Component strength factor R_po.
     pub strength_ratio: f64,
-    /// R_μ of the building, at least 1.3, which also applies to an unknown one.
+    /// Ductility reduction factor R_μ of the building: at least 1.3, and 1.3 if it is unknown.
     pub building_ductility_ratio: f64,
-    /// I_p: 1 or 1.5.
+    /// Component importance factor I_p: 1 or 1.5.
     pub importance_ratio: f64,
 }
 
@@ -165,9 +166,9 @@ pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part)
 pub struct Eurocode8Part {
     /// T_a/T_1, the period of the element over that of the building; 0 for a rigid one.
     pub period_ratio: f64,
-    /// γ_a: 1, or 1.5 for an element that is important for life safety.
+    /// Importance factor γ_a: 1, or 1.5 for an element that is important for life safety.
     pub importance_ratio: f64,
-    /// q_a: 1 or 2.
+    /// Behaviour factor q_a: 1 or 2.
     pub behaviour_ratio: f64,
 }
 
@@ -191,11 +192,11 @@ pub fn eurocode8_force(ground_acceleration_g: f64, level_ratio: f64, part: &Euro
 /// A part according to NZS 1170.5, section 8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nzs1170_5Part {
-    /// C_i(T_p): 2 up to 0.75 s.
+    /// Part spectral shape factor C_i(T_p): 2 up to 0.75 s.
     pub spectral_ratio: f64,
-    /// C_ph: 1 for an elastic part, less for a ductile one.
+    /// Part response factor C_ph: 1 for an elastic part, less for a ductile one.
     pub response_ratio: f64,
-    /// R_p: 0.9 to 1.1, depending on its category.
+    /// Part risk factor R_p: 0.9 to 1.1, depending on the category of the part.
     pub risk_ratio: f64,
 }
 

@@ -12,8 +12,8 @@ use super::{Asce7, Asce7Edition, CodeSpectrum};
 pub struct PartsQuestion {
     /// Height of the floor divided by that of the building: 0 is the ground, 1 the roof.
     pub level_ratio: f64,
-    /// Height of the building \[m\].
-    pub building_height_m: f64,
+    /// Height of the building \[m\]; only AS 1170.4 and NZS 1170.5 use it.
+    pub building_height_m: Option<f64>,
     /// Fundamental period of the building \[s\]; only ASCE 7-22 uses it, and it also has a rule for
     /// an unknown one.
     pub building_period_s: Option<f64>,
@@ -24,8 +24,8 @@ pub struct PartsQuestion {
 const AS_TALL_M: f64 = 12.0;
 
 /// Acceleration of a rigid part (period 0, rigidly fixed, no importance or ductility) on a
-/// floor \[g\]; `None` for a user's table, a level outside 0 to 1, a height that is not positive,
-/// or a given period that is not positive.
+/// floor \[g\]; `None` for a user's table, a level outside 0 to 1, a height or a period that is not
+/// positive, or without a height that the code needs.
 ///
 /// | code | acceleration |
 /// |---|---|
@@ -41,24 +41,23 @@ const AS_TALL_M: f64 = 12.0;
 /// use freestand::code_spectrum::{As1170_4, CodeSpectrum, Edition, SiteClass};
 /// use freestand::code_spectrum::parts::{PartsQuestion, floor_acceleration_g};
 /// let code = CodeSpectrum::from(As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500)?);
-/// let roof = PartsQuestion { level_ratio: 1.0, building_height_m: 96.0, building_period_s: None };
+/// let roof = PartsQuestion { level_ratio: 1.0, building_height_m: Some(96.0), building_period_s: None };
 /// assert!((floor_acceleration_g(&code, &roof).unwrap() - 0.264).abs() < 1e-15);
 /// # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
 /// ```
 pub fn floor_acceleration_g(code: &CodeSpectrum, question: &PartsQuestion) -> Option<f64> {
     let PartsQuestion { level_ratio, building_height_m, building_period_s } = *question;
-    let is_period = building_period_s.is_none_or(|period_s| period_s > 0.0 && period_s.is_finite());
-    let is_height = building_height_m > 0.0 && building_height_m.is_finite();
-    if !(0.0..=1.0).contains(&level_ratio) || !is_height || !is_period {
+    let is_fine = |value: Option<f64>| value.is_none_or(|value| value > 0.0 && value.is_finite());
+    if !(0.0..=1.0).contains(&level_ratio) || !is_fine(building_height_m) || !is_fine(building_period_s) {
         return None;
     }
-    let height_m = level_ratio * building_height_m;
     let factor = match code {
-        CodeSpectrum::As1170_4(_) if building_height_m >= AS_TALL_M => 1.0 + 2.0 * level_ratio,
-        CodeSpectrum::As1170_4(_) => 1.0 + 0.17 * height_m,
+        CodeSpectrum::As1170_4(_) => as1170_4_height_ratio(level_ratio, building_height_m?),
         CodeSpectrum::Eurocode8(_) => eurocode8_factor_ratio(level_ratio, 0.0),
         CodeSpectrum::Asce7(code) => asce7_height_factor_ratio(code, level_ratio, building_period_s),
-        CodeSpectrum::Nzs1170_5(_) => (1.0 + height_m / 6.0).min(1.0 + 10.0 * level_ratio).min(3.0),
+        CodeSpectrum::Nzs1170_5(_) => {
+            (1.0 + level_ratio * building_height_m? / 6.0).min(1.0 + 10.0 * level_ratio).min(3.0)
+        }
         CodeSpectrum::Table(_) => return None,
     };
     // In every code the acceleration of the ground is the value at T = 0: kpZ Ch(0), a_g S, 0.4
@@ -93,6 +92,22 @@ pub fn clause(code: &CodeSpectrum) -> Option<&'static str> {
 /// ```
 pub fn eurocode8_factor_ratio(level_ratio: f64, period_ratio: f64) -> f64 {
     (3.0 * (1.0 + level_ratio) / (1.0 + (1.0 - period_ratio).powi(2)) - 0.5).max(1.0)
+}
+
+/// Height factor of AS 1170.4, section 8: 1 + kc hx, with kc = 2/hn from 12 m, 0.17 below.
+///
+/// # Example
+/// ```
+/// use freestand::code_spectrum::parts::as1170_4_height_ratio;
+/// assert_eq!(as1170_4_height_ratio(1.0, 96.0), 3.0);
+/// assert_eq!(as1170_4_height_ratio(1.0, 10.0), 2.7);
+/// ```
+pub fn as1170_4_height_ratio(level_ratio: f64, building_height_m: f64) -> f64 {
+    if building_height_m >= AS_TALL_M {
+        1.0 + 2.0 * level_ratio
+    } else {
+        1.0 + 0.17 * (level_ratio * building_height_m)
+    }
 }
 
 /// Height factor of ASCE 7: 1 + 2 z/h in edition 16; Hf in edition 22, with `a1 = min(1/Ta, 2.5)`
@@ -133,7 +148,8 @@ mod tests {
         SpectrumType, SubsoilClass,
     };
 
-    fn at(code: &CodeSpectrum, level_ratio: f64, building_height_m: f64, building_period_s: Option<f64>) -> f64 {
+    fn at(code: &CodeSpectrum, level_ratio: f64, height_m: f64, building_period_s: Option<f64>) -> f64 {
+        let building_height_m = Some(height_m);
         floor_acceleration_g(code, &PartsQuestion { level_ratio, building_height_m, building_period_s }).unwrap()
     }
 
@@ -215,12 +231,13 @@ mod tests {
     fn a_table_has_no_clause_and_bad_questions_no_answer() {
         let table =
             SpectrumTable::new(vec![0.0, 1.0], vec![0.1, 0.1], Interpolation::LogLog, OutOfRange::Hold).unwrap();
-        let roof = PartsQuestion { level_ratio: 1.0, building_height_m: 30.0, building_period_s: None };
+        let roof = PartsQuestion { level_ratio: 1.0, building_height_m: Some(30.0), building_period_s: None };
         assert_eq!((floor_acceleration_g(&table.clone().into(), &roof), clause(&table.into())), (None, None));
         for bad in [
             PartsQuestion { level_ratio: 1.01, ..roof },
             PartsQuestion { level_ratio: f64::NAN, ..roof },
-            PartsQuestion { building_height_m: 0.0, ..roof },
+            PartsQuestion { building_height_m: Some(0.0), ..roof },
+            PartsQuestion { building_height_m: None, ..roof },
             PartsQuestion { building_period_s: Some(0.0), ..roof },
         ] {
             assert_eq!(floor_acceleration_g(&melbourne(), &bad), None, "{bad:?}");

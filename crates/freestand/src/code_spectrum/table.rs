@@ -1,4 +1,4 @@
-//! A spectrum from a table of the user.
+//! A spectrum from a user's table.
 
 use super::CodeSpectrumError;
 

@@ -84,7 +84,7 @@ proptest! {
         period in prop::option::of(0.05..6.0f64),
     ) {
         let at = |level_ratio| {
-            let question = parts::PartsQuestion { level_ratio, building_height_m: height_m, building_period_s: period };
+            let question = parts::PartsQuestion { level_ratio, building_height_m: Some(height_m), building_period_s: period };
             parts::floor_acceleration_g(&code, &question)
         };
         if let (Some(ground), Some(lower), Some(upper)) = (at(0.0), at(low), at(low + (1.0 - low) * share)) {

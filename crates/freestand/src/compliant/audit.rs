@@ -9,13 +9,13 @@ use super::equation::{Body, DASHPOT, DRAG, Grip, SLIP, State, WORK};
 /// with the motion; none is calculated as the remainder of a sum.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct EnergyAudit {
-    /// At the start, relative to unloaded cushions \[J\].
+    /// Energy at the start, relative to unloaded cushions \[J\].
     pub initial_j: f64,
-    /// ½m v² + ½I ω², relative to the base \[J\].
+    /// Kinetic energy ½m v² + ½I ω², relative to the base \[J\].
     pub kinetic_j: f64,
-    /// m g z \[J\].
+    /// Potential energy m g z \[J\].
     pub potential_j: f64,
-    /// In cushions and tangential springs \[J\].
+    /// Energy stored in cushions and tangential springs \[J\].
     pub stored_j: f64,
     /// Dissipated by the dashpots of the cushions \[J\].
     pub cushion_dissipation_j: f64,
@@ -23,10 +23,10 @@ pub struct EnergyAudit {
     pub tangential_dissipation_j: f64,
     /// Dissipated by slip \[J\].
     pub friction_j: f64,
-    /// Left in cushions and tangential springs where a contact ended; they recover without the
-    /// block \[J\].
+    /// Energy left in cushions and tangential springs where a contact ended; they recover without
+    /// the block \[J\].
     pub lost_at_separation_j: f64,
-    /// Done by the base: −m ∫(ü_h ẋ + ü_v ż) dt \[J\].
+    /// Work done by the base: −m ∫(ü_h ẋ + ü_v ż) dt \[J\].
     pub base_work_j: f64,
     /// The reference for the error: largest kinetic energy, plus all that was dissipated and lost
     /// and the work of the weight on the cushions \[J\].
@@ -62,7 +62,7 @@ impl Ledger {
         a.kinetic_j + a.potential_j + a.stored_j + dissipated_j - a.base_work_j - a.initial_j
     }
 
-    /// Enters the state at the end of a step.
+    /// Adds the state at the end of a step.
     pub(super) fn enter(&mut self, body: &Body, grips: &[Grip], y: &State) {
         let a = &mut self.audit;
         (a.kinetic_j, a.potential_j) = body.mechanical_j(y);

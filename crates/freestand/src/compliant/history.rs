@@ -80,7 +80,7 @@ impl CompliantRecorder {
     /// The samples; for a block that rests to the end, the last ones repeat its state of rest.
     pub fn finish(mut self, rocking: &CompliantRocking) -> Vec<CompliantPoint> {
         while let Some(last) = self.points.last().cloned()
-            && self.sampled as f64 * self.dt_s < rocking.end_s
+            && self.sampled as f64 * self.dt_s < rocking.end_time_s
         {
             self.points.push(CompliantPoint { time_s: self.sampled as f64 * self.dt_s, ..last });
             self.sampled += 1;

@@ -59,7 +59,7 @@ pub const ASSUMED_TANGENTIAL_RATIO: f64 = 1.0;
 pub struct CompliantBase {
     /// Mass of the block \[kg\].
     pub mass_kg: f64,
-    /// Everything under one edge.
+    /// The cushion under one edge.
     pub cushion: Cushion,
     /// Contact elements, evenly spaced from edge to edge: 2 are the two edges; N > 2 share the
     /// cushions of both, 2/N of the `cushion` each.
@@ -70,7 +70,7 @@ pub struct CompliantBase {
     /// equations stiff: k_t/c steps per second. Without slip it pulls on contacts that carry almost
     /// no load, and they may chatter; use friction then.
     pub tangential_damping_n_s_m: f64,
-    /// μ, or `None`: no slip during contact.
+    /// Coefficient of friction μ; `None`: no slip during contact.
     pub friction_ratio: Option<f64>,
 }
 
@@ -101,8 +101,8 @@ pub enum Start {
     /// At rest on the compressed cushions.
     #[default]
     Rest,
-    /// Held at a rotation and released: the weight rests on the cushion of the lower edge, and the
-    /// tilt is held by a couple that ends at t = 0; then the block rotates about that edge at
+    /// Held at a rotation and released: the weight rests on the cushion of the lower edge, and a
+    /// couple that ends at t = 0 holds the rotation; then the block rotates about that edge at
     /// `omega_rad_s`.
     Tilted {
         /// θ \[rad\], from the upright position.
@@ -121,8 +121,8 @@ pub enum Start {
 /// the cushions.
 ///
 /// # Accuracy
-/// Runge–Kutta 5(4): the error of a history decreases in proportion to the tolerance. The worst
-/// over the first second, for a cabinet released on 4380 N/mm:
+/// Runge–Kutta 5(4): the error of a history decreases in proportion to the tolerance. The
+/// largest relative errors over the first second, for a cabinet released on 4380 N/mm:
 ///
 /// | level | tolerance | peak shock | energy |
 /// |---|---|---|---|
@@ -130,8 +130,8 @@ pub enum Start {
 /// | standard | 1e-8 | 2e-7 | 1e-8 |
 /// | tight | 1e-11 | 2e-10 | 1e-11 |
 ///
-/// Laws with a root at first contact (Hertz) close the energy balance to 1e-5 at `standard`, a
-/// bottoming law near its limit to 1e-3.
+/// At `standard` the energy balance closes to 1e-5 with a law that has a fractional power at first
+/// contact (Hertz), and to 1e-3 with a bottoming law near its limit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum CompliantAccuracy {
     /// 1e-5: for surveys.
@@ -216,7 +216,7 @@ pub struct Touch {
     /// ω at that time \[rad/s\].
     pub omega_before_rad_s: f64,
     /// Time at which it ended, if it did \[s\].
-    pub end_s: Option<f64>,
+    pub end_time_s: Option<f64>,
     /// Upward velocity of the edge at its end \[m/s\].
     pub rebound_m_s: Option<f64>,
     /// ω at its end \[rad/s\].
@@ -227,8 +227,8 @@ pub struct Touch {
     pub peak_force_n: f64,
 }
 
-/// The largest rotation between two passages of the upright position during which an edge was off
-/// its cushion.
+/// A swing: the largest rotation between two passages of the upright position, if an edge was off
+/// its cushion between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swing {
     /// Time \[s\].
@@ -269,7 +269,7 @@ pub struct CompliantRocking {
     /// How the history ended; `NoUplift` if no edge rose above its unloaded pad.
     pub outcome: Outcome,
     /// Time at which the history ended \[s\].
-    pub end_s: f64,
+    pub end_time_s: f64,
     /// Equilibrium on the cushions at rest; `None` if there is no stable one (and the history did
     /// not start from it).
     pub equilibrium: Option<Equilibrium>,
@@ -347,7 +347,7 @@ pub enum CompliantError {
     /// Too few or too many contact elements.
     #[error("an object must have 2 to {MAX_CONTACTS} contact elements, not {contacts}")]
     Contacts {
-        /// How many were given.
+        /// The number that was given.
         contacts: usize,
     },
     /// The cushions are too soft to keep the object upright.
@@ -356,9 +356,9 @@ pub enum CompliantError {
          {stiffness_n_m:.4} N m/rad; m g z = {needed_n_m:.4} N m/rad)"
     )]
     Unstable {
-        /// Rotational stiffness of the cushions under the weight.
+        /// Rotational stiffness of the cushions under the weight \[N m/rad\].
         stiffness_n_m: f64,
-        /// Weight times the height of the centre of gravity.
+        /// The stiffness needed: weight times height of the centre of gravity \[N m/rad\].
         needed_n_m: f64,
     },
     /// An end that is not positive and finite, or none at all.
@@ -373,13 +373,16 @@ pub enum CompliantError {
     /// The step that would be accurate enough is lost in rounding.
     #[error("the motion of the object cannot be calculated at {time_s} s: the time step shrank to {step_s} s")]
     StepTooSmall {
-        /// Time \[s\].
+        /// Time at which the calculation was abandoned \[s\].
         time_s: f64,
-        /// The step \[s\].
+        /// Length of the step \[s\].
         step_s: f64,
     },
     /// More than [`MAX_STEPS`] steps.
-    #[error("{limit} steps by {time_s} s: the cushions are too stiff for a history of this length")]
+    #[error(
+        "the calculation stopped at {time_s} s after {limit} steps: the cushions are too stiff for a history of this \
+         length"
+    )]
     TooManySteps {
         /// Time at which the calculation was abandoned \[s\].
         time_s: f64,
@@ -392,17 +395,17 @@ fn positive(name: &'static str, value: f64) -> Result<(), CompliantError> {
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(CompliantError::Value { name, requirement: "positive", value })
+    Err(CompliantError::Value { name, requirement: "positive and finite", value })
 }
 
 fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
     if value >= 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(CompliantError::Value { name, requirement: "zero or positive", value })
+    Err(CompliantError::Value { name, requirement: "at least 0 and finite", value })
 }
 
-/// Refuses input from which no history can be calculated.
+/// Returns an error for input from which no history can be calculated.
 fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> Result<(), CompliantError> {
     positive("mass", base.mass_kg)?;
     positive("gravity", options.gravity_m_s2)?;

@@ -162,7 +162,7 @@ pub fn rock_compliant_observed(
 fn nothing_yet(options: &CompliantOptions, equilibrium: Option<super::Equilibrium>) -> CompliantRocking {
     CompliantRocking {
         outcome: Outcome::NoUplift,
-        end_s: 0.0,
+        end_time_s: 0.0,
         equilibrium,
         peak_rotation_rad: 0.0,
         peak_rotation_time_s: 0.0,
@@ -214,7 +214,7 @@ pub(super) struct Solver<'a, 'b, F> {
     pub(super) body: &'a Body<'b>,
     pub(super) cg_from_left_m: f64,
     pub(super) grips: Vec<Grip>,
-    /// The kinks of its law between which each cushion is compressed.
+    /// For each cushion, the two kinks of its law that enclose its compression.
     pub(super) lines: Vec<(f64, f64)>,
     pub(super) kinks_m: Vec<f64>,
     pub(super) y: State,
@@ -433,7 +433,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             }
         }
         self.track.finish(block, self.time_s, &mut result);
-        (result.end_s, result.effort) = (self.time_s, self.effort);
+        (result.end_time_s, result.effort) = (self.time_s, self.effort);
         (result.final_rotation_rad, result.final_omega_rad_s) = (self.y[THETA], self.y[OMEGA]);
         result.energy = self.ledger.close();
         if result.uplift_m > 0.0 {

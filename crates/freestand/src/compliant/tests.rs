@@ -208,7 +208,7 @@ fn a_flat_fall_is_the_landing_of_one_mass() {
         assert!((touch.time_s - (2.0 * height_m / G0_M_S2).sqrt()).abs() < 1e-9, "{name}");
         let last = history.last().unwrap();
         // The reference ends between two of its steps.
-        assert!((touch.end_s.unwrap() - touch.time_s - last.time_s).abs() < 2e-4 * last.time_s, "{name}");
+        assert!((touch.end_time_s.unwrap() - touch.time_s - last.time_s).abs() < 2e-4 * last.time_s, "{name}");
         assert!((touch.rebound_m_s.unwrap() + last.speed_m_s).abs() < 3e-4 * speed_m_s, "{name}");
         assert!(got.peak_rotation_rad < 1e-12, "{name}: {}", got.peak_rotation_rad);
         assert_eq!(got.outcome, crate::rocking::Outcome::Rocked);
@@ -528,9 +528,9 @@ proptest! {
         prop_assert!(beyond_ratio <= 1e-4, "{beyond_ratio}");
         prop_assert!(got.energy.friction_j >= -1e-6 * got.energy.turnover_j, "{:?}", got.energy);
         prop_assert!(got.peak_edge_acceleration_m_s2().is_finite() && got.uplift_m >= 0.0);
-        prop_assert_eq!(got.overturn_time_s.is_none(), got.end_s == 0.5);
+        prop_assert_eq!(got.overturn_time_s.is_none(), got.end_time_s == 0.5);
         for touch in &got.touches {
-            prop_assert!(touch.end_s.is_none_or(|end_s| end_s >= touch.time_s));
+            prop_assert!(touch.end_time_s.is_none_or(|end_s| end_s >= touch.time_s));
         }
     }
 }

@@ -90,7 +90,7 @@ struct EdgeTrack {
 #[derive(Debug)]
 pub(super) struct Track {
     edges: [EdgeTrack; 2],
-    /// Right and up of the centre of gravity.
+    /// Requested points: distances (to the right, upward) from the centre of gravity.
     points: Vec<(f64, f64)>,
     is_free: bool,
     alpha: [f64; 2],
@@ -241,7 +241,7 @@ impl Track {
             time_s,
             speed_m_s: body.foot(contact, y).compression_rate,
             omega_before_rad_s: y[OMEGA],
-            end_s: None,
+            end_time_s: None,
             rebound_m_s: None,
             omega_after_rad_s: None,
             peak_acceleration_m_s2: 0.0,
@@ -264,7 +264,7 @@ impl Track {
         }
         let Some(edge) = self.edges.iter_mut().find(|edge| edge.contact == contact) else { return };
         if let Some(touch) = edge.open.take().and_then(|open| result.touches.get_mut(open)) {
-            touch.end_s = Some(time_s);
+            touch.end_time_s = Some(time_s);
             touch.rebound_m_s = Some(-body.foot(contact, y).compression_rate);
             touch.omega_after_rad_s = Some(y[OMEGA]);
         }

@@ -11,9 +11,9 @@ use thiserror::Error;
 /// σ = a exp(b E): one curve for all drop heights, thicknesses and loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StressEnergy {
-    /// a \[Pa\].
+    /// Stress a at zero energy \[Pa\].
     pub stress_pa: f64,
-    /// b \[m³/J\].
+    /// Exponent b \[m³/J\].
     pub exponent_m3_j: f64,
 }
 
@@ -31,7 +31,7 @@ pub struct StressEnergyFit {
     pub tests: usize,
 }
 
-/// Why tests do not give a curve.
+/// Why a curve cannot be fitted to tests.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum CurveError {
     /// Too few tests: two parameters need more than two tests.
@@ -52,7 +52,7 @@ pub enum CurveError {
     /// The stress does not grow with the energy.
     #[error("the dynamic stress does not grow with the energy (b = {exponent_m3_j} m³/J)")]
     Falling {
-        /// b.
+        /// Exponent b of the fit \[m³/J\].
         exponent_m3_j: f64,
     },
 }

@@ -7,9 +7,9 @@ use super::Cushion;
 pub struct ContactPoint {
     /// Time since first contact \[s\].
     pub time_s: f64,
-    /// d \[m\].
+    /// Compression d \[m\].
     pub compression_m: f64,
-    /// ḋ, positive while the compression grows \[m/s\].
+    /// Rate of compression ḋ, positive while the compression grows \[m/s\].
     pub speed_m_s: f64,
     /// Force of the cushion \[N\].
     pub force_n: f64,
@@ -21,7 +21,7 @@ const STEPS: f64 = 4000.0;
 /// Largest step in radians of the frequency √(F′/m) at the compression that the step reaches: a
 /// cushion that bottoms is many times stiffer there than on average.
 const MAX_ANGLE: f64 = 2e-3;
-/// Smallest step over the common one.
+/// Smallest step as a share of the usual one.
 const MIN_SHARE: f64 = 1e-4;
 /// Largest number of steps: a limit for cushions for which no step is small enough.
 const MAX_STEPS: u32 = 1_000_000;

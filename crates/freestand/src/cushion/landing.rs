@@ -20,7 +20,7 @@ pub struct Contact {
     pub compression_m: f64,
     /// Time from first contact until the force is zero again \[s\].
     pub duration_s: f64,
-    /// e: rebound velocity divided by impact velocity.
+    /// Restitution e: rebound velocity divided by impact velocity.
     pub restitution_ratio: f64,
 }
 

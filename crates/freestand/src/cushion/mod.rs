@@ -15,43 +15,44 @@ use thiserror::Error;
 
 use crate::search::bisect;
 
-/// Force against compression d and its rate ḋ (positive while the compression grows).
+/// The force of a cushion as a function of its compression d and the rate ḋ (positive while the
+/// compression grows).
 #[derive(Debug, Clone, PartialEq)]
 pub enum ContactLaw {
     /// F = k d.
     Linear {
-        /// k \[N/m\].
+        /// Stiffness k \[N/m\].
         stiffness_n_m: f64,
     },
     /// F = K dⁿ; a sphere on a thick pad has n = 1.5 (Hertz).
     Power {
-        /// K \[N/mⁿ\].
+        /// Coefficient K \[N/mⁿ\].
         coefficient_n_mn: f64,
-        /// n.
+        /// Exponent n.
         exponent: f64,
     },
     /// F = k d + c ḋ.
     KelvinVoigt {
-        /// k \[N/m\].
+        /// Stiffness k \[N/m\].
         stiffness_n_m: f64,
-        /// c = 2ζ√(k m) \[N s/m\].
+        /// Damping c = 2ζ√(k m) \[N s/m\].
         damping_n_s_m: f64,
     },
     /// F = K dⁿ (1 + Λ ḋ), Hunt and Crossley (1975): the force is zero at the first and at the last
     /// moment of contact.
     HuntCrossley {
-        /// K \[N/mⁿ\].
+        /// Coefficient K \[N/mⁿ\].
         coefficient_n_mn: f64,
-        /// n.
+        /// Exponent n.
         exponent: f64,
-        /// Λ \[s/m\].
+        /// Dissipation Λ \[s/m\].
         dissipation_s_m: f64,
     },
     /// F = (2 k₀ d_b/π) tan(π d/2d_b), Mindlin (1945): a cushion that bottoms at d_b.
     Tangent {
-        /// k₀, the initial stiffness \[N/m\].
+        /// Initial stiffness k₀ \[N/m\].
         stiffness_n_m: f64,
-        /// d_b \[m\].
+        /// Compression d_b at which the cushion bottoms \[m\].
         bottoming_m: f64,
     },
     /// Straight lines between measured points, from (0, 0); the last line continues past the last
@@ -75,7 +76,7 @@ pub struct Cushion {
     law: ContactLaw,
 }
 
-/// Why numbers do not make a cushion.
+/// Why a [`Cushion`] cannot be created.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CushionError {
     /// A number of the law is out of range.
@@ -101,8 +102,8 @@ pub enum CushionError {
         /// What is wrong.
         requirement: &'static str,
     },
-    /// A damped law in series, which has an inner state that the model does not cover.
-    #[error("a damped cushion ({law}) in series with another has an inner state, which the model does not cover")]
+    /// A damped law in series: it would have an inner state, which the model does not cover.
+    #[error("cushions in series must be undamped, and the {law} law is damped")]
     DampedSeries {
         /// The law.
         law: &'static str,
@@ -319,7 +320,7 @@ fn check_table(compressions_m: &[f64], forces_n: &[f64]) -> Result<(), CushionEr
     }
     for i in 1..compressions_m.len() {
         if !compressions_m[i].is_finite() || !forces_n[i].is_finite() {
-            return refuse(i + 1, "it is not a number");
+            return refuse(i + 1, "compression and force must be finite numbers");
         }
         if compressions_m[i] <= compressions_m[i - 1] {
             return refuse(i + 1, "the compression must rise from point to point");
@@ -347,7 +348,8 @@ fn check_series(parts: &[ContactLaw]) -> Result<(), CushionError> {
         if let ContactLaw::Tabulated { forces_n, .. } = part
             && let Some(i) = (1..forces_n.len()).find(|&i| forces_n[i] <= forces_n[i - 1])
         {
-            return Err(CushionError::Table { number: i + 1, requirement: "in a series every line must rise" });
+            let requirement = "the force must rise from point to point, because the table is part of a series";
+            return Err(CushionError::Table { number: i + 1, requirement });
         }
     }
     Ok(())

@@ -7,7 +7,7 @@ use rand_distr::{Distribution, StandardNormal};
 /// The random numbers of one draw for one object under one motion: ChaCha8 with a 256-bit key that
 /// holds the four numbers, each as 8 bytes, little endian.
 ///
-/// Nothing else affects them: neither the thread nor the order or the shard in which objects are
+/// Nothing else affects them: not the thread, the order or the shard in which objects are
 /// calculated. The streams of two keys that differ in any bit are statistically independent.
 ///
 /// # Reference

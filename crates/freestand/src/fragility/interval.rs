@@ -4,8 +4,8 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use statrs::function::beta::checked_beta_reg;
 
 /// The largest number of 0/1 trials that one motion may count for. A few motions that happen to
-/// agree prove little about other motions: without this limit the interval covers as rarely as 73
-/// times in 100 where probabilities are small and uneven.
+/// agree prove little about other motions: without this limit the interval contains the true value
+/// in as few as 73 of 100 cases where probabilities are small and uneven.
 const WORTH_OF_A_MOTION: f64 = 1.5;
 
 /// Confidence interval of a probability that is the mean of one probability per motion, each from 0
@@ -17,9 +17,9 @@ const WORTH_OF_A_MOTION: f64 = 1.5;
 ///
 /// with p the mean, s² the variance between motions, n their number, t(ν) the quantile of Student's
 /// t with ν degrees of freedom at the given confidence, and n_e′ the effective number without that
-/// factor; n where all are 0 or all are 1. Before the factor it is limited to 1.5 n, a limit of
-/// this program. The ends are quantiles of beta distributions: B(α/2; x, n_e − x + 1) and B(1 −
-/// α/2; x + 1, n_e − x) with x = p n_e; an end is 0 or 1 where the mean is.
+/// factor; n where all are 0 or all are 1. This program limits n_e′ to 1.5 n. The ends are
+/// quantiles of beta distributions: B(α/2; x, n_e − x + 1) and B(1 − α/2; x + 1, n_e − x) with
+/// x = p n_e; the lower end is 0 where the mean is 0, the upper end 1 where the mean is 1.
 ///
 /// (0, 1) without motions, or with a value that is not a probability.
 ///
@@ -30,7 +30,7 @@ const WORTH_OF_A_MOTION: f64 = 1.5;
 /// # Accuracy
 /// Coverage of 95 % intervals by simulation, means 0.01 to 0.5, probabilities beta-distributed
 /// between motions (correlation 0.02 to 1) and n = 10, 20, 50: 96 % at least; up to 100 % where
-/// motions agree. The ends are within 1e-15.
+/// motions agree. The ends are accurate to 1e-15.
 ///
 /// # Example
 /// None of 20 motions: the upper end is 1 − 0.025^(1/20).
@@ -49,7 +49,7 @@ pub fn probability_interval(values_by_motion: &[f64], confidence: f64) -> (f64, 
     clopper_pearson(mean * trials, trials, confidence)
 }
 
-/// n_e.
+/// The effective number of trials, n_e.
 fn effective_trials(values: &[f64], mean: f64, tail: f64) -> f64 {
     let count = values.len() as f64;
     let binomial = mean * (1.0 - mean);
@@ -63,7 +63,7 @@ fn effective_trials(values: &[f64], mean: f64, tail: f64) -> f64 {
     effective * (student(effective - 1.0, tail) / student(count - 1.0, tail)).powi(2)
 }
 
-/// t with ν degrees of freedom, at least 1.
+/// The quantile t(ν) of Student's t, with ν at least 1.
 fn student(freedom: f64, tail: f64) -> f64 {
     StudentsT::new(0.0, 1.0, freedom.max(1.0)).map_or(1.0, |t| t.inverse_cdf(1.0 - tail))
 }

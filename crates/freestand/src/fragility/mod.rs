@@ -31,8 +31,8 @@ fn normal_ratio(z: f64) -> f64 {
 /// Rounding. With β = 0 it is a step, with ½ at the median.
 ///
 /// # Example
-/// A bookcase of five shelves, median peak floor velocity 0.29 m/s with β = 0.5, on a floor with
-/// 0.4 m/s, and on one with its median:
+/// A bookcase of five shelves with a median peak floor velocity of 0.29 m/s and β = 0.5, on a floor
+/// with a peak velocity of 0.4 m/s, and on one with the median itself:
 /// ```
 /// use freestand::fragility::lognormal_probability;
 /// assert!((lognormal_probability(0.4, 0.29, 0.5) - 0.73994).abs() < 5e-6);
@@ -66,14 +66,14 @@ impl LognormalFragility {
     }
 }
 
-/// Why counts do not give a fragility.
+/// Why a fragility cannot be fitted to counts of failures.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum FragilityError {
     /// A level without trials, with more failures than trials, or with an intensity that has no
     /// logarithm.
     #[error(
-        "level {level} (intensity {intensity}, {failures} of {trials}): the intensity must be positive and finite, \
-         there must be at least one trial, and no more failures than trials"
+        "level {level} (intensity {intensity}, {failures} of {trials} failed): the intensity must be positive and \
+         finite, there must be at least one trial, and no more failures than trials"
     )]
     Level {
         /// The level, counted from 1.
@@ -86,21 +86,21 @@ pub enum FragilityError {
         trials: u32,
     },
     /// No failure at any level.
-    #[error("none of the {trials} trials failed: the median is above all levels")]
+    #[error("no trial failed (number of trials: {trials}), so the median is above all levels")]
     NoneFailed {
         /// Number of trials over all levels.
         trials: u64,
     },
     /// No survivor at any level.
-    #[error("all of the {trials} trials failed: the median is below all levels")]
+    #[error("every trial failed (number of trials: {trials}), so the median is below all levels")]
     AllFailed {
         /// Number of trials over all levels.
         trials: u64,
     },
     /// A step from survival to failure: the likelihood grows without bound as β goes to 0.
     #[error(
-        "nothing fails below {fails_from} and nothing survives above {survives_to}: the levels are too few to show a \
-         spread"
+        "there is no failure below {fails_from} and no survivor above {survives_to}, so the spread β is unknown: \
+         test at more levels near these intensities"
     )]
     NoSpread {
         /// Lowest intensity with a failure.

@@ -17,7 +17,7 @@ const BEFORE: usize = 20;
 /// Flanks are located in the moving mean over this part of the pulse: single samples of a noisy
 /// flank cross a level many times.
 const SMOOTH_PART: usize = 60;
-/// A zero line that is followed by another is a plateau of at least this many samples.
+/// Smallest number of samples from which a shifted zero line after the pulse is determined.
 const MIN_PLATEAU: usize = 20;
 /// Smallest number of samples before the contact, for a mean and its scatter.
 const MIN_PRE: usize = 10;
@@ -72,7 +72,7 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     let highest = samples.iter().fold(0.0, |most: f64, a| most.max(a - rough_zero));
     let lowest = samples.iter().fold(0.0, |most: f64, a| most.max(rough_zero - a));
     if lowest > 2.0 * highest {
-        // Where the record is nothing but the pulse, its middle is not a zero line.
+        // Where the pulse fills the record, the median is not a zero line.
         let quiet = samples.iter().filter(|a| (*a - rough_zero).abs() < PULSE_SHARE * lowest).count();
         return Err(if 5 * quiet > 2 * samples.len() { Flag::UpsideDown } else { Flag::NoPreTrigger });
     }
@@ -130,8 +130,8 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     }
     judge_zero(pre, &samples[post], &mut pulse);
     let (rise, error) = trend(all);
-    // Where more than the noise remains about a line, it was not drift: the mass was held and
-    // released.
+    // Where more than the noise remains about the fitted line, the cause is not drift: the mass
+    // was held and released.
     let left = error * (all.len() as f64 / 12.0).sqrt();
     let is_drift = rise.abs() > ZERO_SHIFT_GATE * peak && rise.abs() > SIGNIFICANT * error;
     if is_drift && left < 2.0 * pulse.noise_m_s2.max(1e-3 * peak) && !pulse.flags.contains(&Flag::Drift) {

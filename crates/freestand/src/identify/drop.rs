@@ -14,18 +14,18 @@ const MIN_SAMPLES: f64 = 24.5;
 /// The flanks alone give a contact that is up to a fifth too short where the law has a root at its
 /// beginning (Hertz).
 const ROUGH_SHARE: f64 = 0.8;
-/// Low-pass corner times contact time.
+/// Smallest product of low-pass corner and contact time.
 const MIN_CORNER: f64 = 3.0;
 /// The reduction in the sum of squares that one more parameter must bring; one law in two thousand
 /// reaches it by chance.
 const WORTH: f64 = 12.0;
-/// The gain required to treat the pulse as one without weight. With a stated velocity, pulses with
-/// weight gain −3 or less at 75 g and below, and pulses without it +3 or more; above 75 g the two
-/// cannot be told apart, and the weight is assumed to act.
+/// The gain above which the weight is assumed not to act. With a stated velocity and peaks up to
+/// 75 g the gain is −3 or less for pulses with weight, and +3 or more for pulses without it; above
+/// 75 g the two cannot be told apart, and the weight is assumed to act.
 const LIKELY: f64 = 3.0;
 /// The reduction in the sum of squares that a clipped top must bring: five standard deviations.
 const CLEARLY_CUT: f64 = 25.0;
-/// The gain that removes all doubt: four standard deviations.
+/// The gain, of either sign, above which the choice counts as certain: four standard deviations.
 const DECISIVE: f64 = 16.0;
 /// A zero line that is wrong by more than this share of the peak gives no stiffness.
 const HOPELESS_SHIFT: f64 = 0.05;
@@ -35,7 +35,8 @@ const POOR_RESIDUAL: f64 = 0.01;
 const UNKNOWN_SPEED: f64 = 0.5;
 /// Laws whose scores differ by less than this cannot be told apart.
 const ALIKE: f64 = 4.0;
-/// Numerical accuracy, rounding of printed samples, and the clock of the recorder.
+/// Smallest standard deviation of ln k: numerical accuracy, rounding of printed samples, and the
+/// clock of the recorder.
 const FLOOR: f64 = 1e-3;
 
 /// Identifies the cushion under a mass that fell on it.
@@ -44,7 +45,7 @@ const FLOOR: f64 = 1e-3;
 /// line is the mean before the contact. The pulses of F = kd, Kdⁿ, kd + cḋ and Kdⁿ(1 + Λḋ) are
 /// fitted to the samples by least squares over first contact, impact velocity, zero line and the
 /// parameters of the law. The simplest law that no other improves on clearly is chosen. Known
-/// values of impact velocity and zero line are priors, so a wrong height yields to the pulse. The
+/// values of impact velocity and zero line are priors, so the pulse can correct a wrong height. The
 /// compression is the double integral over the contact alone.
 ///
 /// **Units**: samples in m/s², upward positive.
@@ -341,15 +342,16 @@ impl<'a> Contact<'a> {
         test.points = points;
     }
 
-    /// Whether a law with a clipped top is clearly better than the best law without one: a range
-    /// that ended before the noise was added.
+    /// Whether a law with a clipped top fits clearly better than the best law without one: the
+    /// sensor reached the end of its range, and noise that was added later hides the flat top.
     fn is_cut(&self, data: &Data, best: &Fit, others: &[Fit]) -> bool {
         let price = |fit: &Fit| WORTH * f64::from(numbers(fit.law));
         let limit = best.chi_squared + price(best) - CLEARLY_CUT;
         std::iter::once(best).chain(others).any(|fit| data.cut(fit).is_some_and(|cost| cost + price(fit) < limit))
     }
 
-    /// The fit that determines the exponent where the chosen law has it fixed.
+    /// The fit that determines the exponent: another than the best one if its law has a fixed
+    /// exponent.
     fn with_free_exponent(&self, best: &Fit, others: &[Fit], gravity: f64) -> Option<Fit> {
         match best.law {
             FittedLaw::Linear => others

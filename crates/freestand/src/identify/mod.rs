@@ -3,8 +3,9 @@
 //!
 //! In a drop test a rigid mass with an accelerometer falls on a pad. [`drop_test`] finds the
 //! contact, its zero line and the faults of the record, and fits the pulse of each law to the
-//! samples. Four textbook estimates and the exponent identity are reported with the fit. A record
-//! that cannot be trusted gets flags and no stiffness.
+//! samples. Four textbook estimates of the stiffness, and the exponent from an identity of peak,
+//! compression and velocity, are reported with the fit. A record that cannot be trusted gets flags
+//! and no stiffness.
 //!
 //! **Signs**: accelerations are positive upward. The zero line is the mean before the contact, when
 //! the mass falls freely: relative to it the reading is force over mass, whatever the coupling of
@@ -77,7 +78,7 @@ pub enum Flag {
     Drift,
     /// The low-pass corner times the contact time is below 3.
     Filter,
-    /// The impulse of the pulse is less than m v₀, or the pulse returns more than it took.
+    /// The impulse of the pulse is less than m v₀, or clearly more than 2 m v₀.
     Impulse,
     /// The impact velocity of the best fit differs from the stated one.
     Velocity,
@@ -121,7 +122,8 @@ impl Flag {
             }
             Self::Drift => "the zero line drifts: let the sensor settle, or check its coupling and temperature",
             Self::Filter => {
-                "the low-pass corner is below 3 divided by the contact time, which lowers the peak: raise it"
+                "the low-pass corner is below 3 divided by the contact time, which lowers the peak: raise the \
+                 corner"
             }
             Self::Impulse => {
                 "the impulse of the pulse does not agree with the mass and its velocity: check the unit, the mass \
@@ -132,9 +134,9 @@ impl Flag {
             }
             Self::Damping => {
                 "the pulse returns more energy than it took, so no damping is reported: check the zero line and the \
-                 velocity, or leave the law open"
+                 velocity, or try another law"
             }
-            Self::PoorFit => "no law fits the samples: look at the loop; does the pad bottom, or the plate tilt?",
+            Self::PoorFit => "no law fits the samples: check in the loop whether the pad bottoms or the plate tilts",
         }
     }
 }
@@ -144,7 +146,7 @@ impl Flag {
 pub enum ImpactVelocity {
     /// From a height or a light gate, with its standard deviation.
     Known {
-        /// v₀ \[m/s\].
+        /// Velocity v₀ at first contact \[m/s\].
         speed_m_s: f64,
         /// Relative standard deviation.
         error_ratio: f64,
@@ -165,7 +167,7 @@ pub struct DropSetup {
     pub gravity_m_s2: f64,
     /// Corner of the low-pass filter before the converter \[Hz\].
     pub filter_corner_hz: Option<f64>,
-    /// Fits this law only.
+    /// The only law to be fitted; `None` fits all and chooses one.
     pub law: Option<FittedLaw>,
 }
 
@@ -181,7 +183,7 @@ pub enum DropError {
         value: f64,
     },
     /// Too few samples.
-    #[error("{samples} samples are too few for a drop test")]
+    #[error("a drop test needs at least 20 samples, not {samples}")]
     TooShort {
         /// Number of samples.
         samples: usize,
@@ -234,9 +236,9 @@ pub struct Candidate {
     pub law: FittedLaw,
     /// Its secant at the largest compression \[N/m\].
     pub secant_n_m: f64,
-    /// n.
+    /// Exponent n.
     pub exponent: f64,
-    /// ζ of Kelvin–Voigt, otherwise 0.
+    /// Damping ratio ζ of Kelvin–Voigt, otherwise 0.
     pub damping_ratio: f64,
     /// Root mean square of the residuals divided by the peak.
     pub residual_ratio: f64,
@@ -252,18 +254,19 @@ pub struct Identified {
     pub chosen: FittedLaw,
     /// The law with its numbers, ready for a [`crate::cushion::Cushion`].
     pub law: ContactLaw,
-    /// Six stiffnesses.
+    /// The six estimates of its stiffness.
     pub stiffness: StiffnessEstimates,
     /// Standard deviation of ln k: noise, zero line, impact velocity and, where the record cannot
     /// decide, gravity.
     pub error_ratio: f64,
-    /// n of the power law that fits best, even where the chosen law is linear.
+    /// Exponent n of the power law that fits best, even where the chosen law is linear.
     pub exponent: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the exponent.
     pub exponent_error: Option<f64>,
-    /// n from a d/v₀² = (n+1)/2.
+    /// Exponent n from a d/v₀² = (n+1)/2.
     pub exponent_by_identity: f64,
-    /// ζ; for laws other than Kelvin–Voigt that of the linear pad with the same restitution.
+    /// Damping ratio ζ; for laws other than Kelvin–Voigt that of the Kelvin–Voigt pad with the same
+    /// restitution.
     pub damping_ratio: f64,
     /// The impact velocity of the best fit \[m/s\].
     pub fitted_velocity_m_s: f64,
@@ -283,18 +286,18 @@ pub struct LoopPoint {
     pub time_s: f64,
     /// Acceleration above the zero line \[m/s²\].
     pub acceleration_m_s2: f64,
-    /// F = m a \[N\].
+    /// Force F = m a \[N\].
     pub force_n: f64,
-    /// d, from the double integral over the contact alone \[m\].
+    /// Compression d, from the double integral over the contact alone \[m\].
     pub compression_m: f64,
-    /// ḋ \[m/s\].
+    /// Rate of compression ḋ \[m/s\].
     pub speed_m_s: f64,
 }
 
 /// The results of a drop test, as far as its record allows; missing ones are `None`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropTest {
-    /// v₀ \[m/s\].
+    /// Impact velocity v₀ \[m/s\].
     pub impact_velocity_m_s: Option<f64>,
     /// Peak above the zero line \[m/s²\].
     pub peak_acceleration_m_s2: Option<f64>,
@@ -302,9 +305,9 @@ pub struct DropTest {
     pub contact_time_s: Option<f64>,
     /// Largest compression \[m\].
     pub max_compression_m: Option<f64>,
-    /// e, from the impulse.
+    /// Restitution e, from the impulse.
     pub restitution_ratio: Option<f64>,
-    /// e, from the flight to the next bounce: g t/(2v₀).
+    /// Restitution e, from the flight to the next bounce: g t/(2v₀).
     pub restitution_bounce_ratio: Option<f64>,
     /// Energy lost in the loop divided by ½mv₀².
     pub energy_lost_ratio: Option<f64>,

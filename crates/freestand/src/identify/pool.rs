@@ -8,11 +8,11 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 /// The result of one drop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PooledDrop {
-    /// k \[N/m\].
+    /// Stiffness k \[N/m\].
     pub stiffness_n_m: f64,
     /// Standard deviation of ln k.
     pub error_ratio: f64,
-    /// n.
+    /// Exponent n.
     pub exponent: f64,
 }
 

@@ -26,9 +26,10 @@ pub struct VirtualDropOptions {
     pub after_s: f64,
     /// Standard deviation of white noise divided by the peak.
     pub noise_ratio: f64,
-    /// Added to every sample \[m/s²\].
+    /// Bias, added to every sample \[m/s²\].
     pub bias_m_s2: f64,
-    /// Added after the peak, as a share of the peak: the shift of the zero line of a shaken sensor.
+    /// Shift of the zero line after the peak, as a share of the peak: the effect of a shock on the
+    /// sensor.
     pub zero_shift_ratio: f64,
     /// Corner of a two-pole low-pass filter before the converter \[Hz\].
     pub filter_corner_hz: Option<f64>,
@@ -44,7 +45,8 @@ pub struct VirtualDropOptions {
 }
 
 impl VirtualDropOptions {
-    /// A clean drop from a height: 50 samples a contact, three contacts before the first touch and four after it, seed 1.
+    /// A clean drop from a height: 50 samples per contact; a record from three contact times before
+    /// the first contact to four after it; seed 1.
     pub fn from_height(cushion: &Cushion, mass_kg: f64, height_m: f64) -> Self {
         let speed_m_s = (2.0 * G0_M_S2 * height_m).sqrt();
         let contact_s = cushion.land(mass_kg, speed_m_s).duration_s;

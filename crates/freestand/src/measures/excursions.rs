@@ -2,7 +2,7 @@
 
 use crate::motion::Motion;
 
-/// A time during which the acceleration exceeds a level on one side.
+/// An interval in which the acceleration exceeds a level on one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Excursion {
     /// Start; 0 where the motion begins above the level \[s\].
@@ -13,7 +13,7 @@ pub struct Excursion {
     pub positive: bool,
 }
 
-/// Every time during which |a| > `level_m_s2` ≥ 0, in order; the crossings are exact for a motion
+/// Every interval in which |a| > `level_m_s2` ≥ 0, in order; the crossings are exact for a motion
 /// that is linear between samples. An acceleration that only reaches the level does not exceed it.
 ///
 /// # Example

@@ -8,8 +8,8 @@ use crate::motion::Motion;
 /// uplift, and of two motions the one with the larger `pgv_ratio` is more likely to overturn it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RockingMeasures {
-    /// Acceleration that uplifts the block, g tan α \[m/s²\]; for a block with an offset that of
-    /// its weaker edge.
+    /// Acceleration that uplifts the block, g tan α \[m/s²\]; for a block with an offset, with the
+    /// smaller α of its two edges.
     pub uplift_threshold_m_s2: f64,
     /// PGA/(g tan α).
     pub pga_ratio: f64,
@@ -17,7 +17,7 @@ pub struct RockingMeasures {
     pub pgv_ratio: f64,
     /// Total time for which |a| > g tan α \[s\].
     pub time_above_s: f64,
-    /// Number of times that |a| rises above g tan α, with each side counted.
+    /// Number of intervals in which |a| > g tan α; a positive and a negative one count as two.
     pub excursions: usize,
 }
 

@@ -22,11 +22,11 @@ pub struct SpectralMeasures {
     pub predominant_period_s: Option<f64>,
 }
 
-/// Periods within a factor of 5, evenly spaced in the logarithm.
+/// Number of periods for each factor of 5, evenly spaced in the logarithm.
 const PER_FACTOR: i32 = 60;
 /// The period of step 0 \[s\]; that of step 60 is 0.5 s, that of step 120 is 2.5 s.
 const FIRST_S: f64 = 0.1;
-/// From 0.05 s to 5 s.
+/// The steps of the periods from 0.05 s to 5 s.
 const STEPS: std::ops::RangeInclusive<i32> = -26..=146;
 
 /// The [`SpectralMeasures`] of a motion.
@@ -92,7 +92,7 @@ fn integral(periods_s: &[f64], values: &[f64], factors: i32) -> f64 {
 const RESOLUTION_HZ: f64 = 0.05;
 
 /// Mean period Tm = Σ C²/f / Σ C² over 0.25 Hz ≤ f ≤ 20 Hz, with C the Fourier amplitudes of the
-/// acceleration \[s\]; `None` where there is nothing in that band.
+/// acceleration \[s\]; `None` where the motion has no content in that band.
 ///
 /// The transform is that of the motion itself; a motion shorter than 20 s is extended to 20 s with
 /// zeros, so that the frequencies are no more than 0.05 Hz apart, as Rathje et al. (2004) require.

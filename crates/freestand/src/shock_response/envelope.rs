@@ -5,8 +5,8 @@ use super::{HalfSine, Peak, Pulse, PulseError, PulseShape, ResponseKind, ShockRe
 /// Frequencies of the unit spectrum per octave: a straight line between two misses a curve of unit
 /// curvature by (ln 2/48)²/8 = 3e-5, which the final scaling corrects.
 const PER_OCTAVE: f64 = 48.0;
-/// Range of f T of the unit spectrum: below it is proportional to f T to 1e-4, above it is within 1
-/// % of its limit.
+/// Range of f T of the unit spectrum, which is proportional to f T to 1e-4 below this range and
+/// within 1 % of its limit above it.
 const UNIT_RANGE: (f64, f64) = (0.01, 50.0);
 /// Durations that are tried per octave before the best one is refined.
 const TRIED_PER_OCTAVE: f64 = 24.0;
@@ -18,11 +18,11 @@ const TRIED_PER_OCTAVE: f64 = 24.0;
 /// a half-sine of peak 1 and duration 1; A is minimised over T. The spectrum of a half-sine gives
 /// that half-sine back: any other has a larger peak, because all R tend to 1 for stiff components.
 /// The spectrum is enveloped at the given frequencies; it should extend well below and above its
-/// top, otherwise the pulse is shorter or longer than necessary.
+/// peak, otherwise the pulse is shorter or longer than necessary.
 ///
-/// Another rule in use, that of endaq, takes A as the peak of the spectrum without its
-/// amplification and the duration from the largest pseudo-velocity: it is simpler, and gives peaks
-/// up to 1.65 times as high (Q = 10).
+/// Another rule, used by endaq, takes A as the peak of the spectrum without its amplification and
+/// the duration from the largest pseudo-velocity: it is simpler, and gives peaks up to 1.65 times
+/// as high (Q = 10).
 ///
 /// **Units**: Hz; any unit of acceleration in, the same out; s. `None` for a spectrum of zeros.
 ///

@@ -71,8 +71,8 @@ pub fn half_sine_maximax_ratio(q: f64) -> f64 {
 ///
 /// # Example
 /// The same peak for twice the duration is twice as severe for slow components. For half the
-/// duration it is still 50 % more severe for some: those that are stiff for the survived pulse and
-/// therefore hardly excited by it, but strongly excited by the shorter one.
+/// duration it is still 50 % more severe for some components: those that are stiff relative to the
+/// reference pulse and therefore hardly excited by it, but strongly excited by the shorter one.
 /// ```
 /// use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 /// let survived = HalfSine { peak_acceleration: 30.0, duration_s: 0.011 };

@@ -80,7 +80,7 @@ pub struct Pulse {
     duration_s: f64,
 }
 
-/// Why numbers do not make a pulse.
+/// Why a [`Pulse`] cannot be created.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum PulseError {
     /// A peak that is zero or not finite.
@@ -126,12 +126,12 @@ impl Pulse {
         self.shape
     }
 
-    /// A \[m/s²\].
+    /// Peak acceleration A \[m/s²\].
     pub fn peak_acceleration_m_s2(&self) -> f64 {
         self.peak_acceleration_m_s2
     }
 
-    /// T \[s\].
+    /// Duration T \[s\].
     pub fn duration_s(&self) -> f64 {
         self.duration_s
     }

@@ -45,7 +45,8 @@ fn weights(pairs: usize) -> Vec<f64> {
     (0..pairs).map(weight).collect()
 }
 
-/// One new sample between each two; beyond an end the samples are mirrored through it.
+/// One new sample between each pair of neighbours; beyond an end the samples are mirrored through
+/// it.
 fn between(arch: pulp::Arch, samples: &[f64], weights: &[f64]) -> Vec<f64> {
     let (pairs, last) = (weights.len(), samples.len() - 1);
     let mirrored = |end: f64, index: usize| 2.0 * end - samples[index.min(last)];
@@ -69,7 +70,7 @@ fn between(arch: pulp::Arch, samples: &[f64], weights: &[f64]) -> Vec<f64> {
 /// New samples that are calculated together; they and their neighbours stay in the cache.
 const CHUNK: usize = 512;
 
-/// Σ weight (left + right) for as many middles as there are, neighbour by neighbour.
+/// Σ weight (left + right) for all of `middles`, neighbour by neighbour.
 #[inline(always)]
 fn middle(near: &[f64], weights: &[f64], middles: &mut [f64]) {
     middles.fill(0.0);

@@ -1,7 +1,7 @@
 //! The processing of a record before use: baseline, taper, filter, resampling, rotation, scale.
 //!
-//! Every function takes a [`Motion`](crate::motion::Motion) and returns another; none changes a
-//! record without being asked to.
+//! Every function takes a [`Motion`](crate::motion::Motion) and returns a new one; no processing is
+//! automatic.
 
 pub mod baseline;
 pub mod filter;

@@ -4,7 +4,7 @@ use super::frame::Frame;
 use super::transform::Transform;
 use super::wavelet::Kernel;
 use super::{
-    DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MAX_SAMPLES, MatchedMotion, Misfit, SHORTEST_PERIOD_S,
+    DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MAX_SAMPLES, MatchedMotion, Misfit, Parameter, SHORTEST_PERIOD_S,
     SynthesisError,
 };
 use crate::G0_M_S2;
@@ -69,10 +69,8 @@ impl Matcher {
         // A step of 0.005 s except for its last digits counts as 0.005 s.
         let substeps = (dt_s / LONGEST_STEP_S - 1e-9).ceil().max(1.0);
         let points = substeps * frame.taper.len() as f64;
-        if points > MAX_POINTS {
-            let (name, requirement) = ("the number of samples at steps of 0.005 s", "at most 16777216");
-            return Err(SynthesisError::Option { name, requirement, value: points });
-        }
+        let steps = Parameter::Other("the number of samples at steps of 0.005 s");
+        steps.check(points <= MAX_POINTS, "at most 16777216", points)?;
         let target_m_s2 = periods_s.iter().map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2)).collect::<Result<_, _>>()?;
         Ok(Self {
             dt_s,

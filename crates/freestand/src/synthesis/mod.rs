@@ -29,18 +29,19 @@
 //! | De | 3.3 % | 15 % | 0.088 g | 0.144 g | 0.122 m/s | 78 mm | 11.1 s |
 //! | Ee | 3.4 % | 15 % | 0.088 g | 0.151 g | 0.165 m/s | 118 mm | 11.4 s |
 //!
-//! Single motions of class De have misfits of 2.6 to 4.0 % and a PGA of 0.126 to 0.184 g. Seeds 100
-//! to 109 give 3.5 % on average in every class, 16 % at worst; the window and the low cut were
+//! Individual motions of class De have misfits of 2.6 to 4.0 % and a PGA of 0.126 to 0.184 g. Seeds
+//! 100 to 109 give 3.5 % on average in every class, 16 % at worst; the window and the low cut were
 //! chosen with seed 1 alone. Damped Gauss–Newton steps on the amplitudes after half of the passes,
 //! tested without the low cut, reached 2.4 %, but at three times the cost and with longer shaking
 //! and larger displacement; they are not used.
 //!
 //! # Limitation
-//! The shapes of the code demand more than a broad-band motion can have: class De has plateau/ZPA =
-//! 3.35, and a motion that fills its plateau and its constant-velocity range has a PGA well above
-//! the ZPA, whatever the seed, the number of passes or the step. Matching below 0.05 s does not
-//! change this and degrades the rest. Therefore both [`Misfit::pga_g`] and [`Misfit::target_zpa_g`]
-//! are given; report both. For rocking, PGV and 0.3–3 s matter more than PGA.
+//! A broad-band motion cannot match the spectral shapes of the code completely: class De has
+//! plateau/ZPA = 3.35, and a motion that fills its plateau and its constant-velocity range has a
+//! PGA well above the ZPA, whatever the seed, the number of passes or the step. Matching below
+//! 0.05 s does not change this and degrades the rest. Therefore both [`Misfit::pga_g`] and
+//! [`Misfit::target_zpa_g`] are given; report both. For rocking, PGV and periods of 0.3–3 s matter
+//! more than PGA.
 
 mod frame;
 mod matching;
@@ -99,6 +100,55 @@ const PGA_ROUNDS: usize = 100;
 /// Relative tolerance of the peak.
 const PGA_TOLERANCE_RATIO: f64 = 1e-3;
 
+/// A value of a request for motions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameter {
+    /// Time step.
+    TimeStep,
+    /// [`SynthesisOptions::shaking_s`].
+    Shaking,
+    /// [`SynthesisOptions::envelope_s`].
+    Envelope,
+    /// [`SimulationOptions::low_cut_hz`].
+    LowCut,
+    /// [`PointSource::magnitude`].
+    Magnitude,
+    /// [`PointSource::distance_m`].
+    Distance,
+    /// [`PointSource::stress_drop_pa`].
+    StressDrop,
+    /// κ₀ of [`HighCut::Kappa`].
+    Kappa,
+    /// The number of samples that follows from them.
+    Samples,
+    /// Any other, with its name.
+    Other(&'static str),
+}
+
+impl Parameter {
+    /// The name of its field.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::TimeStep => "dt_s",
+            Self::Shaking => "shaking_s",
+            Self::Envelope => "envelope_s",
+            Self::LowCut => "low_cut_hz",
+            Self::Magnitude => "magnitude",
+            Self::Distance => "distance_m",
+            Self::StressDrop => "stress_drop_pa",
+            Self::Kappa => "kappa_s",
+            Self::Samples => "the number of samples",
+            Self::Other(name) => name,
+        }
+    }
+
+    /// An error unless the value is `fine` and finite.
+    fn check(self, fine: bool, requirement: &'static str, value: f64) -> Result<(), SynthesisError> {
+        let error = SynthesisError::Option { parameter: self, requirement, value };
+        if fine && value.is_finite() { Ok(()) } else { Err(error) }
+    }
+}
+
 /// Why no motion could be made.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SynthesisError {
@@ -111,10 +161,10 @@ pub enum SynthesisError {
         sa_g: f64,
     },
     /// An option is out of range.
-    #[error("{name} must be {requirement}, not {value}")]
+    #[error("{name} must be {requirement}, not {value}", name = parameter.name())]
     Option {
-        /// Field of [`SynthesisOptions`].
-        name: &'static str,
+        /// What is out of range.
+        parameter: Parameter,
         /// The requirement that it does not meet.
         requirement: &'static str,
         /// The value that was given.
@@ -345,9 +395,7 @@ pub fn with_pga(
     target_sa_g: impl Fn(f64) -> f64,
     pga_g: f64,
 ) -> Result<MatchedMotion, SynthesisError> {
-    if !(pga_g > 0.0 && pga_g.is_finite()) {
-        return Err(SynthesisError::Option { name: "pga_g", requirement: "positive and finite", value: pga_g });
-    }
+    Parameter::Other("pga_g").check(pga_g > 0.0, "positive and finite", pga_g)?;
     let peak_m_s2 = pga_g * crate::G0_M_S2;
     let mut accel = motion.accel_m_s2().to_vec();
     let start = accel.iter().position(|&a| a != 0.0).ok_or(SynthesisError::NoContent)?.saturating_sub(1);
@@ -363,7 +411,8 @@ pub fn with_pga(
             return Ok(MatchedMotion { motion, misfit, pass: round });
         }
     }
-    Err(SynthesisError::Option { name: "pga_g", requirement: "a peak that the motion can be scaled to", value: pga_g })
+    let requirement = "a peak that the motion reaches in 100 iterations of scaling";
+    Err(SynthesisError::Option { parameter: Parameter::Other("pga_g"), requirement, value: pga_g })
 }
 
 /// Scales the half-cycles that exceed `peak` down to it, or the largest up to it if there are none.
@@ -384,7 +433,8 @@ fn scale_half_cycles(accel: &mut [f64], peak: f64) {
 pub struct Resemblance {
     /// Correlation of the accelerations, from −1 to 1.
     pub correlation_ratio: f64,
-    /// Largest difference of the shares of energy that have arrived at one time (Husid curves).
+    /// Largest difference between the shares of energy that have arrived by the same time (Husid
+    /// curves).
     pub husid_difference_ratio: f64,
 }
 
@@ -414,17 +464,18 @@ impl Resemblance {
 }
 
 fn check_options(options: &SynthesisOptions) -> Result<(), SynthesisError> {
-    let check = |fine: bool, name, requirement, value: f64| {
-        if fine && value.is_finite() { Ok(()) } else { Err(SynthesisError::Option { name, requirement, value }) }
-    };
     let SynthesisOptions { dt_s, lead_in_s, shaking_s, tail_s, envelope_s, .. } = *options;
-    check(dt_s > 0.0 && dt_s <= 0.01, "dt_s", "positive and at most 0.01 s", dt_s)?;
-    check(lead_in_s >= 0.0, "lead_in_s", "at least 0 s", lead_in_s)?;
-    check(shaking_s >= 2.0 * LONGEST_PERIOD_S, "shaking_s", "at least 10 s, twice the longest period", shaking_s)?;
-    check(tail_s >= 0.0, "tail_s", "at least 0 s", tail_s)?;
-    check(envelope_s >= 1.0, "envelope_s", "at least 1 s", envelope_s)?;
-    let samples = (lead_in_s + shaking_s + tail_s) / dt_s;
-    check(samples <= MAX_SAMPLES, "the number of samples", "at most 1048576", samples)
+    Parameter::TimeStep.check(dt_s > 0.0 && dt_s <= 0.01, "positive and at most 0.01 s", dt_s)?;
+    Parameter::Other("lead_in_s").check(lead_in_s >= 0.0, "at least 0 s", lead_in_s)?;
+    let is_long = shaking_s >= 2.0 * LONGEST_PERIOD_S;
+    Parameter::Shaking.check(is_long, "at least 10 s, twice the longest period", shaking_s)?;
+    Parameter::Other("tail_s").check(tail_s >= 0.0, "at least 0 s", tail_s)?;
+    Parameter::Envelope.check(envelope_s >= 1.0, "at least 1 s", envelope_s)?;
+    check_samples((lead_in_s + shaking_s + tail_s) / dt_s)
+}
+
+fn check_samples(samples: f64) -> Result<(), SynthesisError> {
+    Parameter::Samples.check(samples <= MAX_SAMPLES, "at most 1048576", samples)
 }
 
 #[cfg(test)]

@@ -110,7 +110,7 @@ mod tests {
         let peak = 3.0_f64.ln() / 4.8;
         assert!((peak - 0.2289).abs() < 5e-5 && (Window::Lam.at(peak) - 0.3849).abs() < 5e-5);
         assert!((Window::Lam.at(peak) - (3.0_f64.powf(-0.5) - 3.0_f64.powf(-1.5))).abs() < 1e-15);
-        // ∫w² = 1/4.8 − 2/9.6 + 1/14.4 = 0.0694 T_d; beyond 8 T_d there is e^(−38).
+        // ∫w² = 1/4.8 − 2/9.6 + 1/14.4 = 0.0694 T_d; beyond 8 T_d only e^(−38) remains.
         let energy = |until: f64| until * unit_integral(|x| Window::Lam.at(x * until).powi(2));
         assert!((energy(8.0) - 1.0 / 14.4).abs() < 1e-12 && (1.0_f64 / 14.4 - 0.0694).abs() < 5e-5);
         let time = |share: f64| crate::search::bisect(0.0, 8.0, |t| energy(t) > share / 14.4);

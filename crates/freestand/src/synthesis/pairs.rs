@@ -3,7 +3,7 @@
 
 use super::point_source::PointSource;
 use super::simulation::{SimulationOptions, Simulator};
-use super::{DAMPING_RATIO, SynthesisError};
+use super::{DAMPING_RATIO, Parameter, SynthesisError};
 use crate::G0_M_S2;
 use crate::motion::Motion;
 use crate::oscillator::response_spectrum;
@@ -39,8 +39,8 @@ pub struct Pair {
 
 /// The distance at which the geometric mean of the 5 %-damped PSA of motions matches `target_sa_g`
 /// (period \[s\] to g, on rock) over T = 0.5 to 1 s. The source at each distance is `at_distance`
-/// (m); the motions are those of the `streams` of `seed` with `options`. `None` where the mean is
-/// on one side of the target from 2 to 300 km.
+/// (m); the motions are those of the `streams` of `seed` with `options`. `None` where the mean
+/// stays on one side of the target from 2 to 300 km.
 ///
 /// The same streams of random numbers are used at each distance, so a motion that is later made
 /// with the same options, seed and stream is one of those to which the distance was fitted. The
@@ -55,7 +55,7 @@ pub struct Pair {
 /// Parameters of the source out of range, a target that is not positive and finite, or no streams.
 ///
 /// # Example
-/// Rock in Melbourne, 500 years, has Sa(T) = 0.08·0.88/T g: magnitude 6 at some 30 km.
+/// Rock in Melbourne, 500 years, has Sa(T) = 0.08·0.88/T g: magnitude 6 at about 30 km.
 /// ```
 /// use freestand::synthesis::{Preset, SimulationOptions, distance_for_target};
 /// let victoria = |r_m| Preset::Victoria.source(6.0, r_m);
@@ -72,9 +72,7 @@ pub fn distance_for_target(
     streams: Range<u64>,
 ) -> Result<Option<Pair>, SynthesisError> {
     let (periods_s, ln_target) = (periods_s(), ln_target(target_sa_g)?);
-    if streams.is_empty() {
-        return Err(SynthesisError::Option { name: "streams", requirement: "one or more", value: 0.0 });
-    }
+    Parameter::Other("streams").check(!streams.is_empty(), "one or more", 0.0)?;
     let ln_ratio = |distance_m: f64| -> Result<f64, SynthesisError> {
         let simulator = Simulator::new(&at_distance(distance_m), |_| 1.0, options)?;
         let means: Vec<f64> = streams

@@ -6,16 +6,16 @@
 //! amplification of the crust Amp and the attenuation near the surface P.
 
 use super::site_amplification::ShearWaveProfile;
-use super::{SynthesisError, Window};
+use super::{Parameter, SynthesisError, Window};
 use std::f64::consts::{PI, TAU};
 
 /// Mean radiation pattern of shear waves, R_θφ.
 const RADIATION_RATIO: f64 = 0.55;
-/// The free surface doubles waves, F.
+/// Amplification by the free surface, which doubles waves, F.
 const FREE_SURFACE_RATIO: f64 = 2.0;
 /// Reference distance of the spreading, R₀ \[m\].
 const REFERENCE_DISTANCE_M: f64 = 1000.0;
-/// 4.906e6 in km/s, bar and dyn·cm.
+/// Coefficient of Brune's corner frequency in SI units (4.906e6 in km/s, bar and dyn·cm).
 const CORNER_COEFFICIENT: f64 = 0.4906;
 
 /// The shape of the source spectrum S(f).
@@ -29,7 +29,7 @@ pub enum SourceSpectrum {
     TwoCorner,
 }
 
-/// A range of distance from a given distance on, in which amplitudes fall with (R)^(−exponent).
+/// A range of distances, in which amplitudes are proportional to R^(−exponent).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpreadingPiece {
     /// Distance at which the range begins \[m\]; the first begins at 1 km.
@@ -51,7 +51,7 @@ pub enum Quality {
     /// log₁₀ Q = c₀ + c₁ x + c₂ x² + c₃ x³ with x = log₁₀ f; constant beyond the frequencies of the
     /// fit.
     LogCubic {
-        /// c₀ to c₃.
+        /// Coefficients c₀ to c₃.
         coefficients_ratio: [f64; 4],
         /// Lowest frequency of the fit \[Hz\].
         lowest_hz: f64,
@@ -65,12 +65,12 @@ pub enum Quality {
 pub enum HighCut {
     /// e^(−πκ₀f).
     Kappa {
-        /// κ₀ \[s\].
+        /// Attenuation parameter κ₀ \[s\].
         kappa_s: f64,
     },
     /// (1 + (f/f_max)⁸)^(−½).
     MaximumFrequency {
-        /// f_max \[Hz\].
+        /// Cut-off frequency f_max \[Hz\].
         frequency_hz: f64,
     },
 }
@@ -131,13 +131,13 @@ pub enum Preset {
     Victoria,
     /// Eastern North America, the defaults of GMSS 1.0 for regions within plates: 200 bar, two
     /// corners, Q = 680 f^0.36, trilinear spreading, f_max = 50 Hz, hard rock. f_max is quoted from
-    /// memory of Atkinson and Boore (1995). The path adds 0.05 s/km to the duration, rather than
-    /// their own law, and the source adds 1/f₀ of the single corner.
+    /// memory of Atkinson and Boore (1995). The path adds 0.05 s/km to the duration, instead
+    /// of following their law, and the source adds 1/f₀ of the single corner.
     IntraplateHardRock,
     /// South-eastern Australia: 23 MPa (depth below 10 km: 50 MPa), spreading and Q of Allen et al.
-    /// (2007), κ₀ = 0.006 s, the Melbourne profile. κ₀ is quoted from memory of Allen (2012); the
-    /// profile is in neither. Made for [`SOUTH_EAST_AUSTRALIA_MAGNITUDES`] and distances below
-    /// [`SOUTH_EAST_AUSTRALIA_FARTHEST_M`]; Q was fitted from 0.78 to 19.9 Hz.
+    /// (2007), κ₀ = 0.006 s, the Melbourne profile. κ₀ is quoted from memory of Allen (2012);
+    /// neither publication gives the profile. Made for [`SOUTH_EAST_AUSTRALIA_MAGNITUDES`] and
+    /// distances below [`SOUTH_EAST_AUSTRALIA_FARTHEST_M`]; Q was fitted from 0.78 to 19.9 Hz.
     SouthEastAustralia,
 }
 
@@ -227,18 +227,18 @@ fn spreading_ratio(pieces: &[SpreadingPiece], distance_m: f64) -> f64 {
 /// Corner frequencies of the source \[Hz\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Corners {
-    /// f₀.
+    /// One corner, f₀.
     Single {
-        /// f₀ \[Hz\].
+        /// Corner frequency f₀ \[Hz\].
         corner_hz: f64,
     },
-    /// f_a, f_b and the share ε of the upper one.
+    /// Two corners, f_a and f_b, and the share ε of the upper one.
     Two {
-        /// f_a \[Hz\].
+        /// Lower corner frequency f_a \[Hz\].
         lower_hz: f64,
-        /// f_b \[Hz\].
+        /// Upper corner frequency f_b \[Hz\].
         upper_hz: f64,
-        /// ε.
+        /// Share ε of the upper corner.
         upper_share_ratio: f64,
     },
 }
@@ -274,8 +274,8 @@ impl PointSource {
         }
     }
 
-    /// Duration T_d of the window, 1/f₀ plus the addition of the path \[s\]; for a source with two
-    /// corners f₀ is also Brune's.
+    /// Duration T_d of the window, 1/f₀ plus the duration added by the path \[s\]; for a source
+    /// with two corners f₀ is also Brune's.
     pub fn duration_s(&self) -> f64 {
         let r_km = self.distance_m / 1000.0;
         let path_s = match self.path_duration {
@@ -287,7 +287,7 @@ impl PointSource {
         1.0 / self.corner_hz() + path_s
     }
 
-    /// C = R_θφ F V/(4πρβ³R₀) with R_θφ = 0.55, F = 2, V = 1/√2, R₀ = 1 km \[1/(kg·m)·s: m/s of
+    /// C = R_θφ F V/(4πρβ³R₀) with R_θφ = 0.55, F = 2, V = 1/√2, R₀ = 1 km \[s³/(kg·m): m/s of
     /// A(f) for N·m/s²\].
     fn scale(&self) -> f64 {
         let partition = 0.5_f64.sqrt();
@@ -349,42 +349,33 @@ impl PointSource {
     /// # Errors
     /// [`SynthesisError::Option`] names the parameter and its range.
     pub fn check(&self) -> Result<(), SynthesisError> {
-        let check = |fine: bool, name, requirement, value: f64| {
-            if fine && value.is_finite() { Ok(()) } else { Err(SynthesisError::Option { name, requirement, value }) }
-        };
-        let positive = |name, value: f64| check(value > 0.0, name, "positive", value);
-        check((3.0..=8.5).contains(&self.magnitude), "magnitude", "from 3 to 8.5", self.magnitude)?;
+        let positive = |parameter: Parameter, value: f64| parameter.check(value > 0.0, "positive", value);
+        Parameter::Magnitude.check((3.0..=8.5).contains(&self.magnitude), "from 3 to 8.5", self.magnitude)?;
         let distance_km = self.distance_m / 1000.0;
-        check((1.0..=1000.0).contains(&distance_km), "distance_m", "from 1 km to 1000 km", self.distance_m)?;
-        positive("stress_drop_pa", self.stress_drop_pa)?;
-        positive("density_kg_m3", self.density_kg_m3)?;
-        positive("shear_velocity_m_s", self.shear_velocity_m_s)?;
+        let is_near = (1.0..=1000.0).contains(&distance_km);
+        Parameter::Distance.check(is_near, "from 1 km to 1000 km", self.distance_m)?;
+        positive(Parameter::StressDrop, self.stress_drop_pa)?;
+        positive(Parameter::Other("density_kg_m3"), self.density_kg_m3)?;
+        positive(Parameter::Other("shear_velocity_m_s"), self.shear_velocity_m_s)?;
         if let Corners::Two { upper_hz, upper_share_ratio, .. } = self.corners() {
             let fine = upper_hz > 0.0 && upper_share_ratio < 1.0;
-            check(
-                fine,
-                "magnitude",
-                "at least 4 for a source with two corners, with a sufficient stress drop",
-                self.magnitude,
-            )?;
+            let requirement = "one for which two corners exist (4 or more, with a large enough stress drop)";
+            Parameter::Magnitude.check(fine, requirement, self.magnitude)?;
         }
         match self.quality {
             Quality::Power { at_1_hz_ratio, exponent_ratio } => {
-                positive("at_1_hz_ratio", at_1_hz_ratio)?;
-                check((0.0..=1.0).contains(&exponent_ratio), "exponent_ratio", "from 0 to 1", exponent_ratio)?;
+                positive(Parameter::Other("at_1_hz_ratio"), at_1_hz_ratio)?;
+                let fine = (0.0..=1.0).contains(&exponent_ratio);
+                Parameter::Other("exponent_ratio").check(fine, "from 0 to 1", exponent_ratio)?;
             }
             Quality::LogCubic { lowest_hz, highest_hz, .. } => {
-                check(
-                    lowest_hz > 0.0 && lowest_hz < highest_hz,
-                    "lowest_hz",
-                    "positive and below highest_hz",
-                    lowest_hz,
-                )?;
+                let fine = lowest_hz > 0.0 && lowest_hz < highest_hz;
+                Parameter::Other("lowest_hz").check(fine, "positive and below highest_hz", lowest_hz)?;
             }
         }
         match self.high_cut {
-            HighCut::Kappa { kappa_s } => check(kappa_s >= 0.0, "kappa_s", "at least 0 s", kappa_s)?,
-            HighCut::MaximumFrequency { frequency_hz } => positive("frequency_hz", frequency_hz)?,
+            HighCut::Kappa { kappa_s } => Parameter::Kappa.check(kappa_s >= 0.0, "at least 0 s", kappa_s)?,
+            HighCut::MaximumFrequency { frequency_hz } => positive(Parameter::Other("frequency_hz"), frequency_hz)?,
         }
         self.check_spreading()
     }
@@ -398,7 +389,7 @@ impl PointSource {
             };
             if !(fine && piece.from_distance_m.is_finite() && piece.exponent_ratio.is_finite()) {
                 return Err(SynthesisError::Option {
-                    name: "spreading",
+                    parameter: Parameter::Other("spreading"),
                     requirement: "a list of rising distances, the first at 1 km, with finite exponents",
                     value: piece.from_distance_m,
                 });
@@ -492,7 +483,7 @@ mod tests {
     #[test]
     fn parameters_out_of_range_are_named() {
         let name = |source: PointSource| match source.check() {
-            Err(SynthesisError::Option { name, .. }) => name,
+            Err(SynthesisError::Option { parameter, .. }) => parameter.name(),
             other => panic!("{other:?}"),
         };
         for preset in Preset::ALL {

@@ -4,11 +4,11 @@ use super::frame::Frame;
 use super::noise::noise;
 use super::point_source::PointSource;
 use super::transform::Transform;
-use super::{MAX_SAMPLES, SynthesisError};
+use super::{Parameter, SynthesisError, check_samples};
 use crate::motion::Motion;
 
-/// The window has fallen to 7e-5 (Lam) or 2e-4 (Saragoni and Hart), relative to its order of size,
-/// at this multiple of T_d.
+/// Length of the window in multiples of T_d; at its end it has fallen to 7e-5 (Lam, maximum 0.385)
+/// or 2e-4 (Saragoni and Hart, maximum 1).
 const WINDOW_DURATIONS: f64 = 4.0;
 /// Poles of the acausal low cut, which falls with f⁴.
 const LOW_CUT_ORDER: f64 = 2.0;
@@ -31,7 +31,7 @@ pub struct SimulationOptions {
 }
 
 impl Default for SimulationOptions {
-    /// 0.005 s, 0.05 Hz: pads of 60 s, and 0.4 % less at 0.2 Hz.
+    /// 0.005 s, 0.05 Hz: pads of 60 s, and amplitudes 0.4 % lower at 0.2 Hz.
     fn default() -> Self {
         Self { dt_s: 0.005, low_cut_hz: 0.05 }
     }
@@ -62,14 +62,10 @@ impl Simulator {
     ) -> Result<Self, SynthesisError> {
         source.check()?;
         let SimulationOptions { dt_s, low_cut_hz } = *options;
-        let check = |fine: bool, name, requirement, value: f64| {
-            if fine && value.is_finite() { Ok(()) } else { Err(SynthesisError::Option { name, requirement, value }) }
-        };
-        check(dt_s > 0.0 && dt_s <= 0.01, "dt_s", "positive and at most 0.01 s", dt_s)?;
-        check((0.01..=0.2).contains(&low_cut_hz), "low_cut_hz", "from 0.01 to 0.2 Hz", low_cut_hz)?;
+        Parameter::TimeStep.check(dt_s > 0.0 && dt_s <= 0.01, "positive and at most 0.01 s", dt_s)?;
+        Parameter::LowCut.check((0.01..=0.2).contains(&low_cut_hz), "from 0.01 to 0.2 Hz", low_cut_hz)?;
         let pad_s = PAD_RATIO * LOW_CUT_ORDER / low_cut_hz;
-        let samples = (2.0 * pad_s + WINDOW_DURATIONS * source.duration_s()) / dt_s;
-        check(samples <= MAX_SAMPLES, "the number of samples", "at most 1048576", samples)?;
+        check_samples((2.0 * pad_s + WINDOW_DURATIONS * source.duration_s()) / dt_s)?;
         let shaking = (WINDOW_DURATIONS * source.duration_s() / dt_s).ceil() as usize;
         let pad = (pad_s / dt_s).round() as usize;
         let window = (0..shaking).map(|k| source.window.at(k as f64 * dt_s / source.duration_s())).collect();
@@ -82,7 +78,7 @@ impl Simulator {
         for (&frequency_hz, amplification) in frequencies_hz.iter().zip(amplifications) {
             let period_s = 1.0 / frequency_hz;
             let site = site_ratio(period_s);
-            check(site > 0.0, "site_ratio", "positive and finite at all periods", site)?;
+            Parameter::Other("site_ratio").check(site > 0.0, "positive and finite at all periods", site)?;
             let low_cut = 1.0 / (1.0 + (low_cut_hz / frequency_hz).powf(2.0 * LOW_CUT_ORDER));
             amplitudes_m_s.push(source.unamplified_m_s(frequency_hz) * amplification * site * low_cut);
         }
@@ -300,7 +296,7 @@ mod tests {
     fn options_out_of_range_are_named() {
         let source = Preset::Victoria.source(6.0, 30e3);
         let name = |options: SimulationOptions, site: f64| match Simulator::new(&source, |_| site, &options) {
-            Err(SynthesisError::Option { name, .. }) => name,
+            Err(SynthesisError::Option { parameter, .. }) => parameter.name(),
             other => panic!("{other:?}"),
         };
         let fine = SimulationOptions::default();

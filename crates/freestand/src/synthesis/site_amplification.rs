@@ -20,7 +20,7 @@ pub struct VelocityPiece {
 /// Why a profile cannot be used.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
-    "piece {number} of the shear-wave profile must begin below the previous one (the first at 0 m), with a positive \
+    "layer {number} of the shear-wave profile must begin below the previous one (the first at 0 m), with a positive \
      velocity and reference depth and a power from 0 to below 1"
 )]
 pub struct ProfileError {
@@ -247,7 +247,7 @@ mod tests {
     #[test]
     fn depth_and_travel_time_are_inverse() {
         let melbourne = ShearWaveProfile::melbourne();
-        // Across all three pieces; a few roundings of powers.
+        // Across all three layers; a few roundings of powers.
         for frequency_hz in [0.05, 0.1, 0.2, 1.0, 3.0, 10.0, 100.0] {
             let depth_m = melbourne.quarter_wavelength_depth_m(frequency_hz);
             assert!((melbourne.travel_time_s(depth_m) * 4.0 * frequency_hz - 1.0).abs() < 1e-13, "{frequency_hz}");

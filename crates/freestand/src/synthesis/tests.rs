@@ -155,7 +155,7 @@ fn other_last_digits_of_a_machine_do_not_change_a_matched_record() {
 fn what_cannot_be_matched_is_refused() {
     let fine = SynthesisOptions::default();
     let refused = |options: SynthesisOptions| match synthesize(melbourne_de, 1, 0, &options) {
-        Err(SynthesisError::Option { name, .. }) => name,
+        Err(SynthesisError::Option { parameter, .. }) => parameter.name(),
         other => panic!("{other:?}"),
     };
     assert_eq!(refused(SynthesisOptions { dt_s: 0.02, ..fine }), "dt_s");
@@ -253,7 +253,8 @@ fn a_peak_is_met_and_its_cost_is_told() {
     // The quiet before and after is preserved.
     let accel = after.motion.accel_m_s2();
     assert!(accel[..=200].iter().chain(&accel[8200..]).all(|&a| a == 0.0));
-    assert!(matches!(with_pga(&before.motion, melbourne_de, 0.0), Err(SynthesisError::Option { name: "pga_g", .. })));
+    let refused = with_pga(&before.motion, melbourne_de, 0.0);
+    assert!(matches!(refused, Err(SynthesisError::Option { parameter: Parameter::Other("pga_g"), .. })));
 }
 
 #[test]

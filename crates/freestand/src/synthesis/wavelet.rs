@@ -15,7 +15,7 @@ const ZETA: f64 = 0.05;
 /// Scales beyond the matched periods on each side, whose details do not change: one decade.
 const SCALES_OUTSIDE: usize = (MATCHED_PERIODS - 1) / 2;
 /// This many of them are scaled with the outermost matched period (a factor of 1.6 in period);
-/// otherwise the unchanged details would hold its oscillator back.
+/// otherwise the unchanged details would limit how far the response at that period can change.
 const SCALES_HELD: isize = 12;
 /// Points of the gain table between two scales; the bandwidth of a wavelet (5 %) contains about 10
 /// of them.
@@ -115,7 +115,7 @@ mod tests {
     #[test]
     fn one_ratio_at_all_periods_is_that_gain() {
         let gains = Kernel::new().gains(&[-(1.5_f64.ln()); MATCHED_PERIODS]);
-        // Outside the held periods only the kernel's tails remain, which fall with the square of
+        // Outside the scaled periods only the kernel's tails remain, which fall with the square of
         // the distance in bandwidths.
         for frequency_hz in [0.21, 0.5, 1.0, 5.0, 19.0] {
             assert!((gains.at(frequency_hz) - 1.5).abs() < 0.01, "{frequency_hz}: {}", gains.at(frequency_hz));

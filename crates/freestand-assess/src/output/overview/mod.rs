@@ -10,11 +10,11 @@ use freestand_study::result::Ranked;
 use super::table::Line;
 
 /// Floors that are counted separately; objects on further floors are counted together.
-pub const MAX_FLOORS: usize = 100;
+pub(super) const MAX_FLOORS: usize = 100;
 
 /// Counts by [`Decision::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Counts {
+pub(super) struct Counts {
     /// Rows of the inventory.
     pub objects: [usize; 4],
     /// Pieces: rows times their quantity.
@@ -23,12 +23,12 @@ pub struct Counts {
 
 impl Counts {
     /// Objects with this decision.
-    pub fn of(&self, decision: Decision) -> usize {
+    pub(super) fn of(&self, decision: Decision) -> usize {
         self.objects[decision as usize]
     }
 
     /// Objects with any decision.
-    pub fn total(&self) -> usize {
+    pub(super) fn total(&self) -> usize {
         self.objects.iter().sum()
     }
 
@@ -42,7 +42,7 @@ impl Counts {
 
 /// One floor of a building.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FloorCounts {
+pub(super) struct FloorCounts {
     /// Its name, or its level where it has none.
     pub name: String,
     /// 0 ground, 1 roof; of the first object on the floor.
@@ -55,7 +55,7 @@ pub struct FloorCounts {
 
 /// One of the three consequences of FEMA E-74.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ConsequenceCounts {
+pub(super) struct ConsequenceCounts {
     /// `life safety (LS)`.
     pub name: &'static str,
     /// Objects rated high, medium, low, and not rated.
@@ -63,11 +63,11 @@ pub struct ConsequenceCounts {
 }
 
 /// The names of [`ConsequenceCounts::ratings`].
-pub const RATINGS: [&str; 4] = ["high", "medium", "low", "not rated"];
+pub(super) const RATINGS: [&str; 4] = ["high", "medium", "low", "not rated"];
 
 /// One row of the list of the most urgent objects.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Urgent {
+pub(super) struct Urgent {
     /// 1 is the most urgent.
     pub rank: usize,
     /// Identifier of the object.
@@ -96,7 +96,7 @@ pub struct Urgent {
 
 /// The counts of the summary.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Overview {
+pub(super) struct Overview {
     /// Rows of the inventory.
     pub total: usize,
     /// Rows that were assessed.
@@ -124,8 +124,8 @@ pub struct Overview {
 type FloorKey = (String, String, Option<u64>);
 
 impl Overview {
-    /// Before the first of `total` rows; the list will hold the `most_urgent` objects.
-    pub fn new(total: usize, most_urgent: usize) -> Self {
+    /// The counts before the first of `total` rows; the list takes the `most_urgent` objects.
+    pub(super) fn new(total: usize, most_urgent: usize) -> Self {
         let consequence = |name| ConsequenceCounts { name, ratings: [Counts::default(); 4] };
         Self {
             total,
@@ -144,7 +144,7 @@ impl Overview {
     }
 
     /// Counts one row; rows without an assessment do not count.
-    pub fn add(&mut self, line: &Line) {
+    pub(super) fn add(&mut self, line: &Line) {
         let Some((rank, found)) = line.found else { return };
         let (item, decision) = (line.item, found.decision);
         self.assessed += 1;
@@ -166,7 +166,7 @@ impl Overview {
     }
 
     /// The floors from the top down; those beyond [`MAX_FLOORS`] together at the end.
-    pub fn floors(&self) -> Vec<&FloorCounts> {
+    pub(super) fn floors(&self) -> Vec<&FloorCounts> {
         let mut floors: Vec<&FloorCounts> = self.floors.values().collect();
         let level = |floor: &FloorCounts| floor.level_ratio.unwrap_or(f64::NEG_INFINITY);
         floors.sort_by(|a, b| level(b).total_cmp(&level(a)));
@@ -174,8 +174,8 @@ impl Overview {
         floors
     }
 
-    /// A sentence that says so where the run was interrupted.
-    pub fn partial(&self) -> Option<String> {
+    /// A sentence for the outputs of an interrupted run; `None` for a complete one.
+    pub(super) fn partial(&self) -> Option<String> {
         (self.assessed < self.total).then(|| {
             format!(
                 "PARTIAL: {} of {} objects were assessed before the run was stopped. The list, the ranks and all \
@@ -248,7 +248,7 @@ fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
 }
 
 /// Where an object is, in words: location, building, floor and room, as far as they are known.
-pub fn place(item: &Item) -> String {
+pub(super) fn place(item: &Item) -> String {
     let mut parts: Vec<&str> = Vec::new();
     for part in [&item.location, &item.building, &item.floor, &item.room] {
         if !part.is_empty() && !parts.contains(&part.as_str()) {

@@ -26,7 +26,7 @@ use super::overview::Overview;
 use super::table::{COLUMNS, Cell, Kind, Line, carried_cells, carried_names, overturned_name};
 
 /// The file's name.
-pub const PARQUET_NAME: &str = "objects.parquet";
+pub(super) const PARQUET_NAME: &str = "objects.parquet";
 
 /// Rows of a group; with eighty columns about 15 MB before compression.
 const GROUP_ROWS: usize = 20_000;
@@ -179,7 +179,7 @@ fn fields(inventory: &Inventory) -> Vec<(String, Physical)> {
     let mut fields = Vec::new();
     for column in COLUMNS {
         let physical = match column.kind {
-            Kind::Text => Physical::BYTE_ARRAY,
+            Kind::Text | Kind::Decision => Physical::BYTE_ARRAY,
             Kind::Number | Kind::Share | Kind::Ranked => Physical::DOUBLE,
             Kind::Count => Physical::INT64,
             Kind::Flag => Physical::BOOLEAN,
@@ -202,7 +202,7 @@ fn field_type(name: &str, physical: Physical) -> Result<Arc<Type>, ParquetError>
     Ok(Arc::new(field))
 }
 
-/// What a reader who has only this file needs to know.
+/// Metadata for a reader who has only this file.
 fn metadata(head: &Head) -> Vec<KeyValue> {
     let mut columns = Map::new();
     for column in COLUMNS {

@@ -62,7 +62,7 @@ const LEFT_PX: f64 = 60.0;
 /// Margin above \[px\].
 const TOP_PX: f64 = 8.0;
 
-/// The sides of the object in its planes of rocking, to one scale; nothing without its geometry.
+/// The sides of the object in its planes of rocking, to one scale; empty without its geometry.
 pub(super) fn sketch(item: &Item) -> String {
     let (Some(height_m), Some(thickness_m)) = (item.height_m, item.thickness_m) else { return String::new() };
     let mut sides = vec![("thickness", thickness_m, item.base_thickness_m.unwrap_or(thickness_m))];
@@ -141,8 +141,8 @@ fn view(side: &str, [h, w, b, z]: [f64; 4], middle: f64) -> String {
     svg
 }
 
-/// In a bar of the tornado, where numbers end and where `overturned` is; then its width and height
-/// \[px\].
+/// A bar of the tornado \[px\]: where the scale of numbers ends, where `overturned` is, its width
+/// and its height.
 const SWING_PX: (f64, f64, f64, f64) = (190.0, 210.0, 220.0, 20.0);
 
 /// What the bars of a tornado share: the value at the right end of the scale, and the limit where

@@ -1,4 +1,4 @@
-//! Eqs. (5)–(8) with the numbers of an object, for a reader with a pocket calculator.
+//! Eqs. (5)–(8) with the numbers of an object, so that a reader can check them with a calculator.
 
 use freestand::G0_M_S2;
 
@@ -12,8 +12,8 @@ use super::words;
 /// The landing at the motion that decides, step by step.
 pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     let mut html = paragraph(&format!(
-        "The motion that decides is {}. In the plane of the {}, the centre of gravity rises by Δh = {} mm, and the \
-         uplift is {} mm.",
+        "The motion that decides, the most severe one once the accepted share of the motions is left out, is {}. In \
+         the plane of the {}, the centre of gravity rises by Δh = {} mm, and the uplift is {} mm.",
         chain.motion,
         chain.axis.name(),
         number(1e3 * chain.cg_rise_m, 4),
@@ -23,15 +23,15 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     match chain.stiffness_n_m {
         Some(stiffness_n_m) => lines.extend(spring(chain, stiffness_n_m)),
         None => lines.push(format!(
-            "The cushion is not a spring. Solved numerically, the landing of m_eff at v gives a_edge = {} g, Δv = {} \
-             m/s, T = {} ms.",
+            "The cushion is not a linear spring, so the landing is solved numerically: m_eff at v gives a_edge = {} g, \
+             Δv = {} m/s, T = {} ms.",
             number(chain.edge_acceleration_g, 4),
             number(chain.velocity_change_m_s, 4),
             number(1e3 * chain.pulse_duration_s, 4)
         )),
     }
     lines.push(format!(
-        "The velocity before the impact gives {} g. The verdict uses the larger of the two.",
+        "The velocity before the impact gives a_edge = {} g. The verdict uses the larger of the two values.",
         number(chain.edge_acceleration_impact_velocity_g, 4)
     ));
     if let Some(ratio) = chain.demand_capacity_ratio {
@@ -50,7 +50,7 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
     let [h, t, b, r, m] =
         [chain.height_m, chain.thickness_m, chain.base_m, chain.half_diagonal_m, chain.mass_kg].map(|x| number(x, 4));
     let (r_d, m_eff) = (number(chain.landing_ratio, 4), number(chain.effective_mass_kg, 4));
-    let halted = "The landing is halted: Eq. (8), with R_D = 0 in the shock.".to_owned();
+    let halted = "The landing is halted (no rocking after it): Eq. (8), with R_D = 0 in the shock.".to_owned();
     if chain.is_uniform {
         let x = number((chain.base_m / chain.half_diagonal_m).powi(2), 4);
         let mass = if chain.is_halted {

@@ -18,7 +18,7 @@ use super::overview::Overview;
 use super::table::Line;
 
 /// The file's name.
-pub const REPORT_NAME: &str = "report.html";
+pub(super) const REPORT_NAME: &str = "report.html";
 
 /// The report as it is written: the pages of the most urgent objects so far.
 pub(super) struct Report {

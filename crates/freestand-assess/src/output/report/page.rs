@@ -61,14 +61,14 @@ fn pairs(rows: &[(&str, String)]) -> String {
     classed_table("pairs", "", &[], &rows)
 }
 
-/// The numbers that the verdict rests on.
+/// The numbers on which the verdict is based.
 fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
     let overturn = found.p_overturn.map_or_else(String::new, probability);
     let exceed = found.p_exceed.map_or_else(String::new, probability);
     let accepted = format!("{} ({})", percent(found.accepted_ratio, 0), found.accepted_for.name());
     let draws = if found.draws == 0 { String::new() } else { format!("{} draws for each motion", found.draws) };
     let mut rows = vec![
-        ("Margin", margin(found)),
+        ("Demand/capacity", margin(found)),
         ("Probability of exceeding the tolerance", exceed),
         ("Probability of overturning", overturn),
         ("Accepted probability", accepted),
@@ -76,7 +76,8 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
     ];
     match (&found.capacity, &item.tolerance) {
         (Some(capacity), _) => {
-            let recalled = if capacity.decides { "" } else { "; recalled, so that no verdict may rest on it" };
+            let recalled =
+                if capacity.decides { "" } else { "; recalled without a source, so no verdict depends on it" };
             rows.push(("Governing criterion", capacity.governing.name().to_owned()));
             rows.push(("Tolerance", capacity.tolerance.clone()));
             rows.push(("Source of the tolerance", format!("{}{recalled}", capacity.source)));
@@ -141,23 +142,23 @@ fn consequences(item: &Item) -> String {
 fn response(found: &Assessment) -> String {
     let mut html = heading("Response");
     let Some(response) = &found.response else {
-        html.push_str(&paragraph("Its response was not computed; the verdict above says why."));
+        html.push_str(&paragraph("Its response was not computed; the reason is given with the verdict above."));
         return html;
     };
     html.push_str(&format!("<p>{}</p>\n", words(&response_words(response))));
     html.push_str(&axes(&response.axes));
     if let Some(shock) = &found.shock {
         let mut said = format!(
-            "{} Pulse: {} ms; median velocity change {}.",
+            "{} Pulse duration: {} ms; median velocity change: {}.",
             quantiles("Shock", shock.edge_acceleration_g, |g| ranked(g, "g")),
             number(1e3 * shock.pulse_duration_s, 3),
             ranked(shock.velocity_change_m_s, "m/s")
         );
         if let Some(impacts) = shock.impacts_above_tolerance {
-            let impacts = counted(impacts, "impact");
             let _ = write!(
                 said,
-                " Under the hardest motion that does not overturn it, {impacts} exceed the peak of its tolerance."
+                " Impacts above the peak of its tolerance, under the most severe motion that does not overturn it: \
+                 {impacts}."
             );
         }
         html.push_str(&paragraph(&said));
@@ -169,7 +170,7 @@ fn response(found: &Assessment) -> String {
         let (low, high) = (number(low, 3), number(high, 3));
         let _ = write!(
             said,
-            "Sliding: {} (friction {low} to {high}, {origin}; sliding itself is not computed). ",
+            "Sliding: {} (coefficient of friction {low} to {high}, {origin}; the motion of sliding is not computed). ",
             sliding.verdict.name()
         );
     }
@@ -184,7 +185,7 @@ fn response(found: &Assessment) -> String {
 
 fn response_words(response: &Response) -> String {
     let mut said = format!(
-        "Of {}, {} cause uplift and {} overturn it. {} At most {}.",
+        "Of {}, {} cause uplift and {} overturn it. {} At most {} under one motion.",
         counted(response.motions, "motion"),
         percent(response.uplift_share, 0),
         percent(response.overturn_share, 0),
@@ -198,7 +199,7 @@ fn response_words(response: &Response) -> String {
     said
 }
 
-/// A value at 16, 50 and 84 % of the motions, in a sentence.
+/// The values that 16, 50 and 84 % of the motions do not exceed, in a sentence.
 fn quantiles(name: &str, values: [Ranked; 3], shown: impl Fn(Ranked) -> String) -> String {
     let [low, median, high] = values.map(shown);
     match values {
@@ -213,9 +214,9 @@ fn axes(axes: &[AxisResponse]) -> String {
         text("Side in the plane of rocking"),
         figure("Slenderness angle"),
         figure("R"),
-        figure("Uplift from"),
-        figure("Uplift"),
-        figure("Overturning"),
+        figure("Uplift threshold"),
+        figure("Motions with uplift"),
+        figure("Motions that overturn it"),
         figure("Shock 16 %"),
         figure("median"),
         figure("84 %"),
@@ -253,9 +254,9 @@ fn what_would_change_it(found: &Assessment) -> String {
     };
     let mut html = heading("What would change it");
     html.push_str(&paragraph(&format!(
-        "Each bar shows {of}, from one end of the range of a value to the other; the black line is the present result. \
-         ✱ marks a value that crosses the limit: at one end of its range, the share of motions that exceed the limit \
-         moves to the other side of the accepted probability."
+        "Each bar shows {of} while one value varies over its range and the others stay unchanged; the black line is \
+         the present result. ✱ marks a value that crosses the limit: at one end of its range, the share of motions \
+         that exceed the limit is on the other side of the accepted probability."
     )));
     let scale = Scale::of(&found.tornado, limit);
     let rows: Vec<Vec<Cell>> = found
@@ -297,20 +298,20 @@ fn what_to_do(found: &Assessment) -> String {
         };
         if let Some(stroke_m) = softening.stroke_m {
             let (stroke, pad) = (number(1e3 * stroke_m, 3), number(1e3 * softening.pad_thickness_m, 3));
-            let _ = write!(said, " It is compressed by {stroke} mm of its {pad} mm.");
+            let _ = write!(said, " It is {pad} mm thick and is compressed by {stroke} mm.");
         }
         if let Some(shock_g) = softening.edge_acceleration_g {
-            let _ = write!(said, " The shock on it is {} g.", number(shock_g, 3));
+            let _ = write!(said, " The shock on this pad is {} g.", number(shock_g, 3));
         }
         let _ = writeln!(html, "<p>{} Check: {}</p>", words(&said), words(&softening.note));
     }
     if !found.restraint.is_empty() {
-        html.push_str(&heading("Forces for its restraint"));
+        html.push_str(&heading("Restraint forces"));
         let headings = vec![
             text("Source"),
             figure("Force"),
             figure("Force/weight"),
-            figure("Anchors of one edge"),
+            figure("Tension of all anchors along one edge"),
             text("Formula"),
         ];
         let rows: Vec<Vec<Cell>> = found

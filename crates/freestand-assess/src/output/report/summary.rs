@@ -70,12 +70,12 @@ fn first(overview: &Overview, pages: usize) -> String {
     }
     let mut html = String::new();
     let mut note =
-        format!("The most urgent {} of {}, by rank.", overview.urgent.len(), counted(overview.assessed, "object"));
+        format!("The {} most urgent of {}, by rank.", overview.urgent.len(), counted(overview.assessed, "object"));
     if pages < overview.assessed {
         let _ = write!(
             note,
-            " The {pages} most urgent objects have a page below. All objects are in objects.csv and in the sheet \
-             Objects of assessment.xlsx, with every number.",
+            " Objects up to rank {pages} have a page below. All objects are in objects.csv and in the sheet Objects of \
+             assessment.xlsx, with every number.",
         );
     }
     html.push_str(&paragraph(&note));
@@ -161,7 +161,8 @@ fn floors(overview: &Overview) -> String {
         .collect();
     let mut html = table("", &[headings], &rows);
     html.push_str(&paragraph(
-        "Objects by floor from the top down, and by decision. PFA: peak floor acceleration, the median of the motions.",
+        "Number of objects by floor, from the top down, and by decision. Median PFA: the median of the peak floor \
+         accelerations of all motions.",
     ));
     html
 }
@@ -195,7 +196,8 @@ fn warnings(head: &Head, overview: &Overview) -> String {
     };
     count(overview.without_response, "Without a response", "Geometry or level is missing, or every history failed.");
     count(overview.without_tolerance, "Without a tolerance", "Only overturning was assessed.");
-    count(overview.with_failed_motions, "With histories that failed", "These are left out of every number.");
+    let left_out = "The failed histories are left out of every number.";
+    count(overview.with_failed_motions, "With histories that failed", left_out);
     if head.warnings.is_empty() && warnings.is_empty() {
         return paragraph("None.");
     }

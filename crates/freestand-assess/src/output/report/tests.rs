@@ -56,7 +56,7 @@ fn only_the_most_urgent_have_pages() {
     let html = html(&inventory((0..12).map(item).collect()), 12, 5);
     let document = parse(&html);
     assert_eq!(pages(&document), (1..=5).map(anchor).collect::<Vec<_>>());
-    assert!(html.contains("The 5 most urgent objects have a page below.") && html.contains("objects.csv"));
+    assert!(html.contains("Objects up to rank 5 have a page below.") && html.contains("objects.csv"));
     assert!(html.contains("O-0000") && !html.contains("href=\"#object-6\""));
 }
 

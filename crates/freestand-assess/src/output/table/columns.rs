@@ -10,7 +10,7 @@ use freestand_study::cushion::cushion_words;
 use super::{Cell, Column, Kind, Line};
 
 /// Every column of freestand, in order; other columns of the inventory follow.
-pub const COLUMNS: &[Column] = &[
+pub(crate) const COLUMNS: &[Column] = &[
     // The object.
     count("rank", "place in the order of urgency: 1 is the most urgent", |l| {
         Cell::count(l.found.map(|(rank, _)| rank))
@@ -19,7 +19,7 @@ pub const COLUMNS: &[Column] = &[
     text("item", "what it is", |l| Cell::text(&l.item.item)),
     count("quantity", "how many such objects there are", |l| Cell::Count(l.item.quantity.into())),
     text("priority", "rank given by the owner", |l| Cell::text(&l.item.priority)),
-    text("location", "where it is, in words", |l| Cell::text(&l.item.location)),
+    text("location", "place of the object, in words", |l| Cell::text(&l.item.location)),
     text("building", "building", |l| Cell::text(&l.item.building)),
     text("floor", "name of the floor", |l| Cell::text(&l.item.floor)),
     text("room", "room", |l| Cell::text(&l.item.room)),
@@ -30,9 +30,12 @@ pub const COLUMNS: &[Column] = &[
         of_item(l, |item| item.level_ratio)
     }),
     // The verdict.
-    text("decision", "restrain, soften, no-verdict or leave; empty: not assessed yet", |l| {
-        of_text(l, |found| Some(found.decision.name()))
-    }),
+    Column {
+        kind: Kind::Decision,
+        ..text("decision", "restrain, soften, no-verdict or leave; empty: not assessed yet", |l| {
+            of_text(l, |found| Some(found.decision.name()))
+        })
+    },
     text("why", "the reason for the decision, in one or two sentences", |l| match l.assessment() {
         Some(found) => Cell::text(&found.why),
         None => Cell::text(NOT_ASSESSED),
@@ -70,11 +73,11 @@ pub const COLUMNS: &[Column] = &[
     count("draws", "draws of the uncertain values for each motion; 0: none were needed", |l| {
         Cell::count(l.assessment().map(|found| found.draws as usize))
     }),
-    count("tier", "what decided: 0 thresholds, 1 spectra, 2 histories of its own, 3 the compliant base", |l| {
+    count("tier", "tier that decided: 0 thresholds, 1 spectra, 2 histories of the object, 3 the compliant base", |l| {
         Cell::count(l.assessment().map(|found| found.tier.into()))
     }),
     // Its response.
-    count("motions", "motions with a history about every axis", |l| {
+    count("motions", "motions for which the histories about every axis succeeded", |l| {
         Cell::count(l.assessment().and_then(|found| Some(found.response.as_ref()?.motions)))
     }),
     count("motions_failed", "motions for which a history failed", |l| {
@@ -138,7 +141,7 @@ pub const COLUMNS: &[Column] = &[
     }),
     count(
         "impacts_above_tolerance",
-        "impacts above the tolerance under the hardest motion that does not overturn it",
+        "impacts above the tolerance under the most severe motion that does not overturn it",
         |l| Cell::count(l.assessment().and_then(|found| found.shock.as_ref()?.impacts_above_tolerance)),
     ),
     // Its floor, sliding and clearance.
@@ -198,7 +201,7 @@ pub const COLUMNS: &[Column] = &[
     number("tolerance_g", "g", "peak acceleration that it withstands", |l| {
         of_item(l, |item| Some(item.tolerance.as_ref()?.peak_m_s2? / G0_M_S2))
     }),
-    number("tolerance_duration_s", "s", "duration of the half-sine of that peak", |l| {
+    number("tolerance_duration_s", "s", "duration of the half-sine with that peak", |l| {
         of_item(l, |item| item.tolerance.as_ref()?.duration_s)
     }),
     number("tolerance_velocity_change_m_s", "m/s", "velocity change below which no peak causes damage", |l| {
@@ -210,7 +213,7 @@ pub const COLUMNS: &[Column] = &[
     text("tolerance_source", "source of the tolerance", |l| {
         l.item.tolerance.as_ref().map_or(Cell::Missing, |tolerance| Cell::text(&tolerance.source))
     }),
-    flag("tolerance_decides", "whether a verdict may rest on that source; not on a recalled one", |l| {
+    flag("tolerance_decides", "whether a verdict may depend on that source; false if it is recalled", |l| {
         yes(l.item.tolerance.as_ref().map(|tolerance| tolerance.confidence.decides()))
     }),
     number("height_m", "m", "height", |l| of_item(l, |item| item.height_m)),

@@ -11,12 +11,12 @@ use freestand_study::result::Ranked;
 
 use super::Row;
 
-pub use columns::COLUMNS;
+pub(super) use columns::COLUMNS;
 
 /// One object of the inventory, assessed or not yet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line<'a> {
-    /// As written.
+pub(super) struct Line<'a> {
+    /// Its row of the inventory.
     pub item: &'a Item,
     /// Its rank and its assessment; `None`: the run was interrupted before it.
     pub found: Option<(usize, &'a Assessment)>,
@@ -24,21 +24,24 @@ pub struct Line<'a> {
 
 impl<'a> Line<'a> {
     /// The line of a row.
-    pub fn of(row: &'a Row<'a>) -> Self {
+    #[cfg(test)]
+    pub(super) fn of(row: &'a Row<'a>) -> Self {
         Self { item: row.item, found: Some((row.rank, &row.found)) }
     }
 
     /// Its assessment.
-    pub fn assessment(&self) -> Option<&'a Assessment> {
+    pub(super) fn assessment(&self) -> Option<&'a Assessment> {
         self.found.map(|(_, found)| found)
     }
 }
 
-/// What a column holds.
+/// The type of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(super) enum Kind {
     /// Text.
     Text,
+    /// The name of a decision.
+    Decision,
     /// A number.
     Number,
     /// A share or a probability, which people read in percent.
@@ -53,7 +56,7 @@ pub enum Kind {
 
 /// One cell.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Cell<'a> {
+pub(super) enum Cell<'a> {
     /// A text.
     Text(Cow<'a, str>),
     /// A finite number.
@@ -70,27 +73,27 @@ pub enum Cell<'a> {
 
 impl<'a> Cell<'a> {
     /// A text; an empty one is missing.
-    pub fn text(text: &'a str) -> Self {
+    pub(super) fn text(text: &'a str) -> Self {
         if text.is_empty() { Self::Missing } else { Self::Text(Cow::Borrowed(text)) }
     }
 
     /// A text made for the cell.
-    pub fn owned(text: Option<String>) -> Self {
+    pub(super) fn owned(text: Option<String>) -> Self {
         text.filter(|text| !text.is_empty()).map_or(Self::Missing, |text| Self::Text(Cow::Owned(text)))
     }
 
     /// A number; one that is not finite is missing.
-    pub fn number(value: Option<f64>) -> Self {
+    pub(super) fn number(value: Option<f64>) -> Self {
         value.filter(|value| value.is_finite()).map_or(Self::Missing, Self::Number)
     }
 
     /// A whole number.
-    pub fn count(value: Option<usize>) -> Self {
+    pub(super) fn count(value: Option<usize>) -> Self {
         value.map_or(Self::Missing, |value| Self::Count(value as u64))
     }
 
     /// A number, or `overturned`.
-    pub fn ranked(value: Option<Ranked>) -> Self {
+    pub(super) fn ranked(value: Option<Ranked>) -> Self {
         match value {
             Some(Ranked::Value(value)) => Self::number(Some(value)),
             Some(Ranked::Overturned) => Self::Overturned,
@@ -101,7 +104,7 @@ impl<'a> Cell<'a> {
 
 /// A column.
 #[derive(Debug, Clone, Copy)]
-pub struct Column {
+pub(super) struct Column {
     /// Its header, with the unit at its end.
     pub name: &'static str,
     /// What it holds.
@@ -110,21 +113,13 @@ pub struct Column {
     pub unit: &'static str,
     /// What it means, for the sheet of columns.
     pub meaning: &'static str,
-    /// The cell of an object.
+    /// Makes the cell of an object.
     pub cell: for<'a> fn(&Line<'a>) -> Cell<'a>,
 }
 
-/// The headers of the columns that are carried through, each made different from ours and from
-/// those before it.
-///
-/// An inventory may be the `objects.csv` of an earlier run, whose columns have our names.
-///
-/// # Example
-/// ```
-/// let names = freestand_assess::output::table::carried_names(&["Asset".into(), "rank".into(), "Asset".into(), "".into()]);
-/// assert_eq!(names, ["Asset", "rank (inventory)", "Asset (inventory)", "column 4"]);
-/// ```
-pub fn carried_names(carried: &[String]) -> Vec<String> {
+/// The headers of the columns that are carried through. One that equals a column of freestand or an
+/// earlier header is renamed, because an inventory may be the `objects.csv` of an earlier run.
+pub(super) fn carried_names(carried: &[String]) -> Vec<String> {
     // Spreadsheets and databases treat `Rank` and `rank` as one name.
     let ours = COLUMNS.iter().flat_map(|column| [column.name.to_owned(), overturned_name(column)]);
     let mut taken: HashSet<String> = ours.map(|name| name.to_lowercase()).collect();
@@ -146,12 +141,12 @@ pub fn carried_names(carried: &[String]) -> Vec<String> {
 }
 
 /// The cells that are carried through: one for each header, however many the row has.
-pub fn carried_cells<'a>(inventory: &Inventory, item: &'a Item) -> impl Iterator<Item = Cell<'a>> {
+pub(super) fn carried_cells<'a>(inventory: &Inventory, item: &'a Item) -> impl Iterator<Item = Cell<'a>> {
     (0..inventory.carried.len()).map(|i| item.carried.get(i).map_or(Cell::Missing, |text| Cell::text(text)))
 }
 
 /// The name of the Boolean column that is `true` where a ranked number is `overturned`.
-pub fn overturned_name(column: &Column) -> String {
+pub(super) fn overturned_name(column: &Column) -> String {
     format!("{}_overturned", column.name)
 }
 

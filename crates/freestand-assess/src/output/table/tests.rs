@@ -61,7 +61,7 @@ fn the_columns_of_the_contract_are_there() {
             "N/m" => ends("_n_m"),
             "m/s" => ends("_m_s"),
             "1" => ends("_ratio") || ends("_share") || column.name.starts_with("p_") || ends("restitution"),
-            _ => matches!(column.kind, Kind::Text | Kind::Count | Kind::Flag),
+            _ => matches!(column.kind, Kind::Text | Kind::Decision | Kind::Count | Kind::Flag),
         };
         assert!(expected && !column.meaning.is_empty(), "{} in {}", column.name, column.unit);
     }
@@ -151,4 +151,10 @@ fn carried_names_are_unlike() {
     assert_eq!(names.iter().collect::<HashSet<_>>().len(), 16_000);
     let overturned = carried_names(&["uplift_m_median_overturned".to_owned()]);
     assert_eq!(overturned, ["uplift_m_median_overturned (inventory)"]);
+}
+
+#[test]
+fn carried_headers_get_names_of_their_own() {
+    let names = carried_names(&["Asset", "rank", "Asset", ""].map(str::to_owned));
+    assert_eq!(names, ["Asset", "rank (inventory)", "Asset (inventory)", "column 4"]);
 }

@@ -92,7 +92,7 @@ impl Places {
         Self { first, columns }
     }
 
-    /// The column of the part whose name is `name`, or begins with it and a blank.
+    /// The first column of the part whose name is `name`, or begins with it.
     fn of(&self, name: &str) -> ColNum {
         let is_it = |part: &Part| {
             let (Text(full) | Input(full) | Step(full) | Check(full)) = part;
@@ -113,12 +113,7 @@ impl Audit {
         let mut sheet = sheet(workbook, is_large, "Audit")?;
         let places = Places::new();
         let listed = inventory.items.len().min(MAX_OBJECTS);
-        put_text(
-            &mut sheet,
-            (0, 0),
-            "Audit: Eqs. (5)–(8) at the motion that decides, for every object",
-            &styles.title,
-        )?;
+        put_text(&mut sheet, (0, 0), "Audit: Eqs. (5)–(8) for each object, at the motion that decides", &styles.title)?;
         let words = [
             "Blue: inputs. Green: live formulas, calculated by this spreadsheet. Next to each are the value of the \
              assessment and their difference, relative to that value. R_D = 1 − ⅜(d/R)² (6); a = √(2kgΔh/m) (7); \
@@ -179,7 +174,7 @@ impl Audit {
         let last = self.row.saturating_sub(1).max(HEADER_ROW + 1);
         let notes = [
             (self.without, "without a landing: no uplift, overturned by the motion that decides, or data missing"),
-            (self.beyond, "not among the most urgent: in the sheet Objects alone"),
+            (self.beyond, "not among the most urgent: only in the sheet Objects"),
         ];
         for ((count, note), row) in notes.into_iter().filter(|(count, _)| *count > 0).zip(last + 2..) {
             put_text(&mut self.sheet, (row, 0), &format!("Further objects, {note}: {count}"), &styles.text)?;
@@ -209,7 +204,7 @@ fn headers(sheet: &mut Worksheet, places: &Places, styles: &Styles) -> Result<()
     Ok(())
 }
 
-/// How the shock of a chain is computed.
+/// How the shock of an object is computed.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Form {
     /// Eqs. (5)–(8) as printed.

@@ -28,7 +28,7 @@ use super::sources::Sources;
 use super::table::Line;
 
 /// The file's name.
-pub const WORKBOOK_NAME: &str = "assessment.xlsx";
+pub(super) const WORKBOOK_NAME: &str = "assessment.xlsx";
 
 /// Rows of a sheet, of which one is the header.
 const SHEET_ROWS: u32 = 1_048_576;

@@ -102,7 +102,7 @@ fn width(column: &Column) -> f64 {
     match (column.kind, column.name) {
         (_, "why" | "remarks" | "notes") => 60.0,
         (_, "item" | "location" | "tolerance" | "tolerance_source" | "cushion" | "restraint_source") => 26.0,
-        (Kind::Text, _) => 15.0,
+        (Kind::Text | Kind::Decision, _) => 15.0,
         (Kind::Count, _) => 9.0,
         _ => 14.0,
     }
@@ -111,7 +111,7 @@ fn width(column: &Column) -> f64 {
 /// Colours in addition to words: the decision, and what exceeds its capacity.
 fn colour(sheet: &mut Worksheet, last_row: RowNum) -> Result<(), XlsxError> {
     for (column, at) in COLUMNS.iter().zip(0..) {
-        if column.name == "decision" {
+        if column.kind == Kind::Decision {
             for decision in Decision::ALL {
                 let rule = ConditionalFormatCellRule::EqualTo(decision.name());
                 let format = Format::new().set_bold().set_background_color(colours(decision).fill);

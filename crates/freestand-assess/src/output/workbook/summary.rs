@@ -51,7 +51,7 @@ pub(super) fn columns(styles: &Styles) -> Result<Worksheet, XlsxError> {
     }
     for (column, row) in COLUMNS.iter().zip(1..) {
         let kind = match column.kind {
-            Kind::Text => "text",
+            Kind::Text | Kind::Decision => "text",
             Kind::Number | Kind::Share => "number",
             Kind::Count => "whole number",
             Kind::Ranked => "number or overturned",

@@ -1,4 +1,4 @@
-//! `freestand cushion drop`: from drop tests to a stiffness with its interval.
+//! `freestand cushion drop`: the stiffness of a pad, with its interval, from drop tests.
 
 use std::path::PathBuf;
 
@@ -8,21 +8,21 @@ use freestand::identify::FittedLaw;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_output::facts::Facts;
-use freestand_records::formats::ReadOptions;
+use freestand_records::formats::{ReadOptions, parse_unit};
+use freestand_records::processing::parse_step;
+use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
     DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_csv,
 };
-use freestand_study::laboratory::{Failed, drop_figures};
 
-use freestand_study::laboratory::virtual_test::VELOCITY_ERROR_RATIO;
+use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 
-use super::static_test::{BOUNDARIES, IMPACTORS};
+use super::static_curve::{BOUNDARIES, IMPACTORS};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failure};
-use crate::reading::{time_step, unit};
+use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failed};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Evaluate drop tests of a pad: stiffness with its 95 % interval, exponent and damping
@@ -38,8 +38,9 @@ A file has columns of time and acceleration with their units (time [ms],accelera
 positive upward, and a few milliseconds of free fall before the contact, whose mean is the zero
 line. Lines such as \"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary:
 glued\" before the columns are used unless a flag replaces them. A record that cannot give a
-stiffness is shown with the reasons. Drops are pooled as repeats of one test; they must have the
-same impactor, boundary and mass. Otherwise the exit status is 1.")]
+stiffness is shown with the reasons. Drops are pooled as repeats of one test if they have the same
+impactor, boundary and mass. The exit status is 1 if a record gives no stiffness or the drops cannot
+be pooled.")]
 pub(crate) struct DropArgs {
     /// Files with drops on one pad
     #[arg(value_name = "FILE", required = true)]
@@ -59,7 +60,7 @@ pub(crate) struct DropArgs {
     /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
     #[arg(long, non_negative = Dimension::Acceleration)]
     gravity: Option<Given>,
-    /// Corner frequency of the low-pass filter before the converter, to check the record against
+    /// Corner frequency of the low-pass filter before the A/D converter, to check the record with
     #[arg(long, positive = Dimension::Frequency)]
     corner: Option<Given>,
     /// Fit only this law [default: the simplest one that no other clearly improves on]
@@ -77,14 +78,14 @@ pub(crate) struct DropArgs {
     /// Boundary of the pad; replaces what the files state
     #[arg(long, value_name = "BOUNDARY", value_parser = BOUNDARIES)]
     boundary: Option<String>,
-    /// Change the sign of all samples: the sensor is mounted upside down
+    /// Change the sign of all samples, for a sensor that is mounted upside down
     #[arg(long)]
     invert: bool,
     /// Unit of acceleration of a file that does not state it
-    #[arg(long, value_name = "UNIT", read = unit)]
+    #[arg(long, value_name = "UNIT", read = parse_unit)]
     unit: Option<Given<String>>,
     /// Time step of a file without a column of times
-    #[arg(long, value_name = "TIME", read = time_step)]
+    #[arg(long, value_name = "TIME", read = parse_step)]
     dt: Option<Given>,
     /// Column of accelerations, by name or by number (from 1)
     #[arg(long, value_name = "NAME")]
@@ -101,7 +102,7 @@ const LAWS: Choices<FittedLaw> = &[
 pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args, global)?;
     let files = Files::begin(global, &args.files)?;
-    let report = drop_tests(&request).map_err(Failure::Problems)?;
+    let report = drop_tests(&request)?;
     for (i, test) in report.tests.iter().enumerate() {
         if !test.test.points.is_empty() {
             files.write(&format!("loop-{:03}.csv", i + 1), || loop_csv(&test.test))?;
@@ -111,37 +112,31 @@ pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Re
         files.write("cushion.toml", || toml)?;
     }
     if files.wanted() && report.tests.iter().any(|test| test.test.identified.is_some()) {
-        for figure in drop_figures(&report).map_err(|error| Failure::computation(error.to_string()))? {
-            files.write(&format!("{}.svg", figure.name), || &figure.svg)?;
-            files.write(&format!("{}.png", figure.name), || &figure.png)?;
+        for figure in drop_figures(&report)? {
+            files.drawn(&figure.name, &figure)?;
         }
     }
     files.print(printer, "freestand.cushion-drop/1", &report.facts(), &report.warnings, || text(&report))?;
-    print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
+    print_failed(&report.failed);
     Ok(Done { criterion_met: report.all_gave() })
 }
 
 fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure> {
     let mut values = Values::default();
     let read = ReadOptions { unit: values.read(&args.unit), dt_s: values.read(&args.dt), ..ReadOptions::default() };
-    if args.impactor.as_deref() == Some("flat") && args.sphere_radius.is_some() {
-        values.push(problem("--sphere-radius is given for a flat impactor", "leave one of the two out"));
-    }
-    // Only a sphere has a radius.
-    let impactor = args.impactor.clone().or(args.sphere_radius.as_ref().map(|_| "sphere".to_owned()));
     let request = DropRequest {
         files: args.files.clone(),
         mass_kg: values.read(&args.mass),
         height_m: values.read(&args.height),
         impact_velocity_m_s: values.read(&args.impact_velocity),
-        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or(VELOCITY_ERROR_RATIO),
+        velocity_error_ratio: values.read(&args.velocity_error).unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO),
         gravity_m_s2: values.read(&args.gravity).unwrap_or(G0_M_S2),
         filter_corner_hz: values.read(&args.corner),
         law: args.law,
         read,
         component: args.component.clone(),
         inverted: args.invert,
-        impactor,
+        impactor: args.impactor.clone(),
         sphere_radius_m: values.read(&args.sphere_radius),
         boundary: args.boundary.clone(),
         thickness_m: values.read(&args.pad_thickness),
@@ -155,8 +150,8 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
     match parse_positive(text, Dimension::Ratio, "the value")? {
         ratio if ratio <= 0.5 => Ok(ratio),
         _ => {
-            let hint = "leave height and velocity out: the pulse itself then tells the speed";
-            Err(problem("more than 50 %", hint))
+            let hint = "leave --height and --impact-velocity out: the velocity is then found from the pulse";
+            Err(problem(format!("at most 50 % is accepted, not \"{text}\""), hint))
         }
     }
 }
@@ -183,5 +178,5 @@ fn text(report: &DropsReport) -> String {
     if report.pooled.pad.is_some() {
         out += &format!("\n{}", lines(&report.pooled.facts()));
     }
-    out + &failed_lines(report.failed.iter().map(Failed::facts))
+    out + &failed_lines(&report.failed)
 }

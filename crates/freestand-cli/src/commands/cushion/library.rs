@@ -3,15 +3,13 @@
 use clap::Args;
 use freestand_assess::library::{CushionEntry, CushionLibrary};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::{counted, number};
-use serde::Serialize;
+use freestand_input::words::number;
 
 use super::Done;
 use crate::args::GlobalArgs;
-use crate::commands::tolerance::LibraryArgs;
+use crate::commands::library::{Layout, LibraryArgs, Wanted, print};
 use crate::failure::Failure;
-use crate::files::Files;
-use crate::printer::{Printer, pairs, table};
+use crate::printer::Printer;
 
 /// List the cushion library: likely stiffnesses of pads, feet and floors, as ranges
 ///
@@ -60,78 +58,41 @@ pub(crate) struct SearchArgs {
     library: LibraryArgs,
 }
 
-#[derive(Debug, Serialize)]
-struct Listed<'a> {
-    entries: &'a [&'a CushionEntry],
-}
-
-fn library(args: &LibraryArgs) -> Result<CushionLibrary, Failure> {
-    Ok(CushionLibrary::builtin().with_file(args.library.as_deref())?)
-}
+const LAYOUT: Layout<CushionEntry> = Layout {
+    schema: "freestand.cushion-library/1",
+    headings: ["id", "stiffness range", "mean", "confidence", "item", "source"],
+    cells: |entry| {
+        let confidence = entry.confidence.name().to_owned();
+        [entry.id.clone(), entry.range_words(), mean(entry), confidence, entry.item.clone(), entry.source_words()]
+    },
+    remark: "estimates, not measurements",
+    fields,
+    notice: |_| "",
+};
 
 pub(crate) fn list(args: &ListArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let library = library(&args.library)?;
-    print(&args.library, &library, &library.entries().iter().collect::<Vec<_>>(), listed, (global, printer))
+    print(CushionLibrary::builtin(), &args.library, Wanted::All, &LAYOUT, (global, printer))
 }
 
 pub(crate) fn show(args: &ShowArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let library = library(&args.library)?;
-    print(&args.library, &library, &[library.get(&args.id)?], shown, (global, printer))
+    print(CushionLibrary::builtin(), &args.library, Wanted::WithId(&args.id), &LAYOUT, (global, printer))
 }
 
 pub(crate) fn search(args: &SearchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let library = library(&args.library)?;
-    print(&args.library, &library, &library.search(&args.words), listed, (global, printer))
+    print(CushionLibrary::builtin(), &args.library, Wanted::WithWords(&args.words), &LAYOUT, (global, printer))
 }
 
-fn print(
-    from: &LibraryArgs,
-    library: &CushionLibrary,
-    entries: &[&CushionEntry],
-    text: fn(&[&CushionEntry]) -> String,
-    (global, printer): (&GlobalArgs, &Printer),
-) -> Result<Done, Failure> {
-    let files = Files::begin(global, from.library.as_slice())?;
-    let body = Listed { entries };
-    files.print(printer, "freestand.cushion-library/1", &body, &library.warnings, || text(entries))?;
-    Ok(Done::OK)
-}
-
-fn listed(entries: &[&CushionEntry]) -> String {
-    if entries.is_empty() {
-        return "no entry contains all of these words\n".to_owned();
-    }
-    let row = |entry: &&CushionEntry| {
-        vec![
-            entry.id.clone(),
-            entry.range_words(),
-            mean(entry),
-            entry.confidence.name().to_owned(),
-            entry.item.clone(),
-            entry.source_words(),
-        ]
-    };
-    let headings = ["id", "range for one", "mean", "confidence", "item", "source"];
-    let rows: Vec<_> = entries.iter().map(row).collect();
-    let count = counted(rows.len(), "entry");
-    table(&headings, &rows) + &format!("{count}; estimates, not measurements\n")
-}
-
-/// For so wide a range three digits are enough.
+/// The mean stiffness: three digits are enough for so wide a range.
 fn mean(entry: &CushionEntry) -> String {
     format!("{} N/mm", number(entry.stiffness_n_m / 1e3, 3))
 }
 
-fn shown(entries: &[&CushionEntry]) -> String {
-    entries.iter().map(|entry| one(entry)).collect()
-}
-
-fn one(entry: &CushionEntry) -> String {
-    let text = |text: &str| Some(text.to_owned()).filter(|text| !text.is_empty());
-    let rows = [
+fn fields(entry: &CushionEntry) -> Vec<(&'static str, Option<String>)> {
+    let text = |text: &str| Some(text.to_owned());
+    vec![
         ("id", text(&entry.id)),
         ("item", text(&entry.item)),
-        ("range for one", Some(entry.range_words())),
+        ("stiffness range", Some(entry.range_words())),
         ("geometric mean", Some(mean(entry))),
         ("scatter of ln k", Some(format!("{} (the range is taken as 16 to 84 %)", number(entry.log_sd, 3)))),
         ("thickness", entry.thickness_m.map(|t| format_si(t, Dimension::Length))),
@@ -144,6 +105,5 @@ fn one(entry: &CushionEntry) -> String {
         ("use", text("an estimate, not a measurement: a drop test is better")),
         ("note", text(&entry.note)),
         ("origin", text(&entry.origin)),
-    ];
-    pairs(&rows.into_iter().filter_map(|(name, value)| Some((name, value?))).collect::<Vec<_>>())
+    ]
 }

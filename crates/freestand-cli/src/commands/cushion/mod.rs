@@ -5,7 +5,7 @@ mod drop;
 mod library;
 mod recovery;
 mod simulate;
-mod static_test;
+mod static_curve;
 
 use clap::{Args, Subcommand};
 
@@ -31,7 +31,7 @@ pub(crate) struct CushionArgs {
 #[derive(Debug, Subcommand)]
 enum CushionCommand {
     Drop(Box<drop::DropArgs>),
-    Static(Box<static_test::StaticArgs>),
+    Static(Box<static_curve::StaticArgs>),
     Simulate(Box<simulate::SimulateArgs>),
     Recovery(Box<recovery::RecoveryArgs>),
     Curve(Box<curve::CurveArgs>),
@@ -43,7 +43,7 @@ enum CushionCommand {
 pub(crate) fn run(args: &CushionArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     match &args.command {
         CushionCommand::Drop(args) => drop::run(args, global, printer),
-        CushionCommand::Static(args) => static_test::run(args, global, printer),
+        CushionCommand::Static(args) => static_curve::run(args, global, printer),
         CushionCommand::Simulate(args) => simulate::run(args, global, printer),
         CushionCommand::Recovery(args) => recovery::run(args, global, printer),
         CushionCommand::Curve(args) => curve::run(args, global, printer),

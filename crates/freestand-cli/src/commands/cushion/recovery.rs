@@ -1,10 +1,10 @@
-//! `freestand cushion recovery`: how well drop tests recover what virtual ones were made of.
+//! `freestand cushion recovery`: how well the evaluation of drop tests recovers known values.
 
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
-use freestand_study::laboratory::virtual_test::{RecoveryRequest, recovery};
+use freestand_study::laboratory::virtual_laboratory::{RecoveryRequest, recovery};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -23,9 +23,9 @@ Examples:
     --noise \"0, 0.5 %, 2 %\"
 
 The pads, under 0.365 kg from 100 mm: 2190 N/mm; 2e7 N/m^1.5; 2190 N/mm with a damping of 10 %;
-2e7 N/m^1.5 with 0.3 s/m. Every drop is a test of its own, with its own interval; the impact
-velocity that the test is told has a random error of 1 %. A bias of the whole record is removed
-with the zero line and must not change the result; a shift at the peak does.")]
+2e7 N/m^1.5 with 0.3 s/m. Every drop is evaluated alone, with its own interval; the impact velocity
+given to the evaluation has a random error of 1 %. A bias of the whole record is removed with the
+zero line and must not change the result; a shift at the peak changes it.")]
 pub(crate) struct RecoveryArgs {
     /// Number of drops for each combination [default: 100]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]

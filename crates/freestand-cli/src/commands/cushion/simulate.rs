@@ -6,8 +6,7 @@ use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
-use freestand_study::cushion::EdgeCushion;
-use freestand_study::laboratory::virtual_test::{ASSUMED_DAMPING, drop_file, static_file};
+use freestand_study::laboratory::virtual_laboratory::{assume_damping, drop_file, static_file};
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -55,7 +54,7 @@ pub(crate) struct SimulateArgs {
     /// Shift of the zero line after the peak, as a share of the peak [default: 0]
     #[arg(long, any = Dimension::Ratio)]
     zero_shift: Option<Given>,
-    /// Corner frequency of a two-pole low-pass filter before the converter [default: no filter]
+    /// Corner frequency of a two-pole low-pass filter before the A/D converter [default: no filter]
     #[arg(long, positive = Dimension::Frequency)]
     filter_corner: Option<Given>,
     /// Time before the first touch [default: 3 contacts]
@@ -97,7 +96,7 @@ struct Report {
 
 const SCHEMA: &str = "freestand.cushion-simulate/1";
 
-/// What all tests share.
+/// The options that all tests share.
 enum Plan {
     Drop(VirtualDropOptions),
     Static(VirtualStaticOptions),
@@ -123,7 +122,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     let is_file = !files.wanted() && !printer.json();
     files.finish(SCHEMA, &report, &notes)?;
     if is_file {
-        // The file alone, so that it can be redirected.
+        // Only the file is printed, so that it can be redirected.
         print_text(&first)?;
         printer.warn(&notes);
         return Ok(Done::OK);
@@ -132,7 +131,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     Ok(Done::OK)
 }
 
-/// The file of a test, and its part of the document.
+/// The file of a test, and its entry in the document.
 fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Result<(String, Facts<'static>), Failure> {
     let (kind, text, drop) = match plan {
         Plan::Drop(options) => {
@@ -154,31 +153,15 @@ fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Resul
     Ok((text, facts))
 }
 
-/// The pad, and what was assumed of it.
-fn edge(
-    args: &SimulateArgs,
-    mass_kg: Option<f64>,
-    values: &mut Values,
-) -> Result<(Option<EdgeCushion>, Vec<String>), Failure> {
-    let mut words = args.cushion.words(values)?;
-    let mut assumed = Vec::new();
-    for (law, key, value) in ASSUMED_DAMPING {
-        if words.get("law").is_some_and(|name| name == law) && words.get(key).is_none() {
-            words.set(key, value);
-            assumed.push(format!("the {key} of the {law} pad is not given; {value} is assumed"));
-        }
-    }
-    Ok((args.cushion.resolved(&words, mass_kg, values), assumed))
-}
-
 fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<String>), Failure> {
     let mut values = Values::default();
     let (mass, height) = (values.read(&args.mass), values.read(&args.height));
     let noise = values.read(&args.noise);
-    let (edge, assumed) = edge(args, mass, &mut values)?;
-    let Some(edge) = edge else {
+    let mut words = args.cushion.words(&mut values)?;
+    let assumed = assume_damping(&mut words);
+    let Some(edge) = args.cushion.resolved(&words, mass, &mut values) else {
         values.finish()?;
-        return Err(Failure::usage("there is no cushion", "give --stiffness, such as \"2190 N/mm\""));
+        return Err(Failure::usage("the cushion is missing", "give --stiffness, such as \"2190 N/mm\""));
     };
     let (cushion, notes) = (edge.cushion, [edge.notes, assumed].concat());
     if args.is_static {

@@ -1,4 +1,4 @@
-//! `freestand inventory check`: how an inventory is understood.
+//! `freestand inventory check`: shows how an inventory was understood.
 
 use std::path::PathBuf;
 
@@ -55,11 +55,11 @@ struct CheckReport {
     first_rows: Vec<RowReport>,
 }
 
-/// How many rows have which values.
+/// How many rows have each kind of value.
 #[derive(Debug, Default, Serialize)]
 struct Counts {
     rows: usize,
-    /// Rows times their quantities.
+    /// The sum of the quantities of all rows.
     objects: u64,
     with_size: usize,
     with_level: usize,

@@ -46,7 +46,7 @@ struct ConvertReport {
     path: Option<String>,
     rows: usize,
     columns: usize,
-    /// The text, where it was not written to a file.
+    /// The text, if it was not written to a file.
     text: Option<String>,
 }
 

@@ -104,7 +104,7 @@ fn place(
     Ok(Placed { path, text })
 }
 
-/// Refuses a workbook without a file, and two places for one file.
+/// Refuses a workbook without a file to write to, and a file given together with `--out`.
 fn check_place(format: Format, file: Option<&PathBuf>, global: &GlobalArgs) -> Result<(), Failure> {
     match (file, &global.out) {
         (Some(file), Some(_)) => {
@@ -119,7 +119,7 @@ fn check_place(format: Format, file: Option<&PathBuf>, global: &GlobalArgs) -> R
     }
 }
 
-/// The text, or the path of the file.
+/// What is printed: the text, or the path of the file.
 fn shown(text: &Option<String>, path: &Option<String>) -> String {
     match (text, path) {
         (Some(text), _) => text.clone(),

@@ -13,7 +13,8 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
 
-/// Write an inventory to fill in, with its units and three examples; printed as CSV without a file
+/// Write an inventory to fill in, with units and three examples; without a file, it is printed as
+/// CSV
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -37,7 +38,7 @@ struct TemplateReport {
     format: &'static str,
     path: Option<String>,
     columns: Vec<ColumnReport>,
-    /// The text, where it was not written to a file.
+    /// The text, if it was not written to a file.
     text: Option<String>,
 }
 

@@ -1,22 +1,16 @@
-//! `freestand motion code-spectrum`: the spectrum of a code, and what it gives parts on floors.
+//! `freestand motion code-spectrum`: the spectrum of a code, and its accelerations of parts on
+//! floors.
 
 use clap::Args;
-use freestand::code_spectrum::CodeSpectrum;
-use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand_input::quantity::Dimension;
-use freestand_output::figure::Figure;
-use freestand_output::rows::columns_csv;
-use freestand_study::target::Target;
-use freestand_study::target::{CodePicture, code_spectrum_figure};
-use serde::Serialize;
+use freestand_study::target::{CodeSpectrumReport, code_spectrum, code_spectrum_figure};
 
-use super::plot::failed;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
-use crate::target::{TargetArgs, TargetReport};
+use crate::target::TargetArgs;
 use crate::values::{Given, Reads, Values};
 
 /// Show the elastic response spectrum of a design code, for 5 % damping
@@ -47,140 +41,22 @@ pub(crate) struct CodeSpectrumArgs {
     building_period: Option<Given>,
 }
 
-#[derive(Debug, Serialize)]
-struct CodeSpectrumReport {
-    #[serde(flatten)]
-    code: TargetReport,
-    corner_periods_s: Vec<f64>,
-    periods_s: Vec<f64>,
-    sa_g: Vec<f64>,
-    /// Of Eurocode 8 alone.
-    vertical_sa_g: Option<Vec<f64>>,
-    parts: Option<PartsReport>,
-}
-
-#[derive(Debug, Serialize)]
-struct PartsReport {
-    clause: &'static str,
-    building_height_m: Option<f64>,
-    building_period_s: Option<f64>,
-    levels: Vec<PartsLevel>,
-}
-
-#[derive(Debug, Serialize)]
-struct PartsLevel {
-    level_ratio: f64,
-    height_m: Option<f64>,
-    floor_acceleration_g: f64,
-}
-
 pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let target = args.target.target()?;
     let mut values = Values::default();
-    let periods_s = periods(args, &target, &mut values);
-    let parts = if args.parts { parts(args, &target.spectrum, &mut values) } else { None };
+    let periods_s = values.read(&args.periods);
+    let building = (values.read(&args.building_height), values.read(&args.building_period));
     values.finish()?;
-    let spectrum = &target.spectrum;
-    let vertical_sa_g = match spectrum {
-        CodeSpectrum::Eurocode8(code) => Some(periods_s.iter().map(|&period| code.vertical_sa_g(period)).collect()),
-        _ => None,
-    };
-    let report = CodeSpectrumReport {
-        code: TargetReport::from(&target),
-        corner_periods_s: match spectrum {
-            CodeSpectrum::Table(_) => Vec::new(),
-            _ => spectrum.corner_periods_s(),
-        },
-        sa_g: periods_s.iter().map(|&period| spectrum.sa_g(period)).collect(),
-        periods_s,
-        vertical_sa_g,
-        parts,
-    };
-    let inputs = args.target.inputs();
-    let files = Files::begin(global, &inputs)?;
-    let mut columns: Vec<(&str, &[f64])> = vec![("period_s", &report.periods_s), ("sa_g", &report.sa_g)];
-    columns.extend(report.vertical_sa_g.as_deref().map(|vertical| ("vertical_sa_g", vertical)));
-    let csv = columns_csv(&columns)?;
+    let report = code_spectrum(&target, periods_s, args.parts.then_some(building))?;
+    let files = Files::begin(global, &args.target.inputs())?;
+    let csv = report.csv()?;
     files.write("spectrum.csv", || csv)?;
-    if files.wanted() {
-        let figure = picture(&target, &report)?;
-        files.write("spectrum.svg", || figure.svg)?;
-        files.write("spectrum.png", || figure.png)?;
-    }
-    files.print(printer, "freestand.code-spectrum/1", &report, &target.warnings, || text(&target, &report))?;
+    files.figure("spectrum", || code_spectrum_figure(&report))?;
+    files.print(printer, "freestand.code-spectrum/1", &report, &target.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
-/// The periods that are asked for; without any the usual ones with the corners, as far as the
-/// spectrum goes.
-fn periods(args: &CodeSpectrumArgs, target: &Target, values: &mut Values) -> Vec<f64> {
-    let spectrum = &target.spectrum;
-    let (from_s, to_s) = (spectrum.shortest_period_s(), spectrum.longest_period_s().unwrap_or(f64::INFINITY));
-    let mut periods_s = super::periods(&args.periods, values);
-    if args.periods.is_none() {
-        let last = periods_s.last().copied().unwrap_or(0.0);
-        periods_s.extend(spectrum.corner_periods_s().into_iter().filter(|&corner| corner <= last));
-        periods_s.sort_by(f64::total_cmp);
-        periods_s.dedup();
-        periods_s.retain(|period| (from_s..=to_s).contains(period));
-        return periods_s;
-    }
-    if let Some(negative) = periods_s.iter().find(|&&period| period < 0.0) {
-        let message = format!("--periods: a period of {negative} s is negative");
-        values.push(problem(message, "give periods of 0 s or more"));
-    } else if let Some(outside) = periods_s.iter().find(|period| !(from_s..=to_s).contains(*period)) {
-        let message = format!("--periods: {outside} s lies outside of the table, which is from {from_s} s to {to_s} s");
-        let hint = "--beyond hold lets it go on: constant Sa below, constant displacement beyond";
-        values.push(problem(message, hint));
-    }
-    periods_s
-}
-
-fn picture(target: &Target, report: &CodeSpectrumReport) -> Result<Figure, Failure> {
-    let corners: Vec<(f64, f64)> =
-        report.corner_periods_s.iter().map(|&period| (period, target.spectrum.sa_g(period))).collect();
-    let levels: Option<Vec<(f64, f64)>> = report
-        .parts
-        .as_ref()
-        .map(|parts| parts.levels.iter().map(|level| (level.level_ratio, level.floor_acceleration_g)).collect());
-    let picture = CodePicture {
-        title: &target.one_line(),
-        periods_s: &report.periods_s,
-        sa_g: &report.sa_g,
-        vertical_sa_g: report.vertical_sa_g.as_deref(),
-        corners: &corners,
-        parts: report.parts.as_ref().map(|parts| parts.clause).zip(levels.as_deref()),
-    };
-    code_spectrum_figure(&picture).map_err(failed)
-}
-
-/// The floors from the ground to the roof by tenths.
-fn parts(args: &CodeSpectrumArgs, spectrum: &CodeSpectrum, values: &mut Values) -> Option<PartsReport> {
-    let height_m = values.read(&args.building_height);
-    let period_s = values.read(&args.building_period);
-    let Some(clause) = clause(spectrum) else {
-        values.push(problem("--parts: a table has no clause for parts", "name a code with --code"));
-        return None;
-    };
-    let needs_height = matches!(spectrum, CodeSpectrum::As1170_4(_) | CodeSpectrum::Nzs1170_5(_));
-    if needs_height && args.building_height.is_none() {
-        let message = format!("--parts needs --building-height ({clause})");
-        values.push(problem(message, "write --building-height \"30 m\""));
-        return None;
-    }
-    let level = |tenth: u32| {
-        let level_ratio = f64::from(tenth) / 10.0;
-        // A code that does not ask for the height takes any.
-        let building_height_m = height_m.unwrap_or(1.0);
-        let question = PartsQuestion { level_ratio, building_height_m, building_period_s: period_s };
-        let floor_acceleration_g = floor_acceleration_g(spectrum, &question)?;
-        Some(PartsLevel { level_ratio, height_m: height_m.map(|height| level_ratio * height), floor_acceleration_g })
-    };
-    let levels = (0..=10).filter_map(level).collect();
-    Some(PartsReport { clause, building_height_m: height_m, building_period_s: period_s, levels })
-}
-
-fn text(target: &Target, report: &CodeSpectrumReport) -> String {
+fn text(report: &CodeSpectrumReport) -> String {
     let mut headings = vec!["T [s]", "Sa [g]"];
     headings.extend(report.vertical_sa_g.as_ref().map(|_| "vertical [g]"));
     let row = |i: usize| {
@@ -190,7 +66,7 @@ fn text(target: &Target, report: &CodeSpectrumReport) -> String {
         period.into_iter().chain(values.map(|&sa| significant(sa, 5))).collect()
     };
     let rows: Vec<Vec<String>> = (0..report.periods_s.len()).map(row).collect();
-    let mut text = format!("{}\n{}", target.one_line(), table(&headings, &rows));
+    let mut text = format!("{}\n{}", report.title, table(&headings, &rows));
     if let Some(parts) = &report.parts {
         let rows: Vec<Vec<String>> = parts
             .levels

@@ -17,7 +17,7 @@ use crate::reading::{ReadArgs, path_text};
 
 /// Convert records to CSV (m/s², exact) or PEER AT2 (g, 8 digits)
 ///
-/// Writes into the folder of --out; without it, the one motion is printed.
+/// Writes into the folder of --out; without it, a single motion is printed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -56,11 +56,11 @@ pub(super) struct Converted {
     format: &'static str,
     dt_s: f64,
     npts: usize,
-    /// What was done to it, one step each.
+    /// The processing, one entry for each step.
     processing: Vec<String>,
     /// The factor applied to the samples, with all digits.
     scale_ratio: f64,
-    /// The file itself, where it was not written to `--out`.
+    /// The text of the file, if it was not written to `--out`.
     text: Option<String>,
 }
 
@@ -113,7 +113,7 @@ impl Target {
 }
 
 impl Converted {
-    /// The file itself, or where it is.
+    /// What is printed: the text of the file, or its path.
     pub(super) fn shown(&self) -> String {
         match (&self.text, &self.path) {
             (Some(text), _) => text.clone(),

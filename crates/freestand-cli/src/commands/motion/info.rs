@@ -7,15 +7,15 @@ use freestand::block::Block;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_output::figure::Figure;
-use freestand_study::inspect::{Failed, InfoReport, InfoRequest, MotionInfo, info};
+use freestand_study::inspect::{InfoReport, InfoRequest, MotionInfo, info};
 use rayon::prelude::*;
 
-use super::plot::{PlotArgs, failed, place};
+use super::plot::{PlotArgs, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::{Failure, problem};
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failure};
+use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failed};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
 
@@ -31,7 +31,7 @@ Examples:
 Measures are those of the processed motion. In JSON, the first and last values, mean and sum are
 those of the file; processed_first_values_m_s2 and processed_last_values_m_s2 are those after
 processing. A file that cannot be read is listed after the others, and the exit status is 1.")]
-// Every component is measured as it is: the flag is known but refused.
+// Components are measured without rotation: the flag is known only to be refused with a hint.
 #[command(mut_arg("azimuth", |arg| arg.hide(true)))]
 pub(crate) struct InfoArgs {
     /// Records
@@ -40,7 +40,7 @@ pub(crate) struct InfoArgs {
     /// Height of a block, to see what the motions mean to it; needs --thickness
     #[arg(long, positive = Dimension::Length, requires = "thickness")]
     height: Option<Given>,
-    /// Thickness of the block in the plane of motion; needs --height
+    /// Thickness of the block, its horizontal size in the plane of rocking; needs --height
     #[arg(long, positive = Dimension::Length, requires = "height")]
     thickness: Option<Given>,
     #[command(flatten)]
@@ -58,7 +58,7 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(target) = target.as_ref().filter(|_| args.files.len() > 1) {
         target.check(args.files.len())?;
     }
-    let report = info(&InfoRequest { files, block, keep_motions: target.is_some() }).map_err(Failure::Problems)?;
+    let report = info(&InfoRequest { files, block, keep_motions: target.is_some() })?;
     let out = Files::begin(global, &args.read.inputs(&args.files))?;
     let mut plots = Vec::new();
     if let Some(target) = target {
@@ -72,7 +72,7 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
     // The figures that were written.
     let facts = report.facts().key("plots", plots);
     out.print(printer, "freestand.motion-info/1", &facts, &report.warnings, || text(&report, block.is_some()))?;
-    print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
+    print_failed(&report.failed);
     Ok(Done { criterion_met: report.failed.is_empty() })
 }
 
@@ -80,7 +80,7 @@ fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
     let height_m = values.read(&args.height)?;
     let thickness_m = values.read(&args.thickness)?;
     let block = Block::uniform(height_m, thickness_m);
-    values.take(block.map_err(|error| problem(error.to_string(), "check the sizes of the object")))
+    values.take(block.map_err(|error| problem(error.to_string(), "check the dimensions of the object")))
 }
 
 fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
@@ -89,14 +89,14 @@ fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
         .par_iter()
         .filter_map(|one| one.figure().map(|figure| figure.map(|figure| (one.name.clone(), figure))).transpose())
         .collect();
-    drawn.into_iter().collect::<Result<_, _>>().map_err(failed)
+    Ok(drawn.into_iter().collect::<Result<_, _>>()?)
 }
 
 fn text(report: &InfoReport, has_block: bool) -> String {
     let motions: Vec<Facts> = report.motions.iter().map(MotionInfo::facts).collect();
     let columns = if has_block { &COLUMNS[..] } else { &COLUMNS[..COLUMNS.len() - 3] };
     let text = if let [one] = motions.as_slice() { lines(one) } else { facts_table(&motions, columns) };
-    text + &failed_lines(report.failed.iter().map(Failed::facts))
+    text + &failed_lines(&report.failed)
 }
 
 /// The table of several motions; the last three columns need a block.

@@ -14,6 +14,7 @@ mod synth;
 use clap::builder::RangedI64ValueParser;
 use clap::{Args, Subcommand};
 use freestand_study::resolve::MAX_MOTIONS;
+use freestand_study::target::usual_periods_s;
 
 use super::Done;
 use crate::args::GlobalArgs;
@@ -60,14 +61,12 @@ pub(crate) fn run(args: &MotionArgs, global: &GlobalArgs, printer: &Printer) -> 
     }
 }
 
-/// How many motions a command makes at once.
+/// Accepts the numbers of motions that a command can make at once.
 fn motions() -> RangedI64ValueParser<u64> {
     RangedI64ValueParser::new().range(1..=MAX_MOTIONS.cast_signed())
 }
 
-/// Periods of a spectrum: as asked for, or those that synthetic motions are matched at with T = 0
-/// before them.
+/// The periods that the user gave, or T = 0 and the periods at which synthetic motions are matched.
 pub(super) fn periods(given: &Option<Given<Vec<f64>>>, values: &mut Values) -> Vec<f64> {
-    let usual = || std::iter::once(0.0).chain(freestand::synthesis::matched_periods_s()).collect();
-    values.read(given).unwrap_or_else(usual)
+    values.read(given).unwrap_or_else(usual_periods_s)
 }

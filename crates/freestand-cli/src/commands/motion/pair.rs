@@ -1,4 +1,4 @@
-//! Two horizontal components, from one file or from two.
+//! Flags for two horizontal components, from one file or from two.
 
 use std::path::PathBuf;
 
@@ -12,9 +12,9 @@ use crate::failure::problem;
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values, two_names};
 
-/// Two horizontal components.
+/// Flags for two horizontal components.
 #[derive(Debug, Args)]
-// A pair is never rotated while it is read; the flag is known so that its error can say what to do.
+// A pair is never rotated while it is read: the flag is known only to be refused with a hint.
 #[command(
     mut_arg("azimuth", |arg| arg.hide(true)),
     mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
@@ -37,7 +37,7 @@ pub(super) struct PairArgs {
 }
 
 impl PairArgs {
-    /// The files to read; problems go into `values`.
+    /// The files to read; problems are added to `values`.
     pub(super) fn request(&self, values: &mut Values) -> PairFiles {
         PairFiles { files: self.read.files(&self.files, values), components: values.read(&self.components) }
     }

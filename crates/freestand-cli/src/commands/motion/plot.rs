@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_output::figure::{Figure, FigureError};
+use freestand_output::figure::Figure;
 use freestand_output::folder::write_file;
 
 use crate::args::GlobalArgs;
@@ -14,7 +14,7 @@ use crate::reading::path_text;
 /// Whether and where to draw.
 #[derive(Debug, Args)]
 pub(super) struct PlotArgs {
-    /// Draw a figure: FILE.svg or FILE.png, or without a name both of them in the folder of --out
+    /// Draw a figure as FILE.svg or FILE.png; without a name, as both in the folder of --out
     #[arg(long, value_name = "FILE", num_args = 0..=1)]
     plot: Option<Option<PathBuf>>,
 }
@@ -35,7 +35,7 @@ impl PlotArgs {
         let Some(path) = name else {
             if global.out.is_none() {
                 return Err(Failure::usage(
-                    "--plot has no place to write to",
+                    "--plot needs a file or a folder to write to",
                     "name a file, --plot FILE.svg or FILE.png, or a folder with --out",
                 ));
             }
@@ -71,10 +71,7 @@ pub(super) fn place(
                 write_file(path, &figure.png, inputs)?;
                 paths.push(path_text(path));
             }
-            Target::Folder => {
-                paths.extend(files.write(&format!("{name}.svg"), || figure.svg)?);
-                paths.extend(files.write(&format!("{name}.png"), || figure.png)?);
-            }
+            Target::Folder => paths.extend(files.drawn(&name, &figure)?),
         }
     }
     Ok(paths)
@@ -91,9 +88,4 @@ impl Target {
             "choose one with --component, or write --plot without a name and a folder with --out",
         ))
     }
-}
-
-/// A figure that could not be drawn.
-pub(super) fn failed(error: FigureError) -> Failure {
-    Failure::computation(error.to_string())
 }

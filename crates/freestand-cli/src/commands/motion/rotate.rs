@@ -51,7 +51,7 @@ pub(crate) fn run(args: &RotateArgs, global: &GlobalArgs, printer: &Printer) -> 
     let azimuths_deg = values.read(&args.azimuths);
     let pair = args.pair.request(&mut values);
     values.finish()?;
-    let read = read_pair(&pair).map_err(Failure::Problems)?;
+    let read = read_pair(&pair)?;
     let azimuth_deg = to.map(azimuth_deg).unwrap_or_default();
     let turned = rotate(&read, &RotateRequest { azimuth_deg, azimuths_deg })?;
     let files = Files::begin(global, &args.pair.inputs())?;

@@ -23,7 +23,8 @@ use crate::values::{Given, Reads, Values};
 Examples:
   freestand motion rotd record.v2 --periods \"0.05 s:3 s:60\"
   freestand motion rotd north.AT2 east.AT2 --percentiles \"0, 50, 100\" --damping 2% --json")]
-// Two components have no common factor to a target: these are known but refused.
+// Two components have no common factor to a target: these flags are known only to be refused with
+// a hint.
 #[command(
     mut_arg("scale_to", |arg| arg.hide(true)),
     mut_arg("scale_to_sa", |arg| arg.hide(true)),
@@ -50,7 +51,7 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let percentiles = values.read(&args.percentiles).unwrap_or_default();
     let pair = args.pair.request(&mut values);
     values.finish()?;
-    let read = read_pair(&pair).map_err(Failure::Problems)?;
+    let read = read_pair(&pair)?;
     let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(DAMPING_RATIO), periods_s, percentiles })?;
     let files = Files::begin(global, &args.pair.inputs())?;
     let csv = report.csv()?;
@@ -73,7 +74,7 @@ fn text(report: &RotdReport) -> String {
     table(&headings, &rows)
 }
 
-/// `rotd50_g` as `rotd50 [g]`.
+/// The heading of a column: `rotd50 [g]` for `rotd50_g`.
 fn heading(name: &str) -> String {
     name.rsplit_once('_').map_or_else(|| name.to_owned(), |(name, unit)| format!("{} [{unit}]", name.replace('_', " ")))
 }

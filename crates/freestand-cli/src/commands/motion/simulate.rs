@@ -11,19 +11,19 @@ use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::simulated::{
-    DEFAULT_SITE, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, city_rock, read_source, simulate,
+    DEFAULT_SITE, Earthquake, Earthquakes, SimulatedReport, SimulatedRequest, SourceInput, city_rock, read_source,
+    simulate,
 };
 use freestand_study::study::DEFAULT_MOTIONS;
 use freestand_study::target::{DEFAULT_YEARS, Target};
 
 use super::motions;
-use super::plot::failed;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::keys::{Key, KeySet, Keys, key, switch};
-use crate::printer::{Printer, significant, table};
+use crate::printer::{Column, Printer, cells, headings, significant, table};
 
 /// Simulate ground motions with a stochastic point source
 ///
@@ -116,8 +116,8 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     // `requires` of clap is silent here: --city itself excludes --distance.
     if args.return_period.is_some() && args.city.is_none() {
         return Err(Failure::usage(
-            "--return-period is of a code's spectrum and needs --city",
-            "give --city, or leave it out",
+            "--return-period needs --city: it selects the spectrum of a code",
+            "give --city, or leave --return-period out",
         ));
     }
     let years = args.return_period.unwrap_or(DEFAULT_YEARS);
@@ -136,83 +136,85 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         draw(&report, &files)?;
     }
     let rock_warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);
-    let warnings = [rock_warnings, report.warnings.clone(), report.assumptions.clone()].concat();
-    files.print(printer, SCHEMA, &report, &warnings, || text(&report))?;
+    let warnings = [rock_warnings, report.warnings.clone(), request.assumptions()].concat();
+    files.print(printer, SCHEMA, &report.facts(), &warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
-/// `kpz_g`: of the city, where one is named.
+/// `kpz_g` is that of the city, if one is named.
 fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Result<SimulatedRequest, Failure> {
     let SourceInput { preset, changes, magnitude, distance_m, options } = read_source(&words(args))?;
     let site = SiteClass::parse(&args.site).map_err(|error| {
-        Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("Ae, Be, Ce, De or Ee, as in AS 1170.4")
+        Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("give Ae, Be, Ce, De or Ee, as in AS 1170.4")
     })?;
     let earthquakes = match (kpz_g, magnitude, distance_m) {
         (Some(kpz_g), magnitude, _) => Earthquakes::Pairs { kpz_g, magnitudes: magnitude.into_iter().collect() },
         (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
-        (None, ..) => return Err(Failure::usage("--magnitude and --distance belong together", "or give --city")),
+        (None, ..) => {
+            let hint = "give --magnitude and --distance, or --city";
+            return Err(Failure::usage("the earthquake is incomplete: a magnitude and a distance are needed", hint));
+        }
     };
     Ok(SimulatedRequest { preset, changes, earthquakes, site, count: args.count, seed: global.seed(), options })
 }
 
-/// The flags as a study has them in `point_source`.
+/// The flags as the keys of `point_source` in a study.
 fn words(args: &SimulateArgs) -> keys::Words {
     let own = [("magnitude", &args.magnitude), ("distance", &args.distance)];
     let own = own.into_iter().filter_map(|(key, text)| Some((key, text.as_deref()?)));
     args.source.words.entries().chain(own).collect()
 }
 
-/// The spectra against the code's, where there is one, and the first motion of each earthquake.
+/// Draws the spectra with the code spectrum, if there is one, and the first motion of each
+/// earthquake.
 fn draw(report: &SimulatedReport, files: &Files) -> Result<(), Failure> {
-    let mut figures = Vec::new();
-    if let Some(target) = report.code_spectrum() {
+    if let Some(target) = report.request.code_spectrum() {
         let sa_g: Vec<f64> = matched_periods_s().into_iter().map(target).collect();
         let motions: Vec<&Motion> = report.motions().map(|one| &one.motion).collect();
         let picture = MatchedPicture {
-            title: "Simulated motions and the spectrum of the code",
+            title: "Simulated motions and the code spectrum",
             target: "AS 1170.4",
             target_sa_g: &sa_g,
             motions: &motions,
         };
-        figures.push((String::from("target"), matched_figure(&picture).map_err(failed)?));
+        files.drawn("target", &matched_figure(&picture)?)?;
     }
     for one in report.earthquakes.iter().filter_map(|earthquake| earthquake.motions.first()) {
         let words = Words { name: &one.name, description: "simulated", processing: &[] };
-        figures.push((one.name.clone(), record_figure(words, &one.motion).map_err(failed)?));
+        files.drawn(&one.name, &record_figure(words, &one.motion)?)?;
     }
-    super::plot::place(&super::plot::Target::Folder, figures, files, &[])?;
     Ok(())
 }
 
+const COLUMNS: [Column; 3] = [("pga_g", "PGA [g]", 3), ("pgv_m_s", "PGV [m/s]", 3), ("d5_95_s", "D5-95 [s]", 3)];
+
 fn text(report: &SimulatedReport) -> String {
     let mut rows = Vec::new();
-    for earthquake in &report.earthquakes {
-        for one in &earthquake.motions {
-            rows.push(vec![
+    for Earthquake { found, motions, .. } in &report.earthquakes {
+        for one in motions {
+            let source = vec![
                 one.path.clone().unwrap_or_else(|| one.name.clone()),
-                significant(earthquake.magnitude, 3),
-                significant(earthquake.distance_m / 1000.0, 3),
-                earthquake.corner_frequencies_hz.first().map_or(String::new(), |&corner| significant(corner, 3)),
-                significant(earthquake.duration_s, 3),
-                significant(one.pga_g, 3),
-                significant(one.pgv_m_s, 3),
-                significant(one.d5_95_s, 3),
-            ]);
+                significant(found.source.magnitude, 3),
+                significant(found.source.distance_m / 1000.0, 3),
+                found.corner_frequencies_hz().first().map_or(String::new(), |&corner| significant(corner, 3)),
+                significant(found.source.duration_s(), 3),
+            ];
+            rows.push([source, cells(&one.facts(), &COLUMNS)].concat());
         }
     }
-    let headings = ["motion", "M", "R [km]", "f0 [Hz]", "Td [s]", "PGA [g]", "PGV [m/s]", "D5-95 [s]"];
-    let mut text = table(&headings, &rows);
+    let of_source = ["motion", "M", "R [km]", "f0 [Hz]", "Td [s]"];
+    let mut text = table(&[&of_source, &headings(&COLUMNS)[..]].concat(), &rows);
     for one in &report.earthquakes {
         if let (Some(searched), Some(motions), Some(written)) =
-            (one.mean_ratio_to_rock_spectrum, one.searched_motions, one.written_mean_ratio_to_site_spectrum)
+            (one.found.mean_ratio_to_rock_spectrum, one.searched_motions, one.written_mean_ratio_to_site_spectrum)
         {
             text.push_str(&format!(
-                "\nM {} at {} km: mean spectrum over the code's, T = 0.5 to 1 s: {} of the {motions} motions of the search (rock), {} of the written ones (site {})",
-                significant(one.magnitude, 3),
-                significant(one.distance_m / 1000.0, 3),
+                "\nM {} at {} km: mean spectrum divided by the code spectrum, T = 0.5 to 1 s: {} for the {motions} motions of the search (rock), {} for those written (site {})",
+                significant(one.found.source.magnitude, 3),
+                significant(one.found.source.distance_m / 1000.0, 3),
                 significant(searched, 3),
                 significant(written, 3),
-                report.site,
+                report.request.site.name(),
             ));
         }
     }

@@ -10,7 +10,7 @@ use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_study::inspect::{SpectrumReport, SpectrumRequest, spectrum};
 use serde::Serialize;
 
-use super::plot::{PlotArgs, failed, place};
+use super::plot::{PlotArgs, place};
 use crate::args::{GlobalArgs, at_least_one};
 use crate::commands::Done;
 use crate::failure::{Failure, problem};
@@ -68,7 +68,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     files.write("spectrum.csv", || columns)?;
     let mut plots = Vec::new();
     if let Some(target) = target {
-        let figure = report.figure().map_err(failed)?;
+        let figure = report.figure()?;
         plots = place(&target, vec![(figure.name.clone(), figure)], &files, &inputs)?;
     }
     let document = Document { report: &report, plots };

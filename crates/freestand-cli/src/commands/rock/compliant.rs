@@ -1,20 +1,22 @@
-//! `freestand rock --base compliant`: the object on cushions.
+//! `freestand rock --base compliant`: one object on its cushions.
 
 use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
-use freestand::compliant::{ASSUMED_TANGENTIAL_RATIO, CompliantBase, CompliantOptions, Start};
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_study::compliant::{CompliantRequest, accuracy, history_csv, rock_on_cushions, trace_figure};
+use freestand::compliant::{CompliantBase, CompliantOptions, Start};
+use freestand_input::quantity::Dimension;
+use freestand_study::compliant::{
+    CompliantRequest, Release, accuracy, history_csv, rock_on_cushions, start, trace_figure, with_tangential_stiffness,
+};
 
 use super::{Reading, RockArgs};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
 use crate::values::{Given, Reads, Values, point};
 
-/// What the object stands on.
+/// Flags that describe the base of the object.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "The base")]
 pub(crate) struct CompliantArgs {
@@ -25,7 +27,7 @@ pub(crate) struct CompliantArgs {
     /// an assumption]
     #[arg(long, positive = Dimension::Stiffness, conflicts_with = "tangential_ratio")]
     tangential_stiffness: Option<Given>,
-    /// Tangential stiffness over the normal stiffness under half the weight
+    /// Tangential stiffness divided by the normal stiffness under half of the weight
     #[arg(long, positive = Dimension::Ratio)]
     tangential_ratio: Option<Given>,
     /// The edges never slip while loaded (the default without --friction)
@@ -71,8 +73,8 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
 
 fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     if let Some(flag) = args.rocking.of_rigid_base() {
-        let hint = "leave it out: on cushions the energy of a landing goes where the equations say";
-        return Err(Failure::usage(format!("{flag} is of a rigid base"), hint));
+        let hint = "leave it out: on cushions, the equations of motion determine the energy lost in a landing";
+        return Err(Failure::usage(format!("{flag} applies only to a rigid base"), hint));
     }
     let (flags, mut values) = (&args.compliant, Values::default());
     let height = values.read(&args.height);
@@ -89,26 +91,12 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     let gravity = values.read(&args.gravity);
     let duration_s = values.read(&args.duration);
     let at = values.read(&flags.at);
-    let raised = rise.zip(block).and_then(|(rise, block)| {
-        let rotation = block.right_pivot().rotation_at_rise_rad(rise);
-        if rotation.is_none() {
-            let balance = format_si(block.right_pivot().balance_rise_m(), Dimension::Length);
-            let message = format!("--cg-rise: beyond the balance point, which is at {balance}");
-            values.push(problem(message, "give a smaller rise, or --initial-rotation"));
-        }
-        rotation
-    });
+    let release = rise.map(Release::CgRise).or(rotation.map(Release::Rotation));
+    let start = block.and_then(|block| values.take(start(&block, release, omega.unwrap_or(0.0))));
     values.finish()?;
-    let (Some(block), Some((mass_kg, edge))) = (block, mass.zip(edge)) else {
-        let hint = "give --mass and --stiffness of all the cushion under one edge, or --base rigid";
+    let (Some((block, start)), Some((mass_kg, edge))) = (block.zip(start), mass.zip(edge)) else {
+        let hint = "give --mass and the --stiffness of the whole cushion under one edge, or --base rigid";
         return Err(Failure::usage("a compliant base needs a mass and a stiffness", hint));
-    };
-    let rotation_rad = raised.or(rotation).unwrap_or(0.0);
-    let omega_rad_s = omega.unwrap_or(0.0);
-    let start = if rotation_rad == 0.0 && omega_rad_s == 0.0 {
-        Start::Rest
-    } else {
-        Start::Tilted { rotation_rad, omega_rad_s }
     };
     if args.motion.is_none() && args.vertical.is_none() {
         args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;
@@ -118,11 +106,12 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         }
     }
     let gravity_m_s2 = gravity.unwrap_or(G0_M_S2);
-    let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
-    let base = CompliantBase { contacts: flags.contacts.unwrap_or(base.contacts), ..base };
-    let normal_n_m = base.normal_stiffness_n_m(gravity_m_s2);
-    let tangential_stiffness_ratio = tangential.map(|k| k / normal_n_m).or(ratio).unwrap_or(ASSUMED_TANGENTIAL_RATIO);
-    let base = CompliantBase { tangential_stiffness_ratio, ..base };
+    let mut base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    base.contacts = flags.contacts.unwrap_or(base.contacts);
+    base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
+    if let Some(stiffness_n_m) = tangential {
+        base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
+    }
     let mut reading = Reading::of(args)?;
     let (horizontal, vertical) = (reading.horizontal.take(), reading.vertical.take());
     let options = CompliantOptions {

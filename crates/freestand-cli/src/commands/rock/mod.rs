@@ -50,19 +50,19 @@ pub(crate) struct RockArgs {
     #[command(flatten)]
     vertically: VerticalArgs,
     #[command(flatten)]
-    read: Named<ReadArgs>,
+    read: ReadArgs,
 
     /// Height of the object
     #[arg(long, positive = Dimension::Length, help_heading = "The object")]
     height: Given,
-    /// Width of the object in the plane of motion
+    /// Horizontal size of the object in the plane of rocking
     #[arg(long, positive = Dimension::Length, help_heading = "The object")]
     thickness: Given,
     /// Mass of the object; needed for the shock
     #[arg(long, positive = Dimension::Mass, help_heading = "The object")]
     mass: Option<Given>,
-    /// Coefficient of friction: on a rigid base used for the warning about sliding [default: 0.5],
-    /// on a compliant base the edges slip by it [default: no slip]
+    /// Coefficient of friction: on a rigid base, used for the warning about sliding [default: 0.5];
+    /// on a compliant base, the ratio at which the edges slip [default: no slip]
     #[arg(long, non_negative = Dimension::Ratio, help_heading = "The object")]
     friction: Option<Given>,
     #[command(flatten)]
@@ -98,7 +98,7 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         return compliant::run(args, global, printer);
     }
     if let Some(flag) = args.compliant.given.iter().find(|flag| *flag != "base") {
-        return Err(Failure::usage(format!("--{flag} is of a compliant base"), "add --base compliant"));
+        return Err(Failure::usage(format!("--{flag} applies only to a compliant base"), "add --base compliant"));
     }
     let (request, reading) = request(args)?;
     let files = Files::begin(global, &reading.inputs)?;
@@ -107,7 +107,7 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     reading.finish(args.history.as_deref(), history, (report.facts, report.warnings), files, printer)
 }
 
-/// The motions, and what is to be said about them.
+/// The motions, with their warnings and their processing.
 #[derive(Debug, Default)]
 struct Reading {
     horizontal: Option<Motion>,
@@ -122,7 +122,7 @@ impl Reading {
         let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
         let mut reading = Self { inputs, ..Self::default() };
         reading.horizontal = args.motion.as_ref().map(|path| reading.read(&args.read, path)).transpose()?;
-        let vertically = args.vertically.reading(&args.read);
+        let vertically = args.vertically.reading(&args.read)?;
         reading.vertical = args.vertical.as_ref().map(|path| reading.read(&vertically, path)).transpose()?;
         Ok(reading)
     }
@@ -135,7 +135,7 @@ impl Reading {
         Ok(read.motion.motion)
     }
 
-    /// Writes the history and ends the command.
+    /// Writes the history, prints the result and ends the command.
     fn finish(
         self,
         place: Option<&Path>,
@@ -162,7 +162,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let mass = values.read(&args.mass);
     let edge = args.cushion.edge(mass, &mut values)?;
     if args.cushion.is_given() && args.mass.is_none() {
-        let message = "the cushion gives a shock only with the mass of the object";
+        let message = "the cushion is used for the shock, which also needs the mass of the object";
         values.push(problem(message, "add --mass, or leave the cushion out"));
     }
     let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
@@ -185,7 +185,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     };
     values.finish()?;
     let Some(block) = block else {
-        return Err(Failure::usage("the object has no size", "give --height and --thickness"));
+        return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
     };
     let no_motion = args.motion.is_none() && args.vertical.is_none();
     if no_motion {
@@ -198,7 +198,10 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
         ));
     }
     if no_motion && duration.is_none() {
-        return Err(Failure::usage("free rocking has no end", "give --duration, for example --duration 30s"));
+        return Err(Failure::usage(
+            "free rocking needs a time at which to stop",
+            "give --duration, for example --duration 30s",
+        ));
     }
     let mut reading = Reading::of(args)?;
     let (horizontal, vertical) = (reading.horizontal.take(), reading.vertical.take());

@@ -10,18 +10,20 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 use std::path::Path;
 
-/// The last line that may hold NPTS and DT. It is the fourth in every file of PEER, a few lines
+/// The last line on which NPTS and DT may be. It is the fourth in every file of PEER, a few lines
 /// further down in copies.
 const HEADER_LINES: usize = 20;
 
-/// The line that says how many values there are and how far apart.
+const NO_COUNTS: &str = "the number of values or the time step is missing";
+
+/// The line that states the number of values and the time step.
 struct Counts {
     line: usize,
     npts: usize,
     dt_s: f64,
 }
 
-/// Whether the text is an AT2 file, or one of its velocity and displacement sisters.
+/// Whether the text is an AT2 file, or a VT2 or DT2 file, which has the same layout.
 pub(super) fn is_at2(bytes: &[u8]) -> bool {
     header_end(bytes).is_some()
 }
@@ -45,7 +47,7 @@ fn names_counts(text: &str) -> bool {
         && upper.contains(|c: char| c.is_ascii_digit())
 }
 
-/// The place of `word` as a word of its own in `text`.
+/// The position of `word` in `text` where it is a whole word.
 fn find_word(text: &str, word: &str) -> Option<usize> {
     let letter_at =
         |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_alphanumeric);
@@ -57,12 +59,13 @@ fn find_word(text: &str, word: &str) -> Option<usize> {
 /// Reads an AT2 file.
 pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<Reading, Problem> {
     let Some(header_line) = header_end(bytes) else {
-        return Err(Problem::new(ProblemKind::Format, "no line names NPTS and DT").hint("an AT2 header has four lines"));
+        return Err(Problem::new(ProblemKind::Format, "no line names NPTS and DT")
+            .hint("an AT2 header has four lines; the fourth names NPTS and DT"));
     };
     let header: Vec<String> = lines(bytes).take(header_line).map(|line| line.text()).collect();
     refuse_sisters(&header)?;
-    let counts = header.last().ok_or("is missing").and_then(|text| read_counts(text)).map_err(|what| {
-        Problem::new(ProblemKind::Format, format!("the number of values or the time step {what}"))
+    let counts = read_counts(header.last().map_or("", String::as_str)).map_err(|message| {
+        Problem::new(ProblemKind::Format, message)
             .at_line(header_line)
             .hint("the header line should read like \"NPTS=  4000, DT= .01000 SEC\"")
     })?;
@@ -118,25 +121,24 @@ fn refuse_sisters(header: &[String]) -> Result<(), Problem> {
 
 /// `NPTS=  4000, DT= .01000 SEC`, `DT=0.01 NPTS=4000`, `NPTS, DT: 4000 .01`, or with the numbers
 /// first: `4000  .01  NPTS, DT`.
-fn read_counts(text: &str) -> Result<Counts, &'static str> {
+fn read_counts(text: &str) -> Result<Counts, String> {
     let upper = text.to_ascii_uppercase();
-    let (npts_at, dt_at) =
-        (find_word(&upper, "NPTS").ok_or("is missing")?, find_word(&upper, "DT").ok_or("is missing")?);
+    let (npts_at, dt_at) = (find_word(&upper, "NPTS").ok_or(NO_COUNTS)?, find_word(&upper, "DT").ok_or(NO_COUNTS)?);
     let (npts, dt, tail) = match (value_after(&upper, npts_at + 4), value_after(&upper, dt_at + 2)) {
         (Some((npts, _)), Some((dt, end))) => (npts, dt, end),
         (None, Some((npts, end))) if npts_at < dt_at => {
-            let (dt, end) = value_after(&upper, end).ok_or("is missing")?;
+            let (dt, end) = value_after(&upper, end).ok_or(NO_COUNTS)?;
             (npts, dt, end)
         }
         (None, None) => {
-            let (npts, end) = value_after(&upper, 0).ok_or("is missing")?;
-            let (dt, end) = value_after(&upper, end).ok_or("is missing")?;
+            let (npts, end) = value_after(&upper, 0).ok_or(NO_COUNTS)?;
+            let (dt, end) = value_after(&upper, end).ok_or(NO_COUNTS)?;
             (npts, dt, end)
         }
-        _ => return Err("is missing"),
+        _ => return Err(NO_COUNTS.to_owned()),
     };
     if !(npts >= 0.0 && npts.fract() == 0.0 && npts < 1e15) {
-        return Err("is not a whole number");
+        return Err(format!("the number of values, {npts}, is not a whole number"));
     }
     let unit: String = upper[tail..].trim_start().chars().take_while(char::is_ascii_alphabetic).collect();
     let dt_s = if matches!(unit.as_str(), "MS" | "MSEC" | "MSECS" | "MILLISECONDS") { dt / 1000.0 } else { dt };
@@ -145,10 +147,10 @@ fn read_counts(text: &str) -> Result<Counts, &'static str> {
         && upper[tail..].starts_with(',')
         && upper[tail + 1..].starts_with(|c: char| c.is_ascii_digit())
     {
-        return Err("has a decimal comma: write a point");
+        return Err("the time step has a decimal comma: write a point".to_owned());
     }
     if !(dt_s > 0.0 && dt_s.is_finite()) {
-        return Err("is not positive");
+        return Err(format!("the time step, {dt_s} s, is not positive"));
     }
     Ok(Counts { line: 0, npts: npts as usize, dt_s })
 }

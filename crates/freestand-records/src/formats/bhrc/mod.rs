@@ -1,5 +1,5 @@
-//! Iran's strong-motion network (BHRC), volume 1: uncorrected, components L, V and T a file, in
-//! tenths of g.
+//! Iran's strong-motion network (BHRC), volume 1: uncorrected, components L, V and T in each file,
+//! in tenths of g.
 //!
 //! For each component 13 lines of text, 7 of integers, 7 of reals, the values (10E13) and a line
 //! that ends the record.
@@ -116,9 +116,9 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, u
     {
         return Ok((count.value as usize, step(count.value, *duration), line));
     }
-    Err(Problem::new(ProblemKind::Format, "the header has no number of values and duration")
+    Err(Problem::new(ProblemKind::Format, "the header does not state the number of values and the duration")
         .at_line(line)
-        .hint("the line states two numbers: how many values there are, and the duration in s"))
+        .hint("the line should read like \"NO OF POINTS = 6013  DURATION = 30.065 SEC\""))
 }
 
 /// The step \[s\] of `count` values in a duration with a few decimals. Files may or may not count

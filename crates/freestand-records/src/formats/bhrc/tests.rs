@@ -75,7 +75,7 @@ fn what_is_refused() {
         ("VOL1DS", "VOL2DS", "x.v1:1: is a VOL2DS file"),
         ("POINTS = 24", "POINTS = 44", "\"-END\" is not a number"),
         ("POINTS = 24", "POINTS = 10", "x.v1:29: there are more values"),
-        ("POINTS = 24", "POINTS =   ", "x.v1:11: the header has no number of values"),
+        ("POINTS = 24", "POINTS =   ", "x.v1:11: the header does not state the number of values and the duration"),
         ("-1.00000E0", "  -999.000", "x.v1:28: \"-999\" marks a missing value"),
     ] {
         let problem = read(&text.replacen(from, to, 1)).expect_err(message);

@@ -1,6 +1,6 @@
 //! Motions in columns, with or without a time column, a header and units.
 
-use crate::motion_file::{Component, Direction, ReadOptions, Reading, motion};
+use crate::motion_file::{Component, Direction, ReadOptions, Reading, Start, motion};
 use crate::text::dialect::Separator;
 use crate::text::even_grid::{Uneven, on_even_grid};
 use crate::text::fortran::is_missing_value;
@@ -24,11 +24,11 @@ struct Stating {
     dt_s: Option<(f64, usize)>,
 }
 
-/// The source of the time.
+/// Where the times of the samples come from.
 enum Time {
     /// The first column.
     Column,
-    /// A step that is not from the columns: every column is a component.
+    /// A time step from elsewhere: every column is a component.
     Step(f64),
 }
 
@@ -125,7 +125,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             direction,
             unit,
             is_raw: false,
-            start_s: spacing.start_s,
+            start: spacing.start_s.map(Start::Column),
             station_xml: None,
             motion,
             line_of_first_value,
@@ -135,7 +135,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let what = refused.unwrap_or("a time");
         return Err(Problem::new(ProblemKind::Format, format!("no column holds an acceleration, only {what}"))
             .at_line(table.line_of_first_value)
-            .hint("the file needs a column of acceleration"));
+            .hint("use a file with accelerations, or state their unit in the heading, such as \"accel [m/s2]\""));
     }
     Ok(Reading { format, components, notes })
 }
@@ -299,7 +299,8 @@ fn spacing_of_column(
     notes: &mut Vec<String>,
 ) -> Result<Spacing, Problem> {
     let Some(column) = table.columns.get(at) else {
-        return Err(Problem::new(ProblemKind::Format, "there are no columns"));
+        return Err(Problem::new(ProblemKind::Format, "there are no columns")
+            .hint("name a file with columns of time and acceleration"));
     };
     let heading = stating.headings.as_ref().and_then(|headings| headings.get(at));
     if let Some(heading) = heading.filter(|heading| heading.unit.is_none() && heading.name.contains(['[', '('])) {

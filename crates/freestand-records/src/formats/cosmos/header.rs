@@ -26,7 +26,7 @@ pub(super) fn read_header(first: String, rest: &mut Lines<'_>) -> Result<Header,
     if !(5..=200).contains(&declared) {
         return Err(Problem::new(ProblemKind::Format, format!("the header declares {declared} lines of text"))
             .at_line(rest.line_number())
-            .hint("a COSMOS header has 13"));
+            .hint("a COSMOS header has 13: correct the number, or fetch the file again"));
     }
     let mut text = vec![first];
     text.extend(rest.by_ref().take(declared - 1).map(|line| line.text()));

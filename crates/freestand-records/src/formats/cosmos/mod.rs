@@ -15,6 +15,7 @@ use crate::text::units::record_unit;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, Unit, shorten};
+use freestand_input::words::counted;
 use header::{Header, channel_name, read_header, station};
 use std::path::Path;
 
@@ -68,9 +69,9 @@ pub(super) fn read(bytes: &[u8], _: &Path, options: &ReadOptions) -> Result<Read
                 }
             }
         } else if !line.is_text() {
-            return Err(Problem::new(ProblemKind::Format, "no line announces these numbers")
+            return Err(Problem::new(ProblemKind::Format, "no line states what these numbers are")
                 .at_line(line.number)
-                .hint("the line above them that states their number may be damaged: fetch the file again"));
+                .hint("the line above them may be damaged: fetch the file again"));
         }
     }
     refuse_open(open)?;
@@ -105,7 +106,7 @@ fn finish(
         return Err(problem.hint("use the acceleration file of the same record"));
     }
     if !refused.is_empty() {
-        notes.push(format!("{} series of quantities other than acceleration were left out", refused.len()));
+        notes.push(format!("{} series of quantities other than acceleration left out", refused.len()));
     }
     crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
@@ -227,7 +228,7 @@ fn not_acceleration(header: &Header, series: &Series) -> Option<String> {
         .map(str::to_owned)
 }
 
-/// Counts, before their value is known.
+/// Counts, as long as the value of one is not known.
 const COUNTS: Unit = Unit::acceleration("counts", 0, 0.0);
 
 /// Unit of the values, by table 2 of the format.
@@ -290,7 +291,8 @@ fn component(
         notes.extend(block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?);
         let count = block.values.iter().filter(|value| is_ordinary(**value)).count();
         if count > 0 {
-            notes.push(format!("{}: {count} values of -999 or -9999 counts were read as counts", shorten(&name)));
+            let values = counted(count, "value");
+            notes.push(format!("{}: {values} of -999 or -9999 read as counts, not as missing", shorten(&name)));
         }
     } else {
         notes.extend(block.refuse_missing(series.format, is_unknown)?);

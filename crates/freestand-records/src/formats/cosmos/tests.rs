@@ -119,7 +119,7 @@ fn counts_need_the_sensitivity() {
     let file = read(&text(&raw)).unwrap();
     let one = &file.components[0];
     assert_eq!((file.format, one.unit, one.is_raw, one.motion.dt_s()), ("COSMOS V0", "counts", true, 0.01));
-    assert!(file.notes[0].contains("1 values of -999"));
+    assert!(file.notes[0].contains("1 value of -999"));
     // 2 microvolts a count over 0.5 V/g are 4e-6 g a count; three factors, so some units in the
     // last place.
     for (found, count) in one.motion.accel_m_s2().iter().zip([100.0, -999.0, -50.0, 1e6]) {

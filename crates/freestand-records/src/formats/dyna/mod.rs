@@ -1,5 +1,5 @@
-//! DYNA 1.2 and its forebears: the ESM and ITACA archives, and AFAD's (TADAS). Lines `KEY: value`,
-//! then one value a line.
+//! DYNA 1.2 and its predecessors: the ESM and ITACA archives, and AFAD's (TADAS). Lines
+//! `KEY: value`, then one value per line.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
 use crate::text::keyed::{Header, entry, read_rows};
@@ -82,7 +82,7 @@ fn unit(header: &Header, options: &ReadOptions) -> Result<&'static Unit, Problem
     let unit = record_unit(&stated.value).ok_or_else(|| {
         Problem::new(ProblemKind::Format, format!("the unit \"{}\" is not known", shorten(&stated.value)))
             .at_line(stated.line)
-            .hint("an acceleration in cm/s^2 is expected")
+            .hint("correct UNITS in the header; the archives write cm/s^2")
     })?;
     decide(Some(Stated { unit, line: stated.line }), requested, "the record")
 }

@@ -99,7 +99,7 @@ fn what_is_refused() {
         ("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: ", "the header has no time step"),
         ("1.500000", "-999", "x.asc:27: \"-999\" marks a missing value"),
         ("1.500000", "1.5OOO", "x.asc:27: "),
-        ("1.500000", "0.01 1.500000", "x.asc:27: a row must have 1 values, but this one has 2"),
+        ("1.500000", "0.01 1.500000", "x.asc:27: a row must have 1 value, but this one has 2"),
     ] {
         let problem = read(&file().replacen(from, to, 1)).expect_err(message);
         assert!(problem.contains(message), "{problem}");

@@ -1,5 +1,5 @@
-//! GeoNet's V1A (uncorrected) and V2A (corrected), New Zealand: up to three components a file,
-//! mm/s².
+//! GeoNet's V1A (uncorrected) and V2A (corrected), New Zealand: up to three components per
+//! file, in mm/s².
 //!
 //! For each component 16 lines of text, 40 integers (10I8), 60 reals (10F8) and the accelerations
 //! (10F8); in a V2A file the velocities and displacements follow. Source: GeoNet, "Strong motion
@@ -11,6 +11,7 @@ use crate::text::fortran::{fields, is_missing_value};
 use crate::text::lines::{Line, Lines, lines};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Unit, shorten};
+use freestand_input::words::counted;
 use std::path::Path;
 
 const INTEGERS: Format = Format::new(10, 8);
@@ -34,9 +35,9 @@ fn volume(line: &Line<'_>) -> Option<Volume> {
     title.starts_with("corrected accelerogram").then_some(Volume::Corrected)
 }
 
-/// Whether the text is a GeoNet file. Other agencies also write of corrected accelerograms, so the
-/// file must name GNS Science or begin its second line with the site, and a line must name the
-/// component.
+/// Whether the text is a GeoNet file. The files of other agencies also have the words "corrected
+/// accelerogram", so the file must name GNS Science or begin its second line with the site, and a
+/// line must name the component.
 pub(super) fn is_geonet(bytes: &[u8]) -> bool {
     let mut head = lines(bytes).take(20).filter(|line| !line.is_blank());
     let Some(title) = head.next().filter(|line| volume(line).is_some()) else { return false };
@@ -85,7 +86,7 @@ fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<Optio
         ignored += 1;
     }
     if ignored > 0 {
-        notes.push(format!("{ignored} lines of text between or after the components were ignored"));
+        notes.push(format!("{} of text between or after the components ignored", counted(ignored, "line")));
     }
     Ok(title)
 }
@@ -174,7 +175,10 @@ fn data(rest: &mut Lines<'_>, counts: &[usize], others: [usize; 2]) -> Result<Bl
             }
         }
     }
-    Err(refused.unwrap_or_else(|| Problem::new(ProblemKind::Format, "the header declares no values")))
+    Err(refused.unwrap_or_else(|| {
+        Problem::new(ProblemKind::Format, "the header declares no values")
+            .hint("the file may be damaged: fetch it again")
+    }))
 }
 
 /// Skips velocities and displacements. Only their number is checked, so a value too large for its

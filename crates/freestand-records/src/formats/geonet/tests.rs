@@ -125,7 +125,7 @@ fn one_component_and_other_counts() {
     let cut: Vec<&str> = text.lines().take(31).collect();
     assert!(read(&cut.join("\n")).unwrap_err().contains("x.V1A:31: the file ends after 2 of 3 lines of velocity"));
     let found = read(&format!("{text}--- end of file ---\n")).unwrap();
-    assert!(found.notes[0].contains("were ignored"));
+    assert!(found.notes[0].contains("of text between or after the components ignored"));
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! miniSEED 2 (SEED 2.4) and 3 (FDSN): counts of a digitizer in records, several channels a file;
-//! no unit.
+//! miniSEED 2 (SEED 2.4) and 3 (FDSN): counts of a digitizer in records, several channels per
+//! file; no unit.
 
 mod record;
 mod series;
@@ -8,10 +8,11 @@ mod steim;
 
 pub(super) use record::Source;
 
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, without_line};
+use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, Start, without_line};
 use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Unit;
+use freestand_input::words::counted;
 use record::{Record, header_order, is_version3, version2, version3};
 use series::{Series, join};
 use station_xml::{Sensed, Stations};
@@ -44,7 +45,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut stations = Stations::new(path, options);
     let (mut components, mut first_left_out) = (Vec::new(), None);
     for (series, name) in channels.into_iter().zip(names) {
-        let (source, start_s) = (series.source.clone(), Some(series.start.seconds()));
+        let (source, start) = (series.source.clone(), Some(Start::Date(series.start.seconds())));
         match scaled(series, name, &mut stations, options, &mut notes)? {
             Ok(found) => {
                 let component = found.component(options).map_err(|mut problem| {
@@ -52,7 +53,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                     without_line(problem)
                 })?;
                 let station_xml = stations.of(&source)?.map(|inventory| inventory.file().clone());
-                components.push(Component { start_s, station_xml, ..component });
+                components.push(Component { start, station_xml, ..component });
             }
             Err(problem) => {
                 notes.push(format!("{}; it was left out", problem.message));
@@ -71,8 +72,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
 }
 
 /// Converts counts to m/s² with the sensitivity of a StationXML, or reads them in the user's unit.
-/// The inner error is a channel that is not an acceleration; alone in a file it would be the
-/// problem.
+/// The inner error is a channel that is not an acceleration: it is left out, and the file is
+/// refused only if no channel remains.
 fn scaled(
     series: Series,
     name: String,
@@ -166,15 +167,15 @@ impl<'a> Scan<'a> {
 
     fn notes(&self) -> Vec<String> {
         let skipped = [
-            (self.control_headers, "blocks of control headers", "the response in them was ignored"),
-            (self.texts, "records of text", "they were ignored"),
-            (self.rateless, "records without a sampling rate", "they were ignored"),
-            (self.countless, "records that state 0 samples but hold data", "they were ignored, samples may be missing"),
+            (self.control_headers, "block", "of control headers ignored, with any response in them"),
+            (self.texts, "record", "of text ignored"),
+            (self.rateless, "record", "without a sampling rate ignored"),
+            (self.countless, "record", "with data, but 0 samples in the header, ignored: samples may be missing"),
         ];
         skipped
             .iter()
             .filter(|(count, ..)| *count > 0)
-            .map(|(count, what, so)| format!("{count} {what}: {so}"))
+            .map(|(count, noun, what)| format!("{} {what}", counted(*count, noun)))
             .collect()
     }
 }
@@ -206,7 +207,7 @@ fn scan(bytes: &[u8]) -> Result<Scan<'_>, Problem> {
             at += SKIP;
             continue;
         } else {
-            let what = if rest.len() < SKIP { "is cut off" } else { "does not begin as a record of miniSEED" };
+            let what = if rest.len() < SKIP { "is cut off" } else { "does not begin like a miniSEED record" };
             return Err(record::problem(number, at, what));
         };
         at += length;

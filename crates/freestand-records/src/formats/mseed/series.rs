@@ -4,6 +4,7 @@ use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
 use crate::formats::instant::Instant;
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::counted;
 
 /// A channel without gaps.
 pub(super) struct Series {
@@ -35,11 +36,11 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
     });
     let Some(first) = records.first() else { return Ok(None) };
     if records.len() < all {
-        let count = all - records.len();
-        notes.push(format!("{name}: {count} records are in the file twice and were used once"));
+        notes.push(format!("{name}: {} ignored", counted(all - records.len(), "repeated record")));
     }
     let Some(dt_s) = first.dt_s else {
-        return Err(problem(first.number, first.at, "has no sampling rate").hint("the rate must be in the header"));
+        return Err(problem(first.number, first.at, "has no sampling rate")
+            .hint("use a file that states it: fetch the record again"));
     };
     check_steps(&records, dt_s, &name)?;
     notes.extend(drift_note(&records, dt_s, &name));
@@ -107,7 +108,12 @@ fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<String> {
     let samples: usize = records.iter().take(records.len() - 1).map(|record| record.samples).sum();
     let drift_s = last.start.seconds_since(first.start) - samples as f64 * dt_s;
     (drift_s.abs() > 0.5 * dt_s).then(|| {
-        format!("{name}: the clock of the last record is {drift_s:.6} s off the sampling rate of {} Hz", 1.0 / dt_s)
+        format!(
+            "{name}: the last record begins {:.6} s {} than the samples before it and the rate of {} Hz imply",
+            drift_s.abs(),
+            if drift_s > 0.0 { "later" } else { "earlier" },
+            1.0 / dt_s
+        )
     })
 }
 
@@ -120,9 +126,10 @@ fn quality_note(records: &[Record<'_>], name: &str) -> Option<String> {
     let first = records.iter().find(|record| record.quality & 0x1F != 0)?;
     let count = records.iter().filter(|record| record.quality & 0x1F != 0).count();
     Some(format!(
-        "{name}: {count} records, the first of them number {}, are flagged: {}",
-        first.number,
-        found.join(", ")
+        "{name}: {} flagged ({}), the first is record {}",
+        counted(count, "record"),
+        found.join(", "),
+        first.number
     ))
 }
 

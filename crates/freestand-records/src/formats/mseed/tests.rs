@@ -316,7 +316,7 @@ fn records_are_put_in_the_order_of_time_and_used_once() {
         let bytes: Vec<u8> = order.iter().flat_map(|&i| records[i].clone()).collect();
         let file = read(&bytes).unwrap();
         assert_eq!(values(&file), as_f64(&expected), "{order:?}");
-        assert_eq!(file.notes.iter().any(|note| note.contains("1 records are in the file twice")), order.len() == 4);
+        assert_eq!(file.notes.iter().any(|note| note.ends_with(": 1 repeated record ignored")), order.len() == 4);
     }
 }
 
@@ -331,7 +331,7 @@ fn gaps_and_overlaps_name_time_and_record() {
     refused(&three(2800, 5800).concat(), "an overlap of 0.010000 s (1.0 samples) before record 2 (byte 512)");
     let drifting = read(&three(2940, 5880).concat()).unwrap();
     assert!(
-        drifting.notes.iter().any(|note| note.contains("0.008000 s off the sampling rate")),
+        drifting.notes.iter().any(|note| note.contains("begins 0.008000 s later than the samples before it")),
         "{:?}",
         drifting.notes
     );
@@ -414,7 +414,7 @@ fn what_is_no_motion_is_skipped_or_refused() {
     for (code, name) in [(16, "CDSN"), (30, "SRO"), (14, "GEOSCOPE"), (77, "encoding 77")] {
         refused(&record2(&Header { encoding: Some(code), ..HEADER }, 29, &big(&STEIM1)), name);
     }
-    refused(&[good.clone(), vec![1; 600]].concat(), "record 2 (byte 512) does not begin as a record");
+    refused(&[good.clone(), vec![1; 600]].concat(), "record 2 (byte 512) does not begin like a miniSEED record");
     refused(&[good.clone(), good[..300].to_vec()].concat(), "record 2 (byte 512) is cut off");
     refused(&record2(&Header { power: 20, ..HEADER }, 0, &[]).split_off(0)[..512], "states a length of 2^20");
     let flagged = read(&record2(&Header { quality: 0x12, ..HEADER }, 29, &big(&STEIM1))).unwrap();
@@ -440,11 +440,11 @@ fn no_record_is_lost_behind_control_headers() {
         let file = read(&[control.as_slice(), &good.concat()].concat()).unwrap();
         assert_eq!(values(&file).len(), 87);
         assert!(file.notes.iter().any(|note| note.contains("of control headers")), "{:?}", file.notes);
-        let message = format!("record 1 (byte {}) does not begin as a record", control.len());
+        let message = format!("record 1 (byte {}) does not begin like a miniSEED record", control.len());
         refused(&[control, damaged.as_slice(), &good[1], &good[2]].concat(), &message);
         // A volume whose records are shorter than it states ends with the first of them.
         assert_eq!(values(&read(&[&control[..control.len() - 512], &good[0]].concat()).unwrap()), as_f64(&SAMPLES));
-        let message = format!("record 2 (byte {}) does not begin as a record", control.len() + 512);
+        let message = format!("record 2 (byte {}) does not begin like a miniSEED record", control.len() + 512);
         refused(&[control, good[0].as_slice(), &damaged].concat(), &message);
     }
     // If nothing states the length, bytes that are not text do not belong to a control header.
@@ -515,7 +515,7 @@ fn records_of_no_samples_that_hold_some_are_said() {
     let good = record2(&HEADER, 29, &big(&STEIM1));
     let told = |first: &[u8]| {
         let notes = read(&[first, &good].concat()).unwrap().notes;
-        notes.iter().any(|note| note.starts_with("1 records that state 0 samples but hold data"))
+        notes.iter().any(|note| note.starts_with("1 record with data, but 0 samples in the header"))
     };
     assert!(told(&record2(&HEADER, 0, &big(&STEIM1))));
     assert!(!told(&record2(&HEADER, 0, &[])));

@@ -3,7 +3,9 @@
 
 use super::binary::{Order, as_written, field};
 use super::instant::Instant;
-use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note, without_line};
+use crate::motion_file::{
+    Component, Direction, Found, ReadOptions, Reading, Start, length_note, peak_note, without_line,
+};
 use crate::text::lines::lines;
 use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -118,7 +120,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     }
     .component(options)
     .map_err(without_line)?;
-    let component = Component { start_s: header.start_s(), ..component };
+    let component = Component { start: header.start_s().map(Start::Date), ..component };
     if let (Some(begin_s), Some(end_s)) = (header.real(word::B), header.real(word::E)) {
         notes.extend(length_note(&component, f64::from(end_s) - f64::from(begin_s)));
     }
@@ -164,7 +166,12 @@ impl Header<'_> {
         match self.integer(word::IFTYPE) {
             1 => {}
             2 | 3 => return refused(format!("is a spectrum; {time_series}"), "transform it back to a time series"),
-            other => return refused(format!("holds no time series (IFTYPE = {other})"), time_series),
+            other => {
+                return refused(
+                    format!("holds no time series (IFTYPE = {other})"),
+                    "use the time series of the same record (IFTYPE = ITIME)",
+                );
+            }
         }
         match self.integer(word::LEVEN) {
             0 => {
@@ -177,7 +184,7 @@ impl Header<'_> {
             other => {
                 return refused(
                     format!("does not say whether its samples are evenly spaced (LEVEN = {other})"),
-                    "set LEVEN",
+                    "set LEVEN to true in the header if they are",
                 );
             }
         }
@@ -187,7 +194,10 @@ impl Header<'_> {
             50 => "a voltage (IDEP = IVOLTS)",
             5 | 8 | -12345 => return Ok(()),
             other => {
-                return refused(format!("holds something unknown (IDEP = {other})"), "an acceleration has IDEP = IACC");
+                return refused(
+                    format!("holds an unknown quantity (IDEP = {other})"),
+                    "set IDEP = IACC if it is an acceleration",
+                );
             }
         };
         refused(format!("is {what}; an acceleration is expected"), "use the record of the accelerometer")
@@ -207,7 +217,8 @@ impl Header<'_> {
         Some(format!("SCALE is {scale} in the header; the samples were not multiplied by it"))
     }
 
-    /// CMPINC is degrees from upwards, CMPAZ degrees from north; within five degrees of an axis.
+    /// CMPINC is in degrees from the upward vertical, CMPAZ in degrees from north; within five
+    /// degrees of an axis.
     fn direction(&self) -> Option<Direction> {
         let incidence = f64::from(self.real(word::CMPINC)?);
         if incidence.abs() <= 5.0 {

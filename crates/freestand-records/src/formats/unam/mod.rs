@@ -127,8 +127,8 @@ impl Header {
         })
     }
 
-    /// `/N00E/V/N90W/`: one entry for each channel; a second list has the seventh channel and
-    /// following.
+    /// `/N00E/V/N90W/`: one entry for each channel; a second list continues from the seventh
+    /// channel.
     fn list(&self, name: &str) -> Result<(usize, Vec<&str>), Problem> {
         let (first, _) = self.value(name)?;
         let mut entries = Vec::new();

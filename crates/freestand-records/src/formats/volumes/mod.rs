@@ -159,7 +159,7 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
             format!("more values follow than the {} that are declared", title.count),
         )
         .at_line(line.number)
-        .hint(format!("the number of values on line {} does not match the file", title.line)));
+        .hint(format!("the number of values on line {} does not match the file: fetch it again", title.line)));
     }
     let of_header = || header.step().map(|dt_s| (dt_s, header.first_line));
     let at_title = |dt_s| (dt_s, title.line);
@@ -174,7 +174,8 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
     };
     let name = shorten(&header.name(channel));
     if let Some(other) = header.other_count(title.count, is_volume_two(&header.text)) {
-        notes.push(format!("{name}: line {} declares {} values, but the header {other}", title.line, title.count));
+        let (line, count) = (title.line, title.count);
+        notes.push(format!("{name}: line {line} declares {count} values, but the header declares {other}"));
     }
     // One part in a thousand: rates and steps are printed with three digits or more.
     let (dt_s, _) = step;
@@ -326,9 +327,9 @@ fn is_numbers(line: &Line<'_>) -> bool {
 
 /// The problem of numbers that may be a channel whose first lines are damaged.
 fn unannounced(line: &Line<'_>) -> Problem {
-    Problem::new(ProblemKind::Format, "no line announces these numbers")
+    Problem::new(ProblemKind::Format, "no line states what these numbers are")
         .at_line(line.number)
-        .hint("the line above them that states their number may be damaged: fetch the file again")
+        .hint("the line above them may be damaged: fetch the file again")
 }
 
 /// Skips the contents of a channel that is left out.

@@ -242,7 +242,7 @@ fn no_channel_is_lost_in_silence() {
             // The mark is not looked for after a hundred lines.
             assert_eq!(found.notes.len(), if end.is_empty() || count == 100 { 2 } else { 1 }, "{:?}", found.notes);
         }
-        // More text than any header has, and a channel after it; numbers that no line announces.
+        // More text than any header has, and a channel after it; numbers after no title line.
         let integers = alien.lines().position(|line| line.starts_with("    1    2")).unwrap();
         for (tail, at) in [
             ("A REMARK\n".repeat(100) + &alien, first + 100 + integers),
@@ -251,7 +251,7 @@ fn no_channel_is_lost_in_silence() {
             (blocks(11, (100, 5), 100), first),
         ] {
             let problem = read(&format!("{text}{end}{tail}")).unwrap_err();
-            assert_eq!(problem, format!("x:{at}: no line announces these numbers"), "{end:?}");
+            assert_eq!(problem, format!("x:{at}: no line states what these numbers are"), "{end:?}");
         }
     }
 }
@@ -355,7 +355,7 @@ fn what_the_header_states_is_compared() {
     assert_eq!(read(&text).unwrap().notes, Vec::<String>::new());
     for (from, to, note) in [
         (one.as_str(), "", "the header states 2 channels, but the file has 1: it may be cut off"),
-        ("POINTS =  40", "POINTS =  44", "90 DEG: line 28 declares 40 values, but the header 44"),
+        ("POINTS =  40", "POINTS =  44", "90 DEG: line 28 declares 40 values, but the header declares 44"),
         (
             "AT 100 SAMPLES",
             "AT 200 SAMPLES",
@@ -372,5 +372,5 @@ fn what_the_header_states_is_compared() {
     let cut = text.strip_suffix("/& End of Data\n").unwrap();
     assert_eq!(read(cut).unwrap().notes, ["the last channel does not end with a line \"/&\": the file may be cut off"]);
     let two = v2("UP", (10, 3), "").replace("  11 POINTS OF INSTR", "  12 POINTS OF INSTR");
-    assert_eq!(read(&two).unwrap().notes, ["UP: line 46 declares 11 values, but the header 12"]);
+    assert_eq!(read(&two).unwrap().notes, ["UP: line 46 declares 11 values, but the header declares 12"]);
 }

@@ -8,8 +8,8 @@ use crate::formats::Component;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
 
-/// Clocks of two channels may differ by this part of a sample without a note: they agree to some
-/// microseconds, and times in columns to their last digit.
+/// Clocks of two channels may differ by this fraction of a sample without a note: they agree to
+/// some microseconds, and times in columns to their last digit.
 const SAME_TIME: f64 = 0.05;
 
 const ONE_RECORD: &str = "give two components of one record";
@@ -20,7 +20,7 @@ const ONE_RECORD: &str = "give two components of one record";
 pub(super) struct Aligned {
     /// The motion.
     pub(super) motion: Motion,
-    /// What was done to it without a request; what concerns both is with the first.
+    /// What was done to it without a request; notes about both are with the first.
     pub(super) steps: Vec<String>,
 }
 
@@ -62,7 +62,8 @@ fn later_by(
     names: (&str, &str),
     both: &mut Vec<String>,
 ) -> Result<i64, Problem> {
-    let (Some(start_1_s), Some(start_2_s)) = (first.start_s, second.start_s) else { return Ok(0) };
+    let (Some(start_1), Some(start_2)) = (first.start, second.start) else { return Ok(0) };
+    let (start_1_s, start_2_s) = (start_1.seconds(), start_2.seconds());
     let later = (start_2_s - start_1_s) / first.motion.dt_s();
     let whole = later.round();
     let longest = first.motion.accel_m_s2().len().max(second.motion.accel_m_s2().len());
@@ -111,10 +112,10 @@ fn cut(component: &Component, name: &str, kept: std::ops::Range<usize>, keep_mea
             if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") }
         };
         if skip > 0 {
-            steps.push(format!("{} of {name} left out: the other component begins after", samples(skip, "first")));
+            steps.push(format!("{} of {name} left out: the other component begins later", samples(skip, "first")));
         }
         if surplus > 0 {
-            steps.push(format!("{} of {name} left out: the other component ends before", samples(surplus, "last")));
+            steps.push(format!("{} of {name} left out: the other component ends earlier", samples(surplus, "last")));
         }
     }
     if component.is_raw && !keep_mean {

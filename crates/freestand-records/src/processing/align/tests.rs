@@ -1,4 +1,4 @@
-use crate::formats::{Component, ReadOptions, parse_motions};
+use crate::formats::{Component, ReadOptions, Start, parse_motions};
 use crate::processing::tests::three;
 use crate::processing::{Processed, Processing, process_pair};
 use freestand::motion::Motion;
@@ -16,24 +16,24 @@ fn components_are_brought_to_the_times_that_both_have() {
     let mut file = three();
     let late = file.components[1].motion.accel_m_s2()[5..].to_vec();
     file.components[1].motion = Motion::new(0.01, late).unwrap();
-    file.components[1].start_s = file.components[1].start_s.map(|start_s| start_s + 0.05);
+    file.components[1].start = file.components[1].start.map(|start| Start::Date(start.seconds() + 0.05));
     let (one, two) = pair(&file.components[0], &file.components[1]).unwrap();
     assert_eq!(one.motion.accel_m_s2(), &whole.components[0].motion.accel_m_s2()[5..]);
     assert_eq!(two.motion.accel_m_s2(), &whole.components[1].motion.accel_m_s2()[5..]);
-    assert_eq!(one.notes, ["first 5 samples of N-S left out: the other component begins after"]);
+    assert_eq!(one.notes, ["first 5 samples of N-S left out: the other component begins later"]);
     let (two, one) = pair(&file.components[1], &file.components[0]).unwrap();
     assert_eq!((one.motion.accel_m_s2().len(), two.motion.accel_m_s2().len()), (796, 796));
-    file.components[1].start_s = Some(1e9);
+    file.components[1].start = Some(Start::Date(1e9));
     let problem = pair(&file.components[0], &file.components[1]).unwrap_err();
     assert!(problem.message.contains("no time in common"), "{problem}");
     // A third of a sample is left, and said; without a time on both sides the first samples belong
     // together.
-    file.components[1].start_s = Some(0.0533);
+    file.components[1].start = Some(Start::Date(0.0533));
     let (one, _) = pair(&file.components[0], &file.components[1]).unwrap();
     assert_eq!(one.notes[0], "components N-S and E-W are 0.33 of a sample apart");
-    file.components[1].start_s = None;
+    file.components[1].start = None;
     let (one, _) = pair(&file.components[0], &file.components[1]).unwrap();
-    assert_eq!(one.notes, ["last 5 samples of N-S left out: the other component ends before"]);
+    assert_eq!(one.notes, ["last 5 samples of N-S left out: the other component ends earlier"]);
 }
 
 /// Times of 128 samples a second in four decimals: the step of 1000 rows is not that of 900.
@@ -51,7 +51,7 @@ fn steps_of_rounded_times_are_one() {
     assert_ne!(long.motion.dt_s(), short.motion.dt_s());
     let (one, two) = pair(&long, &short).unwrap();
     assert_eq!((one.motion.dt_s(), two.motion.dt_s()), (long.motion.dt_s(), long.motion.dt_s()));
-    assert_eq!(one.notes, ["last 100 samples of a left out: the other component ends before"]);
+    assert_eq!(one.notes, ["last 100 samples of a left out: the other component ends earlier"]);
     assert!(two.notes[0].starts_with("time step of b taken as 0.0078125"), "{:?}", two.notes);
     assert!(two.notes[0].contains(", that of a, in place of 0.007812"), "{:?}", two.notes);
     assert_eq!((one.steps.clone(), two.steps.clone()), (one.notes, two.notes));
@@ -82,7 +82,7 @@ fn each_component_has_its_own_steps() {
     for component in &mut file.components {
         component.is_raw = true;
     }
-    file.components[1].start_s = file.components[0].start_s.map(|start_s| start_s + 0.0033);
+    file.components[1].start = file.components[0].start.map(|start| Start::Date(start.seconds() + 0.0033));
     let (one, two) = pair(&file.components[0], &file.components[1]).unwrap();
     let apart = "components N-S and E-W are 0.33 of a sample apart";
     for (done, own) in [(&one, "removed from N-S (raw record)"), (&two, "removed from E-W (raw record)")] {

@@ -43,8 +43,8 @@ pub struct TargetSpectrum {
 ///
 /// # Errors
 /// A file that cannot be read or is not a table of periods and accelerations with units in its
-/// headings; values that no spectrum has, a period that stands twice; a damping that the file does
-/// not have; a range without periods.
+/// headings; values that no spectrum has, a period that is listed twice; a damping that the file
+/// does not have; a range without periods.
 pub fn read_target(source: &TargetSource) -> Result<TargetSpectrum, Problem> {
     parse_target(load_spectrum(&source.path)?, source)
 }
@@ -71,7 +71,7 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
     let note = left_out.map(|others| {
         format!(
             "{name} has spectra for several dampings: that for {} is the target, those for {others} are left out \
-             (write another after the file name)",
+             (to use another damping, write it after the file name)",
             percent(damping_ratio)
         )
     });
@@ -86,9 +86,9 @@ pub fn parse_target(bytes: Vec<u8>, source: &TargetSource) -> Result<TargetSpect
         rows.retain(|row| within.contains(&row.period_s));
         if rows.is_empty() {
             let (first, last) = ends(&periods_s);
-            let message = format!("no period from {} s to {} s", number(from_s, 6), number(to_s, 6));
+            let message = format!("the spectrum has no period from {} s to {} s", number(from_s, 6), number(to_s, 6));
             return Err(in_file(wrong(message).hint(format!(
-                "its periods are from {} s to {} s",
+                "choose a range within its periods, {} s to {} s",
                 number(first, 6),
                 number(last, 6)
             ))));
@@ -142,7 +142,7 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64,
     if !stated.is_empty() {
         rows.retain(|row| row.damping_ratio.is_some_and(|ratio| is(ratio, damping_ratio)));
         if rows.is_empty() {
-            let message = format!("the spectrum is not for {} damping", percent(damping_ratio));
+            let message = format!("the spectrum has no values for {} damping", percent(damping_ratio));
             return Err(wrong(message)
                 .hint(format!("write one of its dampings after the file name: {}", percents(stated.iter()))));
         }
@@ -153,7 +153,7 @@ fn take_damping(rows: &mut Vec<SpectrumRow>, asked: Option<f64>) -> Result<(f64,
 }
 
 /// The first row with an impossible value, and why.
-pub(super) fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Problem)> {
+fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Problem)> {
     for (row, (&period_s, &psa_m_s2)) in periods_s.iter().zip(psa_m_s2).enumerate() {
         if !(period_s >= 0.0 && period_s.is_finite()) {
             let message = format!("a period must be 0 s or more, not {period_s} s");
@@ -169,7 +169,7 @@ pub(super) fn fault(periods_s: &[f64], psa_m_s2: &[f64]) -> Option<(usize, Probl
     // Zeros of both signs are one period.
     order.sort_by(|&a, &b| (period(a) + 0.0).total_cmp(&(period(b) + 0.0)).then(a.cmp(&b)));
     let again = order.windows(2).filter(|pair| period(pair[0]) == period(pair[1])).map(|pair| pair[1]).min()?;
-    let message = format!("the period {} s is there twice", period(again));
+    let message = format!("the period {} s is listed twice", period(again));
     Some((again, wrong(message).hint("keep only one of them")))
 }
 

@@ -23,7 +23,7 @@ fn the_damping_is_that_of_the_file_unless_it_has_several() {
     assert_eq!(of("T [s],Sa [g]\n1,0.2\n", "t.csv"), Ok((0.05, 1)));
     assert_eq!(of("T [s],Sa [g]\n1,0.2\n", "t.csv, 10 %"), Ok((0.1, 1)));
     let other = read(TWO_DAMPINGS, "t.csv, 3 %").unwrap_err();
-    assert_eq!(other.to_string(), "t.csv: the spectrum is not for 3 % damping");
+    assert_eq!(other.to_string(), "t.csv: the spectrum has no values for 3 % damping");
     assert!(other.hint.is_some_and(|hint| hint.ends_with("2 %, 5 %")));
     let percent = read("T [s],Sa [g],damping\n1,0.2,5\n", "t.csv").unwrap_err();
     assert_eq!(percent.to_string(), "t.csv:2: 5 is not a damping ratio");
@@ -36,8 +36,8 @@ fn a_range_keeps_its_ends() {
     assert_eq!(periods("t.csv, 0 s to 0.1 s"), Ok(vec![0.0, 0.1]));
     assert_eq!(periods("t.csv, 100 ms to 0.3 s, 5 %"), Ok(vec![0.1, 0.30000000000000004]));
     let none = periods("t.csv, 0.5 s to 1 s").unwrap_err();
-    assert_eq!(none.to_string(), "t.csv: no period from 0.5 s to 1 s");
-    assert_eq!(none.hint.as_deref(), Some("its periods are from 0 s to 2 s"));
+    assert_eq!(none.to_string(), "t.csv: the spectrum has no period from 0.5 s to 1 s");
+    assert_eq!(none.hint.as_deref(), Some("choose a range within its periods, 0 s to 2 s"));
 }
 
 #[test]
@@ -46,7 +46,7 @@ fn values_that_no_spectrum_has_are_refused_with_their_line() {
         ("1,0.2\n-0.1,0.3\n", "t.csv:3: a period must be 0 s or more"),
         ("1,0.2\n2,0\n", "t.csv:3: the acceleration of a target must be above 0"),
         ("1,0.2\n2,-999\n", "t.csv:3: the acceleration of a target must be above 0"),
-        ("1,0.2\n\n2,0.1\n1,0.3\n", "t.csv:5: the period 1 s is there twice"),
+        ("1,0.2\n\n2,0.1\n1,0.3\n", "t.csv:5: the period 1 s is listed twice"),
         ("0,0.2\n-0,0.1\n", "t.csv:3: the period"),
     ] {
         let problem = read(&format!("T [s],Sa [g]\n{rows}"), "t.csv").expect_err(rows);

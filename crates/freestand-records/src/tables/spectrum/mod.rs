@@ -29,7 +29,7 @@ pub struct SpectrumRow {
     pub damping_ratio: Option<f64>,
 }
 
-/// The bytes of a file with a spectrum.
+/// Reads the bytes of a file with a spectrum.
 ///
 /// # Errors
 /// A file that cannot be read or is longer than 16 MiB.
@@ -98,10 +98,9 @@ fn period_column(headings: &[Heading]) -> Result<usize, Problem> {
                     "\"{}\" is not a period: this seems to be a record, not a spectrum",
                     shorten(&heading.name)
                 );
-                Err(Problem::new(ProblemKind::Format, message).hint(
-                    "name a file of periods and pseudo-accelerations; the command motion spectrum writes that \
-                           of a record",
-                ))
+                let hint = "name a file of periods and pseudo-accelerations; freestand motion spectrum writes one \
+                            from a record";
+                Err(Problem::new(ProblemKind::Format, message).hint(hint))
             }
             _ => Ok(one),
         },

@@ -1,7 +1,7 @@
-//! Lanes from where they are in a step to their next event, some vectors of them at a time: their chains of operations
-//! overlap.
+//! Takes lanes from their place in a step to their next event, several vectors of lanes at a time,
+//! so that their chains of operations overlap.
 
-#![expect(clippy::absurd_extreme_comparisons, reason = "loops are written out with constants, zero among them")]
+#![expect(clippy::absurd_extreme_comparisons, reason = "loops are unrolled with constants, one of which is zero")]
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -13,7 +13,7 @@ use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::Interval;
 use super::unroll::{unroll, unroll_down};
 
-/// Lanes of a batch.
+/// Number of lanes in a batch.
 pub(super) const BATCH: usize = 2 * ABREAST;
 
 pub(super) const CALM: f64 = 0.0;
@@ -30,14 +30,14 @@ pub(super) struct Batch {
     side: Column<BATCH>,
     pub(super) best: Column<BATCH>,
     pub(super) tau: Column<BATCH>,
-    /// The part of the step that was left.
+    /// The part of the step that remained.
     pub(super) rest: Column<BATCH>,
     pub(super) event: Column<BATCH>,
     /// 1 where y may have its largest maximum so far inside the step.
     summit: Column<BATCH>,
     /// Terms of y.
     pub(super) c: [Column<BATCH>; TERMS],
-    /// Terms of y without the zero that it starts from.
+    /// Terms of y divided by the power of x with which it starts at zero: y, y/x or y/x².
     q: [Column<BATCH>; TERMS],
 }
 
@@ -55,12 +55,12 @@ impl Batch {
             self.tau[i] = rank.tau[place];
         }
         for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
-            // A block that nothing moves.
+            // Padding: a block that does not move and has no event.
             (self.y[i], self.w[i], self.x2[i], self.best[i], self.tau[i]) = (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
         }
     }
 
-    /// To the next event of each of the first lanes, or to the end of the step.
+    /// Takes each of the first `lanes` lanes to its next event, or to the end of the step.
     #[inline(always)]
     pub(super) fn solve<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: &Interval, lanes: usize) {
         let vectors = lanes.div_ceil(2 * S::F64_LANES);
@@ -77,7 +77,7 @@ impl Batch {
         }
     }
 
-    /// The series of a vector of lanes, and what happens in the rest of the step.
+    /// Calculates the series of a vector of lanes and classifies the rest of the step.
     #[inline(always)]
     fn expand<S: Simd, const K: usize>(&mut self, m: Math<S>, ground: &Interval, i: usize) {
         let (u_start, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
@@ -97,7 +97,8 @@ impl Batch {
         };
         let (on_floor, still) = (m.ge(zero, y), m.ge(zero, m.abs(w)));
         let lifting = m.and(on_floor, still);
-        // At the very instant at which the threshold is passed nothing pulls down, whatever rounding says.
+        // At the instant at which the threshold is passed nothing pulls the block down; a positive
+        // pull is rounding.
         let lifted = |pull| m.select(m.and(lifting, m.gt(pull, zero)), zero, pull);
         let w = m.mul(w, rest);
         let series = Series::<S, K>::new::<true>(m, y, w, edge, local, lifted);
@@ -107,7 +108,7 @@ impl Batch {
         let falling = m.not(m.gt(m.splat(FRAC_PI_2), top));
         let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
 
-        // y without the zero that it starts from: y, y/x or y/x².
+        // y divided by the power of x with which it starts at zero: y, y/x or y/x².
         let bouncing = m.and(on_floor, m.not(still));
         let mut q = [zero; TERMS];
         unroll!(N, {
@@ -132,14 +133,16 @@ impl Batch {
         // Too far from the floor, or rising too fast to come back.
         let far = m.gt(q[0], m.add(beyond, m.abs(q[1])));
         let rising = m.and(m.ge(q[0], zero), m.gt(q[1], beyond));
-        // One root where y bends down all the way, or q falls all the way, and ends below the floor; none if it does not.
+        // Where y is concave, or q falls, throughout the step, there is one root if it ends below
+        // the floor, and none otherwise.
         let concave = series.is_concave(m);
         let falls = m.gt(zero, m.add(q[1], bend_of_q));
         let one_way = m.and(begins_above, m.or(concave, falls));
         let safe = m.or(far, rising);
         let landing = m.and(m.and(one_way, m.not(ends_above)), m.not(safe));
         let calm = m.or(safe, m.and(one_way, ends_above));
-        // Where y bends down all the way it has one maximum at most, where its slope passes zero, and before a landing.
+        // Where y is concave throughout it has at most one maximum, where its slope passes zero,
+        // before any landing.
         let (_, w1) = series.end(m);
         let climbs = m.and(lifting, m.gt(q[1], bend_of_q));
         let hidden = m.and(turning, m.not(m.or(concave, climbs)));
@@ -178,7 +181,7 @@ impl Batch {
         self.best.set::<S>(i, m.select(m.and(wanted, m.gt(y, best)), y, best));
     }
 
-    /// To the landing, or to the end of the step.
+    /// Takes a vector of lanes to the landing, or to the end of the step.
     #[inline(always)]
     fn fall<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
         let (zero, one) = (m.splat(0.0), m.splat(1.0));
@@ -198,9 +201,9 @@ impl Batch {
                 y = m.fma(y, x, self.c[N].get::<S>(i));
             }
         });
-        // Rounding may take y below the floor where the root lies just behind the end of the step.
+        // Rounding may take y below the floor where the root lies just past the end of the step.
         let event = m.select(m.or(m.ge(event, one), m.gt(y, zero)), event, m.splat(INTRICATE));
-        // A maximum at the very end is one of this step.
+        // A maximum exactly at the end belongs to this step.
         let best = self.best.get::<S>(i);
         self.best.set::<S>(i, m.select(m.gt(y, best), y, best));
         self.y.set::<S>(i, y);
@@ -210,22 +213,24 @@ impl Batch {
     }
 }
 
-/// Two steps of Halley's method get nearly every lane to its root.
+/// Steps of Halley's method before the first check: two take nearly every lane to its root.
 const STEPS: usize = 2;
 
-/// A step of Halley's method that moves a root by no more than this part of it, and of the distance |2p′/p″| to where the
-/// curve is flat, was the last: an error e becomes (p″/2p′)² e³.
+/// The step of Halley's method that moves a root by at most this fraction of the root, and of the
+/// distance |2p′/p″| to the place where the curve is flat, is the last: an error e becomes
+/// (p″/2p′)² e³.
 const LAST_MOVE: f64 = 3e-6;
 
-/// The root in (0, 1] of a polynomial that is positive before it and not positive behind it, in the lanes wanted: by Halley's
-/// method within a bracket. A lane that has converged stays, whatever its neighbours do.
+/// The root in (0, 1] of a polynomial that is positive before it and not positive after it, in the
+/// `wanted` lanes, by Halley's method within a bracket. A lane that has converged does not change
+/// while its neighbours continue.
 #[inline(always)]
 fn root<S: Simd, const K: usize>(m: Math<S>, q: &[Numbers<S>; TERMS], wanted: Masks<S>) -> Numbers<S> {
-    /// Halvings of the bracket, to 2⁻⁶⁰ of a step, where nothing else leads on.
+    /// Largest number of steps: 60 halvings alone reduce the bracket to 2⁻⁶⁰ of a step.
     const MOST: usize = 60;
     let (zero, one, half) = (m.splat(0.0), m.splat(1.0), m.splat(0.5));
     let (mut low, mut high) = (zero, one);
-    // The parabola's root; without one, the end.
+    // The first guess: the root of the parabola or, without one, the end of the step.
     let discriminant = m.fnma(m.mul(m.splat(4.0), q[0]), q[2], m.mul(q[1], q[1]));
     let positive = m.gt(discriminant, zero);
     let sum = m.sub(m.sqrt(m.select(positive, discriminant, one)), q[1]);
@@ -247,7 +252,8 @@ fn root<S: Simd, const K: usize>(m: Math<S>, q: &[Numbers<S>; TERMS], wanted: Ma
         high = m.select(above, high, x);
         let (square, product) = (m.mul(slope, slope), m.mul(p, half_bend));
         let halley = m.sub(x, m.div(m.mul(p, slope), m.sub(square, product)));
-        // Near the top of a curve the steps are short because it is flat, not because a root is near.
+        // Near the top of a curve the steps are short because it is flat, not because a root is
+        // near.
         let falling = m.and(m.gt(zero, slope), m.ge(m.mul(half, square), m.abs(product)));
         let inside = m.and(falling, m.and(m.ge(halley, low), m.ge(high, halley)));
         let next = m.select(inside, halley, m.mul(half, m.add(low, high)));

@@ -1,41 +1,45 @@
-//! Short flights between impacts: one by one by a series of their own, and all that are left before rest at once.
+//! Short flights between impacts: single flights by a short series of their own, and all the
+//! flights before rest in one formula.
 
-/// E = `now` + `slope` x of one edge over the rest of a step: what pulls a block back to the floor.
+/// What pulls a block back to the floor about one edge over the rest of a step: `now` + `slope` x.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pull {
     pub(super) now: f64,
     pub(super) slope: f64,
 }
 
-/// What acts on a block about one edge over the rest of a step, in units of the step: ÿ = −(E cos y − D sin y).
+/// What acts on a block about one edge over the rest of a step, in units of the step:
+/// ÿ = −(E cos y − D sin y).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Acting {
     pub(super) e: Pull,
     pub(super) d: Pull,
 }
 
-/// A flight from the floor back to it: how long, and the speed of the impact.
+/// A flight from the floor back to it: its duration and the speed of the impact that ends it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Flight {
     pub(super) time: f64,
     pub(super) speed: f64,
 }
 
-/// Largest y of a short flight: what is left out of E cos y, the change of E times y²/2, is below 1e-13 of E.
+/// Largest y of a short flight: the omitted part of E cos y, the change of E times y²/2, is below
+/// 1e-13 of E.
 const LOW: f64 = 1e-6;
 
-/// Largest D times the square of the time of a short flight: the seventh term of the series, (D T²)³/5040, is below 1e-16.
+/// Largest D times the square of the duration of a short flight: the seventh term of the series,
+/// (D T²)³/5040, is below 1e-16.
 const SHORT: f64 = 5e-5;
 
 impl Acting {
-    /// Whether a flight that takes off at the speed `w` can be certain to land before the time `left` is over: under the
-    /// least pull alone it lasts 2w/E.
+    /// Whether a flight that starts at the speed `w` may be certain to land within the time `left`:
+    /// under the least pull alone it lasts 2w/E.
     pub(super) fn is_brief(&self, w: f64, left: f64) -> bool {
         2.2 * w <= left * self.e.least(left)
     }
 
-    /// A flight that takes off at the speed `w`, if it is short, as low as `lower_than`, and certain to land before the time
-    /// `left` is over.
+    /// The flight that starts at the speed `w`; `None` unless it is short, lower than `lower_than`,
+    /// and certain to land within the time `left`.
     pub(super) fn flight(&self, w: f64, left: f64, lower_than: f64) -> Option<Flight> {
         let (e, d) = (self.e.now, self.d.now);
         let least = self.e.least(left);
@@ -63,19 +67,21 @@ impl Acting {
         let c3 = (d1 * w + d * c1 + 0.5 * e * w * w) / 12.0;
         let c4 = (d * c2 + d1 * c1 - 0.5 * e * w * e) / 20.0;
         let c5 = (d * c3 + d1 * c2 + 0.125 * e * e * e) / 30.0;
-        // The landing under E alone, and what D adds for a pull that does not change; then one step of Newton's method.
+        // The landing under E alone, and the effect of D for a constant pull; then one step of
+        // Newton's method.
         let ballistic = 2.0 * w * inverse;
         let x = ballistic * (flight_ratio(epsilon) + d * ballistic * ballistic / 12.0);
         let value = c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * c5))));
         let slope = c1 + x * (2.0 * c2 + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)));
         let step = value / slope;
         let x = x - step;
-        // At the landing y/x is zero, and dy/dx is x times its slope, which the step of Newton's method has changed.
+        // At the landing y/x is zero, and dy/dx is x times the slope of y/x, which the step of
+        // Newton's method has changed.
         let slope = slope - step * (2.0 * c2 + 6.0 * c3 * x);
         Some(Flight { time: x, speed: -x * slope })
     }
 
-    /// The same, later.
+    /// The same, `time` later.
     pub(super) fn after(self, time: f64) -> Self {
         Self { e: self.e.after(time), d: self.d.after(time) }
     }
@@ -84,7 +90,8 @@ impl Acting {
 /// Largest |ε| of [`flight_ratio`].
 const SMALL_EPSILON: f64 = 0.02;
 
-/// τ of a flight under E + E′x that lasts (2w/E)τ: ⅔ετ² + τ = 1, as a series whose first term left out is 42(⅔ε)⁵ < 2e-8.
+/// τ of a flight under E + E′x that lasts (2w/E)τ: ⅔ετ² + τ = 1, as a series whose first omitted
+/// term is 42(⅔ε)⁵ < 2e-8.
 fn flight_ratio(epsilon: f64) -> f64 {
     let a = 2.0 / 3.0 * epsilon;
     let square = a * a;
@@ -92,12 +99,12 @@ fn flight_ratio(epsilon: f64) -> f64 {
 }
 
 impl Pull {
-    /// The least of it in the time `left`.
+    /// The smallest pull within the time `left`.
     fn least(self, left: f64) -> f64 {
         self.now.min(self.now + left * self.slope)
     }
 
-    /// What its size never passes in the time `left`.
+    /// An upper bound of its magnitude within the time `left`.
     fn strongest(self, left: f64) -> f64 {
         self.now.abs() + left * self.slope.abs()
     }
@@ -114,8 +121,9 @@ pub(super) struct Trace {
     pub(super) speed: f64,
 }
 
-/// How many impacts a block has until its speed after one is at most `rest`, from a speed `w` after an impact about the
-/// first edge on, where all are certain to happen in the time `left` and to leave no trace.
+/// Number of impacts until the speed after one is at most `rest`, from the speed `w` after an
+/// impact, with which the block starts to rotate about the first of the `edges`. `None` unless all
+/// are certain to occur within the time `left` and to exceed no extreme in `traces`.
 pub(super) fn impacts_to_rest(
     edges: [Acting; 2],
     r: f64,
@@ -124,10 +132,11 @@ pub(super) fn impacts_to_rest(
     traces: [Trace; 2],
     rest: f64,
 ) -> Option<usize> {
-    /// Largest relative change of the pull on the way, by which speeds grow by [`GROWTH`] at most.
+    /// Largest relative change of the pull on the way to rest; it lets speeds grow by at most
+    /// [`GROWTH`].
     const CHANGE: f64 = 0.3;
     const GROWTH: f64 = 1.3;
-    /// Largest part that y has in the pull.
+    /// Largest contribution of y to the pull, as a ratio.
     const PART: f64 = 1e-5;
     let fastest = GROWTH * w;
     let slowing = 1.0 - r;
@@ -147,15 +156,17 @@ pub(super) fn impacts_to_rest(
     Some(count([edges[0].e, edges[1].e], r, w, rest))
 }
 
-/// Flights whose pull changes by more than this, relatively, over the whole way to rest are followed one by one: the third
-/// order of what is summed up is below 3e-6, far less than the ratio of two impacts.
+/// Flights are calculated one by one while the pull still changes by more than this ratio on the
+/// way to rest. Below it the third-order error of the sum is less than 3e-6, far less than the ln
+/// of the speed ratio of two impacts.
 const SMALL_CHANGE: f64 = 0.01;
 
 /// Impacts to rest, as long as both pulls stay positive.
 ///
-/// A flight under E + E′x lasts (2w/E)τ with ⅔ετ² + τ = 1, ε = E′w/E², and lands at w(2 − τ): the ball on a table whose
-/// gravity changes. With ln(2 − τ) = ⅔ε − 10/9 ε² + … the sum of all flights is one of geometric series, taken to the
-/// second order. What y adds to the pull conserves energy about each edge and drops out.
+/// A flight under E + E′x lasts (2w/E)τ with ⅔ετ² + τ = 1, ε = E′w/E², and lands at w(2 − τ), like
+/// a ball on a table under changing gravity. With ln(2 − τ) = ⅔ε − 10/9 ε² + … the sum over all
+/// flights consists of geometric series, taken to the second order. The contribution of y to the
+/// pull conserves energy about each edge and drops out.
 fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
     let mut followed = 0;
     loop {
@@ -181,10 +192,11 @@ fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
     }
 }
 
-/// ln of what all flights to rest gain in speed, to the second order in E′.
+/// ln of the factor by which changes of the pull increase the speed over all flights to rest, to
+/// the second order in E′.
 fn growth([first, other]: [Pull; 2], r: f64, w: f64) -> f64 {
     let q = r * r;
-    // ε of the first two flights, the time that they take, and E′/E.
+    // ε of the first two flights, their durations, and E′/E.
     let (e0, e1) = (first.slope * w / (first.now * first.now), other.slope * w * r / (other.now * other.now));
     let (t0, t1) = (2.0 * w / first.now, 2.0 * w * r / other.now);
     let (k0, k1) = (first.slope / first.now, other.slope / other.now);
@@ -199,7 +211,7 @@ fn growth([first, other]: [Pull; 2], r: f64, w: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Flight by flight.
+    /// Number of impacts and speed after the last one, calculated flight by flight.
     fn followed(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> (usize, f64) {
         let mut count = 0;
         while w > rest {
@@ -226,7 +238,8 @@ mod tests {
                     let edges = [Pull { now: e0, slope: s0 }, Pull { now: e1, slope: s1 }];
                     let rest = 1e-9;
                     let (impacts, last) = followed(edges, r, w, rest);
-                    // The last speed must be further from the threshold than the third order can take it.
+                    // The last speed must be further from the threshold than the third order can
+                    // take it.
                     if (rest / last).ln() > 3e-6 && (last / (r * rest)).ln() > 3e-6 {
                         assert_eq!(count(edges, r, w, rest), impacts, "{r} {e0} {e1} {s0} {s1} {w}");
                         cases += 1;
@@ -237,7 +250,8 @@ mod tests {
         assert!(cases > 150, "{cases}");
     }
 
-    /// ln of the growth against flights followed one by one: the error falls with the third power of the change.
+    /// ln of the growth against flights followed one by one: the error falls with the third power
+    /// of the change.
     #[test]
     fn the_growth_is_right_to_the_second_order() {
         let edges = [Pull { now: 1.0, slope: 0.8 }, Pull { now: 0.6, slope: -0.5 }];

@@ -1,4 +1,4 @@
-//! All that is compiled for each vector unit, once for each degree of the series.
+//! The code that is compiled for each vector unit and each degree of the series.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -12,13 +12,14 @@ use super::shaking::Interval;
 
 type AdvanceRanks = fn(Arch, &mut [Rank], &Interval, &mut Vec<u32>);
 
-/// A series of one degree, on whatever vector unit there is.
+/// The functions for one degree of the series; each runs on the vector unit of its `Arch`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Degree {
     pub(super) degree: usize,
-    /// One step of every lane, without and with vertical motion; puts the places of lanes with an event into the queue.
+    /// Takes every lane one step, without and with vertical motion, and adds the places of lanes
+    /// with an event to the queue.
     pub(super) advance: [AdvanceRanks; 2],
-    /// To the next event of each of the first lanes of a batch, or to the end of the step.
+    /// Takes each of the first lanes of a batch to its next event, or to the end of the step.
     pub(super) solve: fn(Arch, &mut Batch, &Interval, usize),
 }
 
@@ -50,8 +51,8 @@ struct Advance<'a, const K: usize, const VERTICAL: bool> {
 impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL> {
     type Output = ();
 
-    /// Lanes with an event stay where they are. So do those that enter within the step: they lie on the floor without
-    /// velocity, which is never certain to stay above it.
+    /// Lanes with an event do not change. Neither do lanes that enter within the step: they start
+    /// on the floor without velocity, and are never certain to stay above it.
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let Self { ranks, ground, queue } = self;
@@ -71,7 +72,8 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
                 let half_bend = m.mul(half, bend);
                 let reach = m.add(m.abs(w), half_bend);
                 let top = m.add(y, reach);
-                // Above the floor throughout: too high to reach it, or going up too fast to come back.
+                // Above the floor throughout: too high to reach it, or going up too fast to come
+                // back.
                 let above = m.or(m.gt(y, reach), m.gt(w, half_bend));
                 let calm = m.and(above, m.gt(quarter_turn, top));
                 let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
@@ -82,8 +84,9 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
                 rank.event.set::<S>(i, m.select(uneventful, zero, one));
             }
         }
-        // Apart from the loop above: a branch there would wait for a whole step, and be wrong in every third vector. Each place
-        // is written, and stays if its lane has an event: another branch would be wrong as often.
+        // Separate from the loop above, where this branch would have to wait for a whole step and
+        // be mispredicted for every third vector. Each place is written, but counted only if its
+        // lane has an event: a branch would be mispredicted as often.
         for (i, rank) in ranks.iter().enumerate() {
             if (0..pairs).any(|pair| m.any(m.gt(rank.event.get::<S>(pair), zero))) {
                 let (mut places, mut count) = ([0; ABREAST], 0);

@@ -1,6 +1,7 @@
-//! Arithmetic on a vector of lanes, the same bits in every lane on every vector unit: what is written as fused is fused
-//! everywhere, in software where the processor cannot, and nothing else is. (What is worked out once for a block or at rare
-//! events uses the platform's sine and logarithm.)
+//! Arithmetic on a vector of lanes, with identical bits in every lane on every vector unit: an
+//! operation written as fused is fused everywhere, in software where the processor has no such
+//! instruction, and no other operation is. (Calculations made once for a block, or at rare events,
+//! use the platform's sine and logarithm.)
 
 use std::ops::{Deref, DerefMut};
 
@@ -22,19 +23,20 @@ macro_rules! each {
     };
 }
 
-/// Two vectors of numbers, whose operations stand side by side: chains of one hide the time that those of the other take.
+/// Two vectors of numbers whose operations alternate: each vector's chain of operations runs while
+/// the other's waits.
 pub(super) type Numbers<S> = [<S as Simd>::f64s; 2];
 
-/// One truth for each.
+/// One truth value for each number.
 pub(super) type Masks<S> = [<S as Simd>::m64s; 2];
 
-/// One number of each of N lanes.
+/// One number for each of N lanes.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(super) struct Column<const N: usize>(pub(super) [f64; N]);
 
 impl<const N: usize> Column<N> {
-    /// Pairs of vectors in a column.
+    /// Number of pairs of vectors in a column.
     pub(super) const fn pairs<S: Simd>() -> usize {
         N / (2 * S::F64_LANES)
     }
@@ -72,7 +74,7 @@ impl<const N: usize> DerefMut for Column<N> {
     }
 }
 
-/// Operations of one generation of vector units on two vectors.
+/// The operations of one generation of vector units, on two vectors.
 #[derive(Clone, Copy)]
 pub(super) struct Math<S>(pub(super) S);
 
@@ -165,8 +167,9 @@ impl<S: Simd> Math<S> {
         mask.iter().any(|mask| self.0.first_true_m64s(*mask) < S::F64_LANES)
     }
 
-    /// sin y and cos y for 0 ≤ |y| ≤ π/2 to 9e-16: interpolation of sin y/y and cos y in y² at Chebyshev nodes of
-    /// [0, (π/2)²], with the leading coefficients of the Taylor series, so that small angles keep their digits.
+    /// sin y and cos y for 0 ≤ |y| ≤ π/2, accurate to 9e-16: interpolation of sin y/y and cos y in
+    /// y² at Chebyshev nodes of [0, (π/2)²], with the leading coefficients of the Taylor series, so
+    /// that small angles keep their digits.
     #[inline(always)]
     pub(super) fn sin_cos(self, y: Numbers<S>) -> (Numbers<S>, Numbers<S>) {
         let t = self.mul(y, y);
@@ -183,7 +186,8 @@ impl<S: Simd> Math<S> {
         (self.fma(self.mul(sin, t), y, y), cos)
     }
 
-    /// Two terms of a polynomial: pairs, and pairs of pairs, make a shorter chain than one term after the other.
+    /// Two terms of a polynomial: evaluation by pairs, and pairs of pairs, makes a shorter chain
+    /// than term by term.
     #[inline(always)]
     fn pair(self, c: &[f64], i: usize, t: Numbers<S>) -> Numbers<S> {
         self.fma(self.splat(c[i + 1]), t, self.splat(c[i]))
@@ -228,7 +232,7 @@ mod tests {
                 worst = worst.max((sin / y.sin() - 1.0).abs()).max((cos - y.cos()).abs());
             }
         }
-        // Roundings of the last digit; 8.9e-16 was found.
+        // Rounding of the last digits; the largest error found is 8.9e-16.
         assert!(worst <= 1e-15, "{worst}");
     }
 }

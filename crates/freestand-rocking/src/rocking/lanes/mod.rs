@@ -1,17 +1,19 @@
-//! Many blocks under one motion: the kernel of spectra and portfolios.
+//! Many blocks under one motion: the kernel for spectra and inventories.
 //!
 //! ÿ = −x²\[(1+ü_v/g) sin φ + s (ü_h/g) cos φ\], φ = α − y, x = p h, y = sθ, in units of a step h,
-//! which is a sample interval or a part of it. Blocks that move stand in lanes, sixteen abreast
-//! (`ranks`), and take a step together (`tile`): one Taylor series each (`degree` has what is
-//! compiled for each of its degrees and each vector unit; all else is compiled once), with sine and
-//! cosine carried by the series (`series`, `math`). Bounds of its terms tell which lanes are sure
-//! to have no event; the others go to a batch (`batch`), where landings and maxima are roots of the
-//! series, and from there to rest, to short flights and the last impacts (`chatter`) or back into
-//! their lanes (`tile/events`). A block at rest costs nothing until the sample that lifts it, found
-//! from maxima over spans of the motion (`shaking`, `tile/waiting`). Behind the record what is left
-//! follows from energy (`quiet`).
+//! which is a sample interval or a part of it. Moving blocks occupy lanes, sixteen side by side
+//! (`ranks`), and take each step together (`tile`). Each has its own Taylor series, with series of
+//! the sine and the cosine (`series`, `math`); `degree` contains the code that is compiled for each
+//! degree of the series and each vector unit, and all other code is compiled once. Bounds on the
+//! terms of a series show which lanes certainly have no event in the step. The other lanes are
+//! copied to a batch (`batch`), where landings and maxima are roots of the series. From there a
+//! block comes to rest, makes short flights and its last impacts (`chatter`), or returns to its
+//! lane (`tile/events`). A block at rest costs nothing until the sample that lifts it, which is
+//! found from maxima over spans of the motion (`shaking`, `tile/waiting`). After the motion the
+//! rest of the response follows from the conservation of energy (`quiet`).
 //!
-//! Every operation of a lane is its own: no result depends on a neighbour. What is fused is written so (`math`).
+//! Each lane is calculated on its own: no result depends on a neighbour. Multiplications and
+//! additions are fused only where the code says so (`math`).
 
 mod batch;
 mod chatter;
@@ -36,29 +38,34 @@ use series::{INVERSE, TERMS};
 use shaking::Shaking;
 use tile::{EdgeTerms, Record, Rocker, State, Tile};
 
-/// Most blocks of a tile: enough of them have an event in the same step to fill a vector with, and all fit the cache.
+/// Largest number of blocks in a tile: enough of them have an event in the same step to fill a
+/// vector, and all of them fit in the cache.
 const TILE: usize = 4096;
 
-/// Blocks below which a tile is not divided among threads.
+/// A tile with fewer blocks than this is not divided among threads.
 const SMALL_TILE: usize = 128;
 
-/// Follows many blocks through the motion of their base: [`rock`] without the histories, in the order of the blocks, on the
-/// current rayon pool.
+/// The responses of many blocks to one motion of the base: [`rock`] without the histories. Results
+/// are in the order of the blocks; the calculation runs on the current rayon pool.
 ///
-/// A result does not depend on the other blocks, their order, the number of threads or the processor's vector units. Blocks
-/// that the kernel is not made for are followed by [`rock`] one by one: linearised ones, with an initial state or a fixed
-/// end ([`Until::Time`]), a base that falls away, a restitution above 0.9997, steps that are long for the block (more than 64
-/// parts of one would be needed), a wait for rest of less than two steps.
+/// A result does not depend on the other blocks, their order, the number of threads or the
+/// processor's vector units. Cases that the kernel does not cover are calculated by [`rock`], block
+/// by block: the linearised equation, an initial rotation or velocity, a fixed end
+/// ([`Until::Time`]), a base that falls away, a restitution above 0.9997, a time step so long for
+/// the block that it would have to be divided into more than 64 parts, and a wait for rest of less
+/// than two steps.
 ///
 /// # Reference
-/// Housner (1963), as [`rock`]. Each step is a Taylor series of the exact equation whose degree follows the accuracy.
+/// Housner (1963), as for [`rock`]. Each step is a Taylor series of the exact equation, with a
+/// degree that follows from the accuracy.
 ///
 /// # Accuracy
-/// [`Accuracy`] has what was measured. The number of impacts can be off where the speed after one is within rounding of
-/// [`REST_OMEGA_RAD_S`](super::REST_OMEGA_RAD_S), and where the motion amplifies errors that much.
+/// [`Accuracy`] lists the measured errors. The number of impacts can be wrong where the speed after
+/// one equals [`REST_OMEGA_RAD_S`](super::REST_OMEGA_RAD_S) to within rounding, and where the
+/// motion amplifies errors strongly enough.
 ///
 /// # Errors
-/// Each block has its own, as [`rock`].
+/// Those of [`rock`], separately for each block.
 ///
 /// # Example
 /// ```
@@ -76,7 +83,8 @@ pub fn rock_many(blocks: &[Block], base: Base, options: &RockingOptions) -> Vec<
     rock_many_on(pulp::Arch::new(), blocks, base, options)
 }
 
-/// [`rock_many`] on a chosen generation of vector units, for tests and benchmarks: the results are the same bits on all.
+/// [`rock_many`] on a chosen generation of vector units, for tests and benchmarks: the results are
+/// identical to the bit on all of them.
 #[doc(hidden)]
 pub fn rock_many_on(
     arch: pulp::Arch,
@@ -87,10 +95,11 @@ pub fn rock_many_on(
     follow(arch, blocks, &vec![options.restitution; blocks.len()], base, options)
 }
 
-/// [`rock_many`] with a restitution for each block, in place of that of `options`: a portfolio, or draws of one object.
+/// [`rock_many`] with a restitution for each block, in place of that of `options`: for an
+/// inventory, or for draws of one object.
 ///
 /// # Errors
-/// As [`rock_many`].
+/// Those of [`rock_many`].
 ///
 /// # Example
 /// ```
@@ -134,7 +143,7 @@ fn follow(
     let tiles: Vec<Vec<(Plan, usize)>> = order.chunk_by(|(a, _), (b, _)| a == b).flat_map(tiles).collect();
     let done: Vec<Vec<Record>> = tiles
         .par_iter()
-        // A tile is enough for a job: a thread that is done takes the next one.
+        // One tile per job: a thread that has finished one takes the next.
         .with_max_len(1)
         .map(|tile| {
             let plan = tile[0].0;
@@ -166,7 +175,8 @@ fn follow(
         .collect()
 }
 
-/// Blocks of one plan, dealt out like cards: neighbours on a grid take about as long, and every tile gets some of each.
+/// Distributes the blocks of one plan over tiles in turn: neighbours on a grid take about equally
+/// long, so every tile gets some fast and some slow blocks.
 fn tiles(group: &[(Plan, usize)]) -> Vec<Vec<(Plan, usize)>> {
     let threads = rayon::current_num_threads();
     let even = group.len().div_ceil(TILE).next_multiple_of(threads);
@@ -174,8 +184,8 @@ fn tiles(group: &[(Plan, usize)]) -> Vec<Vec<(Plan, usize)>> {
     (0..count).map(|first| group.iter().skip(first).step_by(count).copied().collect()).collect()
 }
 
-/// The motion for the kernel, and how many intervals it waits behind it for a block to rest; `None`: the scalar solver has
-/// to do it, or to say what is wrong.
+/// The motion for the kernel, and the number of intervals after it in which a block may come to
+/// rest. `None`: the scalar solver calculates the responses or reports the error.
 fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usize>)> {
     if options.model == RockingModel::Linearised
         || options.initial_rotation_rad != 0.0
@@ -198,33 +208,35 @@ fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usiz
     }
     let shaking = Shaking::new(base, options.gravity_m_s2, wait_s.is_some())?;
     let Some(wait_s) = wait_s else { return Some((shaking, None)) };
-    // One interval is the base's way to rest; of the last one only whole ones are followed here.
+    // The base comes to rest in the first interval; of the others only whole ones are used here.
     let wait = (wait_s / shaking.dt_s - 1.0).floor();
     (1.0..1e9).contains(&wait).then_some((shaking, Some(wait as usize)))
 }
 
-/// Degree of the series, by its place in [`DEGREES`], and steps of an interval.
+/// Degree of the series, as an index into [`DEGREES`], and number of steps in an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Plan {
     degree: usize,
     parts: usize,
 }
 
-/// Steps of an interval beyond which a block is followed by itself.
+/// Largest number of steps in an interval; a block that needs more is left to the scalar solver.
 const MOST_PARTS: usize = 64;
 
-/// Restitution above which the scalar solver may call a block one that rocks for ever: more than 1e5 impacts to rest, which
-/// takes more than 1e-9 e³⁰ = 1e4 rad/s at this ratio.
+/// Restitution above which the scalar solver may decide that a block rocks for ever, because it
+/// needs more than 1e5 impacts to come to rest; at this ratio that takes more than
+/// 1e-9 e³⁰ = 1e4 rad/s.
 const MOST_ELASTIC: f64 = 0.9997;
 
-/// `None`: the scalar solver has to follow the block, or to say what is wrong.
+/// The series and the constants of a block. `None`: the scalar solver calculates the response or
+/// reports the error.
 fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker)> {
     let restitution = options.restitution.ratios(block).ok()?;
     if restitution.iter().any(|r| *r > MOST_ELASTIC) {
         return None;
     }
     let right = block.right_pivot();
-    // Alike, unless the centre of gravity is off the middle.
+    // Both edges are alike, unless the centre of gravity is off the middle.
     let left = if block.cg_from_left_m() == block.cg_from_right_m() { right } else { block.pivot() };
     let x = |pivot: Pivot| pivot.frequency_parameter_rad_s(options.gravity_m_s2) * shaking.dt_s;
     let fastest = x(right).max(x(left));
@@ -240,15 +252,17 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
     Some((plan, Rocker { edges, restitution }))
 }
 
-/// Largest first term left out, relative to the acceleration. A rotation is a sum of accelerations of hundreds of steps,
-/// whose errors mostly cancel: 300 times the truncation error of a step as [`rock`] counts it, relative to the rotation, comes
-/// to what [`Accuracy`] says.
+/// Upper limit of the first omitted term, relative to the acceleration. A rotation sums the
+/// accelerations of hundreds of steps, whose errors mostly cancel: 300 times the truncation error
+/// of a step in [`rock`], which is relative to the rotation, results in the errors that
+/// [`Accuracy`] lists.
 fn tolerance(accuracy: Accuracy) -> f64 {
     let tolerance = accuracy.tolerance();
     if tolerance <= Accuracy::Tight.tolerance() { 3e-15 } else { 300.0 * tolerance }
 }
 
-/// The cheapest series and number of steps of an interval whose first term left out stays below the tolerance.
+/// The cheapest combination of a series and a number of steps in an interval whose first omitted
+/// term is within the tolerance.
 fn steps(x2: f64, shaking: &Shaking, accuracy: Accuracy) -> Option<Plan> {
     let tolerance = tolerance(accuracy);
     let mut best: Option<(f64, Plan)> = None;
@@ -267,14 +281,16 @@ fn steps(x2: f64, shaking: &Shaking, accuracy: Accuracy) -> Option<Plan> {
     best.map(|(_, plan)| plan)
 }
 
-/// Operations of an interval: those that form sums of products grow like the square of the degree.
+/// Operations in an interval, in relative terms: the sums of products grow with the square of the
+/// degree.
 fn cost(degree: usize, parts: usize) -> f64 {
     parts as f64 * (35.0 + (degree * degree) as f64)
 }
 
-/// Sizes of the terms of a step, as of a linear equation: with |φ| ≤ 1 and a velocity of x√A,
-/// cₙ₊₂ = x²(A cₙ + U cₙ₋₁)/((n+1)(n+2)) with the largest acceleration A and its largest change U over a step. An estimate, which the errors that come of it justify
-/// (`tests/agreement.rs`): products of sines and velocities can add to the higher terms.
+/// Estimated sizes of the terms of a step, as if the equation were linear: with |φ| ≤ 1 and a
+/// velocity of x√A, cₙ₊₂ = x²(A cₙ + U cₙ₋₁)/((n+1)(n+2)), where A is the largest acceleration and
+/// U its largest change over a step. Products of sines and velocities can add to the higher terms;
+/// the measured errors (`tests/agreement.rs`) show that the estimate is sufficient.
 fn terms(x2: f64, shaking: &Shaking, parts: usize) -> [f64; TERMS] {
     let share = 1.0 / parts as f64;
     let x2 = x2 * (share * share);
@@ -287,7 +303,7 @@ fn terms(x2: f64, shaking: &Shaking, parts: usize) -> [f64; TERMS] {
     c
 }
 
-/// What a block did, from its record in steps of `step_s`.
+/// The result of a block from its [`Record`], whose velocities refer to steps of `step_s`.
 fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> RockingSummary {
     let over = if settle { StopReason::Settled } else { StopReason::EndOfMotion };
     let (outcome, stop) = match record.state {
@@ -299,7 +315,7 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         .sides
         .map(|side| SideExtremes { peak_rotation_rad: side.height, impact_omega_rad_s: side.speed / step_s });
     let peak_rotation_rad = sides[0].peak_rotation_rad.max(sides[1].peak_rotation_rad);
-    // Nothing to work out, and no pivots to find, for most blocks of many grids.
+    // In many grids most blocks do not uplift, and need neither a pivot nor a calculation.
     let cg_rise_m = if outcome == Outcome::NoUplift {
         0.0
     } else {

@@ -1,16 +1,16 @@
-//! Moving blocks, two vectors abreast.
+//! Moving blocks in ranks, each as wide as two vectors.
 
 use super::math::Column;
 use super::tile::Rocker;
 
-/// Blocks of a rank: two of the widest vectors there are.
+/// Number of blocks in a rank: two of the widest vectors.
 pub(super) const ABREAST: usize = 16;
 
 /// No block.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// One number of each kind for every block of a rank. All of a rank lies together, so that no two numbers that are used
-/// together share their place in the cache.
+/// One number of each kind for every block of a rank. The numbers of a rank are adjacent in memory,
+/// so that no two numbers that are used together compete for the same place in the cache.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rank {
     pub(super) y: Column<ABREAST>,
@@ -25,12 +25,12 @@ pub(super) struct Rank {
     pub(super) best: Column<ABREAST>,
     /// 1 where the step has an event, else 0.
     pub(super) event: Column<ABREAST>,
-    /// The part of the step that is over.
+    /// The part of the step that has passed.
     pub(super) tau: Column<ABREAST>,
     pub(super) block: [u32; ABREAST],
 }
 
-/// A block that nothing moves, higher than none before.
+/// The numbers of vacant places: they do not move, and no y exceeds `best`, so they have no event.
 const VACANT: Rank = Rank {
     y: Column([1.0; ABREAST]),
     w: Column([0.0; ABREAST]),
@@ -43,16 +43,16 @@ const VACANT: Rank = Rank {
     block: [NONE; ABREAST],
 };
 
-/// Moving blocks without gaps, but for the places of those that left in this step.
+/// Moving blocks without gaps, except for the places of blocks that left in this step.
 #[derive(Debug, Default)]
 pub(super) struct Ranks {
     ranks: Vec<Rank>,
-    /// Places in use, some of them vacant.
+    /// Number of places in use; some may be vacant.
     count: usize,
     vacant: Vec<u32>,
 }
 
-/// A block that moves: where it is, how fast, and since when.
+/// A moving block: its edge, rotation, velocity, largest rotation and time within the step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Moving {
     pub(super) block: u32,
@@ -116,7 +116,7 @@ impl Ranks {
         rank.block[i] = moving.block;
     }
 
-    /// A vacant place.
+    /// Reserves a vacant place and returns it.
     pub(super) fn enter(&mut self) -> usize {
         if let Some(lane) = self.vacant.pop() {
             return lane as usize;
@@ -148,7 +148,7 @@ impl Ranks {
         self.vacant = vacant;
     }
 
-    /// Copies a block, or none, to another place.
+    /// Copies a block to another place, or clears that place.
     fn copy(&mut self, from: Option<usize>, to: usize) {
         let (i, j) = (to % ABREAST, from.unwrap_or(0) % ABREAST);
         macro_rules! copy {

@@ -1,6 +1,6 @@
 //! The Taylor series of the equation of motion over a step, in every lane.
 
-#![expect(clippy::absurd_extreme_comparisons, reason = "loops are written out with constants, zero among them")]
+#![expect(clippy::absurd_extreme_comparisons, reason = "loops are unrolled with constants, one of which is zero")]
 
 use super::math::{Masks, Math, Numbers};
 use super::unroll::{unroll, unroll_down};
@@ -9,7 +9,8 @@ use pulp::Simd;
 /// Highest degree of a series.
 pub(super) const MAX_DEGREE: usize = 11;
 
-/// Room for the terms of a series, with two to spare that are never used: a loop written out names them.
+/// Length of the arrays of terms: two more than a series has. They are never used, but unrolled
+/// loops refer to them.
 pub(super) const TERMS: usize = MAX_DEGREE + 3;
 
 /// 1/n.
@@ -30,7 +31,8 @@ pub(super) struct Edge<S: Simd> {
     pub(super) x2: Numbers<S>,
 }
 
-/// Base acceleration over a step: s ü_h/g and 1 + ü_v/g at its start, and their changes; v is 1 without vertical motion.
+/// Base acceleration over a step: s ü_h/g and 1 + ü_v/g at its start, and their changes; `v` is 1
+/// without vertical motion.
 #[derive(Clone, Copy)]
 pub(super) struct Ground<S: Simd> {
     pub(super) su: Numbers<S>,
@@ -49,8 +51,8 @@ pub(super) struct Series<S: Simd, const K: usize> {
 }
 
 impl<S: Simd, const K: usize> Series<S, K> {
-    /// ÿ = −x²\[(v₀+v₁x) sin φ + s(u₀+u₁x) cos φ\], φ = α − y, in units of the step, from (y, w). `first` may change ÿ at
-    /// the start.
+    /// The series of ÿ = −x²\[(v₀+v₁x) sin φ + s(u₀+u₁x) cos φ\], φ = α − y, in units of the step,
+    /// from (y, w). `first` may change −ÿ at the start.
     #[inline(always)]
     pub(super) fn new<const VERTICAL: bool>(
         m: Math<S>,
@@ -84,7 +86,8 @@ impl<S: Simd, const K: usize> Series<S, K> {
                     sin[N] = m.mul(sum, m.splat(-INVERSE[N]));
                     cos[N] = m.mul(difference, m.splat(INVERSE[N]));
                 }
-                // −ÿ; what comes last last: the chain from one term to the next but one is short.
+                // −ÿ; the newest term is added last, so that the chain from one term to the next
+                // but one is short.
                 let f = if N == 0 {
                     let vertical = if VERTICAL { m.mul(ground.v, sin[0]) } else { sin[0] };
                     m.fma(ground.su, cos[0], vertical)
@@ -119,7 +122,8 @@ impl<S: Simd, const K: usize> Series<S, K> {
         (m.add(y, self.c[0]), slope)
     }
 
-    /// Σ k|cₖ| from k = 2 on: how far the slope can leave c₁; half of it bounds how far y can leave c₀ + c₁x.
+    /// Σ k|cₖ| from k = 2: a bound of the difference between the slope and c₁; half of it bounds
+    /// the difference between y and c₀ + c₁x.
     #[inline(always)]
     pub(super) fn bend(&self, m: Math<S>) -> Numbers<S> {
         let mut sum = m.abs(self.slope[K]);
@@ -131,7 +135,7 @@ impl<S: Simd, const K: usize> Series<S, K> {
         sum
     }
 
-    /// Whether the slope is certain to fall all the way: 2c₂ + Σ k(k−1)|cₖ| < 0.
+    /// Whether the slope certainly falls throughout the step: 2c₂ + Σ k(k−1)|cₖ| < 0.
     #[inline(always)]
     pub(super) fn is_concave(&self, m: Math<S>) -> Masks<S> {
         let mut sum = self.slope[2];

@@ -2,7 +2,7 @@
 
 use crate::rocking::Base;
 
-/// Samples that one maximum stands for, on each of two levels.
+/// Samples per maximum on the first level, and first-level maxima per maximum on the second.
 const SPAN: usize = 32;
 
 /// ü_h/g and 1 + ü_v/g at every sample.
@@ -10,13 +10,14 @@ const SPAN: usize = 32;
 pub(super) struct Shaking {
     pub(super) dt_s: f64,
     pub(super) u: Vec<f64>,
-    /// Empty without a vertical motion, which is 1 throughout.
+    /// Empty without a vertical motion; it is then 1 throughout.
     pub(super) v: Vec<f64>,
-    /// Maxima of ü_h/(g+ü_v) and of −ü_h/(g+ü_v), by the edge that they lift a block about: the left one, the right one.
+    /// Values and maxima of −ü_h/(g+ü_v) and of ü_h/(g+ü_v), which lift a block about the right
+    /// edge and about the left edge.
     peaks: [Peaks; 2],
     /// Largest |ü_h|/g + |1 + ü_v/g|.
     pub(super) largest: f64,
-    /// Largest change of |ü_h|/g and of ü_v/g, together, from a sample to the next.
+    /// Largest change of ü_h/g from one sample to the next, plus that of ü_v/g.
     pub(super) steepest: f64,
 }
 
@@ -28,9 +29,10 @@ struct Peaks {
 }
 
 impl Shaking {
-    /// The samples of the record; with `and_back` the base comes to rest within one more step.
+    /// The samples of the motion; with `and_back` the base comes to rest within one more step.
     ///
-    /// `None` where the base falls away (1 + ü_v/g ≤ 0): that is for the scalar solver to say.
+    /// `None` without a motion, and where the base falls away (1 + ü_v/g ≤ 0): the scalar solver
+    /// then calculates the responses or reports the error.
     pub(super) fn new(base: Base, gravity_m_s2: f64, and_back: bool) -> Option<Self> {
         let given = base.horizontal.or(base.vertical)?;
         let per_g = 1.0 / gravity_m_s2;
@@ -63,12 +65,13 @@ impl Shaking {
         Interval { u, u_change: self.u[k + 1] - u, v, v_change: self.v.get(k + 1).copied().unwrap_or(1.0) - v }
     }
 
-    /// Intervals between samples.
+    /// Number of intervals between samples.
     pub(super) fn intervals(&self) -> usize {
         self.u.len() - 1
     }
 
-    /// The first sample from `from` on at which a block at rest is lifted, by the thresholds of its edges.
+    /// The first sample, from index `from`, that lifts a block at rest with these uplift thresholds
+    /// of its right and left edges.
     pub(super) fn first_lift(&self, thresholds: [f64; 2], from: usize) -> Option<usize> {
         let [right, left] = [0, 1].map(|edge| self.peaks[edge].first_above(thresholds[edge], from));
         [right, left].into_iter().flatten().min()

@@ -12,9 +12,10 @@ use freestand::identify::{
 };
 use freestand::impact::HALF_SPACE_SHARE;
 
-use super::{Failed, is_sphere};
+use super::Impactor;
+use crate::recorded::Failed;
 use freestand_input::file::load;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::words::significant;
 use freestand_output::facts;
@@ -33,7 +34,8 @@ const WIDE_SPREAD: f64 = 0.1;
 /// A fitted exponent above this indicates a round impactor.
 const ROUND_EXPONENT: f64 = 1.2;
 
-/// What is known of all files; a file's own comments supply what is missing.
+/// A request to evaluate drop tests: values for all files; the comments of a file supply those that
+/// are missing.
 #[derive(Debug, Clone, Default)]
 pub struct DropRequest {
     /// The files.
@@ -46,17 +48,17 @@ pub struct DropRequest {
     pub impact_velocity_m_s: Option<f64>,
     /// Relative standard deviation of the impact velocity.
     pub velocity_error_ratio: f64,
-    /// Gravity in the contact \[m/s²\].
+    /// Gravity during the contact \[m/s²\].
     pub gravity_m_s2: f64,
-    /// Low-pass corner \[Hz\].
+    /// Corner frequency of the low-pass filter of the instrument \[Hz\].
     pub filter_corner_hz: Option<f64>,
     /// Fit only this law.
     pub law: Option<FittedLaw>,
     /// How the files are read.
     pub read: ReadOptions,
-    /// Which of several columns.
+    /// Which column, if a file has several.
     pub component: Option<String>,
-    /// Reverse the sign.
+    /// Whether the sign of the samples is reversed.
     pub inverted: bool,
     /// Thickness of the pad \[m\].
     pub thickness_m: Option<f64>,
@@ -98,9 +100,9 @@ pub struct DropReport {
     pub(super) impactor: Option<String>,
     pub(super) sphere_radius_m: Option<f64>,
     pub(super) boundary: Option<String>,
-    /// Gravity that acts in the contact.
+    /// Gravity that acts during the contact \[m/s²\].
     pub(super) gravity_m_s2: f64,
-    /// What its pulse tells.
+    /// The evaluation of its pulse.
     pub test: DropTest,
 }
 
@@ -113,12 +115,12 @@ pub struct DropsReport {
     pub pooled: PooledReport,
     /// Files that could not be read.
     pub failed: Vec<Failed>,
-    /// What the user should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
 impl DropsReport {
-    /// Whether every file gave a stiffness, and all of them one.
+    /// Whether every file gave a stiffness, and all of them together one.
     pub fn all_gave(&self) -> bool {
         self.failed.is_empty()
             && self.pooled.reason.is_none()
@@ -137,8 +139,12 @@ impl DropsReport {
 /// Reads and evaluates every file; one that cannot be read does not stop the others.
 ///
 /// # Errors
-/// No file could be read.
-pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Vec<Problem>> {
+/// No file could be read, or a flat impactor has a radius.
+pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
+    if request.sphere_radius_m.is_some() && Impactor::of(request.impactor.as_deref()) == Impactor::Flat {
+        let hint = "leave out `sphere_radius` or `impactor`";
+        return Err(value("`sphere_radius` is given for a flat impactor").hint(hint).of(&["sphere_radius"]).into());
+    }
     let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request, &mut warnings) {
@@ -165,7 +171,7 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
         return Err(in_file(
-            value("the mass is not known").hint("give `mass`, or a line \"# mass: 0.365 kg\" in the file"),
+            value("the mass is not given").hint("give `mass`, or a line \"# mass: 0.365 kg\" in the file"),
         ));
     };
     let height_m = request.height_m.or(if request.impact_velocity_m_s.is_some() { None } else { said.height_m });
@@ -182,11 +188,13 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     let test =
         drop_test(&samples, component.motion.dt_s(), &setup).map_err(|error| in_file(value(error.to_string())))?;
     let has_gravity = test.identified.as_ref().is_none_or(|found| found.has_gravity);
+    // Only a sphere has a radius.
+    let sphere = request.sphere_radius_m.map(|_| "sphere".to_owned());
     let report = DropReport {
         path: name,
         mass_kg,
         velocity_source,
-        impactor: request.impactor.clone().or(said.impactor),
+        impactor: request.impactor.clone().or(sphere).or(said.impactor),
         sphere_radius_m: request.sphere_radius_m.or(said.sphere_radius_m),
         boundary: request.boundary.clone().or(said.boundary),
         gravity_m_s2: if has_gravity { request.gravity_m_s2 } else { 0.0 },
@@ -308,7 +316,7 @@ impl DropReport {
     }
 }
 
-/// The six estimates; without a stiffness the keys are there all the same.
+/// The six estimates; the keys are present even without a stiffness.
 fn stiffness(found: Option<&Identified>) -> Facts<'static> {
     let estimate = |of: fn(&StiffnessEstimates) -> f64| found.map(|f| of(&f.stiffness));
     Facts::default()
@@ -360,7 +368,9 @@ fn notes(report: &DropReport, thickness_m: Option<f64>, warnings: &mut Vec<Strin
         say("the pulse fits a contact without gravity: the zero line is not that of a free fall".to_owned());
     }
     // Hertz's half space applies to round impactors only.
-    if !is_sphere(report.impactor.as_deref()) && found.is_none_or(|found| found.exponent <= ROUND_EXPONENT) {
+    if Impactor::of(report.impactor.as_deref()) != Impactor::Sphere
+        && found.is_none_or(|found| found.exponent <= ROUND_EXPONENT)
+    {
         return;
     }
     let lengths = [("its thickness", thickness_m), ("the sphere's radius", report.sphere_radius_m)];
@@ -368,7 +378,9 @@ fn notes(report: &DropReport, thickness_m: Option<f64>, warnings: &mut Vec<Strin
         if let (Some(d), Some(length_m)) = (test.max_compression_m, length_m)
             && d > HALF_SPACE_SHARE * length_m
         {
-            say(format!("compressed by more than a quarter of {name}: Hertz's half space (n = 1.5) does not apply"));
+            say(format!(
+                "the pad is compressed by more than a quarter of {name}: Hertz's half space (n = 1.5) does not apply"
+            ));
         }
     }
 }

@@ -14,16 +14,16 @@ const MASS_SHARE: f64 = 0.01;
 /// and a margin.
 const SPEED_SHARE: f64 = 0.03;
 
-/// All drops of one pad.
+/// The pooled result of all drops.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PooledReport {
     /// The pad; `None` where the drops give none.
     pub pad: Option<PooledPad>,
-    /// Why there is none, where the drops have a stiffness each.
+    /// Why there is none although each drop has a stiffness.
     pub reason: Option<String>,
 }
 
-/// A pad by several drops; damping and restitution are means.
+/// A pad as several drops give it; damping and restitution are means.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PooledPad {
     pub law: FittedLaw,
@@ -53,16 +53,17 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
     if alike.len() < given.len() {
         let laws: Vec<&str> = given.iter().filter_map(|test| law_of(test)).map(FittedLaw::name).collect();
         warnings.push(format!(
-            "the drops fit different laws ({}): only the {} of {} are pooled; `law` sets one law for all",
+            "the drops fit different laws ({}): only those that fit {} are pooled ({} of {}); `law` sets one for all",
             laws.join(", "),
+            law.name(),
             alike.len(),
-            law.name()
+            given.len()
         ));
     }
     if !is_linear(law) && are_of_other_heights(&alike) {
         warnings.push(
             "the drops are from different heights and the stiffness of the pad depends on the compression: the \
-             pooled stiffness holds for none of them; evaluate each height on its own"
+             pooled stiffness is valid for no height; evaluate each height on its own"
                 .to_owned(),
         );
     }
@@ -121,8 +122,8 @@ impl PooledReport {
     }
 }
 
-/// What makes drops tests of different things, with their values. A value that is not given differs
-/// from no other.
+/// The properties in which the drops differ too much to be repeats, with their values. A value that
+/// is not given counts as equal.
 fn differences(tests: &[&DropReport]) -> Vec<String> {
     let words = |name: &str, of: fn(&DropReport) -> Option<&str>| {
         let mut said: Vec<String> =
@@ -169,19 +170,19 @@ fn coefficient(tests: &[&DropReport], law: FittedLaw, pooled: &Pooled) -> f64 {
     pooled.stiffness_n_m * depth_m.powf(1.0 - pooled.exponent)
 }
 
-/// The most common law; of several the first.
+/// The most common law; of several that are equally common, the first.
 fn most_common(tests: &[&DropReport]) -> Option<FittedLaw> {
     let laws: Vec<FittedLaw> = tests.iter().filter_map(|test| law_of(test)).collect();
     let count = |law: FittedLaw| laws.iter().filter(|other| **other == law).count();
-    // Of equal ones `max_by_key` takes the last.
+    // Of equal counts `max_by_key` takes the last.
     laws.iter().rev().copied().max_by_key(|law| count(*law))
 }
 
-/// The pooled law as a cushion file that later commands read; `None` without one.
+/// The pooled law as a cushion file that later commands read; `None` without a pooled law.
 pub fn cushion_toml(pooled: &PooledReport) -> Option<String> {
     let pad = pooled.pad?;
     let (coefficient, n) = (pad.coefficient_n_mn, pad.stiffness.exponent);
-    let mut text = String::from("# One pad, from drop tests; pads_per_edge says how many carry an edge.\n");
+    let mut text = String::from("# One pad, from drop tests; pads_per_edge is the number of pads under one edge.\n");
     // Writing to a String cannot fail.
     let _ = writeln!(text, "law = \"{}\"", pad.law.name());
     let _ = if is_linear(pad.law) {
@@ -207,7 +208,7 @@ mod tests {
     use freestand::identify::{FittedLaw, VirtualDropOptions};
 
     use crate::laboratory::drop_test::{DropRequest, DropsReport, cushion_toml, drop_tests};
-    use crate::laboratory::virtual_test::drop_file;
+    use crate::laboratory::virtual_laboratory::drop_file;
 
     /// A drop of 0.365 kg by `height_m`, of 60 samples per contact, with lines of comment before
     /// it.
@@ -274,8 +275,8 @@ mod tests {
         }
     }
 
-    /// Secants of a Hertz pad at 50 and 200 mm differ by 4^(1/5) = 1.32 and are no repeats; of a
-    /// linear pad they are.
+    /// Secants of a Hertz pad at 50 and 200 mm differ by 4^(1/5) = 1.32, so they are not
+    /// repeats; those of a linear pad are.
     #[test]
     fn other_heights_matter_where_the_pad_is_curved() {
         let folder = tempfile::tempdir().unwrap();
@@ -300,7 +301,7 @@ mod tests {
         assert_eq!(mixed.pooled, two.pooled);
         assert_eq!((law(&mixed), count(&mixed)), (FittedLaw::Power, 2));
         assert!(
-            mixed.warnings.iter().any(|text| text.contains("only the 2 of power are pooled")),
+            mixed.warnings.iter().any(|text| text.contains("only those that fit power are pooled (2 of 3)")),
             "{:?}",
             mixed.warnings
         );

@@ -23,9 +23,9 @@ pub struct StaticTest {
     pub max_force_n: f64,
     /// Largest compression, corrected for toe and machine \[m\].
     pub max_compression_m: f64,
-    /// dF/dd at the working load, during loading \[N/m\].
+    /// Tangent stiffness dF/dd at the working load, during loading \[N/m\].
     pub tangent_stiffness_n_m: f64,
-    /// F/d at the working load \[N/m\].
+    /// Secant stiffness F/d at the working load \[N/m\].
     pub secant_stiffness_n_m: f64,
     /// Energy lost in the cycle divided by the energy of loading; `None` without unloading.
     pub hysteresis_ratio: Option<f64>,
@@ -63,7 +63,7 @@ pub enum StaticError {
         number: usize,
     },
     /// Tension, or no force at all.
-    #[error("the largest force is {value} N: compression must be positive")]
+    #[error("the largest force is {value} N, so the test shows no compression")]
     NoForce {
         /// The largest force \[N\].
         value: f64,
@@ -233,7 +233,7 @@ struct Cycle {
 }
 
 impl Cycle {
-    /// The last cycle that is as high as the highest, or nearly so; `None` without points.
+    /// The last cycle that reaches [`FULL_SHARE`] of the largest force; `None` without points.
     fn last_full(force_n: &[f64], displacement_m: &[f64]) -> Option<Self> {
         let max_n = force_n.iter().copied().max_by(f64::total_cmp)?;
         let peaks = peaks(force_n, TURN_SHARE * max_n.abs());
@@ -251,7 +251,7 @@ impl Cycle {
     }
 }
 
-/// The largest points between which the force falls by more than `turn_n` and rises again.
+/// The local maxima between which the force falls by more than `turn_n` and rises again.
 fn peaks(force_n: &[f64], turn_n: f64) -> Vec<usize> {
     let mut peaks = Vec::new();
     let (mut highest, mut lowest, mut is_rising) = (0, 0, true);
@@ -304,7 +304,7 @@ impl Line {
         self.middle.0 + (value - self.middle.1) / self.slope
     }
 
-    /// Standard error of that.
+    /// Standard error of [`Line::at`].
     fn error_at(&self, value: f64) -> f64 {
         let variance = self.left / (self.count - 2.0).max(1.0);
         let lever = (self.at(value) - self.middle.0).powi(2) / self.spread;

@@ -27,7 +27,7 @@ const LANES: usize = 16;
 pub struct ShockSpectrumOptions {
     /// The response that the spectrum shows.
     pub kind: ResponseKind,
-    /// ζ; 1/(2Q).
+    /// Damping ratio ζ = 1/(2Q).
     pub damping_ratio: f64,
     /// Whether to add samples on the band-limited curve, so that every oscillator has
     /// [`SAMPLES_PER_PERIOD`]. Without them the filter of ISO 18431-4 runs over the original

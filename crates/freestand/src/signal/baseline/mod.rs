@@ -31,7 +31,7 @@ pub enum BaselineError {
         time_s: f64,
     },
     /// Fewer samples than the polynomial has coefficients.
-    #[error("{samples} samples are too few for a polynomial of degree {degree}")]
+    #[error("the number of samples must be above {degree}, the degree of the polynomial, not {samples}")]
     TooShort {
         /// The degree.
         degree: usize,
@@ -59,7 +59,7 @@ pub enum Baseline {
         degree: usize,
     },
     /// The derivative of the polynomial that fits the velocity best from a given time on and is
-    /// zero there: the velocity continues without a step and swings about zero.
+    /// zero there: the velocity continues without a step and oscillates about zero.
     Graizer {
         /// Degree of the polynomial in the velocity, 1 to 10.
         degree: usize,

@@ -24,7 +24,7 @@ pub enum FilterError {
         /// The Nyquist frequency 1/(2 dt) \[Hz\].
         nyquist_hz: f64,
     },
-    /// There is nothing between the corners.
+    /// The lower corner is not below the upper one, so that no frequency passes.
     #[error("the low cut of {low_cut_hz} Hz is not below the high cut of {high_cut_hz} Hz")]
     NoBand {
         /// Lower corner \[Hz\].

@@ -1,4 +1,5 @@
-//! Two horizontal components in other directions, and response spectra over all of them.
+//! Rotation of two horizontal components to other directions, and response spectra over all
+//! directions.
 
 use crate::motion::{Motion, MotionError};
 use crate::oscillator::{OscillatorError, OscillatorState, OscillatorStep, check_damping, step_of_period};

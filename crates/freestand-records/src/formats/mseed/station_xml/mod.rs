@@ -12,9 +12,9 @@ use freestand_input::quantity::{Dimension, shorten};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::path::{Path, PathBuf};
 
-/// The inventory of a whole network has some hundred megabytes.
+/// Longest StationXML \[bytes\]. The inventory of a whole network has some hundred megabytes.
 const MAX_BYTES: usize = 512 << 20;
-/// Nodes of such an inventory; each takes some tens of bytes while the file is read.
+/// Most XML nodes in such an inventory; each takes some tens of bytes while the file is read.
 const MAX_NODES: u32 = 20_000_000;
 
 /// The station descriptions for a record file: the one that the user names, or those next to the
@@ -294,7 +294,10 @@ impl Sensitivity {
         };
         if !self.output.to_lowercase().contains("count") {
             let message = format!("the sensitivity is of \"{output}\", not of counts");
-            return Err(Refusal::Wrong(message, "a description of the digitizer's output is needed"));
+            return Err(Refusal::Wrong(
+                message,
+                "fetch a description whose sensitivity is in counts, the output of the digitizer",
+            ));
         }
         match record_unit(&self.input) {
             Some(unit) if unit.dimension == Dimension::Acceleration => {
@@ -319,10 +322,10 @@ impl Sensitivity {
             }
             Some(unit) => {
                 let what = unit.dimension.with_article();
-                Err(Refusal::Other(format!("the instrument senses {what} ({input}); an acceleration is expected")))
+                Err(Refusal::Other(format!("the instrument measures {what} ({input}); an acceleration is expected")))
             }
             None => Err(Refusal::Other(format!(
-                "the instrument senses \"{input}\"; an acceleration such as M/S**2 is expected"
+                "the instrument measures \"{input}\"; an acceleration such as M/S**2 is expected"
             ))),
         }
     }

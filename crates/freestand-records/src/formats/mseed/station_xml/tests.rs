@@ -204,7 +204,7 @@ fn the_description_is_named_or_next_to_the_record() {
     let options = ReadOptions { station_xml: Some(folder.join("both.xml")), ..ReadOptions::default() };
     let file = parse_motions([seismometer.clone(), mseed_record()].concat(), &folder.join("x"), &options).unwrap();
     assert_eq!(file.components.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["HNE"]);
-    assert!(file.notes[0].contains("XX.ABC..HHE: the instrument senses a velocity (M/S)"), "{:?}", file.notes);
+    assert!(file.notes[0].contains("XX.ABC..HHE: the instrument measures a velocity (M/S)"), "{:?}", file.notes);
     assert!(file.notes[0].ends_with("it was left out"), "{:?}", file.notes);
     let error = parse_motions(seismometer, &folder.join("x"), &options).unwrap_err().to_string();
     assert!(error.contains("both.xml:") && error.contains("senses a velocity"), "{error}");

@@ -9,18 +9,20 @@ use crate::rocking::{
     Accuracy, Base, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, RockingSummary, rock,
 };
 
-/// Amplification beyond which nothing is left to compare: the motion is then chaotic or at the edge of overturning.
+/// Amplification beyond which nothing is left to compare: the motion is then chaotic or at the edge
+/// of overturning.
 const SENSITIVE: f64 = 1e4;
 
-/// Relative distance of a speed from that of rest below which one solver may count an impact that the other does not.
+/// Relative distance of a speed from that of rest below which one solver may count an impact that
+/// the other does not.
 const DOUBTFUL: f64 = 1e-3;
 
 /// What the kernel is held to.
 #[derive(Debug, Clone, Copy)]
 struct Demands {
     accuracy: Accuracy,
-    /// A relative change of the motion, by which it is measured how much a block amplifies errors: about what the
-    /// kernel's errors come to, so that what they make sensitive shows.
+    /// A relative change of the motion, by which it is measured how much a block amplifies errors:
+    /// about what the kernel's errors come to, so that what they make sensitive shows.
     change: f64,
     /// The largest error of any number, of its amplification.
     all: f64,
@@ -53,8 +55,8 @@ fn numbers(summary: &RockingSummary) -> [f64; 5] {
     ]
 }
 
-/// The scalar solver's history, and those of two motions that differ by `change`: all of it larger, and each sample by
-/// itself larger or smaller.
+/// The scalar solver's history, and those of two motions that differ by `change`: all of it larger,
+/// and each sample by itself larger or smaller.
 fn histories(trouble: &Trouble, change: f64) -> Vec<[Result<Rocking, RockingError>; 3]> {
     let options = RockingOptions { accuracy: Accuracy::Tight, ..trouble.options };
     let mut random = Random::new(1);
@@ -72,8 +74,9 @@ fn histories(trouble: &Trouble, change: f64) -> Vec<[Result<Rocking, RockingErro
     trouble.blocks.iter().map(|block| bases.map(|base| rock(block, base, &options))).collect()
 }
 
-/// How far apart two counts of impacts may be: one for each speed that is just about that of rest. `None` where the last
-/// impacts are beyond comparison, because a change of the motion moves them: they may be so even where the peak is not.
+/// How far apart two counts of impacts may be: one for each speed that is just about that of rest.
+/// `None` where the last impacts are beyond comparison, because a change of the motion moves them:
+/// they may be so even where the peak is not.
 fn counts_apart(expected: &Rocking, changed: [&Rocking; 2]) -> Option<usize> {
     let last_s = |rocking: &Rocking| rocking.impacts.last().map_or(0.0, |impact| impact.time_s);
     let steady = |changed: &Rocking| {
@@ -83,7 +86,8 @@ fn counts_apart(expected: &Rocking, changed: [&Rocking; 2]) -> Option<usize> {
     changed.iter().all(|changed| steady(changed)).then(|| expected.impacts.iter().filter(doubtful).count())
 }
 
-/// Holds the kernel to the scalar solver; an error is of a number where its amplification is 1 or less.
+/// Holds the kernel to the scalar solver; an error is of a number where its amplification is 1 or
+/// less.
 fn compare(seed: u64, trouble: &Trouble, demands: Demands, tally: &mut Tally) {
     let options = RockingOptions { accuracy: demands.accuracy, ..trouble.options };
     let kernel = rock_many(&trouble.blocks, trouble.base(), &options);
@@ -95,7 +99,8 @@ fn compare(seed: u64, trouble: &Trouble, demands: Demands, tally: &mut Tally) {
         };
         let [Ok(expected), Ok(larger), Ok(other)] = histories else {
             tally.errors += 1;
-            // The kernel has no errors of its own: they are the scalar solver's at the accuracy that was asked for.
+            // The kernel has no errors of its own: they are the scalar solver's at the accuracy
+            // that was asked for.
             if *got != rock(block, trouble.base(), &options).map(|rocking| RockingSummary::from(&rocking)) {
                 fail(format!("{got:?} instead of {:?}", histories[0]));
             }
@@ -165,14 +170,15 @@ fn check(seeds: Range<u64>, demands: Demands) {
     assert!(tally.sensitive * 5 < tally.blocks, "{} sensitive blocks", tally.sensitive);
 }
 
-/// What the level promises. Over 10 000 blocks the largest error was 3.7e-9, and 95 % were within 3.7e-11.
+/// What the level promises. Over 10 000 blocks the largest error was 3.7e-9, and 95 % were within
+/// 3.7e-11.
 const STANDARD: Demands = Demands { accuracy: Accuracy::Standard, change: 1e-9, all: 1e-8, most: 1e-9 };
 
 /// What the level promises. Over 10 000 blocks the largest error was 4.7e-13.
 const TIGHT: Demands = Demands { accuracy: Accuracy::Tight, change: 1e-9, all: 1e-11, most: 1e-12 };
 
-/// 3e-7 a step, over hundreds of steps that jump by several g from sample to sample, as no record does; a block that just
-/// passes a threshold may be lifted or not.
+/// 3e-7 a step, over hundreds of steps that jump by several g from sample to sample, as no record
+/// does; a block that just passes a threshold may be lifted or not.
 const FAST: Demands = Demands { accuracy: Accuracy::Fast, change: 1e-6, all: f64::INFINITY, most: 1e-5 };
 
 #[test]

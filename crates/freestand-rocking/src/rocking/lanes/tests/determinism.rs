@@ -87,7 +87,8 @@ fn every_vector_unit_gives_the_same_bits() {
     for seed in 540..550 {
         let trouble = Trouble::new(seed, 20);
         for accuracy in [Accuracy::Fast, Accuracy::Standard, Accuracy::Tight] {
-            // One lane at a time without fused arithmetic in the processor is slow: a short wait for rest.
+            // One lane at a time without fused arithmetic in the processor is slow: a short wait
+            // for rest.
             let until = match trouble.options.until {
                 Until::Settled { .. } => Until::Settled { at_most_s: 1.0 },
                 until => until,

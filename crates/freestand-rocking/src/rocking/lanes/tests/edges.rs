@@ -1,4 +1,5 @@
-//! Events where two rules meet: landings on samples, thresholds that are just reached, the end of the wait for rest.
+//! Events where two rules meet: landings on samples, thresholds that are just reached, the end of
+//! the wait for rest.
 
 use super::super::rock_many;
 use crate::G0_M_S2;
@@ -15,8 +16,8 @@ fn both(block: &Block, base: Base, options: &RockingOptions) -> (RockingSummary,
     (kernel[0].unwrap(), rock(block, base, options).unwrap())
 }
 
-/// Blocks a few units in the last place apart, around one whose first landing falls on a sample: some of them land on it
-/// to the last bit, and go on rocking all the same.
+/// Blocks a few units in the last place apart, around one whose first landing falls on a sample:
+/// some of them land on it to the last bit, and go on rocking all the same.
 #[test]
 fn a_landing_on_a_sample_is_one_landing() {
     let options = RockingOptions::default();
@@ -27,7 +28,8 @@ fn a_landing_on_a_sample_is_one_landing() {
         let block = |height: f64, thickness: f64| Block::uniform(height, thickness).unwrap();
         let first = rock(&block(1.2, 0.3), under(&motion), &options).unwrap().impacts[0].time_s;
         let sample = (first / dt) as usize + 1;
-        // The kernel's own landing, before or behind the sample: the two solvers differ by 1e-10, half a million units.
+        // The kernel's own landing, before or behind the sample: the two solvers differ by 1e-10,
+        // half a million units.
         let until_then = Motion::new(dt, motion.accel_m_s2()[..=sample].to_vec()).unwrap();
         let landed = |thickness| both(&block(1.2, thickness), under(&until_then), &options).0.impact_count > 0;
         let (mut low, step) = (0.3, 0.001);
@@ -48,7 +50,8 @@ fn a_landing_on_a_sample_is_one_landing() {
         for (block, got) in blocks.iter().zip(rock_many(&blocks, under(&motion), &options)) {
             let got = got.unwrap();
             for (got, expected) in got.sides.iter().zip(expected.sides) {
-                // Far above what the solvers differ by, and far below the flight that a rest on the sample would lose.
+                // Far above what the solvers differ by, and far below the flight that a rest on the
+                // sample would lose.
                 let error = (got.peak_rotation_rad / expected.peak_rotation_rad - 1.0).abs();
                 assert!(error < 1e-6, "every {dt} s, {block:?}: {got:?} instead of {expected:?}");
             }
@@ -58,7 +61,8 @@ fn a_landing_on_a_sample_is_one_landing() {
     }
 }
 
-/// With g = 1 m/s² a sample is the threshold to the bit; neither solver may round it to the other side.
+/// With g = 1 m/s² a sample is the threshold to the bit; neither solver may round it to the other
+/// side.
 #[test]
 fn thresholds_that_are_just_reached() {
     for model in [RockingModel::Rigid, RockingModel::Linearised] {
@@ -121,8 +125,8 @@ fn a_block_that_rocks_for_ever_stops_at_once() {
     }
 }
 
-/// A base that stays a unit in the last place above the threshold hardly lifts a block, in steps that no binary fraction
-/// divides an interval into; it must come to an end all the same.
+/// A base that stays a unit in the last place above the threshold hardly lifts a block, in steps
+/// that no binary fraction divides an interval into; it must come to an end all the same.
 #[test]
 fn a_plateau_at_the_threshold_ends_in_any_number_of_steps() {
     let block = Block::uniform(2.0, 0.5).unwrap();

@@ -1,5 +1,5 @@
-//! The work that histories take. A number that changes here is speed lost or gained: whoever changes one knowingly writes the
-//! new one down.
+//! The work that histories take. A number that changes here is speed lost or gained: whoever
+//! changes one knowingly writes the new one down.
 
 use super::super::{DEGREES, Plan, Rocker, Tile, plan, prepare};
 use super::trouble::Random;

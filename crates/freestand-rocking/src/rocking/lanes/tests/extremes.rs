@@ -1,4 +1,5 @@
-//! Inputs at the limits of what the types hold: nothing panics, nothing hangs, errors are those of the scalar solver.
+//! Inputs at the limits of what the types hold: nothing panics, nothing hangs, errors are those of
+//! the scalar solver.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -43,7 +44,8 @@ fn check(base: Base, options: &RockingOptions, what: &str) {
     }
 }
 
-/// Subnormal, tiny and huge samples, alone and beside ordinary ones, in records of two samples and more.
+/// Subnormal, tiny and huge samples, alone and beside ordinary ones, in records of two samples and
+/// more.
 #[test]
 fn samples_of_any_finite_size() {
     let sizes = [0.0, 5e-324, 1e-310, 1e-200, 1e-30, 1e-8, 1.0, 30.0, 1e4, 1e10, 1e100, 1e300, f64::MAX];
@@ -52,7 +54,8 @@ fn samples_of_any_finite_size() {
             for accel in [vec![0.0, a], vec![a, -a], vec![0.0, a, 3.0, -a, -3.0, 0.0], vec![-a, -a, -a]] {
                 let motion = Motion::new(dt, accel.clone()).unwrap();
                 let base = Base { horizontal: Some(&motion), vertical: None };
-                // Restitution is given: Housner's of the slender ones comes near 1 (`edges`: blocks that rock for ever).
+                // Restitution is given: Housner's of the slender ones comes near 1 (`edges`: blocks
+                // that rock for ever).
                 for until in [Until::EndOfMotion, Until::Settled { at_most_s: 300.0 * dt }] {
                     let restitution = Restitution::Value(0.9);
                     let options = RockingOptions { until, restitution, ..RockingOptions::default() };
@@ -126,7 +129,8 @@ fn motions_hold_finite_samples_only() {
     }
 }
 
-/// The memory of a tile grows with the samples, and so does a block's search for the next sample that lifts it.
+/// The memory of a tile grows with the samples, and so does a block's search for the next sample
+/// that lifts it.
 #[test]
 #[ignore = "seconds, and 700 MB"]
 fn ten_million_samples() {
@@ -143,7 +147,8 @@ fn ten_million_samples() {
         match (kernel, scalar) {
             (Ok(kernel), Ok(scalar)) => {
                 assert_eq!(kernel.outcome, scalar.outcome, "{block:?}");
-                // A burst is forgotten in the rest behind it: the errors are those of a short record.
+                // A burst is forgotten in the rest behind it: the errors are those of a short
+                // record.
                 assert!((kernel.peak_rotation_rad - scalar.peak_rotation_rad).abs() <= 1e-8 * scalar.peak_rotation_rad);
             }
             (kernel, scalar) => assert_eq!(kernel, scalar, "{block:?}"),

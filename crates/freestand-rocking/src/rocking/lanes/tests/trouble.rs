@@ -62,7 +62,8 @@ impl Trouble {
         Base { horizontal: Some(&self.horizontal), vertical: self.vertical.as_ref() }
     }
 
-    /// `count` blocks of about one slenderness, so that one motion is neither nothing nor all to them.
+    /// `count` blocks of about one slenderness, so that one motion is neither nothing nor all to
+    /// them.
     pub(super) fn new(seed: u64, count: usize) -> Self {
         let mut random = Random::new(seed);
         let options = options(&mut random);

@@ -1,4 +1,4 @@
-//! What happens within a step: landings, uplifts behind them, rest, overturning.
+//! Events within a step: landings and the uplifts after them, rest, overturning.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -12,7 +12,7 @@ use crate::rocking::lanes::ranks::{Moving, SIDES};
 use crate::rocking::lanes::series::TERMS;
 
 impl Tile<'_> {
-    /// Takes up to [`BATCH`] lanes from where they are in the step to their next event, or to its end.
+    /// Takes up to `BATCH` lanes from their place in the step to their next event, or to its end.
     pub(super) fn events(&mut self, step: &Step, batch: &[u32]) {
         self.work.batches += 1;
         self.work.events += batch.len();
@@ -36,13 +36,14 @@ impl Tile<'_> {
         }
     }
 
-    /// A step with more than one event, a maximum that is hard to find, the balance lost: by all roots of the series.
+    /// A step with more than one event, a maximum that is hard to find, or overturning: solved by
+    /// all roots of the series.
     #[inline(never)]
     fn intricate(&mut self, step: &Step, lane: usize, c: &[f64; TERMS], rest: f64) {
         let c = &c[..=self.degree.degree];
         let Moving { block, edge, best, tau, .. } = self.moving.get(lane);
         let Some(lead) = c.iter().position(|&c| c != 0.0).filter(|&k| c[k] > 0.0) else {
-            // Nothing lifts it after all.
+            // The base does not lift it after all.
             if c.iter().all(|c| c.is_finite()) {
                 self.come_to_rest(step, lane, 1.0);
             } else {
@@ -97,7 +98,7 @@ impl Tile<'_> {
         }
     }
 
-    /// An impact at the velocity `w` off the edge of a lane.
+    /// An impact at velocity `w` that ends the rotation about the edge of a lane.
     fn land(&mut self, step: &Step, lane: usize, w: f64, tau: f64) {
         let Moving { block, edge, best, .. } = self.moving.get(lane);
         let rocker = &self.rockers[block as usize];
@@ -128,11 +129,11 @@ impl Tile<'_> {
         }
     }
 
-    /// Goes on about `edge` from the floor.
+    /// Starts the rotation about `edge` from the floor.
     fn turn(&mut self, lane: usize, edge: usize, w: f64, tau: f64) {
         let block = self.moving.block(lane);
         let best = self.records[block as usize].sides[edge].height;
-        // At the very end of the step the next one takes over.
+        // At the end of the step the block continues in the next one.
         let over = tau >= 1.0;
         let tau = if over { 0.0 } else { tau };
         self.moving.set(lane, Moving { block, edge, y: 0.0, w, best, tau }, &self.rockers[block as usize]);
@@ -141,8 +142,9 @@ impl Tile<'_> {
         }
     }
 
-    /// Follows short flights that leave no trace but impacts: the edge, the speed and the part of the step that is over behind
-    /// the last of them; a speed of zero at the end of the step where all that were left end in rest before it.
+    /// Calculates short flights, which set no new largest rotation. Returns the edge, the speed and
+    /// the part of the step that has passed after the last of them; a speed of zero at the end of
+    /// the step if the block comes to rest before it.
     fn short_flights(&mut self, step: &Step, block: u32, edge: usize, w: f64, tau: f64) -> (usize, f64, f64) {
         let rocker = &self.rockers[block as usize];
         let record = &mut self.records[block as usize];
@@ -168,7 +170,8 @@ impl Tile<'_> {
             let left = 1.0 - tau;
             let traces = [record.sides[edge], record.sides[1 - edge]];
             let ahead = [acting[edge], acting[1 - edge]];
-            // Behind the record the scalar solver counts every impact of a block that `tail` does not settle, too.
+            // After the motion, impacts of a block for which `tail` has no result are counted one
+            // by one, as in the scalar solver.
             if !self.quiet
                 && rocker.restitution[0] == rocker.restitution[1]
                 && let Some(impacts) = impacts_to_rest(ahead, rocker.restitution[0], w, left, traces, self.rest_w)
@@ -191,7 +194,7 @@ impl Tile<'_> {
         (edge, w, tau)
     }
 
-    /// A lane comes to rest in a step, and its block waits to be lifted again.
+    /// The block of a lane comes to rest in a step and waits to be lifted again.
     fn come_to_rest(&mut self, step: &Step, lane: usize, tau: f64) {
         let Moving { block, edge, best, .. } = self.moving.get(lane);
         let record = &mut self.records[block as usize];
@@ -204,7 +207,8 @@ impl Tile<'_> {
         let ratio = (step.part as f64 + tau) / self.parts as f64;
         match self.lift(block, step.whole, ratio) {
             Some((edge, ratio)) => {
-                // Counted from this step on: rounding must not take the block back to where it came to rest.
+                // Measured from the start of this step: rounding must not start the block before it
+                // has come to rest.
                 let ahead = ratio * self.parts as f64 - step.part as f64;
                 if tau < 1.0 && ahead < 1.0 {
                     let lane = self.start(block, edge, ahead.max(tau));

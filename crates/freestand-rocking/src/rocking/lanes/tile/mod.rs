@@ -1,5 +1,5 @@
-//! Blocks under one motion, interval by interval: those that move stand side by side in lanes, those at rest wait in the
-//! list of the interval in which the base lifts them.
+//! Blocks under one motion, interval by interval: moving blocks occupy lanes, and blocks at rest
+//! wait in the list of the interval in which the base lifts them.
 
 mod events;
 mod waiting;
@@ -14,7 +14,7 @@ use super::ranks::{Moving, NONE, Ranks};
 use super::shaking::{Interval, Shaking};
 use crate::rocking::{MAX_IMPACTS, REST_OMEGA_RAD_S};
 
-/// A block as the kernel sees it.
+/// The constants of a block in the kernel.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rocker {
     /// About the right edge (s = 1) and about the left one (s = −1).
@@ -23,8 +23,9 @@ pub(super) struct Rocker {
     pub(super) restitution: [f64; 2],
 }
 
-/// A block turning about one edge, in units of the step: ÿ = −(E cos y − D sin y), E = a(1+ü_v/g) + s b ü_h/g,
-/// D = b(1+ü_v/g) − s a ü_h/g, a = x² sin α, b = x² cos α.
+/// The constants of a block rotating about one edge, in units of the step:
+/// ÿ = −(E cos y − D sin y), E = a(1+ü_v/g) + s b ü_h/g, D = b(1+ü_v/g) − s a ü_h/g, a = x² sin α,
+/// b = x² cos α.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EdgeTerms {
     pub(super) alpha: f64,
@@ -35,10 +36,11 @@ pub(super) struct EdgeTerms {
     pub(super) b: f64,
 }
 
-/// What a block has done so far.
+/// The response of a block so far.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Record {
-    /// Largest rotation and speed of an impact off each edge, by the step.
+    /// Largest rotation about each edge \[rad\], and largest speed of an impact that ends it
+    /// \[rad per step\].
     pub(super) sides: [Trace; 2],
     pub(super) impact_count: usize,
     pub(super) state: State,
@@ -52,11 +54,12 @@ pub(super) enum State {
     AtRest,
     Moving,
     Overturned,
-    /// For the scalar solver.
+    /// Left to the scalar solver.
     GivenUp,
 }
 
-/// A block that is lifted later in an interval: in which of its steps, and after what part of it.
+/// A block that will be lifted later in the interval: the step in which that happens, and the part
+/// of the step that has then passed.
 #[derive(Debug, Clone, Copy)]
 struct Lift {
     part: usize,
@@ -65,10 +68,10 @@ struct Lift {
     tau: f64,
 }
 
-/// What a tile took, for the tests that watch over it.
+/// Work done by a tile, for the tests that check it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Work {
-    /// Steps of blocks that move.
+    /// Steps of moving blocks.
     pub(super) steps: usize,
     /// Batches of lanes with an event.
     pub(super) batches: usize,
@@ -81,7 +84,7 @@ pub(super) struct Tile<'a> {
     rockers: &'a [Rocker],
     pub(super) records: Vec<Record>,
     pub(super) work: Work,
-    /// Steps of an interval.
+    /// Number of steps in an interval.
     parts: usize,
     arch: Arch,
     degree: Degree,
@@ -90,11 +93,12 @@ pub(super) struct Tile<'a> {
     queue: Vec<u32>,
     again: Vec<u32>,
     batch: Batch,
-    /// First block that is lifted in each interval, and the next one after each block.
+    /// Linked lists of the blocks lifted in each interval: its first block, and the next after each
+    /// block.
     lifted_in: Vec<u32>,
     lifted_next: Vec<u32>,
     pending: Vec<Lift>,
-    /// Behind the record.
+    /// Whether the motion has ended.
     quiet: bool,
     rest_w: f64,
 }
@@ -129,7 +133,8 @@ impl<'a> Tile<'a> {
         }
     }
 
-    /// Follows every block through the motion, and until it rests, where there is a longest `wait`, in intervals, for it.
+    /// Calculates every block through the motion and, with a `wait`, until it rests, for at most
+    /// that many intervals after the motion.
     pub(super) fn run(&mut self, wait: Option<usize>) {
         for block in 0..self.rockers.len() as u32 {
             self.wait(block, 0);
@@ -154,7 +159,7 @@ impl<'a> Tile<'a> {
         }
     }
 
-    /// Follows blocks that still move behind the record, for so many intervals at most.
+    /// Calculates the blocks that still move after the motion, for at most `wait` intervals.
     fn settle(&mut self, wait: usize) {
         self.quiet = true;
         for lane in 0..self.moving.count() {
@@ -181,7 +186,7 @@ impl<'a> Tile<'a> {
         }
     }
 
-    /// One interval, step by step.
+    /// Calculates one interval, step by step.
     fn pass(&mut self, interval: usize, whole: &Interval) {
         let share = 1.0 / self.parts as f64;
         let advance = self.degree.advance[usize::from(!self.shaking.v.is_empty())];

@@ -5,14 +5,14 @@ use crate::rocking::lanes::ranks::{Moving, NONE, SIDES};
 use crate::rocking::lanes::shaking::Interval;
 
 impl Tile<'_> {
-    /// The step of an interval, and the part of it that is over, at a ratio of the interval.
+    /// The step at a ratio of the interval, and the part of that step that has passed.
     pub(super) fn part_of(&self, ratio: f64) -> (usize, f64) {
         let place = ratio * self.parts as f64;
         let part = (place as usize).min(self.parts - 1);
         (part, (place - part as f64).clamp(0.0, 1.0))
     }
 
-    /// Enters a block that the base lifts from rest.
+    /// Starts a block that the base lifts from rest, and returns its lane.
     pub(super) fn start(&mut self, block: u32, edge: usize, tau: f64) -> usize {
         let record = &mut self.records[block as usize];
         record.state = State::Moving;
@@ -22,7 +22,8 @@ impl Tile<'_> {
         lane
     }
 
-    /// Puts a block at rest into the list of the interval that ends at the first sample from `from` on that lifts it.
+    /// Adds a block at rest to the list of the interval that ends at the first sample, from index
+    /// `from`, that lifts it.
     pub(super) fn wait(&mut self, block: u32, from: usize) {
         let thresholds = self.rockers[block as usize].edges.map(|edge| edge.threshold);
         if let Some(sample) = self.shaking.first_lift(thresholds, from) {
@@ -31,7 +32,7 @@ impl Tile<'_> {
         }
     }
 
-    /// Moves the blocks that are lifted in an interval from its list to the pending ones.
+    /// Moves the blocks that are lifted in an interval from its list to the pending lifts.
     pub(super) fn lift_waiting(&mut self, interval: usize, whole: &Interval) {
         let mut block = std::mem::replace(&mut self.lifted_in[interval], NONE);
         while block != NONE {
@@ -41,14 +42,16 @@ impl Tile<'_> {
                     let (part, tau) = self.part_of(ratio);
                     self.pending.push(Lift { part, block, edge, tau });
                 }
-                // A quotient and a product may round to either side of the threshold.
+                // `first_lift` compares a quotient, `margin` a product: they may round to different
+                // sides of the threshold.
                 None => self.wait(block, interval + 2),
             }
             block = next;
         }
     }
 
-    /// The edge about which the base lifts a block at rest, and when, from a ratio of an interval on.
+    /// The edge about which the base lifts a block at rest, and the ratio of the interval at which
+    /// it does, not before the ratio `from`.
     pub(super) fn lift(&self, block: u32, whole: &Interval, from: f64) -> Option<(usize, f64)> {
         let rocker = &self.rockers[block as usize];
         let ((u, v), (u_end, v_end)) = (whole.at(from), whole.at(1.0));
@@ -70,7 +73,8 @@ impl Tile<'_> {
     }
 }
 
-/// How far the base is from lifting a block about an edge: (1+ü_v/g) tan α + s ü_h/g, negative when it lifts.
+/// How far the base is from lifting a block about an edge: (1+ü_v/g) tan α + s ü_h/g, negative when
+/// it lifts.
 pub(super) fn margin(rocker: &Rocker, edge: usize, u: f64, v: f64) -> f64 {
     v * rocker.edges[edge].threshold + SIDES[edge] * u
 }

@@ -10,14 +10,15 @@ use freestand::identify::{
 use freestand::{G0_M_S2, cushion::ContactLaw};
 use rayon::prelude::*;
 
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
 
-/// Standard deviation of the stated impact velocity, where nobody says it, over the velocity.
-pub const VELOCITY_ERROR_RATIO: f64 = 0.01;
+/// Default standard deviation of the stated impact velocity, divided by the velocity.
+pub const DEFAULT_VELOCITY_ERROR_RATIO: f64 = 0.01;
 
-/// A virtual drop as a file of a laboratory: its setup in comments, then time and acceleration.
+/// A virtual drop as a laboratory file: its setup in comments, then time and acceleration.
 ///
 /// # Errors
 /// A record of more than five million samples.
@@ -53,7 +54,7 @@ pub fn static_file(cushion: &Cushion, options: &VirtualStaticOptions) -> String 
     numbers_csv("# virtual static test\ndisplacement [mm],force [N]", points.map(row))
 }
 
-/// What is varied.
+/// A request for a table of recovered cushions: what is varied, and the drops.
 #[derive(Debug, Clone)]
 pub struct RecoveryRequest {
     /// Cushions.
@@ -108,8 +109,18 @@ impl RecoveryRequest {
 
 /// Damping of virtual pads whose law has some, where it is not given: law, key and value. As in
 /// [`RecoveryRequest::worked_example`].
-pub const ASSUMED_DAMPING: [(&str, &str, &str); 2] =
+const ASSUMED_DAMPING: [(&str, &str, &str); 2] =
     [("kelvin-voigt", "damping", "10 %"), ("hunt-crossley", "dissipation", "0.3 s/m")];
+
+/// Adds the damping that a virtual pad lacks, and says so.
+pub fn assume_damping(words: &mut Words) -> Vec<String> {
+    let law = words.get("law").map(str::to_owned);
+    let missing = |key: &str| words.get(key).is_none();
+    let assumed = ASSUMED_DAMPING.into_iter().find(|(of, key, _)| law.as_deref() == Some(of) && missing(key));
+    let Some((law, key, value)) = assumed else { return Vec::new() };
+    words.set(key, value);
+    vec![format!("the {key} of the {law} pad is not given; {value} is assumed")]
+}
 
 /// The result of one drop.
 struct Trial {
@@ -154,7 +165,7 @@ struct Zero {
     shift_ratio: f64,
 }
 
-/// A cell of the table: means over the drops that gave a stiffness k, with the truth k₀.
+/// A cell of the table: means over the drops that gave a stiffness k, compared with the true k₀.
 fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio: f64, zero: Zero) -> Facts<'static> {
     let (mass_kg, speed_m_s) = (request.mass_kg, request.speed_m_s);
     let contact = cushion.land(mass_kg, speed_m_s);
@@ -173,7 +184,7 @@ fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio:
         zero_shift_ratio: zero.shift_ratio,
         filter_corner_hz: None,
         bounces: 0,
-        speed_error_ratio: VELOCITY_ERROR_RATIO,
+        speed_error_ratio: DEFAULT_VELOCITY_ERROR_RATIO,
         seed: request.seed,
         index: 0,
     };
@@ -211,7 +222,7 @@ fn trial(cushion: &Cushion, options: &VirtualDropOptions, truth_n_m: f64) -> Tri
         let speed_m_s = drop.stated_speed_m_s;
         let setup = DropSetup {
             mass_kg: options.mass_kg,
-            impact_velocity: ImpactVelocity::Known { speed_m_s, error_ratio: VELOCITY_ERROR_RATIO },
+            impact_velocity: ImpactVelocity::Known { speed_m_s, error_ratio: DEFAULT_VELOCITY_ERROR_RATIO },
             gravity_m_s2: G0_M_S2,
             filter_corner_hz: None,
             law: None,
@@ -274,8 +285,8 @@ mod tests {
         }
     }
 
-    /// A virtual file is read again with what its comments say: k within 2 %, which is ten times
-    /// what noise of 0.5 % at 64 samples does, and in the interval.
+    /// A virtual file is read back with the values of its comments: k is within 2 %, ten times the
+    /// error from noise of 0.5 % at 64 samples, and its interval contains the true value.
     #[test]
     fn a_virtual_file_gives_its_stiffness() {
         let folder = tempfile::tempdir().unwrap();
@@ -305,7 +316,7 @@ mod tests {
     }
 
     /// One cell of the table, whose numbers follow from the seed: all drops give a stiffness, and
-    /// no fewer than three standard deviations below 95 % of 40 intervals hold it.
+    /// of 40 intervals at least 95 % less three standard deviations contain the true value.
     #[test]
     fn a_cell_of_the_recovery_table() {
         let request = RecoveryRequest {

@@ -1,18 +1,18 @@
-//! `freestand cushion static`: load cell and displacement transducer.
+//! `freestand cushion static`: the static stiffness of a pad, from tests of force and displacement.
 
 use std::path::PathBuf;
 
 use clap::Args;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
-use freestand_study::laboratory::static_test::{StaticReport, StaticRequest, StaticsReport, curve_csv, static_tests};
-use freestand_study::laboratory::{Failed, static_figure};
+use freestand_study::laboratory::static_curve::{StaticReport, StaticRequest, StaticsReport, curve_csv, static_tests};
+use freestand_study::laboratory::static_figure;
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table, failed_lines, print_failure};
+use crate::printer::{Column, Printer, facts_table, failed_lines, print_failed};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Evaluate static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
@@ -26,8 +26,8 @@ Examples:
 A file has columns of displacement and force with their units (displacement [mm],force [N]), both
 positive in compression, in the order of the test. Of several cycles, the last complete one is
 evaluated. The toe of the curve is cut off along the tangent at the working load, except for a
-sphere, whose curve begins with a toe by nature. The ratio of dynamic to static stiffness is shown
-only.")]
+sphere, whose curve always begins with a toe. The ratio of dynamic to static stiffness is shown but
+not used.")]
 pub(crate) struct StaticArgs {
     /// Files with tests of one pad
     #[arg(value_name = "FILE", required = true)]
@@ -70,13 +70,13 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
     };
     values.finish()?;
     let files = Files::begin(global, &args.files)?;
-    let report = static_tests(&request).map_err(Failure::Problems)?;
+    let report = static_tests(&request)?;
     for (i, test) in report.tests.iter().enumerate() {
         files.write(&format!("curve-{:03}.csv", i + 1), || curve_csv(&test.test))?;
     }
     files.figure("static", || static_figure(&report))?;
     files.print(printer, "freestand.cushion-static/1", &report.facts(), &report.warnings, || text(&report))?;
-    print_failure(&Failure::Problems(report.failed.iter().map(|one| one.problem.clone()).collect()));
+    print_failed(&report.failed);
     Ok(Done { criterion_met: report.failed.is_empty() })
 }
 
@@ -95,5 +95,5 @@ const COLUMNS: [Column; 10] = [
 
 fn text(report: &StaticsReport) -> String {
     let tests: Vec<Facts> = report.tests.iter().map(StaticReport::facts).collect();
-    facts_table(&tests, &COLUMNS) + &failed_lines(report.failed.iter().map(Failed::facts))
+    facts_table(&tests, &COLUMNS) + &failed_lines(&report.failed)
 }

@@ -1,26 +1,32 @@
 //! Buildings: their modes from periods or from tables in files, and their description in words.
 
+mod words;
+
 use std::path::{Path, PathBuf};
 
-use freestand::building::{Building, BuildingError, Damping, ModalDoubt, Model};
+use freestand::building::{Building, BuildingError, Damping, ModalDoubt, Mode, ModeQuantity, Model};
 
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::{number, percent};
+use freestand_input::words::{counted, number, percent};
+use freestand_output::facts::Facts;
 use freestand_records::tables::{load_table, read_modes, read_storeys};
 
-/// Storeys of a building of which nothing else is known.
+pub(crate) use words::axis_key;
+pub use words::resolve;
+
+/// Default number of storeys.
 pub const DEFAULT_STOREYS: u32 = 30;
-/// Height of its storeys \[m\].
+/// Default storey height \[m\].
 pub const DEFAULT_STOREY_HEIGHT_M: f64 = 3.2;
-/// α₀ of its beam: a frame combined with walls.
+/// Default α₀ of the shear-flexure beam: a frame combined with walls.
 pub const DEFAULT_SHEAR_FLEXURE_RATIO: f64 = 5.0;
 /// Default damping of each mode.
 pub const DEFAULT_DAMPING_RATIO: f64 = freestand::oscillator::DAMPING_RATIO;
 /// Default number of modes.
 pub const DEFAULT_MODES: usize = 10;
 
-/// A share of the mass up to this value is 1 with a rounding error, for one mode as for their sum.
+/// An effective mass ratio above 1, up to this value, is 1 with a rounding error.
 const LARGEST_ROUNDED_RATIO: f64 = 1.01;
 
 /// The source of the modes of one axis.
@@ -57,7 +63,7 @@ pub struct Axis {
     pub building: Building,
     /// Height of the roof \[m\], if a table states it.
     pub height_m: Option<f64>,
-    /// The table.
+    /// The table that it was read from, if any.
     pub table: Option<BuildingTable>,
     /// Warnings.
     pub warnings: Vec<String>,
@@ -76,10 +82,41 @@ pub struct BuildingTable {
     pub states_damping: bool,
 }
 
-/// Makes the modes of an axis, reading its table.
+/// The building and its modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BuildingInput {
+    /// Number of storeys.
+    pub storeys: usize,
+    /// Height of the roof \[m\].
+    pub height_m: f64,
+    /// Height of one storey \[m\]; `None` if a table states each.
+    pub storey_height_m: Option<f64>,
+    /// Its modes along the first horizontal axis.
+    pub along: Building,
+    /// Its modes along the second; `None`: as along the first.
+    pub across: Option<Building>,
+    /// The source of the period, in words for the report.
+    pub period_note: String,
+    /// The same for the second axis, if it has its own.
+    pub across_note: Option<String>,
+    /// The tables that it was read from; `true` for a table of the second axis.
+    pub tables: Vec<(bool, BuildingTable)>,
+    /// Warnings.
+    pub warnings: Vec<String>,
+}
+
+impl BuildingInput {
+    /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
+    pub fn tail_s(&self) -> f64 {
+        self.across.as_ref().map_or(0.0, Building::tail_s).max(self.along.tail_s())
+    }
+}
+
+/// Makes the modes of an axis; reads its table if it has one.
 ///
 /// # Errors
-/// A file that cannot be read or is not such a table, with its line; values that give no building.
+/// A file that cannot be read or is not such a table (with the line); values that describe no
+/// possible building.
 pub fn axis(request: &AxisRequest) -> Result<Axis, Problem> {
     match &request.model {
         AxisModel::Beam { period_s, shear_flexure_ratio } => {
@@ -141,7 +178,7 @@ fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
     let text = load_table(path)?;
     let mut table = read_modes(&text)?;
     for ratio in table.modes.iter_mut().filter_map(|mode| mode.effective_mass_ratio.as_mut()) {
-        // Ratios are printed with few digits: what is above one by less than that is one.
+        // Ratios in tables have few digits: a ratio just above 1 is a rounded 1.
         if *ratio > 1.0 && *ratio <= LARGEST_ROUNDED_RATIO {
             *ratio = 1.0;
         }
@@ -179,17 +216,17 @@ fn at_row(problem: Problem, lines: &[usize], row: usize) -> Problem {
 
 fn refused(error: &BuildingError) -> Problem {
     let hint = match error {
-        BuildingError::Period { .. } => "check the units of mass and stiffness",
+        BuildingError::Period { .. } => "check the period, or the units of mass and stiffness in the table",
         BuildingError::RayleighModes { .. } => "give two modes, such as `rayleigh_modes = [1, 3]`",
         BuildingError::ModeDamping { .. } => {
             "a ratio in percent needs the heading \"damping [%]\"; Rayleigh damping grows with the frequency: keep \
              fewer modes, or give a higher second mode"
         }
-        BuildingError::ModeValue { what: "effective mass", .. } => {
+        BuildingError::ModeValue { quantity: ModeQuantity::EffectiveMass, .. } => {
             "shares in percent need the heading \"effective mass [%]\""
         }
         BuildingError::Storeys { .. } => "combine storeys, or use the modes of your own model",
-        BuildingError::Modes { .. } => "a building has no more modes than storeys, and few of them matter",
+        BuildingError::Modes { .. } => "a building has no more modes than storeys, and only the first few matter",
         _ => "correct the value",
     };
     Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
@@ -198,7 +235,7 @@ fn refused(error: &BuildingError) -> Problem {
 fn doubt_words(doubt: ModalDoubt) -> String {
     match doubt {
         ModalDoubt::EffectiveMass { sum_ratio } if sum_ratio > 1.0 => format!(
-            "the effective masses of the modes add up to {} of the mass: do all modes belong to one direction?",
+            "the effective masses of the modes add up to {} of the mass: check that all modes belong to one direction",
             percent(sum_ratio, 1)
         ),
         ModalDoubt::EffectiveMass { sum_ratio } => format!(
@@ -221,9 +258,20 @@ pub fn model_words(building: &Building) -> String {
             "uniform shear-flexure beam (Miranda and Taghavi 2005), α₀ = H√(GA/EI) = {}",
             number(shear_flexure_ratio, 4)
         ),
-        Model::Shear { storeys } => format!("shear building of {storeys} storeys by their masses and stiffnesses"),
-        Model::Table { floors } => format!("modes of a table with {floors} floors"),
+        Model::Shear { storeys } => {
+            format!("shear building of {} with given masses and stiffnesses", counted(storeys, "storey"))
+        }
+        Model::Table { floors } => format!("modes of a table with {}", counted(floors, "floor")),
     }
+}
+
+/// A mode in outputs.
+pub(crate) fn mode_facts(mode: &Mode) -> Facts<'static> {
+    Facts::default()
+        .key("period_s", mode.period_s())
+        .key("damping_ratio", mode.damping_ratio())
+        .key("participation_ratio", mode.participation_ratio())
+        .key("effective_mass_ratio", mode.effective_mass_ratio())
 }
 
 /// One ratio, or those of the first and the last mode.
@@ -340,8 +388,8 @@ mod tests {
         assert!(problem.to_string().contains("tower.csv:1: the column \"elevation\""), "{problem}");
     }
 
-    /// Whatever one byte of a table becomes, it is read or refused: no panic, and no number that is
-    /// none.
+    /// With any byte of a table changed, it is read or refused, without a panic or a number that is
+    /// not finite.
     #[test]
     fn no_byte_of_a_table_brings_it_down() {
         let (folder, path) = file("");

@@ -4,20 +4,21 @@ use std::path::{Path, PathBuf};
 
 use freestand::identify::{StaticError, StaticOptions, StaticTest, static_test};
 
-use super::{Failed, is_sphere};
-use freestand_input::problem::Problem;
+use super::Impactor;
+use crate::recorded::Failed;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
 use freestand_records::tables::laboratory::load_static;
 
-/// A warning is given where the toe is below zero by this many standard errors
+/// A warning needs a toe below zero by this many standard errors at least.
 const NOISE_ERRORS: f64 = 3.0;
-/// and by this share of the largest compression.
+/// A warning needs a toe below zero by this share of the largest compression at least.
 const NEGATIVE_TOE_SHARE: f64 = 0.005;
 
-/// What is known of all files.
+/// A request to evaluate static tests: values for all files.
 #[derive(Debug, Clone, Default)]
 pub struct StaticRequest {
     /// The files.
@@ -45,7 +46,7 @@ pub struct StaticReport {
     dynamic_stiffness_n_m: Option<f64>,
     impactor: Option<String>,
     boundary: Option<String>,
-    /// What its curve tells.
+    /// The evaluation of its curve.
     pub test: StaticTest,
 }
 
@@ -54,9 +55,9 @@ pub struct StaticReport {
 pub struct StaticsReport {
     /// One for each file that could be evaluated.
     pub tests: Vec<StaticReport>,
-    /// Files that could not.
+    /// Files that could not be evaluated.
     pub failed: Vec<Failed>,
-    /// What the user should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
@@ -89,8 +90,8 @@ impl StaticsReport {
 /// Reads and evaluates every file; one that fails does not stop the others.
 ///
 /// # Errors
-/// No file gave anything.
-pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Vec<Problem>> {
+/// No file could be evaluated.
+pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Problems> {
     let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request) {
@@ -103,13 +104,16 @@ pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Vec<Proble
     }
     if request.dynamic_stiffness_n_m.is_some() {
         warnings.push(
-            "the dynamic over static ratio holds for these tests only, not for another pad, boundary or impactor"
+            "the ratio of dynamic to static stiffness is valid for these tests only, not for another pad, boundary or \
+             impactor"
                 .to_owned(),
         );
     }
     for test in tests.iter().filter(|test| test.test.hysteresis_ratio.is_some_and(|ratio| ratio < -1e-3)) {
-        warnings
-            .push(format!("{}: unloading is above loading: check the signs and the order of the points", test.path));
+        warnings.push(format!(
+            "{}: the unloading curve is above the loading curve: check the signs and the order of the points",
+            test.path
+        ));
     }
     tests.iter().for_each(|test| notes(test, &mut warnings));
     Ok(StaticsReport { tests, failed, warnings })
@@ -136,7 +140,7 @@ fn one(path: &Path, request: &StaticRequest) -> Result<StaticReport, Problem> {
     let read = load_static(path)?;
     let said = |key: &str| read.said.iter().find(|(k, ..)| k == key).map(|(_, value, _)| value.clone());
     let impactor = request.impactor.clone().or_else(|| said("impactor"));
-    let compensates_toe = request.compensates_toe.unwrap_or(!is_sphere(impactor.as_deref()));
+    let compensates_toe = request.compensates_toe.unwrap_or(Impactor::of(impactor.as_deref()) != Impactor::Sphere);
     let options =
         StaticOptions { load_n: request.load_n, machine_stiffness_n_m: request.machine_stiffness_n_m, compensates_toe };
     let test =

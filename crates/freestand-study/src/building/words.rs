@@ -1,0 +1,237 @@
+//! The keys of a building, and the building that they describe.
+
+use std::path::Path;
+
+use freestand::building::{Damping, MAX_MODES};
+use freestand::code_spectrum::{FrameKind, fundamental_period_s};
+use freestand_input::keys::Words;
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::word_reader::WordReader;
+
+use super::{
+    Axis, AxisModel, AxisRequest, BuildingInput, DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO,
+    DEFAULT_STOREY_HEIGHT_M, DEFAULT_STOREYS,
+};
+
+/// Largest number of storeys.
+const MAX_STOREYS: u32 = 500;
+
+/// The keys of an axis: for the first, and for the second.
+const AXIS_KEYS: [[&str; 2]; 8] = [
+    ["frame", "across_frame"],
+    ["period", "across_period"],
+    ["damping", "across_damping"],
+    ["shear_flexure", "across_shear_flexure"],
+    ["modes", "across_modes"],
+    ["storey_table", "across_storey_table"],
+    ["mode_table", "across_mode_table"],
+    ["rayleigh_modes", "across_rayleigh_modes"],
+];
+
+/// Keys that a table replaces; the last two are not keys of an axis.
+const REPLACED_BY_TABLES: [&str; 5] = ["period", "frame", "shear_flexure", "storeys", "storey_height"];
+
+/// The name of a key for the first axis (0) or the second (1).
+pub(crate) fn axis_key(key: &'static str, axis: usize) -> &'static str {
+    AXIS_KEYS.iter().find(|names| names[0] == key).map_or(key, |names| names[axis])
+}
+
+/// The building that words describe; paths are relative to `base_dir`. Keys of the second axis begin
+/// with `across_`; any of them, or `across` itself, gives the building a second axis. What is not
+/// stated for that axis is as along the first.
+///
+/// # Errors
+/// Everything that is wrong with the values and the tables, each problem with its keys.
+pub fn resolve(words: &Words, base_dir: &Path) -> Result<BuildingInput, Problems> {
+    let mut reader = WordReader::new(words);
+    let building = building(&mut reader, base_dir);
+    reader.problems.finish(building)
+}
+
+fn building(reader: &mut WordReader, base_dir: &Path) -> Option<BuildingInput> {
+    let storeys = whole(reader, "storeys", MAX_STOREYS).unwrap_or(DEFAULT_STOREYS);
+    let storey_height_m = reader.positive("storey_height", Dimension::Length).unwrap_or(DEFAULT_STOREY_HEIGHT_M);
+    let along = AxisWords::read(reader, 0, base_dir);
+    let has_across = reader.words.entries().any(|(key, _)| key.starts_with("across"));
+    let across = has_across.then(|| AxisWords::read(reader, 1, base_dir).inheriting(&along));
+    if !reader.problems.is_empty() {
+        // Values that were refused above would be refused again.
+        return None;
+    }
+    let (mut storeys, mut height_m) = (storeys as usize, f64::from(storeys) * storey_height_m);
+    let first = along.resolve(reader, 0, height_m);
+    if let Some((Axis { height_m: Some(stated_m), building, .. }, _)) = &first {
+        (storeys, height_m) = (building.floors_ratio().len(), *stated_m);
+    }
+    // Resolved even if the first is wrong, so that the problems of both are reported at once.
+    let second = across.map(|across| across.resolve(reader, 1, height_m));
+    let states_damping = |axis: Option<&(Axis, String)>| {
+        axis.is_some_and(|(axis, _)| axis.table.as_ref().is_some_and(|table| table.states_damping))
+    };
+    let second_states = states_damping(second.as_ref().and_then(Option::as_ref));
+    for key in ["damping", "rayleigh_modes"] {
+        let own = axis_key(key, 1);
+        let is_inherited = second.is_some() && !second_states && !reader.has(own);
+        for (key, is_unused) in [(key, states_damping(first.as_ref()) && !is_inherited), (own, second_states)] {
+            if is_unused && reader.has(key) {
+                let message = format!("`{key}` is not used: the table states the damping of every mode");
+                let hint = format!("leave `{key}` out, or clear the damping of the modes that it is meant for");
+                reader.note(&[key], message, hint);
+            }
+        }
+    }
+    let (first, period_note) = first?;
+    let (second, across_note) = match second {
+        None => (None, None),
+        Some(second) => second.map(|(axis, note)| (Some(axis), Some(note)))?,
+    };
+    if let Some(other_m) = second.as_ref().and_then(|axis| axis.height_m)
+        && (other_m - height_m).abs() > 1e-3 * height_m
+    {
+        let [there, here] = [other_m, height_m].map(|height_m| format_si(height_m, Dimension::Length));
+        let message = format!("the building is {there} high across, but {here} high along its first axis");
+        reader.note(&["across"], message, "give both axes the same height: levels are shares of it");
+        return None;
+    }
+    let mut tables = Vec::from_iter(first.table.map(|table| (false, table)));
+    let mut warnings = first.warnings;
+    if let Some(axis) = &second {
+        // A table that the second axis inherits is listed once, with the first.
+        let own = axis.table.clone().filter(|table| reader.has(axis_key(table.key, 1)));
+        tables.extend(own.map(|table| (true, table)));
+        warnings.extend(axis.warnings.clone());
+    }
+    Some(BuildingInput {
+        storeys,
+        height_m,
+        storey_height_m: first.height_m.is_none().then_some(storey_height_m),
+        along: first.building,
+        across: second.map(|axis| axis.building),
+        period_note,
+        across_note,
+        tables,
+        warnings,
+    })
+}
+
+/// The values of one axis, as written.
+#[derive(Debug, Clone)]
+struct AxisWords {
+    /// The table that it names.
+    table: Option<AxisModel>,
+    frame: Option<FrameKind>,
+    period_s: Option<f64>,
+    shear_flexure_ratio: Option<f64>,
+    modes: Option<usize>,
+    damping_ratio: Option<f64>,
+    rayleigh_modes: Option<[usize; 2]>,
+}
+
+impl AxisWords {
+    fn read(reader: &mut WordReader, axis: usize, base_dir: &Path) -> Self {
+        let key = |name| axis_key(name, axis);
+        let replaced = if axis == 0 { &REPLACED_BY_TABLES[..] } else { &REPLACED_BY_TABLES[..3] };
+        for (first, second) in [("period", "frame"), ("storey_table", "mode_table"), ("modes", "mode_table")] {
+            reader.exclusive(key(first), key(second));
+        }
+        for table in ["storey_table", "mode_table"] {
+            replaced.iter().for_each(|name| reader.exclusive(key(table), key(name)));
+        }
+        let path = |name| reader.words.get(key(name)).map(|file| base_dir.join(file));
+        let table = path("storey_table").map(AxisModel::StoreyTable);
+        let table = table.or_else(|| path("mode_table").map(AxisModel::ModeTable));
+        let below_one = ["from 0 to below 1", "from 0 to below 1"];
+        Self {
+            table,
+            frame: reader.one_of(key("frame"), &FrameKind::ALL.map(|kind| (kind.name(), kind))),
+            period_s: reader.positive(key("period"), Dimension::Time),
+            shear_flexure_ratio: reader.non_negative(key("shear_flexure"), Dimension::Ratio),
+            modes: whole(reader, key("modes"), MAX_MODES as u32).map(|modes| modes as usize),
+            damping_ratio: reader.accepted(
+                key("damping"),
+                Dimension::Ratio,
+                |ratio| (0.0..1.0).contains(&ratio),
+                below_one,
+            ),
+            rayleigh_modes: two_modes(reader, key("rayleigh_modes")),
+        }
+    }
+
+    /// The second axis, with the values that it does not state taken from the first; if it describes
+    /// another kind of model, only the damping is taken.
+    fn inheriting(mut self, along: &Self) -> Self {
+        let has_period = self.period_s.is_some() || self.frame.is_some();
+        let is_beam = self.table.is_none() && (has_period || self.shear_flexure_ratio.is_some());
+        self.damping_ratio = self.damping_ratio.or(along.damping_ratio);
+        self.rayleigh_modes = self.rayleigh_modes.or(along.rayleigh_modes);
+        if !(self.table.is_some() || along.table.is_some() && is_beam) {
+            self.table = along.table.clone();
+            self.shear_flexure_ratio = self.shear_flexure_ratio.or(along.shear_flexure_ratio);
+            self.modes = self.modes.or(along.modes);
+            if !has_period {
+                (self.period_s, self.frame) = (along.period_s, along.frame);
+            }
+        }
+        self
+    }
+
+    /// The axis, and the source of its period.
+    fn resolve(self, reader: &mut WordReader, axis: usize, height_m: f64) -> Option<(Axis, String)> {
+        let (model, name, note) = match (self.table, self.period_s) {
+            (Some(table @ AxisModel::StoreyTable(_)), _) => {
+                (table, "storey_table", "from the storeys of the table".to_owned())
+            }
+            (Some(table), _) => (table, "mode_table", "from the table".to_owned()),
+            (None, given) => {
+                let kind = self.frame.unwrap_or(FrameKind::Other);
+                let (kt, frame, height) = (kind.period_factor(), kind.name(), format_si(height_m, Dimension::Length));
+                let by_code = || {
+                    fundamental_period_s(kind, height_m)
+                        .map_err(|error| Problem::value(error.to_string(), "give `period`, or another height"))
+                };
+                let period_s = given.or_else(|| reader.keep("storey_height", by_code()))?;
+                let note = given.map_or_else(
+                    || format!("AS 1170.4, 1.25 kt h^0.75 with kt = {kt} (frame \"{frame}\") and h = {height}"),
+                    |_| "as given".to_owned(),
+                );
+                let shear_flexure_ratio = self.shear_flexure_ratio.unwrap_or(DEFAULT_SHEAR_FLEXURE_RATIO);
+                let name = if self.rayleigh_modes.is_some() { "rayleigh_modes" } else { "period" };
+                (AxisModel::Beam { period_s, shear_flexure_ratio }, name, note)
+            }
+        };
+        let damping_ratio = self.damping_ratio.unwrap_or(DEFAULT_DAMPING_RATIO);
+        let damping = match self.rayleigh_modes {
+            None => Damping::Uniform(damping_ratio),
+            Some(modes) => Damping::Rayleigh { damping_ratio, modes },
+        };
+        // A value that is inherited has the key of the first axis.
+        let key = Some(axis_key(name, axis)).filter(|key| reader.has(key)).unwrap_or(name);
+        let found = super::axis(&AxisRequest { model, damping, modes: self.modes });
+        let found = reader.problems.keep(found.map_err(|problem| problem.of(&[key])))?;
+        Some((found, note))
+    }
+}
+
+/// A whole number from 1 to `most`.
+fn whole(reader: &mut WordReader, key: &'static str, most: u32) -> Option<u32> {
+    let number = reader.whole(key)?;
+    if (1..=most).contains(&number) {
+        return Some(number);
+    }
+    let expected = format!("a whole number from 1 to {most}");
+    reader.note(&[key], format!("`{key}` must be {expected}, not {number}"), format!("give `{key}` as {expected}"));
+    None
+}
+
+/// Two mode numbers, such as "1, 3".
+fn two_modes(reader: &mut WordReader, key: &'static str) -> Option<[usize; 2]> {
+    let text = reader.words.get(key)?;
+    let modes = text.split_once(',').map(|(one, other)| (one.trim().parse(), other.trim().parse()));
+    if let Some((Ok(one), Ok(other))) = modes {
+        return Some([one, other]);
+    }
+    let message = format!("`{key}` must be two mode numbers, not \"{}\"", shorten(text));
+    reader.note(&[key], message, format!("write `{key} = \"1, 3\"`"));
+    None
+}
