@@ -16,11 +16,6 @@ use freestand_study::run::{Progress, Stage, Step, floors_under, ground_motions};
 use freestand_study::statistics::ranked_quantile;
 use freestand_study::study::{Level, Study};
 
-/// The error of a run that the caller stopped.
-pub(crate) fn stopped() -> Problems {
-    Problem::new(ProblemKind::Stopped, "the run was stopped before its end").into()
-}
-
 /// Largest difference between two level ratios of the same floor: inventories give two or three
 /// digits.
 const SAME_LEVEL: f64 = 5e-3;
@@ -56,7 +51,7 @@ impl<'a> Hazard<'a> {
     pub(crate) fn new(study: &'a Study, progress: Progress) -> Result<Self, Problems> {
         let go_on = || match progress(Step { stage: Some(Stage::GroundMotions), done: 0, total: 0 }) {
             ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(stopped()),
+            ControlFlow::Break(()) => Err(Problem::stopped().into()),
         };
         let ground = ground_motions(&study.ground, go_on)?;
         Ok(Self { study, names: study.ground.names(&study.levels), ground, held: Mutex::default() })

@@ -20,7 +20,7 @@ pub(crate) enum Failure {
 impl Failure {
     /// A wrong argument.
     pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        problem(message, hint).into()
+        Problem::value(message, hint).into()
     }
 
     /// A calculation that failed.
@@ -37,11 +37,6 @@ impl Failure {
             .hint("check that the disk is not full and that the output is still open")
             .into()
     }
-}
-
-/// A problem with an argument, and a remedy.
-pub(crate) fn problem(message: impl Into<String>, hint: impl Into<String>) -> Problem {
-    Problem::new(ProblemKind::Value, message).hint(hint)
 }
 
 impl From<Problem> for Failure {

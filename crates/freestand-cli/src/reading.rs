@@ -11,7 +11,7 @@ use freestand_input::words::counted;
 use freestand_records::processing::{azimuth_deg, parse_target_source};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, read_all};
 
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::keys::Keys;
 use crate::processing::ReadKeys;
 use crate::values::{Given, Reads, Values, two_names};
@@ -60,7 +60,7 @@ impl SecondArgs {
         if !self.across.is_empty() {
             if self.across.len() != first {
                 let message = format!("--across has {}, --motion {first}", counted(self.across.len(), "file"));
-                values.push(problem(message, "name one file for each file of --motion, in the same order"));
+                values.push(Problem::value(message, "name one file for each file of --motion, in the same order"));
             }
             return Second::Files(self.across.clone());
         }

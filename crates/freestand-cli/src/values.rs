@@ -11,7 +11,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{self, Dimension};
 pub(crate) use freestand_input::words::{Choices, name_of};
 
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 
 /// The value of a flag, or the problem with it. The definition of the flag says how it is read, see
 /// [`Reads`].
@@ -40,7 +40,7 @@ impl<T: Clone + Send + Sync + 'static> ValueParserFactory for Given<T> {
     type Parser = Reader<fn(&str) -> Result<T, Problem>>;
 
     fn value_parser() -> Self::Parser {
-        Reader(|_| Err(problem("this flag cannot be read", "this is a defect of freestand; please report it")))
+        Reader(|_| Err(Problem::value("this flag cannot be read", "this is a defect of freestand; please report it")))
     }
 }
 
@@ -98,7 +98,7 @@ fn value_name(dimension: Dimension) -> String {
 pub(crate) fn point(text: &str) -> Result<(f64, f64), Problem> {
     match quantity::parse_grid(text, Dimension::Length)?[..] {
         [x, z] => Ok((x, z)),
-        _ => Err(problem(
+        _ => Err(Problem::value(
             "two lengths are expected, x and z",
             "write the horizontal distance and the height above the base, such as \"0.3 m, 1.2 m\"",
         )),
@@ -111,7 +111,7 @@ pub(crate) fn two_names(text: &str) -> Result<(String, String), Problem> {
         [first, second] if !first.is_empty() && !second.is_empty() => Ok((first.to_owned(), second.to_owned())),
         _ => {
             let message = format!("two names or numbers are expected, not \"{text}\"");
-            Err(problem(message, "write \"1, 2\", or \"N-S, E-W\""))
+            Err(Problem::value(message, "write \"1, 2\", or \"N-S, E-W\""))
         }
     }
 }

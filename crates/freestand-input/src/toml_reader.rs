@@ -26,11 +26,6 @@ impl<T> Written<T> {
     }
 }
 
-/// A problem with a value.
-pub fn value_problem(message: String) -> Problem {
-    Problem::new(ProblemKind::Value, message)
-}
-
 /// A text with each run of white space replaced by one space.
 pub fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -121,8 +116,7 @@ impl<'s> Reader<'s> {
 
     /// Adds the problem of a value that has the wrong type.
     pub fn wrong_type(&mut self, line: usize, key: &str, expected: &str, value: &DeValue, hint: &str) {
-        let problem = value_problem(format!("{key} must be {expected}, not {}", describe(value)));
-        self.note(Some(line), problem.hint(hint));
+        self.note(Some(line), Problem::value(format!("{key} must be {expected}, not {}", describe(value)), hint));
     }
 
     /// The value with its line; a problem is added under its key.
@@ -335,8 +329,8 @@ impl<'t, 'i> Section<'t, 'i> {
             self.taken.push(stated.clone());
             let line = reader.line_of(name.span().start);
             if let Some((first, ..)) = &found {
-                let problem = value_problem(format!("{first} and {stated} both state the same value"));
-                reader.note(Some(line), problem.hint("keep one of them"));
+                let message = format!("{first} and {stated} both state the same value");
+                reader.note(Some(line), Problem::value(message, "keep one of them"));
             } else {
                 found = Some((stated, value, line, Some(unit)));
             }
@@ -397,7 +391,7 @@ impl<'t, 'i> Section<'t, 'i> {
                 None => format!("known: {}", self.known.join(", ")),
             };
             let line = reader.line_of(name.span().start);
-            reader.note(Some(line), value_problem(what).hint(hint));
+            reader.note(Some(line), Problem::value(what, hint));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Reads the stiffness of a contact law.
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse, parse_positive, shorten};
 use freestand_input::words::number;
 
@@ -34,7 +34,7 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
     match stated {
         Some(stated) if (stated - exponent).abs() > SAME_EXPONENT => {
             let message = format!("\"{}\" has the exponent {stated}, but the law has {exponent}", shorten(text));
-            Err(Problem::new(ProblemKind::Value, message).hint("give the same exponent in both places"))
+            Err(Problem::value(message, "give the same exponent in both places"))
         }
         _ if is_one => Ok((stiffness_n_m, None)),
         _ => {

@@ -101,7 +101,7 @@ impl Source {
             let Some((name, _)) = sheets.iter().find(|(name, _)| name.trim().eq_ignore_ascii_case(wanted.trim()))
             else {
                 let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
-                return Err(Problem::new(ProblemKind::Value, message).hint(format!("its sheets: {}", listed())));
+                return Err(Problem::value(message, format!("its sheets: {}", listed())));
             };
             let header = find_in(&mut workbook, name)?.ok_or_else(|| {
                 let mut problem = no_headings();

@@ -103,8 +103,7 @@ pub(super) fn xlsx(
 }
 
 fn check(table: &Table) -> Result<(), Problem> {
-    let refused =
-        |message: String| Err(Problem::new(ProblemKind::Value, message).hint("write a CSV instead (`to = \"csv\"`)"));
+    let refused = |message: String| Err(Problem::value(message, "write a CSV instead (`to = \"csv\"`)"));
     if table.rows.len() >= MAX_ROWS as usize {
         return refused(format!("{} rows and their headings do not fit into a sheet", table.rows.len()));
     }

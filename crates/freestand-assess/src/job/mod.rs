@@ -18,7 +18,7 @@ use crate::library::{Libraries, Lookup};
 use crate::output::{Head, Wanted, head, write_all};
 use crate::result::Decision;
 use freestand_input::file::InputFile;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
 use freestand_study::resolve::motion_paths;
@@ -80,7 +80,7 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
     let Some(path) = path.or(settings.inventory.as_deref()) else {
         let hint = "give `inventory = \"objects.csv\"`, or put it into the table [assessment] of the study; \
                     freestand inventory template prints an inventory to fill in";
-        return Err(Problem::new(ProblemKind::Value, "there is no inventory to assess").hint(hint).into());
+        return Err(Problem::value("there is no inventory to assess", hint).into());
     };
     let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
     let read = |lookup: &Lookup| read_inventory(path, sheet.or(settings.sheet.as_deref()), lookup);

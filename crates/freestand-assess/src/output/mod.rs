@@ -20,13 +20,13 @@ use freestand_output::folder::OutputFolder;
 
 pub(crate) use head::{Head, head};
 
-use csv::{CSV_NAME, CsvTable};
+use csv::CsvTable;
 use overview::Overview;
-use parquet::{PARQUET_NAME, ParquetTable};
-use report::{REPORT_NAME, Report};
+use parquet::ParquetTable;
+use report::Report;
 use sources::Sources;
 use table::Line;
-use workbook::{Book, WORKBOOK_NAME};
+use workbook::Book;
 
 /// One object with its rank: 1 is the most urgent.
 #[derive(Debug, Clone, PartialEq)]

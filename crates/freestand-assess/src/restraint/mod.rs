@@ -174,7 +174,14 @@ fn place(question: &RestraintQuestion) -> (PartsQuestion, &'static str) {
         None => (TALL_M, " The height of the building was not given; 12 m or more is assumed."),
     };
     let level_ratio = question.level_ratio;
-    (PartsQuestion { level_ratio, building_height_m: Some(building_height_m), building_period_s: question.building_period_s }, said)
+    (
+        PartsQuestion {
+            level_ratio,
+            building_height_m: Some(building_height_m),
+            building_period_s: question.building_period_s,
+        },
+        said,
+    )
 }
 
 /// Sa(0), or Sa at the shortest period of a table.

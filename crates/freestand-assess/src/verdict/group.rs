@@ -7,11 +7,11 @@ use freestand::block::Block;
 use freestand::rocking::{Outcome as RockingOutcome, Restitution, RockingSummary};
 use rayon::prelude::*;
 
-use crate::floors::{Floor, Floors, stopped};
+use crate::floors::{Floor, Floors};
 
 use crate::inventory::Item;
 use crate::result::{AcceptedFor, Assessment};
-use freestand_input::problem::Problems;
+use freestand_input::problem::{Problem, Problems};
 use freestand_study::study::assessment::Settings;
 
 use super::Context;
@@ -292,6 +292,6 @@ fn outcome(
 impl Context<'_> {
     /// An error where the run is to stop.
     pub(crate) fn go_on(&self) -> Result<(), Problems> {
-        if (self.wants_to_stop)() { Err(stopped()) } else { Ok(()) }
+        if (self.wants_to_stop)() { Err(Problem::stopped().into()) } else { Ok(()) }
     }
 }

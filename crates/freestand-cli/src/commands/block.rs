@@ -3,12 +3,12 @@
 use clap::Args;
 use freestand::block::Block;
 use freestand::rocking::{Accuracy, Restitution, RockingModel};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_study::restitution::checked;
 use freestand_study::rock::MODELS;
 use freestand_study::shape::Shape;
 
-use crate::failure::problem;
 use crate::values::{Choices, Given, Reads, Values, choice, name_of};
 
 /// Flags for the calculation of the rocking.
@@ -90,6 +90,6 @@ impl ShapeArgs {
             inertia_kg_m2: inertia.zip(mass_kg),
         };
         let block = shape.block(height_m, thickness_m);
-        values.take(block.map_err(|error| problem(error.to_string(), "check the dimensions of the object")))
+        values.take(block.map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object")))
     }
 }

@@ -16,7 +16,7 @@ use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
 
 use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use freestand_output::facts::Facts;
 
@@ -220,14 +220,14 @@ fn levels(text: &str) -> Result<Option<Vec<f64>>, Problem> {
     }
     let levels = parse_grid(text, Dimension::Ratio)?;
     if let Some(outside) = levels.iter().find(|x| !(0.0..=1.0).contains(*x)) {
-        return Err(problem(
+        return Err(Problem::value(
             format!("{outside} is not a share of the height"),
             "give levels from 0 (the ground) to 1 (the roof)",
         ));
     }
     if levels.len() > MAX_LEVELS {
         let hint = format!("give at most {MAX_LEVELS} levels");
-        return Err(problem(format!("{} levels are too many", levels.len()), hint));
+        return Err(Problem::value(format!("{} levels are too many", levels.len()), hint));
     }
     Ok(Some(levels))
 }

@@ -13,7 +13,7 @@ use freestand_study::shock_spectrum::{
 
 use super::Done;
 use crate::args::GlobalArgs;
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
@@ -107,7 +107,10 @@ fn request(args: &ShockSpectrumArgs, values: &mut Values) -> ShockSpectrumReques
     if damping_ratio >= 1.0 {
         let flag = if q.is_some() { "--q" } else { "--damping" };
         let message = format!("{flag}: a damping ratio of {damping_ratio} is not below 1");
-        values.push(problem(message, "give a damping below 100 %, or a Q above 0.5; 5 %, which is Q = 10, is usual"));
+        values.push(Problem::value(
+            message,
+            "give a damping below 100 %, or a Q above 0.5; 5 %, which is Q = 10, is usual",
+        ));
     }
     let frequencies_hz = values.read(&args.frequencies).unwrap_or_default();
     ShockSpectrumRequest {
@@ -123,7 +126,7 @@ fn frequencies(text: &str) -> Result<Vec<f64>, Problem> {
     let frequencies_hz = parse_grid(text, Dimension::Frequency)?;
     let hint = "give frequencies such as \"1 Hz:10 kHz:12/oct\" or \"20 Hz, 45 Hz\"";
     match frequencies_hz.iter().find(|f| **f <= 0.0) {
-        Some(wrong) => Err(problem(format!("{wrong} Hz is not above zero"), hint)),
+        Some(wrong) => Err(Problem::value(format!("{wrong} Hz is not above zero"), hint)),
         None => Ok(frequencies_hz),
     }
 }
@@ -139,7 +142,7 @@ fn pulse(args: &ShockSpectrumArgs, values: &mut Values) -> Option<(Pulse, &'stat
     let duration_s = values.read(&args.duration);
     let (shape, (peak_m_s2, unit)) = (args.pulse?, peak?);
     let hint = "give a peak and a duration, such as \"30 g\" and \"11 ms\"";
-    let wrong = |error: PulseError| problem(error.to_string(), hint);
+    let wrong = |error: PulseError| Problem::value(error.to_string(), hint);
     let pulse = values.keep("pulse", Pulse::new(shape, peak_m_s2, duration_s?).map_err(wrong))?;
     Some((pulse, unit))
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::block::Block;
 use freestand::rocking::{Base, RockingOptions};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::counted;
 use freestand_study::restitution::checked;
@@ -17,7 +18,7 @@ use super::block::RockingArgs;
 use super::spectrum_text::Seen;
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
-use crate::failure::{self, Failure};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::{ReadArgs, VerticalArgs, path_text};
@@ -145,7 +146,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let cushion = args.cushion.edge(mass, &mut values)?;
     if args.mass.is_some() != args.cushion.is_given() {
         let message = "the shock needs both the mass and the cushion of the objects";
-        values.push(failure::problem(message, "give --mass and --stiffness (or another cushion), or neither"));
+        values.push(Problem::value(message, "give --mass and --stiffness (or another cushion), or neither"));
     }
     let options = RockingOptions {
         model: args.rocking.model,

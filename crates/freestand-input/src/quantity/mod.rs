@@ -317,7 +317,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
             let mut written = dimension.units().take(2).map(|unit| format!("\"{text} {}\"", unit.symbol));
             let (first, second) = (written.next().unwrap_or_default(), written.next());
             let hint = second.map_or_else(|| format!("write {first}"), |second| format!("write {first} or {second}"));
-            Err(value_problem(format!("\"{text}\" needs a unit")).hint(hint))
+            Err(Problem::value(format!("\"{text}\" needs a unit"), hint))
         };
     }
     let Some(unit) = lookup(number.unit) else { return Err(unknown_unit(number.unit, dimension)) };
@@ -437,7 +437,7 @@ fn linear_point(from: f64, to: f64, i: usize, count: usize) -> f64 {
 fn octave_grid(from_hz: f64, to_hz: f64, per_octave: usize) -> Result<Vec<f64>, Problem> {
     if !(from_hz > 0.0 && to_hz >= from_hz) {
         let hint = "write from:to:N/oct with rising frequencies, such as \"1 Hz:10 kHz:12/oct\"";
-        return Err(value_problem("a grid in octaves must rise from a positive frequency").hint(hint));
+        return Err(Problem::value("a grid in octaves must rise from a positive frequency", hint));
     }
     let steps = (to_hz / from_hz).log2() * per_octave as f64;
     if steps >= MAX_GRID_VALUES as f64 {

@@ -286,7 +286,7 @@ fn at_step(motion: &Motion, dt_s: f64) -> Result<(Motion, String), Problem> {
 }
 
 fn refused(step: &str, why: impl std::fmt::Display, hint: &str) -> Problem {
-    Problem::new(ProblemKind::Value, format!("{step}: {why}")).hint(hint)
+    Problem::value(format!("{step}: {why}"), hint)
 }
 
 #[cfg(test)]

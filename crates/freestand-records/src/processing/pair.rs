@@ -122,7 +122,7 @@ pub fn process_pair(
 ) -> Result<(Processed, Processed), Problem> {
     if !matches!(processing.scale, Scale::Factor(_)) {
         let message = "two components cannot be scaled to a target: each would get its own factor";
-        return Err(Problem::new(ProblemKind::Value, message).hint("give the factor itself with `scale`"));
+        return Err(Problem::value(message, "give the factor itself with `scale`"));
     }
     let [one, two] = aligned((first, second), names, processing.keep_mean)?;
     let finished = |one: Aligned| finish(one.motion, one.steps, None, processing);

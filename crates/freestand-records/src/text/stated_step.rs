@@ -1,7 +1,7 @@
 //! A time step that the text above the numbers states in words.
 
 use super::fortran::scan;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 /// The step \[s\] that `dt=0.005` or `dt = 5 ms` states in a comment; in seconds unless a unit
 /// follows.
@@ -17,7 +17,7 @@ pub(crate) fn dt_in_comment(text: &str) -> Option<Result<f64, Problem>> {
         let value = value.split([',', ';', ')']).next().unwrap_or(value).trim();
         let message =
             format!("dt must be positive and in s or ms, not \"{}\"", freestand_input::quantity::shorten(value));
-        Problem::new(ProblemKind::Value, message).hint("write it as \"dt=0.005\", in seconds")
+        Problem::value(message, "write it as \"dt=0.005\", in seconds")
     }))
 }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use freestand::building::{Building, BuildingError, Damping, ModalDoubt, Mode, ModeQuantity, Model};
 
 use freestand_input::file::InputFile;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::{counted, number, percent};
 use freestand_output::facts::Facts;
 use freestand_records::tables::{load_table, read_modes, read_storeys};
@@ -217,7 +217,7 @@ fn at_row(problem: Problem, lines: &[usize], row: usize) -> Problem {
 fn refused(error: &BuildingError) -> Problem {
     let hint = match error {
         BuildingError::Period { .. } => "check the period, or the units of mass and stiffness in the table",
-        BuildingError::RayleighModes { .. } => "give two modes, such as `rayleigh_modes = [1, 3]`",
+        BuildingError::RayleighModes { .. } => "give two modes, such as `rayleigh_modes = \"1, 3\"`",
         BuildingError::ModeDamping { .. } => {
             "a ratio in percent needs the heading \"damping [%]\"; Rayleigh damping grows with the frequency: keep \
              fewer modes, or give a higher second mode"
@@ -229,7 +229,7 @@ fn refused(error: &BuildingError) -> Problem {
         BuildingError::Modes { .. } => "a building has no more modes than storeys, and only the first few matter",
         _ => "correct the value",
     };
-    Problem::new(ProblemKind::Value, error.to_string()).hint(hint)
+    Problem::value(error.to_string(), hint)
 }
 
 fn doubt_words(doubt: ModalDoubt) -> String {

@@ -3,8 +3,9 @@
 use super::cushion::CUSHION_KEYS;
 use super::{Reader, Section, Written, read_words};
 use freestand_input::keys::Words;
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
-use freestand_input::toml_reader::{describe, value_problem};
+use freestand_input::toml_reader::describe;
 
 /// `[objects]`, as written.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -50,8 +51,8 @@ fn restitution(reader: &mut Reader, table: &mut Section) -> Option<Written<Resti
         return Some(Written { value: RestitutionOption::Housner, line });
     }
     if value.as_str().is_some_and(|word| !word.contains(|c: char| c.is_ascii_digit())) {
-        let problem = value_problem(format!("restitution = {} is not known", describe(value)));
-        reader.note(Some(line), problem.hint("write \"housner\" or a number in (0, 1]"));
+        let message = format!("restitution = {} is not known", describe(value));
+        reader.note(Some(line), Problem::value(message, "write \"housner\" or a number in (0, 1]"));
         return None;
     }
     reader.ratio_value("restitution", value, line).map(|ratio| ratio.map(RestitutionOption::Value))

@@ -101,7 +101,7 @@ impl ReadPair {
                 let called = self.request.components.as_ref();
                 pair_of_one(one, called.map(|(first, second)| (first.as_str(), second.as_str())))
             }
-            _ => Err(Problem::new(ProblemKind::Value, "give one or two files").hint("read them with read_pair")),
+            _ => Err(Problem::value("give one or two files", "read them with read_pair")),
         }?;
         match [pair.0, pair.1].into_iter().find(|one| one.direction == Some(Direction::Up)) {
             Some(up) => Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))

@@ -23,10 +23,8 @@ impl Resolver<'_> {
                 for mut problem in problems {
                     let line = words.line_of(&problem.keys);
                     let key = problem.keys.first().copied().unwrap_or_default();
-                    // In a study, the keys of the second axis are those of the table `across`.
-                    let shown = |text: &str| text.replace("`across_", "across `");
-                    problem.message = shown(&problem.message);
-                    problem.hint = problem.hint.as_deref().map(shown);
+                    problem.message = in_its_table(&problem.message);
+                    problem.hint = problem.hint.as_deref().map(in_its_table);
                     self.fault(line, &key.replace("across_", "across "), problem);
                 }
                 None
@@ -111,6 +109,11 @@ impl Resolver<'_> {
         };
         Some(Level { name, level_ratio: ratio, motions })
     }
+}
+
+/// A message in which the keys of the second axis are those of the table `across`.
+fn in_its_table(message: &str) -> String {
+    message.replace("`across_", "across `")
 }
 
 /// Whether a name can be that of a folder on every system and differs from all names of motion

@@ -9,6 +9,7 @@ use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
 use freestand_study::result::Ranked;
 
+#[cfg(test)]
 use super::Row;
 
 pub(super) use columns::COLUMNS;
@@ -25,7 +26,7 @@ pub(super) struct Line<'a> {
 impl<'a> Line<'a> {
     /// The line of a row.
     #[cfg(test)]
-    pub(super) fn of(row: &'a Row<'a>) -> Self {
+    pub(crate) fn of(row: &'a Row<'a>) -> Self {
         Self { item: row.item, found: Some((row.rank, &row.found)) }
     }
 

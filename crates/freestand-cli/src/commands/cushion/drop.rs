@@ -20,7 +20,7 @@ use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATI
 use super::static_curve::{BOUNDARIES, IMPACTORS};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failed};
 use crate::values::{Choices, Given, Reads, Values, choice};
@@ -151,7 +151,7 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
         ratio if ratio <= 0.5 => Ok(ratio),
         _ => {
             let hint = "leave --height and --impact-velocity out: the velocity is then found from the pulse";
-            Err(problem(format!("at most 50 % is accepted, not \"{text}\""), hint))
+            Err(Problem::value(format!("at most 50 % is accepted, not \"{text}\""), hint))
         }
     }
 }

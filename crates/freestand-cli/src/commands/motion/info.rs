@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::block::Block;
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_output::figure::Figure;
@@ -13,7 +14,7 @@ use rayon::prelude::*;
 use super::plot::{PlotArgs, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failed};
 use crate::reading::ReadArgs;
@@ -80,7 +81,7 @@ fn block(args: &InfoArgs, values: &mut Values) -> Option<Block> {
     let height_m = values.read(&args.height)?;
     let thickness_m = values.read(&args.thickness)?;
     let block = Block::uniform(height_m, thickness_m);
-    values.take(block.map_err(|error| problem(error.to_string(), "check the dimensions of the object")))
+    values.take(block.map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object")))
 }
 
 fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {

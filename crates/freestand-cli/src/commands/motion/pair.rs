@@ -8,7 +8,6 @@ use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_records::processing::azimuth_deg;
 use freestand_study::pair::PairFiles;
 
-use crate::failure::problem;
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values, two_names};
 
@@ -52,6 +51,6 @@ impl PairArgs {
 pub(super) fn azimuths(text: &str) -> Result<(f64, f64), Problem> {
     match parse_grid(text, Dimension::Angle)?[..] {
         [first, second] => Ok((azimuth_deg(first), azimuth_deg(second))),
-        _ => Err(problem("two angles are expected", "write \"0 deg, 90 deg\", clockwise from north")),
+        _ => Err(Problem::value("two angles are expected", "write \"0 deg, 90 deg\", clockwise from north")),
     }
 }

@@ -6,7 +6,7 @@ use freestand::code_spectrum::SiteClass;
 use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
 use freestand_input::keys;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_records::formats::write_csv;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
@@ -144,9 +144,8 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
 /// `kpz_g` is that of the city, if one is named.
 fn request(args: &SimulateArgs, global: &GlobalArgs, kpz_g: Option<f64>) -> Result<SimulatedRequest, Failure> {
     let SourceInput { preset, changes, magnitude, distance_m, options } = read_source(&words(args))?;
-    let site = SiteClass::parse(&args.site).map_err(|error| {
-        Problem::new(ProblemKind::Value, format!("--site: {error}")).hint("give Ae, Be, Ce, De or Ee, as in AS 1170.4")
-    })?;
+    let site = SiteClass::parse(&args.site)
+        .map_err(|error| Problem::value(format!("--site: {error}"), "give Ae, Be, Ce, De or Ee, as in AS 1170.4"))?;
     let earthquakes = match (kpz_g, magnitude, distance_m) {
         (Some(kpz_g), magnitude, _) => Earthquakes::Pairs { kpz_g, magnitudes: magnitude.into_iter().collect() },
         (None, Some(magnitude), Some(distance_m)) => Earthquakes::One { magnitude, distance_m },
@@ -209,7 +208,8 @@ fn text(report: &SimulatedReport) -> String {
             (one.found.mean_ratio_to_rock_spectrum, one.searched_motions, one.written_mean_ratio_to_site_spectrum)
         {
             text.push_str(&format!(
-                "\nM {} at {} km: mean spectrum divided by the code spectrum, T = 0.5 to 1 s: {} for the {motions} motions of the search (rock), {} for those written (site {})",
+                "\nM {} at {} km: mean spectrum divided by the code spectrum, T = 0.5 to 1 s: {} for the \
+                 {motions} motions of the search (rock), {} for those written (site {})",
                 significant(one.found.source.magnitude, 3),
                 significant(one.found.source.distance_m / 1000.0, 3),
                 significant(searched, 3),

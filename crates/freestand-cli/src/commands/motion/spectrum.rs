@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::plot::{PlotArgs, place};
 use crate::args::{GlobalArgs, at_least_one};
 use crate::commands::Done;
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
@@ -79,7 +79,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
 fn dampings(text: &str) -> Result<Vec<f64>, Problem> {
     let ratios = parse_grid(text, Dimension::Ratio)?;
     match ratios.iter().find(|ratio| **ratio < 0.0) {
-        Some(negative) => Err(problem(format!("{negative} is below zero"), "damping from 0 to below 1")),
+        Some(negative) => Err(Problem::value(format!("{negative} is below zero"), "damping from 0 to below 1")),
         None => Ok(ratios),
     }
 }

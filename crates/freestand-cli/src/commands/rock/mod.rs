@@ -8,6 +8,7 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
 use freestand::rocking::{RockingOptions, Until};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_output::folder::write_file;
@@ -18,7 +19,7 @@ use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
 use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
-use crate::failure::{Failure, problem};
+use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
@@ -163,12 +164,12 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let edge = args.cushion.edge(mass, &mut values)?;
     if args.cushion.is_given() && args.mass.is_none() {
         let message = "the cushion is used for the shock, which also needs the mass of the object";
-        values.push(problem(message, "add --mass, or leave the cushion out"));
+        values.push(Problem::value(message, "add --mass, or leave the cushion out"));
     }
     let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
     let friction = values.read(&args.friction);
     if friction == Some(0.0) {
-        values.push(problem("--friction: the value must be positive, not 0", "only a compliant base accepts 0"));
+        values.push(Problem::value("--friction: the value must be positive, not 0", "only a compliant base accepts 0"));
     }
     let rotation = values.read(&args.initial_rotation);
     let omega = values.read(&args.initial_velocity);

@@ -5,7 +5,7 @@ use freestand::motion::Motion;
 use super::raw::take_mean;
 use super::refused;
 use crate::formats::Component;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
 /// Clocks of two channels may differ by this fraction of a sample without a note: they agree to
@@ -71,7 +71,7 @@ fn later_by(
         let after_s = number(start_2_s - start_1_s, 6);
         let message =
             format!("component {} begins {after_s} s after {}: they have no time in common", names.1, names.0);
-        return Err(Problem::new(ProblemKind::Value, message).hint(ONE_RECORD));
+        return Err(Problem::value(message, ONE_RECORD));
     }
     if (later - whole).abs() > SAME_TIME {
         let part = number((later - whole).abs(), 2);
