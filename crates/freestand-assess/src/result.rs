@@ -341,7 +341,7 @@ pub struct CompliantCheck {
     pub overturned: usize,
     /// Median ratio of its shock to that of Eq. (5); `None` where every motion overturns it.
     pub shock_ratio: Option<f64>,
-    /// Whether it leads to the same decision.
+    /// Whether it leads to the same verdict.
     pub agrees: bool,
 }
 

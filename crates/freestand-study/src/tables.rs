@@ -46,7 +46,7 @@ fn by_object(
     table_csv(rows)
 }
 
-/// `urs.csv`: the uplift response spectra, one row for each motion, level and object; for motions
+/// `urs.csv`: the uplift spectra, one row for each motion, level and object; for motions
 /// with two components, in the governing direction.
 ///
 /// # Errors

@@ -120,7 +120,7 @@ fn what_does_not_go_together_is_refused() {
         .unwrap();
     for (keys, expected) in [
         ("motions = [\"a.csv\", \"b.csv\"]\nacross = [\"b.csv\"]", "across names 1 file, but motions names 2 files"),
-        ("motions = [\"a.csv\"]\ncomponents = \"both\"", "which two components are meant"),
+        ("motions = [\"a.csv\"]\ncomponents = \"both\"", "only one horizontal component"),
         (
             "motions = [\"a.csv\"]\nacross = [\"b.csv\"]\ncomponents = \"both\"",
             "across and components exclude each other",

@@ -116,7 +116,7 @@ fn text(report: &JobReport) -> String {
     let count = |one: &Decision| report.decisions.get(one.name()).map_or_else(String::new, ToString::to_string);
     let row = |one: &Decision| vec![one.name().to_owned(), count(one), advice(*one).to_owned()];
     let rows: Vec<Vec<String>> = Decision::ALL.iter().map(row).collect();
-    let mut text = table(&["decision", "objects", ""], &rows);
+    let mut text = table(&["verdict", "objects", ""], &rows);
     let done = report.resumed + report.computed;
     text.push_str(&format!("\n{done} of {}", counted(report.objects, "object")));
     if report.resumed > 0 {

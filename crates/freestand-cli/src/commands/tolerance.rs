@@ -98,8 +98,8 @@ fn fields(entry: &ToleranceEntry) -> Vec<(&'static str, Option<String>)> {
     let si = |value: Option<f64>, dimension| value.map(|value| format_si(value, dimension));
     let text = |text: &str| Some(text.to_owned());
     let decides = match (entry.decides, to_tolerance(entry)) {
-        (true, Some(_)) => "a verdict may rest on it",
-        (false, Some(_)) => "no verdict rests on it",
+        (true, Some(_)) => "a verdict may depend on it",
+        (false, Some(_)) => "no verdict depends on it",
         (_, None) => "not a tolerance: shown for comparison only",
     };
     vec![

@@ -74,7 +74,7 @@ pub fn pair_of_one<'f>(
         ([first, second], _) | (_, [first, second]) => Ok((first, second)),
         (_, [only]) => {
             let message = format!("the file has only one horizontal component, {}", only.name);
-            let hint = "give `across`, the file with the second component, or compute in one direction";
+            let hint = "give the file with the second component too, or use a file with both";
             Err(Problem::new(ProblemKind::Value, message).in_file(&file.path).hint(hint))
         }
         _ => {

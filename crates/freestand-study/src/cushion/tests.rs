@@ -53,7 +53,7 @@ fn pads_bring_their_damping_with_them() {
     let ContactLaw::KelvinVoigt { damping_n_s_m, .. } = *with("5 %").cushion.law() else { panic!("another law") };
     assert!((damping_n_s_m - 2476.2875).abs() < 1e-4);
     assert_eq!(with("5 %").notes[0], "2 pads of 2190 N/mm → edge 4380 N/mm");
-    assert!(with("5 %").notes[1].contains("5 % of 140 kg"));
+    assert!(with("5 %").notes[1].contains("5 % with 140 kg"));
     let mut without_mass = words(&pads);
     without_mass.set("damping", "5%");
     assert!(resolve(&without_mass, None).unwrap_err().problems[0].message.contains("needs the mass"));

@@ -63,7 +63,7 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
     );
     let caption = format!(
         "An object {} mm thick and {} m high on the level “{}”, motion “{}”: {outcome}. Top: rotation divided by \
-         the slenderness angle α = {} rad. Middle: acceleration of the floor. Bottom: edge shock of each impact from \
+         the slenderness angle α = {} rad. Middle: acceleration of the floor. Bottom: shock of each impact from \
          the angular velocity just before it (source “velocity”; the paper uses the largest uplift instead). Quiet \
          time before and after is not shown.",
         number(1e3 * h.thickness_m, 4),
@@ -129,7 +129,7 @@ fn accel_panel(points: &[(f64, f64)], x: Axis) -> Panel {
 fn impact_panel(impacts: &[(f64, f64)], x: Axis) -> Panel {
     let colour = curve_style(1).colour;
     let highest = impacts.iter().fold(0.0f64, |m, p| m.max(p.1));
-    let y = Axis::from_zero(1.05 * highest, "Edge shock (g)");
+    let y = Axis::from_zero(1.05 * highest, "Shock (g)");
     let shown = highest_of_each_pixel(impacts, x.from, x.to);
     // One line up and down at every impact, along the zero line between them.
     let stems: Vec<(f64, f64)> = shown.iter().flat_map(|&(t, a)| [(t, 0.0), (t, a), (t, 0.0)]).collect();

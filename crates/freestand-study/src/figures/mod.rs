@@ -21,9 +21,9 @@ use freestand_output::figure::{Figure, FigureError};
 /// Which figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FigureKind {
-    /// Uplift response spectra: uplift against height.
+    /// Uplift spectra: uplift against height.
     Urs,
-    /// Shock spectra: edge shock against height.
+    /// Shock spectra: shock against height.
     Srs,
     /// Share of the motions that overturn against height.
     Overturning,

@@ -39,7 +39,7 @@ struct Point {
 
 type Quantity = fn(&ObjectStatistics) -> ([Ranked; 3], Option<f64>);
 
-/// Uplift response spectra.
+/// Uplift spectra.
 pub(crate) fn urs(study: &Study, result: &StudyResult) -> Page {
     let quantity: Quantity = |s| (s.uplift_m.map(|r| scaled(r, 1e3)), None);
     spectra(
@@ -48,7 +48,7 @@ pub(crate) fn urs(study: &Study, result: &StudyResult) -> Page {
         result,
         quantity,
         "Uplift (mm)",
-        "Uplift response spectra (URS)",
+        "Uplift spectra (URS)",
         format!(
             "Largest uplift of the base edge against the height of the object: {}. {}",
             median_words(result),
@@ -65,7 +65,7 @@ pub(crate) fn srs(study: &Study, result: &StudyResult) -> Page {
         study,
         result,
         quantity,
-        "Edge shock (g)",
+        "Shock (g)",
         "Shock spectra (SRS)",
         format!(
             "Shock at the edge that lands by the paper’s Eqs. (5) and (7), from the largest rise of the centre of \

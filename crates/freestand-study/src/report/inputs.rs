@@ -191,7 +191,7 @@ fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
     let mut html = table(caption, &headings, &rows);
     html.push_str(&processing(records));
     if records.len() < 7 {
-        html.push_str(&paragraph("Fractiles of so few motions are coarse."));
+        html.push_str(&paragraph("Percentiles of so few motions are coarse estimates."));
     }
     html
 }

@@ -106,12 +106,12 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
 fn level_words(level: &LevelSummary) -> String {
     let shock = match (level.edge_acceleration_g_median, level.edge_acceleration_g_max) {
         (Some(median), Some(most)) if most > 0.0 => format!(
-            "the largest median edge shock of an object is {} g, the largest of any history without overturning {} g",
+            "the largest median shock of an object is {} g, the largest of any history without overturning {} g",
             number(median, 3),
             number(most, 3)
         ),
         (_, Some(most)) if most > 0.0 => format!(
-            "half or more of the motions overturn every object; the largest edge shock of any history without \
+            "half or more of the motions overturn every object; the largest shock of any history without \
              overturning is {} g",
             number(most, 3)
         ),
@@ -130,8 +130,8 @@ fn first_table(levels: &[LevelSummary]) -> String {
     let headings = vec![
         vec![
             words("").over(8),
-            markup("Edge shock, uplift (g)".into(), "group").over(2),
-            markup("Edge shock, velocity (g)".into(), "group").over(2),
+            markup("Shock, uplift (g)".into(), "group").over(2),
+            markup("Shock, velocity (g)".into(), "group").over(2),
         ],
         vec![
             words("Level"),

@@ -21,8 +21,8 @@ pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
         result.levels.iter().find(|level| level.level.level_ratio.is_some_and(|ratio| (ratio - wanted).abs() < 0.02))
     };
     let rows: Vec<Vec<Cell>> = [
-        ("Edge shock at mid-height", "about 3.5 g", shock_words(at(0.5))),
-        ("Edge shock at the roof", "up to 5 g", shock_words(at(1.0))),
+        ("Shock at mid-height", "about 3.5 g", shock_words(at(0.5))),
+        ("Shock at the roof", "up to 5 g", shock_words(at(1.0))),
         ("Objects 200 mm thick and higher than 1.5 m at the roof", "overturn", overturned_words(at(1.0))),
     ]
     .into_iter()
@@ -145,7 +145,7 @@ pub(super) fn assumptions(study: &Study) -> String {
     list(&items)
 }
 
-/// Symbols, equations, fractiles.
+/// Symbols, equations, percentiles.
 pub(super) fn definitions() -> String {
     let mut html = heading("Motion");
     html.push_str(&paragraph(
@@ -165,8 +165,8 @@ pub(super) fn definitions() -> String {
     html.push_str(&heading("Shock"));
     html.push_str(&paragraph(
         "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of \
-         impact, t for rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The edge shock is \
-         the peak acceleration at the impacting edge.",
+         impact, t for rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The shock is \
+         the peak acceleration of the edge that lands.",
     ));
     html.push_str(&equation(
         "a = √(2 k g Δh / m) (7)<br />R<sub>D</sub> = 1 − ⅜ (d/R)² (6)<br />\
@@ -185,10 +185,10 @@ pub(super) fn definitions() -> String {
     html.push_str(&heading("Statistics"));
     html.push_str(&paragraph(
         "For each object all motions are ranked by the quantity: no uplift counts as 0, overturned as larger than \
-         any number. Fractiles at 16, 50 and 84 % are read from that ranking (linearly between ranks (n − 1)q); one \
-         that falls among the overturned is “overturned”. A mean without the overturned histories is not used: it \
-         would decrease where objects begin to overturn. PFA: peak floor acceleration; PGA: peak ground \
-         acceleration; ZPA: value of the target spectrum at zero period.",
+         any number. The 16th, 50th and 84th percentiles are read from that ranking (linearly between ranks \
+         (n − 1)q); one that falls among the overturned is “overturned”. A mean without the overturned histories \
+         is not used: it would decrease where objects begin to overturn. PFA: peak floor acceleration; PGA: peak \
+         ground acceleration; ZPA: value of the target spectrum at zero period.",
     ));
     html
 }

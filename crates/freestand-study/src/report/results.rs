@@ -21,7 +21,7 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
     html.push_str(&records_words(study));
     html.push_str(&paragraph(&how_to_read(study)));
     for level in &result.levels {
-        html.push_str(&heading(&format!("Median edge shock at the level {}", level.level.name)));
+        html.push_str(&heading(&format!("Median shock at the level {}", level.level.name)));
         let mut thicknesses = study.objects.thicknesses_m.clone();
         thicknesses.sort_by(f64::total_cmp);
         for some in thicknesses.chunks(MAX_COLUMNS) {

@@ -2,7 +2,7 @@
 //!
 //! A component is a damped linear oscillator whose base moves with the shock. Its **shock response
 //! spectrum** is the largest response of such oscillators plotted against their frequency. This is
-//! not the "SRS" of the paper, which is the edge shock plotted against the size of the object
+//! not the "SRS" of the paper, which is the shock plotted against the size of the object
 //! ([`crate::spectra`]).
 //!
 //! | spectrum or result | function |

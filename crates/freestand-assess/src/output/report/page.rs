@@ -340,7 +340,7 @@ fn what_to_do(found: &Assessment) -> String {
             format!(" Its median shock is {} times that of Eq. (5).", number(ratio, 3))
         });
         let agrees =
-            if compliant.agrees { "This leads to the same decision." } else { "This leads to a DIFFERENT decision." };
+            if compliant.agrees { "This leads to the same verdict." } else { "This leads to a DIFFERENT verdict." };
         html.push_str(&paragraph(&format!(
             "On the compliant base it overturns under {} of {}.{shock} {agrees}",
             compliant.overturned,

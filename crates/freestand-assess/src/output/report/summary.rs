@@ -20,8 +20,8 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String 
     }
     html.push_str(&tiles(overview));
     html.push_str(&section("first", "The most urgent objects", &first(overview, pages)));
-    html.push_str(&section("floors", "Decisions by floor", &floors(overview)));
-    html.push_str(&section("consequences", "Decisions by consequence", &consequences(overview)));
+    html.push_str(&section("floors", "Verdicts by floor", &floors(overview)));
+    html.push_str(&section("consequences", "Verdicts by consequence", &consequences(overview)));
     html.push_str(&section("warnings", "Warnings", &warnings(head, overview)));
     let facts: Vec<(&str, String)> = head.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
     html.push_str(&section("facts", "Inputs", &properties("", &facts)));
@@ -81,7 +81,7 @@ fn first(overview: &Overview, pages: usize) -> String {
     html.push_str(&paragraph(&note));
     html.push_str(
         "<table class=\"first\"><thead><tr><th scope=\"col\" class=\"n\">Rank</th><th scope=\"col\">Object</th><th \
-         scope=\"col\">Decision</th><th scope=\"col\" class=\"n\">Demand / capacity</th><th \
+         scope=\"col\">Verdict</th><th scope=\"col\" class=\"n\">Demand / capacity</th><th \
          scope=\"col\">Governing</th><th scope=\"col\">P(exceeded), 95 %</th><th scope=\"col\" class=\"n\">Median \
          shock</th></tr></thead>\n<tbody>\n",
     );
@@ -106,7 +106,7 @@ fn first_row(one: &Urgent, has_page: bool) -> String {
     format!(
         "<tr><td class=\"n\" data-label=\"Rank\">{}</td><th scope=\"row\">{link} {}{many}<br \
          /><small>{}</small><small class=\"why\">{}</small></th>\
-         <td data-label=\"Decision\">{}</td>\
+         <td data-label=\"Verdict\">{}</td>\
          <td class=\"n\" data-label=\"Demand / capacity\">{}</td><td data-label=\"Governing\">{}</td>\
          <td data-label=\"P(exceeded), 95 %\">{}</td><td class=\"n\" data-label=\"Median shock\">{}</td></tr>\n",
         one.rank,

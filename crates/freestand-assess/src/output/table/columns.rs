@@ -32,11 +32,11 @@ pub(crate) const COLUMNS: &[Column] = &[
     // The verdict.
     Column {
         kind: Kind::Decision,
-        ..text("decision", "restrain, soften, no-verdict or leave; empty: not assessed yet", |l| {
+        ..text("decision", "the verdict: restrain, soften, no-verdict or leave; empty: not assessed yet", |l| {
             of_text(l, |found| Some(found.decision.name()))
         })
     },
-    text("why", "the reason for the decision, in one or two sentences", |l| match l.assessment() {
+    text("why", "the reason for the verdict, in one or two sentences", |l| match l.assessment() {
         Some(found) => Cell::text(&found.why),
         None => Cell::text(NOT_ASSESSED),
     }),
@@ -255,7 +255,7 @@ pub(crate) const COLUMNS: &[Column] = &[
     number("compliant_shock_ratio", "1", "shock on the compliant base over the shock of Eq. (5)", |l| {
         of(l, |found| found.compliant.as_ref()?.shock_ratio)
     }),
-    flag("compliant_agrees", "whether the compliant base leads to the same decision", |l| {
+    flag("compliant_agrees", "whether the compliant base leads to the same verdict", |l| {
         yes(l.assessment().and_then(|found| found.compliant.as_ref()).map(|compliant| compliant.agrees))
     }),
     text("notes", "notes in the inventory", |l| Cell::text(&l.item.notes)),

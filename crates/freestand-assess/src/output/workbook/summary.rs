@@ -121,8 +121,8 @@ impl Page<'_> {
     }
 
     fn counts(&mut self, overview: &Overview) -> Result<(), XlsxError> {
-        self.heading("Decisions")?;
-        self.header(&["decision", "objects", "pieces", "share of the objects", "recommendation"], 1..4)?;
+        self.heading("Verdicts")?;
+        self.header(&["verdict", "objects", "pieces", "share of the objects", "what to do"], 1..4)?;
         for decision in Decision::ALL {
             let format = self.styles.text.clone().set_background_color(colours(decision).fill);
             self.text(0, &format!("{} {}", sign(decision), label(decision)), &format)?;
@@ -152,7 +152,7 @@ impl Page<'_> {
     }
 
     fn floors(&mut self, overview: &Overview) -> Result<(), XlsxError> {
-        self.heading("Decisions by floor, from the top down")?;
+        self.heading("Verdicts by floor, from the top down")?;
         self.header(&["floor", "level_ratio", "pfa_g_median", "restrain", "soften", "no verdict", "leave"], 1..7)?;
         for floor in overview.floors() {
             self.text(0, &floor.name, &self.styles.text)?;
@@ -164,7 +164,7 @@ impl Page<'_> {
     }
 
     fn consequences(&mut self, overview: &Overview) -> Result<(), XlsxError> {
-        self.heading("Decisions by consequence (FEMA E-74)")?;
+        self.heading("Verdicts by consequence (FEMA E-74)")?;
         self.header(&["consequence", "rating", "objects", "restrain", "soften", "no verdict", "leave"], 2..7)?;
         for consequence in &overview.consequences {
             for (counts, rating) in consequence.ratings.iter().zip(RATINGS) {
@@ -182,7 +182,7 @@ impl Page<'_> {
         self.header(
             &[
                 "rank, object",
-                "decision",
+                "verdict",
                 "place",
                 "demand/capacity",
                 "governing criterion",

@@ -69,7 +69,7 @@ struct PeakArgs {
 /// How the spectrum of a record is matched to the target.
 const METHODS: Choices<MatchMethod> = &[
     (MatchMethod::Wavelet, "wavelet", "Scale wavelets; keeps more of the record"),
-    (MatchMethod::Fft, "fft", "Scale Fourier amplitudes at the period itself"),
+    (MatchMethod::Fft, "fft", "Scale the Fourier amplitudes at each period by the misfit at that period"),
 ];
 
 /// Match a record to a target: the elastic spectrum of a design code, or a table

@@ -154,7 +154,7 @@ fn a_title_line_gives_count_step_unit_and_format() {
     }
     for (from, to, start, message) in [
         (" 10 Acc", " 11 Acc", "x:", "not a number"),
-        (" 10 Acc", "  9 Acc", "x:30:", "on a line that"),
+        (" 10 Acc", "  9 Acc", "x:30:", "has 2 values of acceleration, but should have 1"),
         (" 10 Acc", "  8 Acc", "x:30:", "more values follow than the 8"),
         ("units of g.", "units of cm/sec.", "x:28:", "values in cm/s"),
         ("at 100 pts/sec", "", "x:28:", "time step"),

@@ -96,9 +96,9 @@ fn an_accelerometer_may_be_described_by_displacement() {
 #[test]
 fn what_is_no_acceleration_is_refused_with_its_line() {
     for (response, message) in [
-        (sensitivity("1e9", "1", "M/S", "COUNTS"), "senses a velocity (M/S)"),
-        (sensitivity("1e9", "1", "nm/s", "COUNTS"), "senses \"nm/s\""),
-        (sensitivity("1e9", "1", "PA", "COUNTS"), "senses \"PA\""),
+        (sensitivity("1e9", "1", "M/S", "COUNTS"), "measures a velocity (M/S)"),
+        (sensitivity("1e9", "1", "nm/s", "COUNTS"), "measures \"nm/s\""),
+        (sensitivity("1e9", "1", "PA", "COUNTS"), "measures \"PA\""),
         (sensitivity("1e9", "1", "M/S**2", "V"), "is of \"V\", not of counts"),
         (sensitivity("0", "1", "M/S**2", "COUNTS"), "has no value"),
         (sensitivity("much", "1", "M/S**2", "COUNTS"), "has no value"),
@@ -207,7 +207,7 @@ fn the_description_is_named_or_next_to_the_record() {
     assert!(file.notes[0].contains("XX.ABC..HHE: the instrument measures a velocity (M/S)"), "{:?}", file.notes);
     assert!(file.notes[0].ends_with("it was left out"), "{:?}", file.notes);
     let error = parse_motions(seismometer, &folder.join("x"), &options).unwrap_err().to_string();
-    assert!(error.contains("both.xml:") && error.contains("senses a velocity"), "{error}");
+    assert!(error.contains("both.xml:") && error.contains("measures a velocity"), "{error}");
     put("other.xml", "500");
     assert_eq!(read(folder, Some("other.xml"), None).unwrap().components[0].motion.peak_m_s2(), 4.0);
     assert!(read(folder, Some("absent.xml"), None).unwrap_err().contains("absent.xml: cannot open"));
