@@ -1,7 +1,7 @@
 //! When a count of worlds answers a question: intervals, looks, sides, clusters, shares and yearly
 //! rates.
 //!
-//! A *world* is one complete draw of everything that is not known, so a question has one yes or no
+//! A *world* is one complete draw of everything that is uncertain, so a question has one yes or no
 //! in it. Independent worlds make a count binomial, and its [`clopper_pearson`] interval exact.
 //! Worlds are added from one look to the next until the interval is on one [`Side`] of the accepted
 //! probability, or the cap is reached. Nothing here decides what to do with an object.
@@ -176,7 +176,7 @@ impl Count {
     /// as no at the lower end and as yes at the upper.
     ///
     /// # Example
-    /// None of 320 worlds: the upper end is 1 − 0.01^(1/320) = 1.4 %.
+    /// No event in 320 worlds: the upper end is 1 − 0.01^(1/320) = 1.4 %.
     /// ```
     /// use freestand::decision::Count;
     /// let interval = Count { worlds: 320, hits: 0, unknown: 0 }.interval(0.98);
