@@ -19,7 +19,8 @@
 //! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
 //! | the shocks that cause damage, ASTM D3332 | [`damage_boundary`] |
 //! | fragilities, probabilities over motions, reproducible random draws | [`fragility`] |
-//! | worlds: complete draws of everything that is not known | [`worlds`] |
+//! | worlds: complete draws of everything that is uncertain | [`worlds`] |
+//! | suites of records with the mean and the dispersion of a hazard | [`suite`] |
 //! | when a count of worlds answers a question | [`decision`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
@@ -80,6 +81,7 @@ mod search;
 pub mod shock_response;
 pub mod signal;
 pub mod spectra;
+pub mod suite;
 pub mod synthesis;
 pub mod worlds;
 

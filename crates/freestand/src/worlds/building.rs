@@ -1,4 +1,4 @@
-//! What is not known of the building, and how an object is turned.
+//! What is uncertain about the building, and how an object is turned.
 
 use rand::Rng;
 use rand_distr::{Distribution, StandardNormal};

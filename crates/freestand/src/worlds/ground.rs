@@ -33,8 +33,10 @@ pub struct SpreadOptions {
 impl Default for SpreadOptions {
     /// 0.65, 0.15 and 0.6.
     ///
-    /// σ and τ give a dispersion between that of the 44 components of FEMA P-695 with each record
-    /// scaled and that with one factor for all; 0.6 is the correlation of their pairs.
+    /// σ and τ give a standard deviation of ln Sa of 0.39 over 0.2 to 3 s, between those of the 44
+    /// components of FEMA P-695 with each record scaled (0.38) and normalised by their peak velocities
+    /// (0.45). The components of those pairs have a correlation of 0.62 as recorded, 0.45 normalised
+    /// and 0.24 with each record scaled.
     fn default() -> Self {
         Self { spectral_spread: 0.65, intensity_spread: 0.15, component_correlation: 0.6 }
     }

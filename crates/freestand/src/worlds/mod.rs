@@ -1,4 +1,4 @@
-//! Worlds: complete draws of everything that is not known.
+//! Worlds: complete draws of everything that is uncertain.
 //!
 //! World i = 0, 1, 2 … has random numbers of its own, so the first n worlds are the same however
 //! many are made, in whatever order and on however many threads. What all objects share (the

@@ -321,3 +321,49 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
     assert!((square.sqrt() - 0.393).abs() < 0.04 && worst < 4.0);
     assert!(correlation.iter().all(|one| (0.35..0.8).contains(one)) && (0.28..0.50).contains(&uncertain));
 }
+
+/// Knowing less about restitution must not change how often an object overturns by much: from s = 0
+/// to 0.8 by less than 0.05 and three standard errors.
+#[test]
+#[ignore = "ten seconds: 300 worlds with their motions; run it after a change of restitution"]
+fn the_spread_of_restitution_hardly_changes_how_often_objects_overturn() {
+    use crate::block::Block;
+    use crate::building::floor_motion;
+    use crate::rocking::{Base, Outcome, Restitution, RockingOptions, Until, rock};
+    use rayon::prelude::*;
+    let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
+    let synthesis = crate::synthesis::SynthesisOptions::default();
+    let worlds = 300_u32;
+    let motions: Vec<_> = (0..worlds)
+        .into_par_iter()
+        .map(|world| {
+            let spectra = spread.spectra(2, world, 0);
+            let ground = world_motion(code, &spectra, Component::X, (2, world, 0), &synthesis).unwrap().motion;
+            let drawn = BuildingSpread::default().draw(2, world, 0);
+            let building = five_storeys().with_factors(drawn.period_factor, drawn.damping_factor).unwrap();
+            [floor_motion(&ground, &building, 1.0).unwrap(), ground]
+        })
+        .collect();
+    for (height_m, thickness_m, place) in [(2.0, 0.45, 0), (1.5, 0.23, 1), (1.5, 0.3, 0), (2.0, 0.6, 0)] {
+        let block = Block::uniform(height_m, thickness_m).unwrap();
+        let falls = |spread: f64, world: u32| {
+            let mut random = object_stream(2, world, 1, Group::Restitution, 0);
+            let ratio = restitution_draw(&mut random, block.landing_ratio(), spread);
+            let options = RockingOptions {
+                restitution: Restitution::Value(ratio),
+                until: Until::Settled { at_most_s: 120.0 },
+                ..RockingOptions::default()
+            };
+            let base = Base { horizontal: Some(&motions[world as usize][place]), vertical: None };
+            rock(&block, base, &options).unwrap().outcome == Outcome::Overturned
+        };
+        let shares = [0.0, 0.2, 0.4, 0.8].map(|spread| {
+            let count = (0..worlds).into_par_iter().filter(|&world| falls(spread, world)).count();
+            count as f64 / f64::from(worlds)
+        });
+        println!("{height_m} m x {thickness_m} m, {}: {shares:.3?}", ["roof", "ground"][place]);
+        let p = shares[0].max(shares[3]);
+        // The same worlds, so the standard error of the difference is at most that of a share.
+        assert!((shares[3] - shares[0]).abs() < 0.05 + 3.0 * (p * (1.0 - p) / f64::from(worlds)).sqrt());
+    }
+}
