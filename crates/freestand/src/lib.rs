@@ -79,4 +79,5 @@ pub mod signal;
 pub mod spectra;
 pub mod synthesis;
 
+use freestand_rocking::vector;
 pub use freestand_rocking::{G0_M_S2, block, motion, rocking};

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use pulp::Simd;
 
-use super::math::{Column, Masks, Math, Numbers};
+use crate::vector::{Column, Masks, Math, Numbers};
 use super::ranks::{ABREAST, Ranks};
 use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::Interval;

@@ -4,19 +4,18 @@
 //! which is a sample interval or a part of it. Blocks that move stand in lanes, sixteen abreast
 //! (`ranks`), and take a step together (`tile`): one Taylor series each (`degree` has what is
 //! compiled for each of its degrees and each vector unit; all else is compiled once), with sine and
-//! cosine carried by the series (`series`, `math`). Bounds of its terms tell which lanes are sure
+//! cosine carried by the series (`series`, `vector`). Bounds of its terms tell which lanes are sure
 //! to have no event; the others go to a batch (`batch`), where landings and maxima are roots of the
 //! series, and from there to rest, to short flights and the last impacts (`chatter`) or back into
 //! their lanes (`tile/events`). A block at rest costs nothing until the sample that lifts it, found
 //! from maxima over spans of the motion (`shaking`, `tile/waiting`). Behind the record what is left
 //! follows from energy (`quiet`).
 //!
-//! Every operation of a lane is its own: no result depends on a neighbour. What is fused is written so (`math`).
+//! Every operation of a lane is its own: no result depends on a neighbour. What is fused is written so (`vector`).
 
 mod batch;
 mod chatter;
 mod degree;
-mod math;
 mod quiet;
 mod ranks;
 mod series;

@@ -1,6 +1,6 @@
 //! Moving blocks, two vectors abreast.
 
-use super::math::Column;
+use crate::vector::Column;
 use super::tile::Rocker;
 
 /// Blocks of a rank: two of the widest vectors there are.

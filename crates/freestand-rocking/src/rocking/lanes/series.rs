@@ -2,7 +2,7 @@
 
 #![expect(clippy::absurd_extreme_comparisons, reason = "loops are written out with constants, zero among them")]
 
-use super::math::{Masks, Math, Numbers};
+use crate::vector::{Masks, Math, Numbers};
 use super::unroll::{unroll, unroll_down};
 use pulp::Simd;
 
