@@ -6,8 +6,9 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::body::Body;
+use super::each::{each, six, two};
 use super::pressed::Lane;
-use crate::vector::{Math, Numbers};
+use crate::vector::{Masks, Math, Numbers};
 
 /// What a lane asks for after a step; they are added.
 pub(super) const CONTACT_CHANGES: [u32; 2] = [1, 2];
@@ -176,12 +177,13 @@ fn feet<S: Simd>(m: Math<S>, p: &Parts<S>, y: &[Numbers<S>; 6]) -> Feet<S> {
     let (lean, upright) = (m.mul(p.height, sin), m.mul(p.height, cos));
     // z + c(1 − cos θ).
     let risen = m.add(y[1], m.sub(p.height, upright));
-    let arm_x = p.edges.map(|edge| m.fma(edge, cos, m.sub(m.splat(0.0), lean)));
-    let fall = p.edges.map(|edge| m.mul(edge, sin));
-    let arm_z = fall.map(|fall| m.sub(m.sub(m.splat(0.0), fall), upright));
-    let press = fall.map(|fall| m.sub(fall, risen));
-    let pressing = arm_x.map(|arm| m.fma(y[5], arm, m.sub(m.splat(0.0), y[4])));
-    let load = [0, 1].map(|edge| m.fma(p.spring, press[edge], m.mul(p.dashpot, pressing[edge])));
+    let zero = m.splat(0.0);
+    let arm_x = two!(edge, m.fma(p.edges[edge], cos, m.sub(zero, lean)));
+    let fall = two!(edge, m.mul(p.edges[edge], sin));
+    let arm_z = two!(edge, m.sub(m.sub(zero, fall[edge]), upright));
+    let press = two!(edge, m.sub(fall[edge], risen));
+    let pressing = two!(edge, m.fma(y[5], arm_x[edge], m.sub(zero, y[4])));
+    let load = two!(edge, m.fma(p.spring, press[edge], m.mul(p.dashpot, pressing[edge])));
     Feet { arm_x, arm_z, press, pressing, load }
 }
 
@@ -195,13 +197,11 @@ fn accelerations<S: Simd>(
     base: [Numbers<S>; 2],
 ) -> [Numbers<S>; 3] {
     let zero = m.splat(0.0);
-    let load = [0, 1].map(|edge| m.mul(p.on[edge], feet.load[edge]));
+    let load = two!(edge, m.mul(p.on[edge], feet.load[edge]));
     // Backwards.
-    let drag = [0, 1].map(|edge| {
-        let stretch = m.sub(m.add(x, feet.arm_x[edge]), p.anchor[edge]);
-        m.mul(m.mul(p.spring, stretch), p.on[edge])
-    });
-    let turn = [0, 1].map(|edge| m.fma(feet.arm_z[edge], drag[edge], m.mul(feet.arm_x[edge], load[edge])));
+    let stretch = two!(edge, m.sub(m.add(x, feet.arm_x[edge]), p.anchor[edge]));
+    let drag = two!(edge, m.mul(m.mul(p.spring, stretch[edge]), p.on[edge]));
+    let turn = two!(edge, m.fma(feet.arm_z[edge], drag[edge], m.mul(feet.arm_x[edge], load[edge])));
     [
         m.sub(zero, m.add(m.add(drag[0], drag[1]), base[0])),
         m.sub(m.sub(m.add(load[0], load[1]), p.gravity), base[1]),
@@ -219,67 +219,83 @@ fn edges_up<S: Simd>(
     base_up: Numbers<S>,
 ) -> [Numbers<S>; 2] {
     let (square, lift) = (m.mul(omega, omega), m.add(bent[1], base_up));
-    [0, 1].map(|edge| m.fnma(square, feet.arm_z[edge], m.fnma(bent[2], feet.arm_x[edge], lift)))
+    two!(edge, m.fnma(square, feet.arm_z[edge], m.fnma(bent[2], feet.arm_x[edge], lift)))
+}
+
+#[inline(always)]
+fn pair<S: Simd>(columns: &[Lane; 2], i: usize) -> [Numbers<S>; 2] {
+    [columns[0].get::<S>(i), columns[1].get::<S>(i)]
+}
+
+/// y + h ẏ.
+#[inline(always)]
+fn stage<S: Simd>(
+    m: Math<S>,
+    y: &[Numbers<S>; 6],
+    h: Numbers<S>,
+    rates: [Numbers<S>; 3],
+    bent: [Numbers<S>; 3],
+) -> [Numbers<S>; 6] {
+    let rates = [rates[0], rates[1], rates[2], bent[0], bent[1], bent[2]];
+    six!(k, m.fma(h, rates[k], y[k]))
+}
+
+/// a + 2b + 2c + d.
+#[inline(always)]
+fn mean<S: Simd>(m: Math<S>, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>, d: Numbers<S>) -> Numbers<S> {
+    let inner = m.add(b, c);
+    m.add(m.add(a, d), m.add(inner, inner))
+}
+
+#[inline(always)]
+fn flag<S: Simd>(m: Math<S>, flags: Numbers<S>, mask: Masks<S>, value: u32) -> Numbers<S> {
+    m.select(mask, m.add(flags, m.splat(f64::from(value))), flags)
 }
 
 impl Lifted {
     #[inline(always)]
     fn advance<S: Simd>(&mut self, m: Math<S>, i: usize) {
         let (zero, half, one) = (m.splat(0.0), m.splat(0.5), m.splat(1.0));
-        let pair = |columns: &[Lane; 2]| [columns[0].get::<S>(i), columns[1].get::<S>(i)];
         let p = Parts {
             spring: self.spring.get::<S>(i),
             dashpot: self.dashpot.get::<S>(i),
             turning: self.turning.get::<S>(i),
             gravity: self.gravity.get::<S>(i),
             height: self.height.get::<S>(i),
-            edges: pair(&self.edges),
-            anchor: pair(&self.anchor),
-            on: pair(&self.on),
+            edges: pair::<S>(&self.edges, i),
+            anchor: pair::<S>(&self.anchor, i),
+            on: pair::<S>(&self.on, i),
         };
-        let (base, slope) = (pair(&self.base), pair(&self.slope));
+        let (base, slope) = (pair::<S>(&self.base, i), pair::<S>(&self.slope, i));
         let (h, rest, longest) = (self.step.get::<S>(i), self.rest.get::<S>(i), self.longest.get::<S>(i));
-        let y: [Numbers<S>; 6] = std::array::from_fn(|k| self.y[k].get::<S>(i));
-        let on = p.on.map(|on| m.gt(on, zero));
+        let y = six!(k, self.y[k].get::<S>(i));
+        let on = two!(edge, m.gt(p.on[edge], zero));
 
         // Runge and Kutta's four stages.
         let start = feet(m, &p, &y);
         let bent = accelerations(m, &p, y[0], &start, base);
         let up = edges_up(m, &start, y[5], &bent, base[1]);
-        let stage = |h: Numbers<S>, rates: [Numbers<S>; 3], bent: [Numbers<S>; 3]| {
-            [
-                m.fma(h, rates[0], y[0]),
-                m.fma(h, rates[1], y[1]),
-                m.fma(h, rates[2], y[2]),
-                m.fma(h, bent[0], y[3]),
-                m.fma(h, bent[1], y[4]),
-                m.fma(h, bent[2], y[5]),
-            ]
-        };
         let half_h = m.mul(half, h);
-        let base_half = [0, 1].map(|way| m.fma(half_h, slope[way], base[way]));
-        let base_end = [0, 1].map(|way| m.fma(h, slope[way], base[way]));
-        let y2 = stage(half_h, [y[3], y[4], y[5]], bent);
+        let base_half = two!(way, m.fma(half_h, slope[way], base[way]));
+        let base_end = two!(way, m.fma(h, slope[way], base[way]));
+        let y2 = stage(m, &y, half_h, [y[3], y[4], y[5]], bent);
         let bent2 = accelerations(m, &p, y2[0], &feet(m, &p, &y2), base_half);
-        let y3 = stage(half_h, [y2[3], y2[4], y2[5]], bent2);
+        let y3 = stage(m, &y, half_h, [y2[3], y2[4], y2[5]], bent2);
         let middle = feet(m, &p, &y3);
         let bent3 = accelerations(m, &p, y3[0], &middle, base_half);
         let up_half = edges_up(m, &middle, y3[5], &bent3, base_half[1]);
-        let y4 = stage(h, [y3[3], y3[4], y3[5]], bent3);
+        let y4 = stage(m, &y, h, [y3[3], y3[4], y3[5]], bent3);
         let bent4 = accelerations(m, &p, y4[0], &feet(m, &p, &y4), base_end);
         let sixth = m.mul(h, m.splat(1.0 / 6.0));
-        let mean = |a, b, c, d| {
-            let inner = m.add(b, c);
-            m.add(m.add(a, d), m.add(inner, inner))
-        };
-        let end: [Numbers<S>; 6] = std::array::from_fn(|k| {
-            let sum = if k < 3 {
-                mean(y[k + 3], y2[k + 3], y3[k + 3], y4[k + 3])
-            } else {
-                mean(bent[k - 3], bent2[k - 3], bent3[k - 3], bent4[k - 3])
-            };
-            m.fma(sixth, sum, y[k])
-        });
+        let rates = [
+            mean(m, y[3], y2[3], y3[3], y4[3]),
+            mean(m, y[4], y2[4], y3[4], y4[4]),
+            mean(m, y[5], y2[5], y3[5], y4[5]),
+            mean(m, bent[0], bent2[0], bent3[0], bent4[0]),
+            mean(m, bent[1], bent2[1], bent3[1], bent4[1]),
+            mean(m, bent[2], bent2[2], bent3[2], bent4[2]),
+        ];
+        let end = six!(k, m.fma(sixth, rates[k], y[k]));
         let last = feet(m, &p, &end);
 
         // e^(−k h/c) as (e^(x/8))⁻⁸ by five terms.
@@ -292,15 +308,16 @@ impl Lifted {
         let decay = m.mul(decay, decay);
 
         // How far a contact is from its change, before and after, and when it passed it.
-        let surface = pair(&self.surface);
-        let sunk = surface.map(|surface| m.mul(surface, decay));
+        let surface = pair::<S>(&self.surface, i);
+        let sunk = two!(edge, m.mul(surface[edge], decay));
         let event = self.event.get::<S>(i);
         let (mut event_h, mut crossing) = (h, m.gt(zero, zero));
         let mut crossed = [crossing; 2];
         for edge in 0..2 {
-            let gap = |surface, press| m.mul(p.spring, m.sub(surface, press));
-            let before = m.select(on[edge], start.load[edge], gap(surface[edge], start.press[edge]));
-            let after = m.select(on[edge], last.load[edge], gap(sunk[edge], last.press[edge]));
+            let before = m.mul(p.spring, m.sub(surface[edge], start.press[edge]));
+            let before = m.select(on[edge], start.load[edge], before);
+            let after = m.mul(p.spring, m.sub(sunk[edge], last.press[edge]));
+            let after = m.select(on[edge], last.load[edge], after);
             let before = m.larger(before, zero);
             crossed[edge] = m.gt(zero, after);
             crossing = m.or(crossing, crossed[edge]);
@@ -333,11 +350,10 @@ impl Lifted {
 
         // What is kept of the step.
         let mut flags = zero;
-        let flag = |flags, mask, value: u32| m.select(mask, m.add(flags, m.splat(f64::from(value))), flags);
         let (mut lift, mut pressed) = (self.lift.get::<S>(i), self.most_pressed.get::<S>(i));
         let mut calm = m.gt(one, zero);
         for edge in 0..2 {
-            flags = flag(flags, m.and(accepted, crossed[edge]), CONTACT_CHANGES[edge]);
+            flags = flag(m, flags, m.and(accepted, crossed[edge]), CONTACT_CHANGES[edge]);
             // The highest or lowest point of an edge inside the step, as under a steady acceleration.
             let (slow, fast) = (start.pressing[edge], last.pressing[edge]);
             let turns = m.and(accepted, m.gt(zero, m.mul(slow, fast)));
@@ -357,7 +373,7 @@ impl Lifted {
             let peak = self.pulse_peak[edge].get::<S>(i);
             self.pulse_peak[edge].set::<S>(i, m.select(m.and(counts, pulse), m.larger(highest, peak), peak));
             let ends = m.and(m.gt(up_before, zero), m.ge(zero, up[edge]));
-            flags = flag(flags, m.and(m.and(accepted, pulse), ends), PULSE_ENDS[edge]);
+            flags = flag(m, flags, m.and(m.and(accepted, pulse), ends), PULSE_ENDS[edge]);
             let old = self.up_before[edge].get::<S>(i);
             self.up_before[edge].set::<S>(i, m.select(accepted, up_before, old));
             self.up[edge].set::<S>(i, m.select(accepted, up[edge], up_before));
@@ -376,9 +392,9 @@ impl Lifted {
         self.most_pressed.set::<S>(i, pressed);
         let was = self.calm.get::<S>(i);
         self.calm.set::<S>(i, m.select(accepted, m.select(calm, m.add(was, h), zero), was));
-        flags = flag(flags, m.and(accepted, m.ge(zero, left)), SAMPLE_ENDS);
+        flags = flag(m, flags, m.and(accepted, m.ge(zero, left)), SAMPLE_ENDS);
         let upright = m.ge(self.fallen.get::<S>(i), m.abs(end[2]));
-        flags = flag(flags, m.and(accepted, m.not(upright)), FALLEN);
+        flags = flag(m, flags, m.and(accepted, m.not(upright)), FALLEN);
         self.flags.set::<S>(i, flags);
     }
 }

@@ -20,6 +20,7 @@
 
 mod body;
 mod crew;
+mod each;
 mod lifted;
 mod linear;
 mod pressed;

@@ -4,6 +4,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::LANES;
 use super::body::Body;
+use super::each::{each, six, two};
 use super::linear::{Recursion, STATES, righting};
 use crate::vector::{Column, Math, Numbers};
 
@@ -125,28 +126,36 @@ impl WithSimd for Follow<'_> {
     }
 }
 
+/// A value in the middle of a step, from it and its rate at both ends.
+#[inline(always)]
+fn middle<S: Simd>(m: Math<S>, from: [Numbers<S>; 2], to: [Numbers<S>; 2]) -> Numbers<S> {
+    m.fma(m.splat(0.125), m.sub(from[1], to[1]), m.mul(m.splat(0.5), m.add(from[0], to[0])))
+}
+
 impl Pressed {
     #[inline(always)]
     fn pass<S: Simd>(&mut self, m: Math<S>, i: usize, ground: &Ground, parts: usize) {
-        let (zero, half, eighth, one) = (m.splat(0.0), m.splat(0.5), m.splat(0.125), m.splat(1.0));
+        let (zero, one) = (m.splat(0.0), m.splat(1.0));
         let share = 1.0 / parts as f64;
         let moves_up = !ground.vertical.is_empty();
         let (spring, dashpot, inertial) = (self.spring.get::<S>(i), self.dashpot.get::<S>(i), self.inertial.get::<S>(i));
         let (turning, arms) = (self.turning.get::<S>(i), [self.arms[0].get::<S>(i), self.arms[1].get::<S>(i)]);
-        let mut y: [Numbers<S>; STATES] = std::array::from_fn(|k| self.y[k].get::<S>(i));
+        let mut y = six!(k, self.y[k].get::<S>(i));
         let mut step = 0.0;
         for (sample, ends) in ground.horizontal.windows(2).enumerate() {
             let (a_from, a_to) = (ends[0].get::<S>(i), ends[1].get::<S>(i));
             let change = m.sub(a_to, a_from);
-            let [v_from, v_to] =
-                [0, 1].map(|k| ground.vertical.get(sample + k).map_or(zero, |column| column.get::<S>(i)));
+            let (mut v_from, mut v_to) = (zero, zero);
+            if let [from, to, ..] = ground.vertical.get(sample..).unwrap_or_default() {
+                (v_from, v_to) = (from.get::<S>(i), to.get::<S>(i));
+            }
             let v_change = m.sub(v_to, v_from);
             for part in 0..parts {
                 let (start, end) = (m.splat(part as f64 * share), m.splat((part + 1) as f64 * share));
                 let (a, a_end) = (m.fma(start, change, a_from), m.fma(end, change, a_from));
                 let (v, v_end) = (m.fma(start, v_change, v_from), m.fma(end, v_change, v_from));
                 let before = y;
-                y = std::array::from_fn(|k| {
+                y = six!(k, {
                     let row = &self.state[k];
                     let mut one = m.mul(self.from[k][0].get::<S>(i), a);
                     let mut two = m.mul(self.to[k][0].get::<S>(i), a_end);
@@ -163,9 +172,9 @@ impl Pressed {
                     m.add(one, two)
                 });
                 // What each edge carries more than at rest, and the accelerations that follow.
-                let press = arms.map(|arm| m.fma(arm, y[2], m.sub(zero, y[1])));
-                let pressing = arms.map(|arm| m.fma(arm, y[5], m.sub(zero, y[4])));
-                let load = [0, 1].map(|edge| m.fma(spring, press[edge], m.mul(dashpot, pressing[edge])));
+                let press = two!(edge, m.fma(arms[edge], y[2], m.sub(zero, y[1])));
+                let pressing = two!(edge, m.fma(arms[edge], y[5], m.sub(zero, y[4])));
+                let load = two!(edge, m.fma(spring, press[edge], m.mul(dashpot, pressing[edge])));
                 let lift = m.add(load[0], load[1]);
                 let couple = m.fma(arms[0], load[0], m.mul(arms[1], load[1]));
                 let righting = m.fma(self.righting[0].get::<S>(i), y[0], m.mul(self.righting[1].get::<S>(i), y[2]));
@@ -181,18 +190,11 @@ impl Pressed {
                     let lost = m.mul(relief, load[edge]);
                     let change = m.fnma(inertial, m.sub(up, v_end), m.mul(spring, pressing[edge]));
                     let losing = m.mul(relief, change);
-                    let middle = |from, to, rate_from, rate_to| {
-                        m.fma(eighth, m.sub(rate_from, rate_to), m.mul(half, m.add(from, to)))
-                    };
-                    let inside =
-                        middle(self.lost[edge].get::<S>(i), lost, self.losing[edge].get::<S>(i), losing);
+                    let lost_before = [self.lost[edge].get::<S>(i), self.losing[edge].get::<S>(i)];
+                    let inside = middle(m, lost_before, [lost, losing]);
                     now = m.larger(now, m.larger(lost, inside));
-                    let inside = middle(
-                        self.press[edge].get::<S>(i),
-                        press[edge],
-                        self.pressing[edge].get::<S>(i),
-                        pressing[edge],
-                    );
+                    let press_before = [self.press[edge].get::<S>(i), self.pressing[edge].get::<S>(i)];
+                    let inside = middle(m, press_before, [press[edge], pressing[edge]]);
                     let deepest = m.add(self.sunk[edge].get::<S>(i), m.larger(press[edge], inside));
                     pressed = m.larger(deepest, pressed);
                     let peak = self.peak[edge].get::<S>(i);
