@@ -45,7 +45,7 @@ pub use stand::{pad_uplift_threshold_m_s2, rocking_frequency_hz, stands_on_pads}
 const LANES: usize = 16;
 
 /// Worlds that a thread takes at once: enough to fill the lanes that worlds have left.
-const WORLDS: usize = 64;
+const WORLDS: usize = 128;
 
 /// One world: an object on its pads, and what shakes it.
 #[derive(Debug, Clone, Copy, PartialEq)]

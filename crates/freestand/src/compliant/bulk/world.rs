@@ -102,7 +102,7 @@ impl<'a> World<'a> {
     }
 
     /// Base accelerations at a sample.
-    pub(super) fn sample(&self, index: usize) -> [f64; 2] {
+    fn sample(&self, index: usize) -> [f64; 2] {
         [self.horizontal, self.vertical].map(|samples| samples.get(index).copied().unwrap_or(0.0))
     }
 
@@ -110,8 +110,14 @@ impl<'a> World<'a> {
         self.index
     }
 
-    pub(super) fn intervals_left(&self) -> usize {
-        self.intervals.saturating_sub(self.index)
+    pub(super) fn intervals(&self) -> usize {
+        self.intervals
+    }
+
+    /// Base accelerations one way from a sample on; none where it does not move that way.
+    pub(super) fn samples(&self, way: usize, index: usize) -> &'a [f64] {
+        let samples = if way == 0 { self.horizontal } else { self.vertical };
+        samples.get(index..).unwrap_or_default()
     }
 
     fn time_s(&self, gone_s: f64) -> f64 {
