@@ -16,7 +16,7 @@ pub(super) const STEP_RAD: f64 = 0.5;
 
 /// How far past its event a contact may change, as an angle of that vibration. A dashpot begins to
 /// push at once: c v δt/m is this times 2ζ of the velocity v.
-pub(super) const EVENT_RAD: f64 = 0.005;
+pub(super) const EVENT_RAD: f64 = 0.001;
 
 /// A dashpot of no damping recovers this fast \[1/s\].
 const AT_ONCE: f64 = 1e12;

@@ -16,8 +16,8 @@ pub(super) const PULSE_ENDS: [u32; 2] = [4, 8];
 pub(super) const SAMPLE_ENDS: u32 = 16;
 pub(super) const FALLEN: u32 = 32;
 
-/// A pad that has lost nine tenths of its load at rest is not calm.
-const CALM_SHARE: f64 = 0.1;
+/// A pad that carries less of its load at rest is not calm.
+const CALM_SHARE: f64 = 0.8;
 
 /// Worlds side by side. Displacements are those of the centre of gravity, from its place above
 /// unloaded pads.

@@ -8,6 +8,10 @@ use super::each::{each, six, two};
 use super::linear::{Recursion, STATES, righting};
 use crate::vector::{Column, Math, Numbers};
 
+/// Up to here the linear equations are followed: beyond this part of its load lost by an edge, squares of the rotation
+/// count for a world in which one lets go later.
+pub(super) const FIRM_RATIO: f64 = 0.3;
+
 pub(super) type Lane = Column<LANES>;
 
 /// Worlds side by side. Rates, and what is derived from them, are those over a step.
@@ -33,9 +37,9 @@ pub(super) struct Pressed {
     losing: [Lane; 2],
     press: [Lane; 2],
     pressing: [Lane; 2],
-    /// 1 until an edge lets go.
+    /// 1 until an edge has lost more than [`FIRM_RATIO`] of its load.
     pub(super) holds: Lane,
-    /// Where the step began in which an edge let go, and how many steps after the start of the block.
+    /// Where the step began in which it did, and how many steps after the start of the block.
     pub(super) left: [Lane; STATES],
     pub(super) left_at: Lane,
     /// Largest part lost, compression and acceleration of each edge; the last two while both held.
@@ -135,7 +139,7 @@ fn middle<S: Simd>(m: Math<S>, from: [Numbers<S>; 2], to: [Numbers<S>; 2]) -> Nu
 impl Pressed {
     #[inline(always)]
     fn pass<S: Simd>(&mut self, m: Math<S>, i: usize, ground: &Ground, parts: usize) {
-        let (zero, one) = (m.splat(0.0), m.splat(1.0));
+        let (zero, one, limit) = (m.splat(0.0), m.splat(1.0), m.splat(FIRM_RATIO));
         let share = 1.0 / parts as f64;
         let moves_up = !ground.vertical.is_empty();
         let (spring, dashpot, inertial) = (self.spring.get::<S>(i), self.dashpot.get::<S>(i), self.inertial.get::<S>(i));
@@ -182,7 +186,7 @@ impl Pressed {
                 let open = m.gt(self.holds.get::<S>(i), zero);
                 let mut most = self.most_lost.get::<S>(i);
                 let mut pressed = self.most_pressed.get::<S>(i);
-                let mut now = zero;
+                let (mut now, mut rising) = (zero, [zero; 2]);
                 for edge in 0..2 {
                     // Upward in the inertial frame; relative to the base it is less by its acceleration.
                     let up = m.fnma(arms[edge], spin, lift);
@@ -197,8 +201,7 @@ impl Pressed {
                     let inside = middle(m, press_before, [press[edge], pressing[edge]]);
                     let deepest = m.add(self.sunk[edge].get::<S>(i), m.larger(press[edge], inside));
                     pressed = m.larger(deepest, pressed);
-                    let peak = self.peak[edge].get::<S>(i);
-                    self.peak[edge].set::<S>(i, m.select(open, m.larger(up, peak), peak));
+                    rising[edge] = up;
                     self.lost[edge].set::<S>(i, lost);
                     self.losing[edge].set::<S>(i, losing);
                     self.press[edge].set::<S>(i, press[edge]);
@@ -206,20 +209,25 @@ impl Pressed {
                 }
                 most = m.larger(now, most);
                 self.most_lost.set::<S>(i, most);
-                let lets_go = m.and(open, m.gt(now, one));
-                if m.any(lets_go) {
+                // What follows from pads that pull does not count.
+                let counts = m.ge(one, most);
+                for edge in 0..2 {
+                    let peak = self.peak[edge].get::<S>(i);
+                    self.peak[edge].set::<S>(i, m.select(counts, m.larger(rising[edge], peak), peak));
+                }
+                let old = self.most_pressed.get::<S>(i);
+                self.most_pressed.set::<S>(i, m.select(counts, pressed, old));
+                let leaves = m.and(open, m.gt(now, limit));
+                if m.any(leaves) {
                     for (column, before) in self.left.iter_mut().zip(before) {
                         let old = column.get::<S>(i);
-                        column.set::<S>(i, m.select(lets_go, before, old));
+                        column.set::<S>(i, m.select(leaves, before, old));
                     }
                     let old = self.left_at.get::<S>(i);
-                    self.left_at.set::<S>(i, m.select(lets_go, m.splat(step), old));
+                    self.left_at.set::<S>(i, m.select(leaves, m.splat(step), old));
                     let old = self.holds.get::<S>(i);
-                    self.holds.set::<S>(i, m.select(lets_go, zero, old));
+                    self.holds.set::<S>(i, m.select(leaves, zero, old));
                 }
-                let holds = m.gt(self.holds.get::<S>(i), zero);
-                let old = self.most_pressed.get::<S>(i);
-                self.most_pressed.set::<S>(i, m.select(holds, pressed, old));
                 step += 1.0;
             }
         }

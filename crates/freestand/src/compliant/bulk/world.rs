@@ -137,27 +137,24 @@ impl<'a> World<'a> {
     /// has let go.
     pub(super) fn after_pressed(&mut self, pressed: &Pressed, lane: usize, left_block: Option<usize>) -> bool {
         let summary = &mut self.summary;
-        if !self.is_screened {
+        let first = !std::mem::replace(&mut self.is_screened, true);
+        if first {
             summary.pad_uplift_ratio = pressed.most_lost[lane];
-            self.is_screened = true;
         }
         summary.peak_compression_m = summary.peak_compression_m.max(pressed.most_pressed[lane]);
         for (peak, column) in summary.peak_edge_accelerations_m_s2.iter_mut().zip(&pressed.peak) {
             *peak = peak.max(column[lane]);
         }
-        let Some(block) = left_block else {
-            if !summary.pad_uplift_ratio.is_finite() {
-                self.error = Some(CompliantError::NotFinite { time_s: self.intervals as f64 * self.dt_s });
-            }
+        if !summary.pad_uplift_ratio.is_finite() {
+            self.error = Some(CompliantError::NotFinite { time_s: self.intervals as f64 * self.dt_s });
             return false;
-        };
+        }
+        // Pads that would never have to pull need no other equations.
+        let Some(block) = left_block.filter(|_| summary.pad_uplift_ratio > 1.0) else { return false };
         let steps = pressed.left_at[lane] as usize;
         self.index = block + steps / self.body.parts;
         self.gone_s = (steps % self.body.parts) as f64 * self.body.step_s;
         self.lift_off(std::array::from_fn(|k| pressed.left[k][lane]));
-        self.summary.outcome = PadOutcome::LetGo;
-        let time_s = self.time_s(self.gone_s);
-        self.summary.let_go_time_s.get_or_insert(time_s);
         true
     }
 
@@ -267,6 +264,9 @@ impl<'a> World<'a> {
         }
         if std::mem::take(&mut self.touches[edge].is_hardest) {
             self.summary.contact_duration_s = Some(time_s - self.touches[edge].start_s);
+        }
+        if self.summary.let_go_time_s.is_none() {
+            (self.summary.outcome, self.summary.let_go_time_s) = (PadOutcome::LetGo, Some(time_s));
         }
         lifted.on[edge][lane] = 0.0;
         lifted.surface[edge][lane] = lifted.press_end[edge][lane].max(0.0);
