@@ -44,8 +44,8 @@ pub use audit::EnergyAudit;
 #[doc(hidden)]
 pub use bulk::rock_compliant_many_on;
 pub use bulk::{
-    CompliantSummary, CompliantWorld, PadOutcome, pad_uplift_threshold_m_s2, rock_compliant_many,
-    rocking_frequency_hz, stands_on_pads,
+    CompliantSummary, CompliantWorld, PadOutcome, pad_uplift_threshold_m_s2, rock_compliant_many, rocking_frequency_hz,
+    stands_on_pads,
 };
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use history::{CompliantPoint, CompliantRecorder};

@@ -4,9 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::CompliantWorld;
 use super::stand::rocking_frequency_hz;
-use crate::compliant::{
-    CompliantBase, CompliantError, MAX_STEPS, equilibrium::equilibrium, not_negative, positive,
-};
+use crate::compliant::{CompliantBase, CompliantError, MAX_STEPS, equilibrium::equilibrium, not_negative, positive};
 use crate::cushion::{ContactLaw, Cushion};
 use crate::motion::Motion;
 
@@ -115,7 +113,8 @@ impl Rest {
         let found = equilibrium(&world.block, &CompliantBase::new(world.mass_kg, cushion), gravity)?;
         let (theta, z) = (found.rotation_rad, -found.settlement_m);
         let (sin, cos) = theta.sin_cos();
-        let (height, edges) = (world.block.cg_height_m(), [-world.block.cg_from_left_m(), world.block.cg_from_right_m()]);
+        let (height, edges) =
+            (world.block.cg_height_m(), [-world.block.cg_from_left_m(), world.block.cg_from_right_m()]);
         Ok(Self {
             theta,
             z,

@@ -64,7 +64,9 @@ impl Firm {
     /// A block of samples, or to the end of a world.
     fn run(&mut self, arch: Arch, worlds: &mut [World], parts: usize, off: &mut Vec<usize>) {
         for (lane, seat) in self.seats.iter_mut().enumerate() {
-            if seat.is_none() && let Some(world) = self.waiting.pop() {
+            if seat.is_none()
+                && let Some(world) = self.waiting.pop()
+            {
                 worlds[world].press(&mut self.lanes, lane);
                 *seat = Some(Seat { world, index: worlds[world].index(), left_block: None });
             }
@@ -136,7 +138,9 @@ impl Loose {
     /// Until a world leaves its lane.
     fn run(&mut self, arch: Arch, worlds: &mut [World], firm: &mut BTreeMap<usize, Firm>) {
         for (lane, seat) in self.seats.iter_mut().enumerate() {
-            if seat.is_none() && let Some(world) = self.waiting.pop() {
+            if seat.is_none()
+                && let Some(world) = self.waiting.pop()
+            {
                 worlds[world].lift(&mut self.lanes, lane);
                 *seat = Some(world);
             }

@@ -142,7 +142,8 @@ impl Pressed {
         let (zero, one, limit) = (m.splat(0.0), m.splat(1.0), m.splat(FIRM_RATIO));
         let share = 1.0 / parts as f64;
         let moves_up = !ground.vertical.is_empty();
-        let (spring, dashpot, inertial) = (self.spring.get::<S>(i), self.dashpot.get::<S>(i), self.inertial.get::<S>(i));
+        let (spring, dashpot, inertial) =
+            (self.spring.get::<S>(i), self.dashpot.get::<S>(i), self.inertial.get::<S>(i));
         let (turning, arms) = (self.turning.get::<S>(i), [self.arms[0].get::<S>(i), self.arms[1].get::<S>(i)]);
         let mut y = six!(k, self.y[k].get::<S>(i));
         let mut step = 0.0;

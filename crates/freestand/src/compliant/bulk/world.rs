@@ -171,6 +171,12 @@ impl<'a> World<'a> {
         self.state = State::Lifted { y: place, anchors: [anchor(0, -1.0), anchor(1, 1.0)] };
     }
 
+    /// A block at some place, its feet where its right edge is, for tests.
+    #[cfg(test)]
+    pub(super) fn tilt(&mut self, y: [f64; 6], anchor: f64) {
+        self.state = State::Lifted { y, anchors: [anchor; 2] };
+    }
+
     /// Into a lane of blocks that may lift.
     pub(super) fn lift(&self, lifted: &mut Lifted, lane: usize) {
         let State::Lifted { y, anchors } = self.state else { return };
