@@ -1,7 +1,7 @@
 //! Moving blocks, two vectors abreast.
 
-use crate::vector::Column;
 use super::tile::Rocker;
+use crate::vector::Column;
 
 /// Blocks of a rank: two of the widest vectors there are.
 pub(super) const ABREAST: usize = 16;
