@@ -68,14 +68,17 @@ impl Body {
         not_negative("damping", damping_n_s_m)?;
         let stable = rocking_frequency_hz(&block, mass_kg, stiffness_n_m, gravity);
         let rest = Rest::new(world, gravity)?;
-        // Not reached: without a stable position there is no equilibrium.
-        let f_hz = stable.ok_or(CompliantError::Unstable { stiffness_n_m: 0.0, needed_n_m: 0.0 })?;
+        let f_hz = stable.ok_or(CompliantError::Unstable {
+            stiffness_n_m: 0.5 * stiffness_n_m * block.base_width_m().powi(2),
+            needed_n_m: mass_kg * gravity * block.cg_height_m(),
+        })?;
         let (spring, dashpot) = (stiffness_n_m / mass_kg, damping_n_s_m / mass_kg);
         let turning = block.gyration_radius_m().powi(-2);
         let (height, edges) = (block.cg_height_m(), [-block.cg_from_left_m(), block.cg_from_right_m()]);
         let fastest = fastest_rad_s(spring, dashpot, turning, height, edges);
         let steps = (motion.dt_s() * fastest / STEP_RAD).ceil().max(1.0);
-        if !(steps * motion.accel_m_s2().len() as f64 <= MAX_STEPS as f64) {
+        let all = steps * motion.accel_m_s2().len() as f64;
+        if all.is_nan() || all > MAX_STEPS as f64 {
             return Err(CompliantError::TooManySteps { time_s: 0.0, limit: MAX_STEPS });
         }
         let alpha = [block.pivot(), block.right_pivot()].map(|pivot| pivot.slenderness_angle_rad);

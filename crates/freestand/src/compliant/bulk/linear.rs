@@ -64,11 +64,11 @@ fn rates(body: &Body) -> Matrix {
     a[3][2] = -spring * (arm_z[0] + arm_z[1]) * h * h;
     let [by_x, by_theta] = righting(body);
     (a[5][0], a[5][2]) = (by_x * h * h, by_theta * h * h);
-    for edge in 0..2 {
+    for arm in arm_x {
         // d_i = −z + r_x θ.
-        for (place, share) in [(1, -1.0), (2, arm_x[edge])] {
+        for (place, share) in [(1, -1.0), (2, arm)] {
             let (elastic, viscous) = (spring * share * h * h, dashpot * share * h);
-            for (row, part) in [(4, 1.0), (5, -turning * arm_x[edge])] {
+            for (row, part) in [(4, 1.0), (5, -turning * arm)] {
                 a[row][place] += part * elastic;
                 a[row][3 + place] += part * viscous;
             }

@@ -52,15 +52,19 @@ impl Pressed {
     /// Puts a world into a lane, with what it has reached so far.
     pub(super) fn enter(&mut self, lane: usize, body: &Body, recursion: &Recursion, y: &[f64; STATES]) {
         let h = body.step_s;
-        for i in 0..STATES {
-            for j in 0..STATES {
-                self.state[i][j][lane] = recursion.state[i][j];
+        for (columns, row) in self.state.iter_mut().zip(&recursion.state) {
+            for (column, value) in columns.iter_mut().zip(row) {
+                column[lane] = *value;
             }
-            for way in 0..2 {
-                self.from[i][way][lane] = recursion.from[i][way];
-                self.to[i][way][lane] = recursion.to[i][way];
+        }
+        let ways = [(&mut self.from, &recursion.from), (&mut self.to, &recursion.to)];
+        for (columns, rows) in ways {
+            for (column, value) in columns.iter_mut().flatten().zip(rows.iter().flatten()) {
+                column[lane] = *value;
             }
-            self.y[i][lane] = y[i];
+        }
+        for (column, value) in self.y.iter_mut().zip(y) {
+            column[lane] = *value;
         }
         self.spring[lane] = body.spring;
         self.dashpot[lane] = body.dashpot / h;
@@ -212,9 +216,9 @@ impl Pressed {
                 self.most_lost.set::<S>(i, most);
                 // What follows from pads that pull does not count.
                 let counts = m.ge(one, most);
-                for edge in 0..2 {
-                    let peak = self.peak[edge].get::<S>(i);
-                    self.peak[edge].set::<S>(i, m.select(counts, m.larger(rising[edge], peak), peak));
+                for (column, rising) in self.peak.iter_mut().zip(rising) {
+                    let peak = column.get::<S>(i);
+                    column.set::<S>(i, m.select(counts, m.larger(rising, peak), peak));
                 }
                 let old = self.most_pressed.get::<S>(i);
                 self.most_pressed.set::<S>(i, m.select(counts, pressed, old));

@@ -85,7 +85,7 @@ fn kolmogorov(one: &[f64], other: &[f64]) -> f64 {
 
 /// A goal of the campaign that was missed, in words.
 fn missed(limits: &[(&str, f64, f64)]) -> Vec<String> {
-    let over = limits.iter().filter(|(_, value, limit)| !(*value <= *limit));
+    let over = limits.iter().filter(|(_, value, limit)| value.is_nan() || value > limit);
     over.map(|(name, value, limit)| format!("{name} {value:.4} > {limit}")).collect()
 }
 
