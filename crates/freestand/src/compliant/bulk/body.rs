@@ -9,12 +9,12 @@ use crate::cushion::{ContactLaw, Cushion};
 use crate::motion::Motion;
 
 /// Longest step, as an angle of the fastest vibration of the block on both pads. Four stages leave
-/// an error of x⁵/120: 2.6e-4 of the amplitude.
-pub(super) const STEP_RAD: f64 = 0.5;
+/// an error of x⁵/120 of the amplitude: 4e-5.
+pub(super) const STEP_RAD: f64 = 0.35;
 
 /// How far past its event a contact may change, as an angle of that vibration. A dashpot begins to
 /// push at once: c v δt/m is this times 2ζ of the velocity v.
-pub(super) const EVENT_RAD: f64 = 0.001;
+pub(super) const EVENT_RAD: f64 = 5e-4;
 
 /// A dashpot of no damping recovers this fast \[1/s\].
 const AT_ONCE: f64 = 1e12;

@@ -17,7 +17,7 @@ pub(super) const SAMPLE_ENDS: u32 = 16;
 pub(super) const FALLEN: u32 = 32;
 
 /// A pad that carries less of its load at rest is not calm.
-const CALM_SHARE: f64 = 0.8;
+const CALM_SHARE: f64 = 0.9;
 
 /// Worlds side by side. Displacements are those of the centre of gravity, from its place above
 /// unloaded pads.

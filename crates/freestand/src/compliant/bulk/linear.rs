@@ -16,7 +16,7 @@ const ALL: usize = STATES + 4;
 
 type Matrix = [[f64; ALL]; ALL];
 
-/// Terms of the exponential series: with steps of half a radian the last one is below 1e-17.
+/// Terms of the exponential series: with steps of a third of a radian the last one is below 1e-17.
 const TERMS: i32 = 18;
 
 /// y at the end = `state` y + `from` a(0) + `to` a(h), with the horizontal acceleration of the base and the

@@ -6,12 +6,12 @@
 //!
 //! * **Both edges on their pads** (`linear`, `pressed`): the linear equations of (x, z, θ), exact
 //!   from sample to sample. Their first way through the whole motion is the screen: U, the largest
-//!   part of its load at rest that an edge loses.
-//! * **From where an edge lets go** (`lifted`): exact sines, Runge–Kutta steps of half a radian of
-//!   the fastest vibration, steps shortened to the events of contacts: let go at N = 0, touched
-//!   where the edge meets the surface of its pad, which recovers as its dashpot allows. Back to the
-//!   recursion when both edges have carried more than a tenth of their load at rest for half a
-//!   period of rocking; z and the stretch of both springs go with it.
+//!   part of its load at rest that an edge loses. Where U ≤ 1, that is all.
+//! * **Else** (`lifted`), from the first 0.15 of a load lost on: exact sines, Runge–Kutta steps of a
+//!   third of a radian of the fastest vibration, shortened to the events of contacts: let go at
+//!   N = 0, touched where the edge meets the surface of its pad, which recovers as its dashpot
+//!   allows. Back to the linear equations when both edges have carried nine tenths of their load at
+//!   rest for half a period of rocking; z and the stretch of both springs go with it.
 //! * **Fallen** beyond 1.2 rad, or half of the way from the balance point to the floor, if that is
 //!   more.
 //!
@@ -123,6 +123,18 @@ impl CompliantSummary {
 /// A result does not depend on the other worlds, their order, the number of threads or the
 /// processor's vector units. Start from rest on the pads; linear pads, no slip: for everything else
 /// there is [`rock_compliant`](super::rock_compliant), the reference.
+///
+/// # Accuracy
+/// Against the reference at `standard`, 200 synthetic motions of 1 to 2 times the threshold under each
+/// of six objects of 25 to 400 kg (`campaign_of_both_solvers`): ACCURACY
+///
+/// U is exact to first order: motions scaled to U = 0.985 leave both edges on their pads, at 1.03 one
+/// lets go. Above 1 by less than a hundredth it may be that none does: the outcome counts.
+///
+/// # Reference
+/// Runge–Kutta's classical method: Hairer, Nørsett and Wanner (1993), Solving ODEs I, II.1, Table 1.2.
+/// The linear equations by the exponential of their matrix with the motion as further states: Van Loan
+/// (1978).
 ///
 /// # Errors
 /// Each world has its own: numbers out of range, pads that do not keep the block upright, a motion

@@ -10,7 +10,7 @@ use crate::vector::{Column, Math, Numbers};
 
 /// Up to here the linear equations are followed: beyond this part of its load lost by an edge, squares of the rotation
 /// count for a world in which one lets go later.
-pub(super) const FIRM_RATIO: f64 = 0.3;
+pub(super) const FIRM_RATIO: f64 = 0.15;
 
 pub(super) type Lane = Column<LANES>;
 
