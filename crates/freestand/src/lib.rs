@@ -85,4 +85,5 @@ pub mod suite;
 pub mod synthesis;
 pub mod worlds;
 
+use freestand_rocking::vector;
 pub use freestand_rocking::{G0_M_S2, block, motion, rocking};

@@ -91,7 +91,8 @@ impl Resolver<'_> {
         let count = |written: &Option<Written<u64>>, default: u32| {
             u32::try_from(or(written, u64::from(default))).unwrap_or(default).clamp(1, MAX_WORLDS as u32)
         };
-        let (first, most) = (count(&written.first, defaults.looks.first()), count(&written.most, defaults.looks.most()));
+        let (first, most) =
+            (count(&written.first, defaults.looks.first()), count(&written.most, defaults.looks.most()));
         let confidence = or(&written.confidence, defaults.looks.confidence());
         if first > most {
             let line = written.first.as_ref().or(written.most.as_ref()).map(|one| one.line);
