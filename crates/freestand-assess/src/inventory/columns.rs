@@ -73,6 +73,8 @@ pub enum Column {
     Friction,
     /// `accepted`
     Accepted,
+    /// What is asked of the object.
+    Questions,
     /// `notes`
     Notes,
 }
@@ -277,6 +279,12 @@ pub static COLUMNS: [ColumnSpec; 35] = [
         quantity(Column::Accepted, "accepted", Ratio, ""),
         "Probability of overturning or damage that the owner accepts; empty: that of the study",
         "10 %",
+    ),
+    said(
+        text(Column::Questions, "questions", &["question"]),
+        "What the verdict rests on: falls, or falls+shock; empty: shock too where a tolerance is given or the loss of \
+         function or property is rated high",
+        "falls",
     ),
     said(text(Column::Notes, "notes", &["note", "remarks"]), "Notes", "photo 12"),
 ];

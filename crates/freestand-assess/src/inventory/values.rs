@@ -194,6 +194,21 @@ impl Values<'_, '_, '_> {
         }
     }
 
+    /// What is asked of the object.
+    pub(super) fn questions(&mut self, column: Column) -> Option<Questions> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return None;
+        }
+        let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
+        let found = Questions::ALL.iter().find(|(name, _)| *name == plain).map(|(_, questions)| *questions);
+        if found.is_none() {
+            let message = format!("\"{}\" is not a question", shorten(&text));
+            self.refuse(column, message, "write falls or falls+shock, or leave the cell empty");
+        }
+        found
+    }
+
     /// Two positive ratios in rising order, `0.3-0.5` or `0.3 to 0.5`, or one for both.
     pub(super) fn range(&mut self, column: Column) -> Option<(f64, f64)> {
         let (_, cell) = self.cell(column)?;

@@ -1,5 +1,6 @@
 //! Random numbers of worlds, keyed by what they are for.
 
+use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
 use crate::fragility::draw_stream;
@@ -92,4 +93,11 @@ pub fn world_stream(seed: u64, world: u32, group: Group, repetition: u32) -> Cha
 /// object's name alone, not on its place in a list.
 pub fn object_stream(seed: u64, world: u32, object: u64, group: Group, repetition: u32) -> ChaCha8Rng {
     draw_stream(seed, object, u64::from(world), OF_OBJECT | purpose(group, repetition))
+}
+
+/// A place from 0 to `count` − 1, each with the same chance to within count/2⁶⁴; 0 where there is
+/// none.
+pub fn place_among(random: &mut ChaCha8Rng, count: usize) -> usize {
+    let place = (u128::from(random.next_u64()) * count as u128) >> 64;
+    usize::try_from(place).unwrap_or(0)
 }
