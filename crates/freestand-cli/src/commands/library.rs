@@ -30,6 +30,9 @@ pub(crate) enum Wanted<'a> {
     WithWords(&'a [String]),
 }
 
+/// Labels and values.
+pub(crate) type Fields = Vec<(&'static str, Option<String>)>;
+
 /// How the entries of a library are printed.
 #[derive(Debug)]
 pub(crate) struct Layout<E> {
@@ -39,7 +42,7 @@ pub(crate) struct Layout<E> {
     pub(crate) cells: fn(&E) -> [String; 6],
     pub(crate) remark: &'static str,
     /// All fields of an entry, of which empty ones are left out, and the notice that it requires.
-    pub(crate) fields: fn(&E) -> Vec<(&'static str, Option<String>)>,
+    pub(crate) fields: fn(&E) -> Fields,
     pub(crate) notice: fn(&E) -> &str,
 }
 

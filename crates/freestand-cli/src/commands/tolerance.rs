@@ -7,7 +7,7 @@ use freestand_input::words::{name_of, number};
 use freestand_study::shock_spectrum::SHAPES;
 
 use super::Done;
-use super::library::{Layout, LibraryArgs, Wanted, print};
+use super::library::{Fields, Layout, LibraryArgs, Wanted, print};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
@@ -94,7 +94,7 @@ pub(crate) fn run(args: &ToleranceArgs, global: &GlobalArgs, printer: &Printer) 
     print(ToleranceLibrary::builtin(), library, wanted, &LAYOUT, (global, printer))
 }
 
-fn fields(entry: &ToleranceEntry) -> Vec<(&'static str, Option<String>)> {
+fn fields(entry: &ToleranceEntry) -> Fields {
     let si = |value: Option<f64>, dimension| value.map(|value| format_si(value, dimension));
     let text = |text: &str| Some(text.to_owned());
     let decides = match (entry.decides, to_tolerance(entry)) {

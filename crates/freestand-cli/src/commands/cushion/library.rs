@@ -7,7 +7,7 @@ use freestand_input::words::number;
 
 use super::Done;
 use crate::args::GlobalArgs;
-use crate::commands::library::{Layout, LibraryArgs, Wanted, print};
+use crate::commands::library::{Fields, Layout, LibraryArgs, Wanted, print};
 use crate::failure::Failure;
 use crate::printer::Printer;
 
@@ -87,7 +87,7 @@ fn mean(entry: &CushionEntry) -> String {
     format!("{} N/mm", number(entry.stiffness_n_m / 1e3, 3))
 }
 
-fn fields(entry: &CushionEntry) -> Vec<(&'static str, Option<String>)> {
+fn fields(entry: &CushionEntry) -> Fields {
     let text = |text: &str| Some(text.to_owned());
     vec![
         ("id", text(&entry.id)),
