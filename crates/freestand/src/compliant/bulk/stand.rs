@@ -17,7 +17,7 @@ pub fn stands_on_pads(block: &Block, mass_kg: f64, stiffness_n_m: f64, gravity_m
 ///
 /// # Accuracy
 /// For pads that do not give way sideways. With k_t = k the base sways as well, and the lowest
-/// frequency is lower: by a tenth for a cabinet twice as high as wide.
+/// frequency is lower: by 6 % for a block twice as high as wide, by 1 % for one five times as high.
 ///
 /// # Example
 /// A rack of 2.0 m × 0.9 m and 400 kg on 1500 N/mm under each edge: 5.2 Hz.
@@ -26,7 +26,7 @@ pub fn stands_on_pads(block: &Block, mass_kg: f64, stiffness_n_m: f64, gravity_m
 /// use freestand::compliant::rocking_frequency_hz;
 /// let rack = Block::uniform(2.0, 0.9)?;
 /// let f_hz = rocking_frequency_hz(&rack, 400.0, 1.5e6, freestand::G0_M_S2).unwrap();
-/// assert!((f_hz - 5.226).abs() < 0.001);
+/// assert!((f_hz - 5.2235).abs() < 1e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn rocking_frequency_hz(block: &Block, mass_kg: f64, stiffness_n_m: f64, gravity_m_s2: f64) -> Option<f64> {
