@@ -188,8 +188,7 @@ pub enum Cause {
 
 impl Cause {
     /// All causes, in the order of the outputs.
-    pub const ALL: [Self; 6] =
-        [Self::Motion, Self::Building, Self::Restitution, Self::Pad, Self::Body, Self::Model];
+    pub const ALL: [Self; 6] = [Self::Motion, Self::Building, Self::Restitution, Self::Pad, Self::Body, Self::Model];
 
     /// The name in outputs.
     pub fn name(self) -> &'static str {

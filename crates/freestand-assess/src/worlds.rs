@@ -9,7 +9,8 @@ use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
 use freestand::synthesis::SynthesisOptions;
 use freestand::worlds::{
-    BuildingDraw, BuildingSpread, Component, Group, GroundSpread, SpreadOptions, place_among, world_motion, world_stream,
+    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, SpreadOptions, place_among, world_motion,
+    world_stream,
 };
 use rayon::prelude::*;
 
@@ -110,7 +111,12 @@ impl<'a> Worlds<'a> {
             }
         };
         let WorldSettings {
-            spectral_spread, intensity_spread, component_correlation, period_spread, damping_spread, ..
+            spectral_spread,
+            intensity_spread,
+            component_correlation,
+            period_spread,
+            damping_spread,
+            ..
         } = study.assessment.worlds;
         let refused = |error: freestand::worlds::WorldError| Problem::new(ProblemKind::Value, error.to_string());
         let options = SpreadOptions { spectral_spread, intensity_spread, component_correlation };

@@ -142,7 +142,7 @@ const fn of(spec: ColumnSpec, holds: Holds) -> ColumnSpec {
 use Dimension::{Acceleration, Length, Mass, Ratio, Stiffness, Time, Velocity};
 
 /// All columns, in the order of the template and of [`Column`].
-pub static COLUMNS: [ColumnSpec; 35] = [
+pub static COLUMNS: [ColumnSpec; 36] = [
     said(
         text(Column::Id, "id", &[]),
         "Identifier of the object, unique in the file; without it the row number is used",

@@ -3,6 +3,8 @@
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
+use freestand_study::study::assessment::Questions;
+
 use super::Rating;
 use super::cell::{Cell, Row};
 use super::columns::{Column, Holds, canonical};

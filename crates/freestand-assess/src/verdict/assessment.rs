@@ -171,9 +171,8 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
 
 fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
-    let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| {
-        trial.subject.body.is_some() || !capacity.needs_shock()
-    });
+    let is_known =
+        trial.subject.capacity.as_ref().is_some_and(|capacity| trial.subject.body.is_some() || !capacity.needs_shock());
     let model = |model| ModelAnswers {
         overturn: trial.probability(context, Question::Falls, model),
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),

@@ -121,8 +121,7 @@ impl Capacity {
     ) -> Option<Terms> {
         let lift = self.edge_lift_m.map_or(0.0, |survived_m| uplift_m / survived_m);
         let floor = self.peak_m_s2.map_or(0.0, |peak| floor_m_s2 / peak);
-        let still =
-            Terms { acceleration: 0.0, velocity_change: f64::INFINITY, spectrum: 0.0, lift, floor };
+        let still = Terms { acceleration: 0.0, velocity_change: f64::INFINITY, spectrum: 0.0, lift, floor };
         if is_at_rest || !self.needs_shock() {
             return Some(still);
         }

@@ -13,10 +13,10 @@ use crate::result::{AcceptedFor, FloorFacts, RestraintForce};
 use freestand_input::words::number;
 
 use super::Context;
-use super::trial::Trial;
 use super::assessment::quantile;
 use super::decision::percent;
 use super::response::{lifts, options};
+use super::trial::Trial;
 
 /// Dispersion of the FEMA P-58 fragilities of slender unanchored contents.
 const P58_BETA: f64 = 0.5;

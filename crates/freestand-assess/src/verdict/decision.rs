@@ -3,9 +3,7 @@
 use freestand::decision::Side;
 
 use crate::inventory::{Consequences, Rating};
-use crate::result::{
-    AcceptedFor, Answers, Criterion, Decision, FallsAnswer, ModelAnswers, Probability, ShockAnswer,
-};
+use crate::result::{AcceptedFor, Answers, Criterion, Decision, FallsAnswer, ModelAnswers, Probability, ShockAnswer};
 use freestand_input::words::{counted, percent_significant};
 use freestand_study::study::assessment::{Accepted, SMALL_ITEM_J};
 
@@ -169,11 +167,7 @@ fn falling(case: &Case) -> String {
 }
 
 /// Both models, where they disagree.
-fn both_words(
-    answers: &Answers,
-    of: impl Fn(&ModelAnswers) -> Option<Probability>,
-    accepted_ratio: f64,
-) -> String {
+fn both_words(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probability>, accepted_ratio: f64) -> String {
     let (Some(rigid), Some(pads)) = (of(&answers.rigid), answers.compliant.as_ref().and_then(&of)) else {
         return String::new();
     };
@@ -197,8 +191,12 @@ fn shock_words(case: &Case) -> String {
         ShockAnswer::Stands => {
             format!("{what} in at most {} of the worlds (accepted {limit}).{models}", percent(p.high))
         }
-        ShockAnswer::Exceeded => format!("{what} in {} of the worlds, more than the accepted {limit}.{models}", spread(p)),
-        ShockAnswer::Close => format!("{what} in {} of the worlds against {limit}: too close to call.{models}", spread(p)),
+        ShockAnswer::Exceeded => {
+            format!("{what} in {} of the worlds, more than the accepted {limit}.{models}", spread(p))
+        }
+        ShockAnswer::Close => {
+            format!("{what} in {} of the worlds against {limit}: too close to call.{models}", spread(p))
+        }
         ShockAnswer::Unknown => String::new(),
     }
 }

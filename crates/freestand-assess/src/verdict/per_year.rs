@@ -40,7 +40,8 @@ fn of_trial(context: &Context, trial: &Trial) -> Result<Option<PerYear>, Problem
         context.count(usize::try_from(shaken.histories()).unwrap_or(0));
         let share = |question| {
             let by_model = trial.models(context).map(|model: Model| {
-                let yes = |one: &&super::response::Lived| answer(&trial.subject, one, question, model) == Some(Some(true));
+                let yes =
+                    |one: &&super::response::Lived| answer(&trial.subject, one, question, model) == Some(Some(true));
                 lived.iter().flatten().filter(yes).count() as f64 / f64::from(WORLDS)
             });
             by_model.fold(0.0, f64::max)

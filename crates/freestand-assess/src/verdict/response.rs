@@ -59,11 +59,7 @@ pub(super) struct Lived {
 
 /// The options of every history on a rigid base, the same as in `run`.
 pub(super) fn options(restitution: Restitution) -> RockingOptions {
-    RockingOptions {
-        restitution,
-        until: Until::Settled { at_most_s: LONGEST_TAIL_S },
-        ..RockingOptions::default()
-    }
+    RockingOptions { restitution, until: Until::Settled { at_most_s: LONGEST_TAIL_S }, ..RockingOptions::default() }
 }
 
 /// Shock and demand of a history with the values of its world.

@@ -165,4 +165,3 @@ pub(super) fn beyond_pads(trial: &Trial) -> &'static str {
     }
     "what exceeds its tolerance does not depend on the pad"
 }
-

@@ -239,7 +239,8 @@ pub(super) fn lived_in(
     let mut pads = pads_in_worlds(context, trials, &draws, &floors, range.start)?.into_iter();
     let lived = trials.iter().enumerate().map(|(place, trial)| {
         let worlds = rigid.iter_mut().zip(&draws).zip(&floors);
-        let mut own_pads = if trial.asks(context, Model::Pads) { pads.next() } else { None }.unwrap_or_default().into_iter();
+        let mut own_pads =
+            if trial.asks(context, Model::Pads) { pads.next() } else { None }.unwrap_or_default().into_iter();
         let one = worlds.map(|((rigid, draws), floor)| Lived {
             draw: draws[place],
             rigid: rigid.next().unwrap_or_else(|| Err("the history is missing".to_owned())),
@@ -296,6 +297,26 @@ fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &
     trials.iter().zip(draws).zip(found).map(of_trial).collect()
 }
 
+/// The place of an object, the place of a world, an axis; its draw and its floor.
+type Job<'a> = (usize, usize, usize, &'a Draw, &'a FloorOfWorld);
+
+/// A history on pads that are springs; `None` for a curved contact law.
+fn linear<'a>(trials: &[&Trial], job: &Job<'a>) -> Option<CompliantWorld<'a>> {
+    let (place, _, axis, draw, floor) = *job;
+    let subject = &trials.get(place)?.subject;
+    let (mass_kg, cushion) = draw.body(subject)?;
+    let stiffness_n_m = cushion.linear_stiffness_n_m()?;
+    let (block, _) = draw.block(subject, axis)?;
+    let horizontal = Some(floor.component(draw.is_along_x(axis)));
+    Some(CompliantWorld {
+        block,
+        mass_kg,
+        stiffness_n_m,
+        damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
+        motion: Base { horizontal, vertical: None },
+    })
+}
+
 /// Of each object whose pads are asked, its response in each world; `None` where its contact law is
 /// curved and enough worlds were followed.
 fn pads_in_worlds(
@@ -308,7 +329,7 @@ fn pads_in_worlds(
     let asked: Vec<(usize, &&Trial)> =
         trials.iter().enumerate().filter(|(_, trial)| trial.asks(context, Model::Pads)).collect();
     // The worlds of one object stand side by side in the kernel: they resemble each other.
-    let mut jobs = Vec::new();
+    let mut jobs: Vec<Job> = Vec::new();
     for (place, trial) in &asked {
         for (world, (draws, floor)) in draws.iter().zip(floors).enumerate() {
             let draw = &draws[*place];
@@ -317,21 +338,7 @@ fn pads_in_worlds(
             }
         }
     }
-    let linear = |&(place, _, axis, draw, floor): &(usize, usize, usize, &Draw, &'_ FloorOfWorld)| {
-        let subject = &trials[place].subject;
-        let (mass_kg, cushion) = draw.body(subject)?;
-        let stiffness_n_m = cushion.linear_stiffness_n_m()?;
-        let (block, _) = draw.block(subject, axis)?;
-        let horizontal = Some(floor.component(draw.is_along_x(axis)));
-        Some(CompliantWorld {
-            block,
-            mass_kg,
-            stiffness_n_m,
-            damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
-            motion: Base { horizontal, vertical: None },
-        })
-    };
-    let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(linear).collect();
+    let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(|job| linear(trials, job)).collect();
     context.go_on()?;
     let mut many = rock_compliant_many(&worlds, G0_M_S2).into_iter();
     context.count(worlds.len());
@@ -339,7 +346,7 @@ fn pads_in_worlds(
         .par_iter()
         .map(|job| {
             let (place, world, axis, draw, floor) = *job;
-            let is_curved = linear(job).is_none() && first + (world as u32) < CURVED_WORLDS;
+            let is_curved = linear(trials, job).is_none() && first + (world as u32) < CURVED_WORLDS;
             is_curved.then(|| curved(&trials[place].subject, draw, axis, floor))
         })
         .collect();
@@ -349,7 +356,7 @@ fn pads_in_worlds(
         let (place, world, _, draw, floor) = *job;
         let one = match curved {
             Some(curved) => curved,
-            None if linear(job).is_some() => match many.next() {
+            None if linear(trials, job).is_some() => match many.next() {
                 Some(Ok(summary)) => Ok(pad_motion(&trials[place].subject, draw, &summary, floor.pfa_m_s2)),
                 Some(Err(error)) => toppled(&error),
                 None => Err("the history is missing".to_owned()),
