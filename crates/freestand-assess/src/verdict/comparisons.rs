@@ -1,15 +1,17 @@
 //! Published numbers to compare ours with: code accelerations, fragilities, and the forces for a
 //! restraint.
 
+use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Restitution, rock_observed};
 
-use crate::restraint::{RestraintAxis, RestraintParameters, RestraintQuestion, restraint_forces};
+use crate::restraint::{RestraintAxis, RestraintQuestion, restraint_forces};
 use crate::result::{AcceptedFor, RestraintForce};
 use freestand_input::words::number;
+use freestand_study::statistics::ranked_quantile;
 
 use super::Context;
 use super::assessment::Found;
@@ -86,17 +88,19 @@ impl Context<'_> {
             weight_lever_m: axis.block.cg_from_right_m(),
         });
         let building = self.study.building.as_ref();
-        let is_critical = member.accepted_for == AcceptedFor::LifeSafety;
+        let pfa_q = ranked_quantile(&mut found.floor.pfa_m_s2.clone(), 1.0 - member.accepted_ratio).value();
         restraint_forces(&RestraintQuestion {
             mass_kg,
+            height_m: member.subject.axes.first().map_or(0.0, |axis| axis.block.height_m()),
             cg_height_m: member.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),
             axes: axes.collect(),
             level_ratio: facts.level_ratio,
             building_height_m: building.map(|building| building.height_m),
             building_period_s: building.map(|building| building.along.period_s()),
             spectrum: self.study.ground.code_spectrum().map(|target| target.spectrum.clone()),
-            floor_acceleration_g: Some(facts.pfa_g_max),
-            parameters: if is_critical { RestraintParameters::critical() } else { RestraintParameters::default() },
+            floor_acceleration_g: pfa_q.map(|pfa_m_s2| pfa_m_s2 / G0_M_S2),
+            is_critical: member.accepted_for == AcceptedFor::LifeSafety,
+            settings: self.study.assessment.restraint,
         })
     }
 }
