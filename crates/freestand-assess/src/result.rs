@@ -399,8 +399,8 @@ impl Parameter {
 
 /// A force for the design of a restraint, and what it asks of anchors or of a bracket.
 ///
-/// With the force F at the height c of the centre of gravity, the weight W, the lever e of the weight
-/// and the base B, about the axis that needs more.
+/// With the force F at the height c of the centre of gravity, the weight W, the lever e of the
+/// weight and the base B, about the axis that needs more.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RestraintForce {
     /// The clause.

@@ -22,7 +22,8 @@ pub(crate) struct RestraintAxis {
     pub axis: Axis,
     /// From the anchors along one edge to the opposite edge, about which the object rotates \[m\].
     pub base_m: f64,
-    /// From the centre of gravity to either of these edges; half the base where it is central \[m\].
+    /// From the centre of gravity to either of these edges; half the base where it is central
+    /// \[m\].
     pub weight_lever_m: f64,
 }
 
@@ -52,8 +53,8 @@ pub(crate) struct RestraintQuestion {
     pub building_period_s: Option<f64>,
     /// Spectrum of the study's hazard; `None`: the study has none, and no code can be applied.
     pub spectrum: Option<CodeSpectrum>,
-    /// PFA_q: peak acceleration of its floor that the accepted share of the worlds exceeds, the 1 − a
-    /// quantile over worlds \[g\]. Not the largest, which grows with the number of worlds.
+    /// PFA_q: peak acceleration of its floor that the accepted share of the worlds exceeds, the 1 −
+    /// a quantile over worlds \[g\]. Not the largest, which grows with the number of worlds.
     pub floor_acceleration_g: Option<f64>,
     /// Whether it is critical to life safety: an importance factor of 1.5 where a code has one.
     pub is_critical: bool,
@@ -64,11 +65,11 @@ pub(crate) struct RestraintQuestion {
 /// The forces for the design of a restraint, one for each source: first the study's own code, then
 /// the computed floor, then other codes for comparison.
 ///
-/// The codes are AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13, and Eurocode 8 or NZS 1170.5 if
-/// the hazard is by that code. A code other than the study's receives the study's spectrum: kpZ Ch(0)
-/// is then Sa(0), S_DS its plateau, and the note says so. The computed floor gives F = m A PFA_q,
-/// with A = 1 for a rigid bracket (a period below 0.06 s) and A = 2.5 for a flexible one, whose
-/// period is not known.
+/// The codes are AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13, and Eurocode 8 or NZS 1170.5
+/// if the hazard is by that code. A code other than the study's receives the study's spectrum: kpZ
+/// Ch(0) is then Sa(0), S_DS its plateau, and the note says so. The computed floor gives F = m A
+/// PFA_q, with A = 1 for a rigid bracket (a period below 0.06 s) and A = 2.5 for a flexible one,
+/// whose period is not known.
 ///
 /// With F at the height c of the centre of gravity, the lever e of the weight, the base B and the
 /// weight H = max(0, d − v) W that holds the object down (d = 0.9 of the dead load; v = 0.2 S_DS in

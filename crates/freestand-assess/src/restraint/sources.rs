@@ -150,7 +150,8 @@ impl<'a> Asked<'a> {
 
     fn australia(&self, spectrum: &CodeSpectrum) -> Option<Source> {
         let is_own = matches!(spectrum, CodeSpectrum::As1170_4(_));
-        // a_x depends on the place alone: floor over ground acceleration of any spectrum of this code.
+        // a_x depends on the place alone: floor over ground acceleration of any spectrum of this
+        // code.
         let floor_g = if is_own {
             floor_acceleration_g(spectrum, &self.place)?
         } else {
@@ -170,7 +171,8 @@ impl<'a> Asked<'a> {
             },
         );
         let formula = format!(
-            "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W: {} × {} × {}/{} = {} W{}.{}{borrowed}{} {RECALLED}",
+            "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W: {} × {} × {}/{} = {} W{}.{}{borrowed}{} \
+             {RECALLED}",
             number(floor_g, 4),
             importance.number(),
             amplification.number(),
@@ -366,8 +368,8 @@ pub(super) fn computed_floor(question: &RestraintQuestion, pfa_g: f64) -> Source
     let overstrength = asked.overstrength(1.0, "the standard for anchors in concrete has rules of its own");
     let force_ratio = used_ratio * pfa_g;
     let formula = format!(
-        "F = A m PFA, A at least 1, with the PFA that the accepted share of the worlds exceeds: {} × {} g = {} W.{} Without \
-         factors for ductility or importance.",
+        "F = A m PFA, A at least 1, with the PFA that the accepted share of the worlds exceeds: {} × {} g = {} W.{} \
+         Without factors for ductility or importance.",
         number(used_ratio, 4),
         number(pfa_g, 4),
         number(force_ratio, 4),

@@ -22,12 +22,12 @@ pub(super) fn held_weight_ratio(dead_load_ratio: f64, vertical_ratio: f64) -> f6
 }
 
 /// The axis with the largest tension, and that tension \[N\]; `None` without an axis.
-pub(super) fn worst_tension<'a>(
-    axes: &'a [RestraintAxis],
+pub(super) fn worst_tension(
+    axes: &[RestraintAxis],
     force_n: f64,
     cg_height_m: f64,
     held_n: f64,
-) -> Option<(&'a RestraintAxis, f64)> {
+) -> Option<(&RestraintAxis, f64)> {
     // The largest before it is limited to 0, so that the axis does not depend on their order.
     let pull = |axis: &RestraintAxis| (force_n * cg_height_m - held_n * axis.least_lever_m()) / axis.base_m;
     let usable = axes.iter().filter(|axis| axis.base_m > 0.0);
@@ -63,8 +63,8 @@ pub(super) fn bracket_force_n(force_n: f64, cg_height_m: f64, bracket_height_m: 
     force_n * cg_height_m / bracket_height_m
 }
 
-/// Horizontal force at the feet beside a bracket \[N\]: V = F |1 − c/z_b|. It acts against F where the
-/// bracket is above the centre of gravity, and with it where the bracket is below.
+/// Horizontal force at the feet beside a bracket \[N\]: V = F |1 − c/z_b|. It acts against F where
+/// the bracket is above the centre of gravity, and with it where the bracket is below.
 pub(super) fn base_shear_n(force_n: f64, cg_height_m: f64, bracket_height_m: f64) -> f64 {
     force_n * (1.0 - cg_height_m / bracket_height_m).abs()
 }
@@ -105,8 +105,9 @@ pub(super) fn bracket_words(
         )
     };
     format!(
-        " Or a bracket at {at}: F × {cg}/{at}, the weight is not counted; at the feet F × |1 − {cg}/{at}| = {}; \
-         {feet}.{limited}{below}",
+        " Or a bracket at {at}: F × {cg}/{at} = {}, the weight is not counted; at the feet F × |1 − {cg}/{at}| = \
+         {}; {feet}.{limited}{below}",
+        newtons(bracket_force_n(force_n, cg_height_m, height_m)),
         newtons(shear_n),
         at = length(height_m),
         cg = length(cg_height_m),
