@@ -346,18 +346,15 @@ impl<'a> Asked<'a> {
     }
 }
 
-/// The forces by the codes: the study's own one first.
+/// The forces by the codes.
 pub(super) fn codes(question: &RestraintQuestion) -> Vec<Source> {
     let Some(spectrum) = &question.spectrum else { return Vec::new() };
     let asked = Asked::new(question);
-    let mut found: Vec<Source> = [asked.europe(spectrum), asked.new_zealand(spectrum), asked.australia(spectrum)]
+    [asked.europe(spectrum), asked.new_zealand(spectrum), asked.australia(spectrum)]
         .into_iter()
         .flatten()
         .chain([Asce7Edition::Asce7_16, Asce7Edition::Asce7_22].map(|edition| asked.america(spectrum, edition)))
-        .collect();
-    // Stable: the others keep their order.
-    found.sort_by_key(|source| !source.is_own);
-    found
+        .collect()
 }
 
 /// The force by the computed floor: F = m A PFA, with A at least 1.
