@@ -276,7 +276,15 @@ fn forces() -> Vec<RestraintForce> {
         source: source.to_owned(),
         force_n,
         force_ratio: 0.42,
+        held_weight_ratio: 0.9,
+        overstrength_ratio: 2.0,
         anchor_tension_n,
+        anchor_tension_concrete_n: 2.0 * anchor_tension_n,
+        bracket_height_m: 1.35,
+        bracket_force_n: 0.5 * force_n,
+        bracket_force_concrete_n: force_n,
+        bracket_base_shear_n: 0.5 * force_n,
+        is_for_comparison: source.starts_with("ASCE"),
         note: "F = a_floor I_c a_c / R_c · W = 0.3 × 1.0 × 1.0 / 1.0 × W".to_owned(),
     };
     vec![force("AS 1170.4-2007, 8.2", 410.0, 950.0), force("ASCE 7-22, 13.3.1", 530.0, 720.0)]

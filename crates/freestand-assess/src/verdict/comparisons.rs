@@ -8,7 +8,7 @@ use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Restitution, rock_observed};
 
-use crate::restraint::{RestraintAxis, RestraintParameters, RestraintQuestion, restraint_forces};
+use crate::restraint::{RestraintAxis, RestraintQuestion, restraint_forces};
 use crate::result::{AcceptedFor, FloorFacts, RestraintForce};
 use freestand_input::words::number;
 
@@ -91,9 +91,9 @@ impl Context<'_> {
             weight_lever_m: axis.block.cg_from_right_m(),
         });
         let building = self.study.building.as_ref();
-        let is_critical = member.accepted_for == AcceptedFor::LifeSafety;
         restraint_forces(&RestraintQuestion {
             mass_kg,
+            height_m: trial.subject.axes.first().map_or(0.0, |axis| axis.height_m),
             cg_height_m: trial.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),
             axes: axes.collect(),
             level_ratio: trial.subject.level_ratio,
@@ -101,7 +101,8 @@ impl Context<'_> {
             building_period_s: building.map(|building| building.along.period_s()),
             spectrum: self.study.ground.code_spectrum().map(|target| target.spectrum.clone()),
             floor_acceleration_g: Some(floor_g),
-            parameters: if is_critical { RestraintParameters::critical() } else { RestraintParameters::default() },
+            is_critical: member.accepted_for == AcceptedFor::LifeSafety,
+            settings: self.study.assessment.restraint,
         })
     }
 }

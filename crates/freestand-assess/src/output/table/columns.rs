@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 
 use crate::inventory::{Item, Rating};
-use crate::result::{Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce};
+use crate::result::{Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce, reported_force};
 use freestand_study::cushion::cushion_words;
 
 use super::{Cell, Column, Kind, Line};
@@ -224,14 +224,30 @@ pub(crate) const COLUMNS: &[Column] = &[
     number("pad_stroke_m", "m", "compression of that pad that 95 % of the worlds do not exceed", |l| {
         of(l, |found| found.softening.as_ref()?.stroke_m)
     }),
-    number("restraint_force_n", "N", "largest horizontal force of a restraint, of all sources", |l| {
-        of(l, |found| largest(found, |force| force.force_n))
+    number("restraint_force_n", "N", "horizontal force of a restraint by the study's own code, or by its floor", |l| {
+        restraint(l, |force| force.force_n)
     }),
-    text("restraint_source", "clause of this force", |l| {
-        of_text(l, |found| Some(strongest(found, |force| force.force_n)?.source.as_str()))
+    text("restraint_source", "clause of this force; the other columns of the restraint are by the same clause", |l| {
+        of_text(l, |found| Some(reported_force(&found.restraint)?.source.as_str()))
     }),
-    number("anchor_tension_n", "N", "largest tension of all anchors along one edge together, of all sources", |l| {
-        of(l, |found| largest(found, |force| force.anchor_tension_n))
+    number("held_weight_ratio", "1", "weight that holds it down against the force, over its weight", |l| {
+        restraint(l, |force| force.held_weight_ratio)
+    }),
+    number("overstrength_ratio", "1", "factor on the force for anchors in concrete", |l| {
+        restraint(l, |force| force.overstrength_ratio)
+    }),
+    number("anchor_tension_n", "N", "tension of all anchors along one edge together; 0: its weight suffices", |l| {
+        restraint(l, |force| force.anchor_tension_n)
+    }),
+    number("anchor_tension_concrete_n", "N", "the same for anchors in concrete", |l| {
+        restraint(l, |force| force.anchor_tension_concrete_n)
+    }),
+    number("bracket_height_m", "m", "height of a bracket in place of the anchors", |l| {
+        restraint(l, |force| force.bracket_height_m)
+    }),
+    number("bracket_force_n", "N", "horizontal force of that bracket", |l| restraint(l, |force| force.bracket_force_n)),
+    number("bracket_base_shear_n", "N", "horizontal force at the feet beside that bracket", |l| {
+        restraint(l, |force| force.bracket_base_shear_n)
     }),
     // The values of the calculation.
     text("tolerance", "its tolerance, in words", |l| {
@@ -438,11 +454,7 @@ fn rating<'a>(rating: Option<Rating>) -> Cell<'a> {
     })
 }
 
-/// The largest force by `need`; the first of two equal ones.
-pub(crate) fn strongest(found: &Assessment, need: fn(&RestraintForce) -> f64) -> Option<&RestraintForce> {
-    found.restraint.iter().reduce(|most, next| if need(next) > need(most) { next } else { most })
-}
-
-fn largest(found: &Assessment, need: fn(&RestraintForce) -> f64) -> Option<f64> {
-    strongest(found, need).map(need)
+/// A value of the force that counts for the object.
+fn restraint<'a>(line: &Line<'a>, value: fn(&RestraintForce) -> f64) -> Cell<'a> {
+    Cell::number(line.assessment().and_then(|found| reported_force(&found.restraint)).map(value))
 }
