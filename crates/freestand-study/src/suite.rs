@@ -244,7 +244,7 @@ impl Suite {
     pub fn mean_words(&self) -> String {
         let worst = self.mean_ln_ratio.iter().fold(0.0, |worst: f64, x| if x.abs() > worst.abs() { *x } else { worst });
         let percent = |ln: f64| number(100.0 * ln.exp_m1(), 2);
-        format!("off by {} rms, {} % at most", significant(self.mean_rms(), 2), percent(worst))
+        format!("off by {} rms, by {} % at worst", significant(self.mean_rms(), 2), percent(worst))
     }
 
     /// The standard deviation of ln Sa and the one that was asked for.
@@ -257,7 +257,7 @@ impl Suite {
 
     /// A warning for each thing that the reader of the results must know.
     pub fn warnings(&self) -> Vec<String> {
-        let more = "more records to choose from would fit better";
+        let more = "more records to choose from, or a smaller suite_count, would fit better";
         let mut warnings: Vec<String> =
             self.left_out.iter().map(|one| format!("suite: {} is left out: {}", one.file, one.reason)).collect();
         if self.mean_rms() > FAR_LN {

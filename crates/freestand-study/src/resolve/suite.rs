@@ -5,6 +5,7 @@ use std::sync::Arc;
 use freestand::building::Building;
 use freestand::motion::{Motion, MotionError};
 use freestand::suite::SuiteScale;
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -139,13 +140,23 @@ impl Resolver<'_> {
         Some(MotionFiles { second, ..self.reading.clone()? })
     }
 
-    /// What the readers of the chosen records noted, and periods for which a record is too coarse.
+    /// What the readers of the chosen records noted, each note once, and periods for which a record is
+    /// too coarse.
     fn motion_warnings(&mut self, suite: &Suite, members: &[(ReadMotion, f64)]) {
+        let mut notes: Vec<(&str, Vec<String>)> = Vec::new();
         for (read, _) in members {
-            self.warnings.extend(read.notes.iter().map(|note| format!("{}: {note}", read.motion.name)));
+            let name = &read.motion.name;
+            for note in &read.notes {
+                match notes.iter_mut().find(|(text, _)| text == note) {
+                    Some((_, names)) => names.push(name.clone()),
+                    None => notes.push((note, vec![name.clone()])),
+                }
+            }
         }
         let coarsest_s = members.iter().map(|(read, _)| read.motion.motion.dt_s()).fold(0.0, f64::max);
-        self.warnings.extend(short_period_warning("the suite", &suite.periods_s, coarsest_s));
+        let coarse = short_period_warning("the suite", &suite.periods_s, coarsest_s);
+        let notes = notes.into_iter().map(|(note, names)| format!("{}: {note}", some(&names)));
+        self.warnings.extend(notes.chain(coarse).map(|note| KeyStyle::File.shown(&note)));
     }
 }
 
@@ -227,7 +238,7 @@ fn because(left_out: &[LeftOut], skipped: &[String]) -> String {
     let mut reasons: Vec<String> =
         left_out.iter().take(NAMED).map(|one| format!("{}: {}", one.file, one.reason)).collect();
     if left_out.len() > NAMED {
-        reasons.push(format!("and {} more", counted(left_out.len() - NAMED, "file")));
+        reasons.push(format!("and {} more", left_out.len() - NAMED));
     }
     if !skipped.is_empty() {
         reasons.push(format!("not records of horizontal motion: {}", some(skipped)));
