@@ -67,6 +67,7 @@ fn folder() -> tempfile::TempDir {
         std::fs::write(path(&format!("records/{name}")), "not a record").unwrap();
     }
     std::fs::create_dir(path("records/more")).unwrap();
+    std::fs::copy(path("records/both0.csv"), path("records/copy of both0.csv")).unwrap();
     std::fs::write(path("records/broken.csv"), "time [s],a [g]\n0,0\n0.01,what\n").unwrap();
     folder
 }
@@ -156,7 +157,9 @@ fn components_are_paired_and_other_files_are_named() {
         "readme.txt",
     ];
     assert_eq!(suite.skipped, others);
-    assert_eq!(suite.left_out.len(), 1);
+    let left_out: Vec<&str> = suite.left_out.iter().map(|one| one.file.as_str()).collect();
+    assert_eq!(left_out, ["broken.csv", "copy of both0.csv"]);
+    assert_eq!(suite.left_out[1].reason, "is the same as both0.csv");
     let warning = study.warnings.iter().find(|one| one.contains("broken.csv")).unwrap();
     assert!(warning.starts_with("suite: broken.csv is left out: ") && warning.contains("what"), "{warning}");
     // Every file that was used can be fingerprinted and protected.
@@ -168,18 +171,18 @@ fn components_are_paired_and_other_files_are_named() {
 #[test]
 fn one_component_of_each_file_where_that_is_asked_for() {
     let folder = folder();
-    for name in ["broken.csv", "both0.csv"] {
+    for name in ["broken.csv", "both0.csv", "copy of both0.csv"] {
         std::fs::remove_file(folder.path().join("records").join(name)).unwrap();
     }
     let one = study(folder.path(), "component = 1\n");
-    // A file for each component, the first of the other pair, and what looks vertical by its name only.
-    assert_eq!(motions(&one).len(), 2 * 6 + 1 + 2);
+    // Each file of six pairs, and the first component of the other.
+    assert_eq!(motions(&one).len(), 2 * 6 + 1);
     assert!(motions(&one).iter().all(|motion| motion.across.is_none()) && one.directions_deg == [0.0]);
     // Of two kinds the fewer are left out, and said.
     std::fs::remove_file(folder.path().join("records/p41_2.csv")).unwrap();
     let two = study(folder.path(), "");
     assert_eq!((motions(&two).len(), two.directions_deg.len()), (6, 12));
-    let expected = "suite: p41_1.csv is left out: has one horizontal component, but 6 other records two; component = 1 \
+    let expected = "suite: p41_1.csv is left out: has one horizontal component, but 6 other records have two; component = 1 \
                     uses one component of each file";
     assert!(two.warnings.iter().any(|warning| warning == expected), "{:?}", two.warnings);
     for i in 4..8 {
@@ -188,6 +191,16 @@ fn one_component_of_each_file_where_that_is_asked_for() {
     let mostly_one = study(folder.path(), "");
     assert_eq!((motions(&mostly_one).len(), mostly_one.directions_deg.len()), (4, 1));
     assert_eq!(motions(&study(folder.path(), "components = \"both\"\n")).len(), 3);
+}
+
+/// `unit` and `dt` are for files that state none.
+#[test]
+fn files_that_state_their_unit_and_step_need_no_other() {
+    let folder = folder();
+    let values: Vec<String> = record(0.3, 0.1).accel_m_s2().iter().map(f64::to_string).collect();
+    std::fs::write(folder.path().join("records/bare.txt"), values.join("\n")).unwrap();
+    let bare = |keys: &str| motions(&study(folder.path(), &format!("component = 1\n{keys}"))).len();
+    assert_eq!(bare("unit = \"g\"\ndt = \"0.01 s\"\n"), bare("") + 1);
 }
 
 #[test]
@@ -353,7 +366,7 @@ fn a_run_writes_what_was_selected_and_runs_again_from_its_output() {
     for start in [
         "ground: 4 recorded motions, a suite for ",
         "suite: 4 of 8 usable records, each",
-        "left out: 1 file: broken.csv",
+        "left out: 2 files: broken.csv",
     ] {
         assert!(said.iter().any(|line| line.starts_with(start)), "{start} {said:#?}");
     }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::counted;
-use freestand_records::formats::{Component, Direction};
+use freestand_records::formats::{Component, Direction, ReadOptions};
 use rayon::prelude::*;
 
 use super::pairing::{Single, pairs};
@@ -83,16 +83,21 @@ fn list(folder: &Path) -> Result<(Vec<PathBuf>, Vec<String>), Problem> {
 /// A folder that cannot be read, or that has too many files.
 pub(crate) fn read_folder(folder: &Path, files: &MotionFiles) -> Result<Folder, Problem> {
     let (paths, skipped) = list(folder)?;
-    let loaded: Vec<Result<Loaded, Problems>> = paths.par_iter().map(|path| Loaded::read(path, files)).collect();
+    let loaded: Vec<Result<Loaded, Problems>> = paths.par_iter().map(|path| read(path, files)).collect();
     let mut found = Folder { motions: Vec::new(), left_out: Vec::new(), skipped };
-    let mut read: Vec<Loaded> = Vec::new();
+    let mut all: Vec<Loaded> = Vec::new();
     for (path, one) in paths.iter().zip(loaded) {
         match one {
-            Ok(one) => read.push(one),
+            // The same earthquake twice would count as two.
+            Ok(one) if let Some(same) = all.iter().find(|other| other.sha256 == one.sha256) => {
+                let reason = format!("is the same as {}", file_name(&same.file.path));
+                found.left_out.push(LeftOut { file: file_name(path), reason });
+            }
+            Ok(one) => all.push(one),
             Err(problems) => found.left_out.extend(problems.into_iter().next().map(|why| left_out(path, why))),
         }
     }
-    let records = found.records(&read, files);
+    let records = found.records(&all, files);
     let motions: Vec<(PathBuf, Result<ReadMotion, Problem>)> =
         records.into_par_iter().map(|(one, used)| (one.file.path.clone(), one.motion(used, files))).collect();
     for (path, motion) in motions {
@@ -111,6 +116,14 @@ pub(crate) fn read_folder(folder: &Path, files: &MotionFiles) -> Result<Folder, 
     Ok(found)
 }
 
+/// A file; unit and time step are for those that do not state their own, whatever others state.
+fn read(path: &Path, files: &MotionFiles) -> Result<Loaded, Problems> {
+    Loaded::read(path, files).or_else(|problems| {
+        let stated = ReadOptions { unit: None, dt_s: None, ..files.read.clone() };
+        Loaded::read(path, &MotionFiles { read: stated, ..files.clone() }).map_err(|_| problems)
+    })
+}
+
 fn left_out(path: &Path, problem: Problem) -> LeftOut {
     LeftOut { file: file_name(path), reason: Failed::new(path, problem).reason }
 }
@@ -127,11 +140,12 @@ impl Folder {
         for (index, one) in read.iter().enumerate() {
             let name = file_name(&one.file.path);
             match one.file.components.as_slice() {
-                _ if is_one_chosen => records.push((index, Used::Chosen)),
                 [only] => match horizontal(&name, only) {
+                    Some(_) if is_one_chosen => records.push((index, Used::Chosen)),
                     Some(single) => alone.push((index, single)),
                     None => self.skipped.push(name),
                 },
+                _ if is_one_chosen => records.push((index, Used::Chosen)),
                 _ => records.push((index, Used::Two(called))),
             }
         }
@@ -154,12 +168,14 @@ impl Folder {
             (true, _) => {
                 let others = counted(two, "other record");
                 format!(
-                    "has one horizontal component, but {others} two; `component = 1` uses one component of each file"
+                    "has one horizontal component, but {others} have two; `component = 1` uses one component of each file"
                 )
             }
             (false, _) => {
                 let others = counted(one, "record");
-                format!("has two horizontal components, but {others} of the folder one; choose one with `component`")
+                format!(
+                    "has two horizontal components, but {others} of the folder have one; choose one with `component`"
+                )
             }
         };
         let reason = freestand_input::keys::KeyStyle::File.shown(&reason);
