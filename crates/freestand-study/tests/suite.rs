@@ -182,8 +182,8 @@ fn one_component_of_each_file_where_that_is_asked_for() {
     std::fs::remove_file(folder.path().join("records/p41_2.csv")).unwrap();
     let two = study(folder.path(), "");
     assert_eq!((motions(&two).len(), two.directions_deg.len()), (6, 12));
-    let expected = "suite: p41_1.csv is left out: has one horizontal component, but 6 other records have two; component = 1 \
-                    uses one component of each file";
+    let expected = "suite: p41_1.csv is left out: has one horizontal component, but 6 other records have two; \
+                    component = 1 uses one of each file";
     assert!(two.warnings.iter().any(|warning| warning == expected), "{:?}", two.warnings);
     for i in 4..8 {
         let _ = std::fs::remove_file(folder.path().join(format!("records/p{i}1_2.csv")));

@@ -30,7 +30,7 @@ const NOT_RECORDS: [&str; 19] = [
     "xml", "json", "md", "toml", "html", "htm", "pdf", "doc", "docx", "xls", "xlsx", "zip", "gz", "png", "jpg", "svg",
     "py", "m", "rst",
 ];
-/// Velocities and displacements of PEER beside its accelerations.
+/// Velocities and displacements that PEER delivers with its accelerations.
 const NOT_ACCELERATIONS: [&str; 2] = ["vt2", "dt2"];
 /// Beginnings of the names of texts and tables about records.
 const ABOUT_RECORDS: [&str; 6] = ["readme", "index", "license", "licence", "_searchresults", "_readme"];
@@ -167,9 +167,7 @@ impl Folder {
             (true, 0) => "has one horizontal component, and no other file has its second".to_owned(),
             (true, _) => {
                 let others = counted(two, "other record");
-                format!(
-                    "has one horizontal component, but {others} have two; `component = 1` uses one component of each file"
-                )
+                format!("has one horizontal component, but {others} have two; `component = 1` uses one of each file")
             }
             (false, _) => {
                 let others = counted(one, "record");

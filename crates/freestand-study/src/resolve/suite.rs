@@ -180,8 +180,8 @@ fn covers(target: &Target, range: &PeriodRange) -> Result<(), Problem> {
         "the spectrum covers {first} s to {last} s, but records are selected from {from} s to {to} s ({})",
         range.from
     );
-    let hint = "add the missing periods, or give `beyond = \"hold\"` for constant Sa below the first period and constant \
-                displacement beyond the last";
+    let hint = "add the missing periods, or give `beyond = \"hold\"` for constant Sa below the first period and \
+                constant displacement beyond the last";
     Err(Problem::value(message, hint))
 }
 
