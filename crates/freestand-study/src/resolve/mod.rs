@@ -9,6 +9,7 @@ mod objects;
 mod outputs;
 mod recorded;
 mod simulated;
+mod suite;
 
 use std::path::{Path, PathBuf};
 
@@ -112,7 +113,9 @@ pub fn resolve_with(
     let is_complete = problems.is_empty();
     let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete, reading: None };
     let Options { ground, building, objects, outputs, assessment, worlds, restraint } = options;
-    if has_measured_floors(&building) || (ground.motions.is_some() && overrides.motions.is_none()) {
+    if has_measured_floors(&building)
+        || ((ground.motions.is_some() || ground.suite.is_some()) && overrides.motions.is_none())
+    {
         resolver.reading = resolver.reading(&ground);
     }
     let levels = resolver.levels(&building, &ground);
@@ -120,7 +123,10 @@ pub fn resolve_with(
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
     } else {
-        (resolver.ground(&ground, overrides), resolver.building(&building.words).map(Some))
+        let building = resolver.building(&building.words);
+        let ground = resolver.ground(&ground, overrides, building.as_ref(), &levels);
+        resolver.warnings.extend(building.iter().flat_map(|building| building.warnings.clone()));
+        (ground, building.map(Some))
     };
     let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
     if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
