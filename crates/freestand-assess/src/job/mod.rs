@@ -5,31 +5,33 @@ mod key;
 mod portfolio;
 mod store;
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use key::resume_key;
-use portfolio::{PART, Portfolio, assess, progress_names};
+use portfolio::{PART, Portfolio, assess, progress_names, shake};
 use serde::Serialize;
 use serde_json::json;
 use store::PROGRESS;
 
 use crate::inventory::{Inventory, read_inventory};
 use crate::library::{Libraries, Lookup};
-use crate::output::{Head, Wanted, head, write_all};
+use crate::output::{Head, WORLDS_NAME, Wanted, head, write_all, write_worlds};
 use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
 use freestand_study::resolve::motion_paths;
-use freestand_study::run::Progress;
+use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
 
 /// Schema of `manifest.json` and of the document of `freestand assess`.
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 5] = ["objects.csv", "objects.parquet", "report.html", "assessment.xlsx", MANIFEST];
+const OUTPUTS: [&str; 6] =
+    ["objects.csv", "objects.parquet", WORLDS_NAME, "report.html", "assessment.xlsx", MANIFEST];
 
 /// Settings of a job.
 #[derive(Debug, Clone, Copy, Default)]
@@ -122,10 +124,16 @@ pub fn assess_into(
     let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
     let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
-    let portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
+    let mut portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
     write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
+    if !portfolio.interrupted {
+        match worlds_into(&folder, study, &mut portfolio, progress) {
+            Err(error) if error.is_stopped() => portfolio.interrupted = true,
+            written => written?,
+        }
+    }
     if portfolio.interrupted {
         portfolio.keep_in(&folder)?;
     }
@@ -137,6 +145,28 @@ pub fn assess_into(
     folder.commit()?;
     report.files.retain(|name| !name.starts_with(PROGRESS));
     Ok(report)
+}
+
+/// Writes `worlds.csv`, with the worlds made anew where an earlier run assessed every object. A run
+/// that was stopped has none: whoever stops a run does not wait for its motions.
+fn worlds_into(
+    folder: &OutputFolder,
+    study: &Study,
+    portfolio: &mut Portfolio,
+    progress: Progress,
+) -> Result<(), Problems> {
+    let lived = &portfolio.lived;
+    let worlds = match portfolio.worlds.take() {
+        Some(worlds) => worlds,
+        None => shake(study, progress)?,
+    };
+    let total = lived.worlds as usize;
+    write_worlds(folder, study, &worlds, lived, |done| {
+        match progress(Step { stage: Some(Stage::FloorMotions), done: done as usize, total }) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Problem::stopped().into()),
+        }
+    })
 }
 
 fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Path) -> JobReport {

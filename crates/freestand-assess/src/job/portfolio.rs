@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::inventory::{Consequences, Inventory, Item};
-use crate::output::Row;
+use crate::output::{Lived, Row};
 use crate::result::{Assessment, Decision};
 use crate::verdict::{Context, Member, Subject, assess_group, blank, listed};
 use crate::worlds::Worlds;
@@ -21,7 +21,6 @@ use super::store::{PROGRESS, Store};
 pub(super) const PART: usize = 256;
 
 /// A finished assessment, or the finished part of one that was stopped.
-#[derive(Debug)]
 pub(super) struct Portfolio<'a> {
     inventory: &'a Inventory,
     store: Store,
@@ -41,6 +40,10 @@ pub(super) struct Portfolio<'a> {
     pub(super) tiers: [usize; 4],
     /// Objects with a history that failed.
     pub(super) failed: usize,
+    /// The worlds that were asked.
+    pub(super) lived: Lived,
+    /// The worlds of this run, where it assessed objects: their ground motions are still there.
+    pub(super) worlds: Option<Worlds<'a>>,
 }
 
 /// The files that a run keeps in its output folder until it is finished.
@@ -59,7 +62,7 @@ pub(super) fn progress_names(items: usize) -> Vec<String> {
 /// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error:
 /// the result then has the objects that were finished.
 pub(super) fn assess<'a>(
-    study: &Study,
+    study: &'a Study,
     inventory: &'a Inventory,
     (folder, key): (&Path, &str),
     resume: bool,
@@ -79,6 +82,8 @@ pub(super) fn assess<'a>(
         decisions: [0; 4],
         tiers: [0; 4],
         failed: 0,
+        lived: Lived::default(),
+        worlds: None,
     };
     let mut context: Option<Context> = None;
     let mut list = Vec::with_capacity(total);
@@ -95,7 +100,10 @@ pub(super) fn assess<'a>(
             None => {
                 let ready = match context.take() {
                     Some(ready) => Ok(ready),
-                    None => shake(study, total, &wants_to_stop, progress),
+                    None => shake(study, progress).map(|worlds| {
+                        portfolio.worlds = Some(worlds.at_intensity(1.0));
+                        Context::new(study, worlds, total, &wants_to_stop)
+                    }),
                 };
                 let assessed = ready.and_then(|ready| assess_part(context.insert(ready), items));
                 match assessed {
@@ -112,7 +120,7 @@ pub(super) fn assess<'a>(
                 }
             }
         };
-        portfolio.count(&found);
+        portfolio.count(items, &found);
         list.extend(items.iter().zip(&found).map(|(item, found)| Urgency::new(item, found)));
     }
     portfolio.histories = context.map_or(0, |context| context.histories());
@@ -120,17 +128,16 @@ pub(super) fn assess<'a>(
     Ok(portfolio)
 }
 
-fn shake<'a>(
-    study: &'a Study,
-    rows: usize,
-    wants_to_stop: &'a (dyn Fn() -> bool + Sync),
-    progress: Progress,
-) -> Result<Context<'a>, Problems> {
+/// The worlds of a study.
+///
+/// # Errors
+/// A motion that cannot be generated, or a stop.
+pub(super) fn shake<'a>(study: &'a Study, progress: Progress) -> Result<Worlds<'a>, Problems> {
     let go_on = || match progress(Step { stage: Some(Stage::GroundMotions), done: 0, total: 0 }) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped().into()),
     };
-    Ok(Context::new(study, Worlds::new(study, go_on)?, rows, wants_to_stop))
+    Worlds::new(study, go_on)
 }
 
 /// One part: the objects with level and geometry in their worlds, and the others without a verdict.
@@ -203,8 +210,11 @@ impl<'a> Urgency<'a> {
 }
 
 impl<'a> Portfolio<'a> {
-    fn count(&mut self, found: &[Assessment]) {
-        for one in found {
+    fn count(&mut self, items: &[Item], found: &[Assessment]) {
+        for (item, one) in items.iter().zip(found) {
+            if let (Some(answers), Some(level_ratio)) = (&one.answers, item.level_ratio) {
+                self.lived.add(answers.worlds, level_ratio);
+            }
             if let Some(place) = Decision::ALL.iter().position(|decision| *decision == one.decision) {
                 self.decisions[place] += 1;
             }

@@ -88,6 +88,7 @@ pub(super) fn item(index: usize) -> Item {
         restitution: [Restitution::Housner, Restitution::Value(0.9), Restitution::Factor(0.95)][index % 3],
         friction_ratio: None,
         accepted_ratio: None,
+        questions: None,
         notes: String::new(),
         carried: vec![format!("A{index}"), "-12".to_owned()],
     }

@@ -12,6 +12,7 @@ mod sources;
 mod table;
 pub mod words;
 mod workbook;
+mod worlds;
 
 use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
@@ -19,6 +20,7 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::folder::OutputFolder;
 
 pub(crate) use head::{Head, head};
+pub(crate) use worlds::{Lived, WORLDS_NAME, write_worlds};
 
 use csv::CsvTable;
 use overview::Overview;
@@ -39,7 +41,7 @@ pub(crate) struct Row<'a> {
     pub found: Assessment,
 }
 
-/// The outputs besides `objects.csv`, which is always written.
+/// The outputs besides `objects.csv` and `worlds.csv`, which are always written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Wanted {
     /// `objects.parquet`.

@@ -129,6 +129,6 @@ fn text(report: &JobReport) -> String {
     if report.interrupted {
         text.push_str("stopped before the end: continue with --resume\n");
     }
-    text.push_str(&format!("report.html, assessment.xlsx, objects.csv in {}\n", report.out));
+    text.push_str(&format!("report.html, assessment.xlsx, objects.csv, worlds.csv in {}\n", report.out));
     text
 }

@@ -67,7 +67,14 @@ fn the_columns_of_the_contract_are_there() {
             "N" => ends("_n"),
             "N/m" => ends("_n_m"),
             "m/s" => ends("_m_s"),
-            "1" => ends("_ratio") || ends("_share") || column.name.starts_with("p_") || ends("restitution"),
+            "Hz" => ends("_hz"),
+            "1" => {
+                let named = ["p_", "share_", "measure_first_", "softened_p_", "confidence"];
+                ends("_ratio")
+                    || ends("_share")
+                    || ends("restitution")
+                    || named.iter().any(|one| column.name.starts_with(one))
+            }
             _ => matches!(column.kind, Kind::Text | Kind::Decision | Kind::Count | Kind::Flag),
         };
         assert!(expected && !column.meaning.is_empty(), "{} in {}", column.name, column.unit);
