@@ -22,6 +22,7 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
+use freestand_output::paths::io_problem;
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
@@ -30,8 +31,7 @@ use freestand_study::study::Study;
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 6] =
-    ["objects.csv", "objects.parquet", WORLDS_NAME, "report.html", "assessment.xlsx", MANIFEST];
+const OUTPUTS: [&str; 6] = ["objects.csv", "objects.parquet", WORLDS_NAME, "report.html", "assessment.xlsx", MANIFEST];
 
 /// Settings of a job.
 #[derive(Debug, Clone, Copy, Default)]
@@ -161,12 +161,17 @@ fn worlds_into(
         None => shake(study, progress)?,
     };
     let total = lived.worlds as usize;
-    write_worlds(folder, study, &worlds, lived, |done| {
-        match progress(Step { stage: Some(Stage::FloorMotions), done: done as usize, total }) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Problem::stopped().into()),
-        }
-    })
+    let go_on = |done: u32| match progress(Step { stage: Some(Stage::FloorMotions), done: done as usize, total }) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Problem::stopped().into()),
+    };
+    let written = write_worlds(folder, study, &worlds, lived, go_on);
+    if written.as_ref().is_err_and(Problems::is_stopped) {
+        // A part of the table must not pass for the whole.
+        let path = folder.path_of(WORLDS_NAME)?;
+        std::fs::remove_file(&path).map_err(|error| io_problem(&path, "cannot remove an unfinished file", &error))?;
+    }
+    written
 }
 
 fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Path) -> JobReport {

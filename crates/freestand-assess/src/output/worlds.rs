@@ -87,11 +87,11 @@ pub(crate) fn write_worlds(
         _ => Vec::new(),
     };
     let mut file = folder.begin(WORLDS_NAME)?;
-    file.write(&csv_of(&[HEADER.map(Cell::text)])?)?;
+    file.write(&csv_of(&[HEADER.map(Cell::text).to_vec()])?)?;
     for first in (0..lived.worlds).step_by(BLOCK as usize) {
         go_on(first)?;
         let block = first..lived.worlds.min(first + BLOCK);
-        let made: Vec<Result<Vec<[Cell; 17]>, Problems>> =
+        let made: Vec<Result<Vec<Vec<Cell>>, Problems>> =
             block.into_par_iter().map(|world| rows(worlds, world, &lived.levels, &names)).collect();
         for rows in made {
             file.write(&csv_of(&rows?)?)?;
@@ -101,43 +101,23 @@ pub(crate) fn write_worlds(
 }
 
 /// The rows of a world, one for each level.
-fn rows<'a>(
-    worlds: &Worlds,
-    world: u32,
-    levels: &[f64],
-    names: &'a [String],
-) -> Result<Vec<[Cell<'a>; 17]>, Problems> {
+fn rows<'a>(worlds: &Worlds, world: u32, levels: &[f64], names: &'a [String]) -> Result<Vec<Vec<Cell<'a>>>, Problems> {
     let ground = worlds.ground(world, 0)?;
     let building = worlds.building(world)?;
     let named = names.get(world as usize % names.len().max(1)).map(|name| Cell::text(name));
-    let of_ground = ground.as_ref().and_then(|ground| ground.record.clone());
-    let record = named.unwrap_or_else(|| Cell::owned(of_ground));
+    let record = named.unwrap_or_else(|| Cell::owned(ground.as_ref().and_then(|ground| ground.record.clone())));
     let motions = ground.as_ref().map(|ground| components(&ground.motion)).unwrap_or_default();
-    let [pga_x, pga_y] = motions.map(peak_g);
-    let [x, y] = motions.map(spectrum_g);
-    let [[a, b, c, d], [e, f, g, h]] = [x?, y?];
+    let [along, across] = motions.map(spectrum_g);
+    let spectra = [along?, across?].concat();
     let row = |level_ratio: &f64| {
         let floor = worlds.floor(world, *level_ratio, Again::default(), None)?;
-        let [pfa_x, pfa_y] = components(&floor.motion).map(peak_g);
-        Ok([
-            Cell::Count(u64::from(world)),
-            Cell::number(Some(*level_ratio)),
-            Cell::number(building.map(|building| building.period_s)),
-            Cell::number(building.and_then(|building| building.damping_ratio)),
-            record.clone(),
-            Cell::number(pga_x),
-            Cell::number(pga_y),
-            Cell::number(pfa_x),
-            Cell::number(pfa_y),
-            Cell::number(a),
-            Cell::number(b),
-            Cell::number(c),
-            Cell::number(d),
-            Cell::number(e),
-            Cell::number(f),
-            Cell::number(g),
-            Cell::number(h),
-        ])
+        let building = [building.map(|one| one.period_s), building.and_then(|one| one.damping_ratio)];
+        let peaks = [motions, components(&floor.motion)].concat().into_iter().map(peak_g);
+        let mut cells = vec![Cell::Count(u64::from(world)), Cell::number(Some(*level_ratio))];
+        cells.extend(building.map(Cell::number));
+        cells.push(record.clone());
+        cells.extend(peaks.chain(spectra.iter().copied()).map(Cell::number));
+        Ok(cells)
     };
     levels.iter().map(row).collect()
 }
@@ -161,7 +141,7 @@ fn spectrum_g(motion: Option<&Motion>) -> Result<[Option<f64>; 4], Problem> {
     Ok([(); 4].map(|()| values.next()))
 }
 
-fn csv_of(rows: &[[Cell; 17]]) -> Result<Vec<u8>, Problem> {
+fn csv_of(rows: &[Vec<Cell>]) -> Result<Vec<u8>, Problem> {
     let mut writer = csv_writer();
     let mut text = String::new();
     for row in rows {
