@@ -123,3 +123,45 @@ fn a_run_that_was_stopped_has_the_whole_table_or_none() {
     }
     assert_eq!(numbers(&out.join("worlds.csv"), "world").len(), 160);
 }
+
+/// The shares of the outcomes are the probabilities; a run that was stopped goes on to the same
+/// bytes, and one without outcomes is computed again.
+#[test]
+fn outcomes_are_what_was_counted() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = "[ground]\nseed = 3\n[building]\nstoreys = 4\n[worlds]\nfirst = 20\nmost = 20\nshares = false\n";
+    let wanted = Job { outcomes: true, resume: true, ..Job::default() };
+    let report = run(folder.path(), study, "whole", &wanted, &no_progress);
+    assert!(report.files.contains(&"outcomes.csv".to_owned()), "{:?}", report.files);
+    let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
+    let (table, objects) = (whole.join("outcomes.csv"), whole.join("objects.csv"));
+    let ids = column(&table, "id");
+    let expected: Vec<&str> = ["a", "b", "c"].into_iter().flat_map(|id| [id; 20]).collect();
+    // Without pads only the rigid base is asked.
+    assert_eq!(ids, expected);
+    assert!(column(&table, "model").iter().all(|model| model == "rigid"));
+    assert!(column(&table, "exceeded").iter().all(String::is_empty));
+    let (fell, p) = (numbers(&table, "fell"), column(&objects, "p_overturn_rigid"));
+    for (place, p) in p.iter().take(3).enumerate() {
+        let share = fell[20 * place..20 * (place + 1)].iter().sum::<f64>() / 20.0;
+        assert_eq!(share, p.parse::<f64>().unwrap(), "{place}");
+    }
+    let lifts = column(&table, "lift_m");
+    assert!(lifts.iter().zip(&fell).all(|(lift, fell)| lift.is_empty() == (*fell == 1.0)), "{lifts:?}");
+
+    let stops = |step: Step| match step.stage {
+        Some(Stage::FloorMotions) => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    let without = Job { resume: true, ..Job::default() };
+    assert_eq!(run(folder.path(), study, "out", &without, &stops).computed, 4);
+    assert!(!out.join("outcomes.csv").exists());
+    let report = run(folder.path(), study, "out", &wanted, &stops);
+    assert_eq!((report.resumed, report.computed, report.interrupted), (0, 4, true));
+    let report = run(folder.path(), study, "out", &wanted, &no_progress);
+    assert_eq!((report.resumed, report.computed, report.interrupted), (4, 0, false));
+    for name in ["worlds.csv", "outcomes.csv", "manifest.json"] {
+        assert!(fs::read(whole.join(name)).unwrap() == fs::read(out.join(name)).unwrap(), "{name}");
+    }
+    assert!(!out.join("progress").exists());
+}

@@ -16,7 +16,7 @@ use store::PROGRESS;
 
 use crate::inventory::{Inventory, read_inventory};
 use crate::library::{Libraries, Lookup};
-use crate::output::{Head, WORLDS_NAME, Wanted, head, write_all, write_worlds};
+use crate::output::{Head, OUTCOMES_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds};
 use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
@@ -31,7 +31,8 @@ use freestand_study::study::Study;
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 6] = ["objects.csv", "objects.parquet", WORLDS_NAME, "report.html", "assessment.xlsx", MANIFEST];
+const OUTPUTS: [&str; 7] =
+    ["objects.csv", "objects.parquet", WORLDS_NAME, OUTCOMES_NAME, "report.html", "assessment.xlsx", MANIFEST];
 
 /// Settings of a job.
 #[derive(Debug, Clone, Copy, Default)]
@@ -42,6 +43,8 @@ pub struct Job {
     pub force: bool,
     /// Write `objects.parquet` too.
     pub parquet: bool,
+    /// Write `outcomes.csv` too: every object in every world.
+    pub outcomes: bool,
 }
 
 /// The summary of a job; its fields are the keys of the JSON document.
@@ -124,10 +127,18 @@ pub fn assess_into(
     let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
     let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
-    let mut portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
+    let mut portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), (job.resume, job.outcomes), progress)?;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
     write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
+    if job.outcomes {
+        let mut file = folder.begin(OUTCOMES_NAME)?;
+        file.write(&outcomes_head()?)?;
+        for rows in portfolio.outcomes() {
+            file.write(&rows?)?;
+        }
+        file.finish()?;
+    }
     if !portfolio.interrupted {
         match worlds_into(&folder, study, &mut portfolio, progress) {
             Err(error) if error.is_stopped() => portfolio.interrupted = true,
@@ -251,7 +262,9 @@ fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), 
     }
     let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;
     let is_there = |name: &str| target.join(name).is_file();
-    if !files.iter().all(|name| is_there(name)) || (job.parquet && !is_there("objects.parquet")) {
+    let wanted = [(job.parquet, "objects.parquet"), (job.outcomes, OUTCOMES_NAME)];
+    let has_all = wanted.iter().all(|(is_wanted, name)| !is_wanted || files.iter().any(|file| file == name));
+    if !files.iter().all(|name| is_there(name)) || !has_all {
         return None;
     }
     Some(JobReport {

@@ -65,7 +65,7 @@ pub(super) fn assess<'a>(
     study: &'a Study,
     inventory: &'a Inventory,
     (folder, key): (&Path, &str),
-    resume: bool,
+    (resume, wants_outcomes): (bool, bool),
     progress: Progress,
 ) -> Result<Portfolio<'a>, Problems> {
     let store = Store::open(folder, key, resume)?;
@@ -92,7 +92,9 @@ pub(super) fn assess<'a>(
             portfolio.interrupted = true;
             break;
         }
-        let found = match portfolio.store.read(part, items.iter().map(|item| item.id.as_str())) {
+        let is_complete = !wants_outcomes || portfolio.store.has_outcomes(part);
+        let stored = portfolio.store.read(part, items.iter().map(|item| item.id.as_str()));
+        let found = match stored.filter(|_| is_complete) {
             Some(found) => {
                 portfolio.resumed += found.len();
                 found
@@ -105,9 +107,13 @@ pub(super) fn assess<'a>(
                         Context::new(study, worlds, total, &wants_to_stop)
                     }),
                 };
-                let assessed = ready.and_then(|ready| assess_part(context.insert(ready), items));
+                let mut rows = wants_outcomes.then(Vec::new);
+                let assessed = ready.and_then(|ready| assess_part(context.insert(ready), items, rows.as_mut()));
                 match assessed {
                     Ok(found) => {
+                        if let Some(rows) = rows {
+                            portfolio.store.write_outcomes(part, &rows)?;
+                        }
                         portfolio.store.write(part, &found)?;
                         portfolio.computed += found.len();
                         found
@@ -141,7 +147,7 @@ pub(super) fn shake<'a>(study: &'a Study, progress: Progress) -> Result<Worlds<'
 }
 
 /// One part: the objects with level and geometry in their worlds, and the others without a verdict.
-fn assess_part(context: &Context, items: &[Item]) -> Result<Vec<Assessment>, Problems> {
+fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>) -> Result<Vec<Assessment>, Problems> {
     let settings = &context.study.assessment;
     let mut found: Vec<Option<Assessment>> = vec![None; items.len()];
     let (mut places, mut members) = (Vec::new(), Vec::new());
@@ -163,7 +169,7 @@ fn assess_part(context: &Context, items: &[Item]) -> Result<Vec<Assessment>, Pro
             }
         }
     }
-    for (place, assessed) in places.into_iter().zip(assess_group(context, &members)?) {
+    for (place, assessed) in places.into_iter().zip(assess_group(context, &members, outcomes)?) {
         found[place] = Some(assessed);
     }
     Ok(found.into_iter().flatten().collect())
@@ -251,18 +257,27 @@ impl<'a> Portfolio<'a> {
                     let rows = items.iter().zip(found).zip(ranks);
                     rows.map(|((item, found), rank)| Ok(Row { rank: *rank as usize, item, found })).collect::<Vec<_>>()
                 }
-                None => vec![Err(Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
-                    .hint("repeat the run with `resume = true`: the missing parts are computed again"))],
+                None => vec![Err(disappeared())],
             }
         })
+    }
+
+    /// The outcomes of each finished part.
+    pub(super) fn outcomes(&self) -> impl Iterator<Item = Result<Vec<u8>, Problem>> {
+        (0..self.ranks.len().div_ceil(PART)).map(|part| self.store.outcomes(part).ok_or_else(disappeared))
     }
 
     /// Keeps the finished parts next to the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
         let parts = self.ranks.len().div_ceil(PART);
-        for name in Store::names(parts) {
+        for name in Store::names(parts).filter(|name| self.store.has(name)) {
             self.store.link(&name, &folder.place_for(&format!("{}/{name}", PROGRESS))?)?;
         }
         Ok(())
     }
+}
+
+fn disappeared() -> Problem {
+    Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
+        .hint("repeat the run with `resume = true`: the missing parts are computed again")
 }

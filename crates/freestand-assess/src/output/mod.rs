@@ -5,6 +5,7 @@ mod csv;
 #[cfg(test)]
 mod fixture;
 mod head;
+mod outcomes;
 mod overview;
 mod parquet;
 mod report;
@@ -20,6 +21,7 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::folder::OutputFolder;
 
 pub(crate) use head::{Head, head};
+pub(crate) use outcomes::{OUTCOMES_NAME, OutcomeRow, outcomes_head, outcomes_rows};
 pub(crate) use worlds::{Lived, WORLDS_NAME, write_worlds};
 
 use csv::CsvTable;

@@ -87,14 +87,14 @@ pub(crate) fn write_worlds(
         _ => Vec::new(),
     };
     let mut file = folder.begin(WORLDS_NAME)?;
-    file.write(&csv_of(&[HEADER.map(Cell::text).to_vec()])?)?;
+    file.write(&csv_of([HEADER.map(Cell::text).to_vec()])?)?;
     for first in (0..lived.worlds).step_by(BLOCK as usize) {
         go_on(first)?;
         let block = first..lived.worlds.min(first + BLOCK);
         let made: Vec<Result<Vec<Vec<Cell>>, Problems>> =
             block.into_par_iter().map(|world| rows(worlds, world, &lived.levels, &names)).collect();
         for rows in made {
-            file.write(&csv_of(&rows?)?)?;
+            file.write(&csv_of(rows?)?)?;
         }
     }
     Ok(file.finish()?)
@@ -141,11 +141,12 @@ fn spectrum_g(motion: Option<&Motion>) -> Result<[Option<f64>; 4], Problem> {
     Ok([(); 4].map(|()| values.next()))
 }
 
-fn csv_of(rows: &[Vec<Cell>]) -> Result<Vec<u8>, Problem> {
+/// Rows as CSV, written as `objects.csv` is.
+pub(super) fn csv_of<'a>(rows: impl IntoIterator<Item = Vec<Cell<'a>>>) -> Result<Vec<u8>, Problem> {
     let mut writer = csv_writer();
     let mut text = String::new();
     for row in rows {
-        for cell in row {
+        for cell in &row {
             text.clear();
             push_field(&mut text, cell);
             writer.write_field(&text).map_err(broken)?;

@@ -13,6 +13,7 @@ mod comparisons;
 mod decision;
 mod draw;
 mod object;
+mod outcomes;
 mod per_year;
 mod response;
 mod shares;
@@ -24,6 +25,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use crate::inventory::{Consequences, Item, Rating};
+use crate::output::outcomes_rows;
 use crate::result::{AcceptedFor, Assessment, Decision};
 use crate::worlds::Worlds;
 use freestand::G0_M_S2;
@@ -116,11 +118,19 @@ fn asks_shock(item: &Item, of_study: Option<Questions>) -> bool {
     }
 }
 
-/// The assessments of some objects, in their order.
-pub(crate) fn assess_group(context: &Context, members: &[Member]) -> Result<Vec<Assessment>, Problems> {
+/// The assessments of some objects, in their order; what happened to them in every world is put
+/// into `outcomes`.
+pub(crate) fn assess_group(
+    context: &Context,
+    members: &[Member],
+    outcomes: Option<&mut Vec<u8>>,
+) -> Result<Vec<Assessment>, Problems> {
     let mut trials: Vec<Trial> =
         members.iter().map(|member| Trial::new(context, member, member.subject.clone())).collect();
     trial::live(context, &mut trials)?;
+    if let Some(rows) = outcomes {
+        *rows = outcomes_rows(trials.iter().flat_map(outcomes::outcomes))?;
+    }
     let softened = softer::softer(context, &trials)?;
     let shares = shares::shares(context, &trials)?;
     let per_year = per_year::per_year(context, &trials)?;
