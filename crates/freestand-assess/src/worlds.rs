@@ -36,8 +36,11 @@ pub(crate) struct Worlds<'a> {
     /// Factor on the ground motions, for rates per year.
     intensity_ratio: f64,
     /// At the intensity of the study.
-    kept: Arc<Mutex<HashMap<(u32, u32), Arc<GroundOfWorld>>>>,
+    kept: Arc<Mutex<Kept>>,
 }
+
+/// Ground motions by the number of their world, and how often they were drawn again.
+type Kept = HashMap<(u32, u32), Arc<GroundOfWorld>>;
 
 /// Where the ground motions of worlds come from.
 #[derive(Clone)]

@@ -92,7 +92,7 @@ fn the_same_bytes_on_any_number_of_threads() {
         contents(&out)
     };
     let one = of(1);
-    assert_eq!(one.len(), 5, "{:?}", one.keys());
+    assert_eq!(one.len(), 6, "{:?}", one.keys());
     assert_eq!((&one, &one), (&of(2), &of(7)));
 }
 

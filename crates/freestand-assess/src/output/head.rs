@@ -52,13 +52,10 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
 }
 
 fn motions(study: &Study) -> String {
-    let count = study.ground.names(&study.levels).len();
-    let directions = match study.directions_deg.len() {
-        1 => String::new(),
-        n => format!("; each object was tried in {n} directions, and the worst counts"),
-    };
     let of = match &study.ground {
-        Ground::Synthetic(synthetic) => format!("synthetic motions for {}", synthetic.target.title_words()),
+        Ground::Synthetic(synthetic) => {
+            return format!("a synthetic motion in every world, for {}", synthetic.target.title_words());
+        }
         Ground::Simulated(simulated) => simulated.title_words(),
         Ground::Recorded(_) => match study.ground.target() {
             Some(target) => format!("records matched to {}", target.title_words()),
@@ -66,7 +63,8 @@ fn motions(study: &Study) -> String {
         },
         Ground::OnFloors => "given floor motions".to_owned(),
     };
-    format!("{}: {of}{directions}", counted(count, "motion"))
+    let count = study.ground.names(&study.levels).len();
+    format!("{}, used by the worlds in turn: {of}", counted(count, "motion"))
 }
 
 fn assumptions(study: &Study) -> Vec<String> {

@@ -304,9 +304,7 @@ fn ceiling_g(trial: &Trial, axis: usize, body: &Body) -> f64 {
 
 fn shock(trial: &Trial) -> Option<Shock> {
     let body = trial.subject.body.as_ref()?;
-    if followed(trial).next().is_none() {
-        return None;
-    }
+    followed(trial).next()?;
     let of = |number: fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
     let survived = followed(trial).filter(|(_, axes)| !overturned(axes) && lifts(axes));
     let survived: Vec<(usize, f64)> =

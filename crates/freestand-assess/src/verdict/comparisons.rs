@@ -70,7 +70,7 @@ impl Context<'_> {
         }
         let thresholds = trial.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
         lines.push(format!(
-            "Uplift begins at {} g; the largest PFA of the motions of its floor is {} g.",
+            "Uplift begins at {} g; the largest PFA of its floor is {} g.",
             number(thresholds.fold(f64::INFINITY, f64::min), 3),
             number(facts.pfa_g_max, 3)
         ));

@@ -1,16 +1,17 @@
 //! What an answer depends on, and what to measure first.
 
+use crate::result::{Cause, Shares};
 use freestand::decision::jansen_share;
 use freestand::worlds::Group;
-use rayon::prelude::*;
-
-use crate::result::{Cause, Shares};
 use freestand_input::problem::Problems;
 
 use super::Context;
 use super::draw::Change;
 use super::response::Lived;
 use super::trial::{Model, Question, Trial, answer, lived_in};
+
+/// Fewest worlds with the event, and without it, from which a share says anything.
+const FEWEST: usize = 10;
 
 /// Worlds in which one group is drawn again.
 const MAX_WORLDS: usize = 160;
@@ -44,64 +45,107 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
     if !context.wants_shares {
         return Ok(found);
     }
-    for (trial, found) in trials.iter().zip(&mut found) {
-        let worlds = trial.lived.len().min(MAX_WORLDS);
-        let own: Vec<bool> = trial.lived[..worlds].iter().map(|lived| has_event(trial, lived)).collect();
-        let hits = own.iter().filter(|hit| **hit).count();
-        if hits == 0 {
-            continue;
+    let mut asked: Vec<Asked> =
+        trials.iter().enumerate().filter_map(|(place, trial)| Asked::new(place, trial)).collect();
+    for cause in Cause::ALL {
+        let wants = |one: &Asked| one.wants_shares && is_varied(one.trial, cause);
+        for (place, again) in events(context, &asked, wants, Change::Again(cause.group()))? {
+            let one = &mut asked[place];
+            let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(again).collect();
+            one.by_group.push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
         }
-        let mut by_group = Vec::new();
-        for cause in Cause::ALL {
-            let share = match is_varied(trial, cause) && hits >= 10 && worlds - hits >= 10 {
-                true => {
-                    let again = events(context, trial, worlds, Change::Again(cause.group()))?;
-                    let pairs: Vec<(bool, bool)> = own.iter().copied().zip(again).collect();
-                    jansen_share(&pairs).map(|share| share.total_ratio)
-                }
-                false => None,
-            };
-            by_group.push((cause, share));
+    }
+    for cause in MEASURED {
+        let wants = |one: &Asked| one.is_near && is_varied(one.trial, cause);
+        let low = events(context, &asked, wants, Change::At(cause.group(), -NORMAL_90))?;
+        let high = events(context, &asked, wants, Change::At(cause.group(), NORMAL_90))?;
+        for ((place, low), (_, high)) in low.into_iter().zip(high) {
+            let one = &mut asked[place];
+            let [low, high] = [low, high].map(|events| share(&events));
+            let accepted = one.trial.member.accepted_ratio;
+            let crosses = (low > accepted) != (high > accepted);
+            // The widest first.
+            if crosses && one.measure_first.is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs()) {
+                one.measure_first = Some((cause, low, high));
+            }
         }
-        let p = hits as f64 / worlds as f64;
-        let accepted = trial.member.accepted_ratio;
-        let is_near = p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted;
-        let measure_first = if is_near { measure_first(context, trial, worlds)? } else { None };
-        *found = Some(Shares { by_group, measure_first });
+    }
+    for Asked { place, by_group, measure_first, .. } in asked {
+        found[place] = Some(Shares { by_group, measure_first });
     }
     Ok(found)
 }
 
-/// The group whose probabilities at its 10 % and its 90 % point lie on both sides of the accepted
-/// one, the widest first.
-fn measure_first(context: &Context, trial: &Trial, worlds: usize) -> Result<Option<(Cause, f64, f64)>, Problems> {
-    let accepted = trial.member.accepted_ratio;
-    let mut widest: Option<(Cause, f64, f64)> = None;
-    for cause in MEASURED.into_iter().filter(|cause| is_varied(trial, *cause)) {
-        let mut at = [0.0; 2];
-        for (p, normal) in at.iter_mut().zip([-NORMAL_90, NORMAL_90]) {
-            let events = events(context, trial, worlds, Change::At(cause.group(), normal))?;
-            *p = events.iter().filter(|hit| **hit).count() as f64 / worlds as f64;
-        }
-        let [low, high] = at;
-        let crosses = (low > accepted) != (high > accepted);
-        if crosses && widest.is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs()) {
-            widest = Some((cause, low, high));
+/// A trial with the event in some of its worlds.
+struct Asked<'a> {
+    place: usize,
+    trial: &'a Trial<'a>,
+    /// Whether each of its first worlds has the event.
+    own: Vec<bool>,
+    wants_shares: bool,
+    is_near: bool,
+    by_group: Vec<(Cause, Option<f64>)>,
+    /// The group whose probabilities at its 10 % and its 90 % point lie on both sides of the
+    /// accepted one.
+    measure_first: Option<(Cause, f64, f64)>,
+}
+
+impl<'a> Asked<'a> {
+    fn new(place: usize, trial: &'a Trial<'a>) -> Option<Self> {
+        let worlds = trial.lived.len().min(MAX_WORLDS);
+        let own: Vec<bool> = trial.lived[..worlds].iter().map(|lived| has_event(trial, lived)).collect();
+        let hits = own.iter().filter(|hit| **hit).count();
+        let (p, accepted) = (share(&own), trial.member.accepted_ratio);
+        (hits > 0).then_some(Self {
+            place,
+            trial,
+            wants_shares: hits >= FEWEST && worlds - hits >= FEWEST,
+            is_near: p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted,
+            own,
+            by_group: Vec::new(),
+            measure_first: None,
+        })
+    }
+}
+
+fn share(events: &[bool]) -> f64 {
+    events.iter().filter(|hit| **hit).count() as f64 / events.len().max(1) as f64
+}
+
+/// The events of those that want a change, with their places in `asked`: floor by floor, so that the
+/// motions of a floor are made once for all objects on it.
+fn events(
+    context: &Context,
+    asked: &[Asked],
+    wants: impl Fn(&Asked) -> bool,
+    change: Change,
+) -> Result<Vec<(usize, Vec<bool>)>, Problems> {
+    let mut groups: Vec<((u64, usize), Vec<usize>)> = Vec::new();
+    for (place, one) in asked.iter().enumerate().filter(|(_, one)| wants(one)) {
+        let key = (one.trial.subject.level_ratio.to_bits(), one.own.len());
+        match groups.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, places)) => places.push(place),
+            None => groups.push((key, vec![place])),
         }
     }
-    Ok(widest)
+    let mut found = Vec::new();
+    for ((level, worlds), places) in groups {
+        context.go_on()?;
+        let trials: Vec<&Trial> = places.iter().map(|&place| asked[place].trial).collect();
+        let range = 0..u32::try_from(worlds).unwrap_or(u32::MAX);
+        let lived = lived_in(context, f64::from_bits(level), range, &trials, change)?;
+        for (place, lived) in places.into_iter().zip(lived) {
+            let trial = asked[place].trial;
+            found.push((place, lived.iter().map(|one| has_event(trial, one)).collect()));
+        }
+    }
+    found.sort_by_key(|(place, _)| *place);
+    Ok(found)
 }
 
 /// Pads count where there are any.
 fn is_varied(trial: &Trial, cause: Cause) -> bool {
     cause != Cause::Pad || trial.subject.body.is_some()
-}
-
-fn events(context: &Context, trial: &Trial, worlds: usize, change: Change) -> Result<Vec<bool>, Problems> {
-    context.go_on()?;
-    let range = 0..u32::try_from(worlds).unwrap_or(u32::MAX);
-    let lived = lived_in(context, trial.subject.level_ratio, range, &[trial], change)?;
-    Ok(lived.into_iter().flatten().collect::<Vec<_>>().par_iter().map(|lived| has_event(trial, lived)).collect())
 }
 
 /// Whether it falls or exceeds its tolerance by any model, as far as that is asked.

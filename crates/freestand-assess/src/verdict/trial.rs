@@ -192,7 +192,7 @@ pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Proble
         for (place, trial) in trials.iter().enumerate() {
             let Some(range) = trial.next() else { continue };
             let level = trial.subject.level_ratio.to_bits();
-            match groups.iter_mut().find(|(bits, worlds, _)| (*bits, &*worlds) == (level, &range)) {
+            match groups.iter_mut().find(|(bits, worlds, _)| *bits == level && *worlds == range) {
                 Some((.., places)) => places.push(place),
                 None => groups.push((level, range, vec![place])),
             }
